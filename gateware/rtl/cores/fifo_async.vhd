@@ -1,0 +1,142 @@
+-- A FIFO between two clocks that know nothing of each other: first-word fall-through, one entry per cycle sustained.
+--
+-- Each side owns a pointer and shows it to the other in Gray code, where one step changes one bit: a pointer that is
+-- caught while it changes reads as its old or its new value, never as something else. What a side sees of the other is
+-- two to three of its cycles old, so `in_ready` and `out_valid` err on the safe side only. Pointers have one bit more
+-- than an address, which tells full from empty. Sources: C. E. Cummings, "Simulation and Synthesis Techniques for
+-- Asynchronous FIFO Design", SNUG 2002.
+--
+-- Both sides must be reset together (each synchronously to its own clock, overlapping): a reset of one side alone would
+-- bring back old entries. Time constraints: the paths into `*_meta` are the crossings; a tool that wants them bounded
+-- gets the faster clock's period as the most delay.
+
+library ieee;
+  use ieee.std_logic_1164.all;
+  use ieee.numeric_std.all;
+
+library work;
+  use work.math_pkg.all;
+
+entity fifo_async is
+  generic (
+    width : positive := 8;
+    -- Entries; a power of two, at least 4. One more waits in the output register.
+    depth : positive := 16
+  );
+  port (
+    in_clk    : in    std_logic;
+    in_rst    : in    std_logic;
+    in_data   : in    std_logic_vector(width - 1 downto 0);
+    in_valid  : in    std_logic;
+    in_ready  : out   std_logic;
+    out_clk   : in    std_logic;
+    out_rst   : in    std_logic;
+    out_data  : out   std_logic_vector(width - 1 downto 0);
+    out_valid : out   std_logic;
+    out_ready : in    std_logic
+  );
+end entity fifo_async;
+
+architecture rtl of fifo_async is
+
+  type memory_t is array (0 to depth - 1) of std_logic_vector(width - 1 downto 0);
+
+  subtype address_t is unsigned(log2_ceil(depth) - 1 downto 0);
+
+  subtype pointer_t is unsigned(log2_ceil(depth) downto 0);
+
+  function gray (binary : pointer_t) return pointer_t is
+  begin
+
+    return binary xor ('0' & binary(pointer_t'high downto 1));
+
+  end function gray;
+
+  -- Full: the write pointer is one whole round ahead, which in Gray code differs in the two highest bits alone.
+  function one_round_ahead (code : pointer_t) return pointer_t is
+  begin
+
+    return (not code(code'high downto code'high - 1)) & code(code'high - 2 downto 0);
+
+  end function one_round_ahead;
+
+  signal memory : memory_t;
+
+  signal write_at      : pointer_t;
+  signal write_gray    : pointer_t;
+  signal read_meta     : pointer_t;
+  signal read_seen     : pointer_t;
+  signal not_full      : std_logic;
+  signal push          : std_logic;
+
+  signal read_at       : pointer_t;
+  signal read_gray     : pointer_t;
+  signal write_meta    : pointer_t;
+  signal write_seen    : pointer_t;
+  signal head_valid    : std_logic;
+  signal load          : std_logic;
+
+begin
+
+  assert is_power_of_two(depth) and depth >= 4
+    report "fifo_async: depth is " & integer'image(depth) & ", expected a power of two of at least 4"
+    severity failure;
+
+  not_full <= '0' when write_gray = one_round_ahead(read_seen) else
+              '1';
+  push     <= in_valid and not_full;
+  in_ready <= not_full;
+
+  write_side : process (in_clk) is
+  begin
+
+    if rising_edge(in_clk) then
+      if push = '1' then
+        memory(to_integer(write_at(address_t'range))) <= in_data;
+        write_at                                      <= write_at + 1;
+        write_gray                                    <= gray(write_at + 1);
+      end if;
+      read_meta <= read_gray;
+      read_seen <= read_meta;
+
+      if in_rst = '1' then
+        write_at   <= (others => '0');
+        write_gray <= (others => '0');
+        read_meta  <= (others => '0');
+        read_seen  <= (others => '0');
+      end if;
+    end if;
+
+  end process write_side;
+
+  load      <= '1' when read_gray /= write_seen and (head_valid = '0' or out_ready = '1') else
+               '0';
+  out_valid <= head_valid;
+
+  read_side : process (out_clk) is
+  begin
+
+    if rising_edge(out_clk) then
+      if load = '1' then
+        out_data   <= memory(to_integer(read_at(address_t'range)));
+        read_at    <= read_at + 1;
+        read_gray  <= gray(read_at + 1);
+        head_valid <= '1';
+      elsif out_ready = '1' then
+        head_valid <= '0';
+      end if;
+      write_meta <= write_gray;
+      write_seen <= write_meta;
+
+      if out_rst = '1' then
+        read_at    <= (others => '0');
+        read_gray  <= (others => '0');
+        write_meta <= (others => '0');
+        write_seen <= (others => '0');
+        head_valid <= '0';
+      end if;
+    end if;
+
+  end process read_side;
+
+end architecture rtl;
