@@ -1,0 +1,2 @@
+"""Unity-Link."""
+__version__ = "0.1.0"

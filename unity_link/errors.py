@@ -1,0 +1,101 @@
+"""What can go wrong, sorted by what a caller can do about it.
+
+Every error that Unity-Link raises is a `UnityLinkError`. An error's class says what to do: mend the call
+(`ArgumentError`), look at the cable and the URL (`ConnectError`, `LinkLostError`), look at the gateware
+(`GatewayError`, `UnsupportedError`), or read faster (`SamplesLostError`).
+"""
+
+from __future__ import annotations
+
+import enum
+
+
+class UnityLinkError(Exception):
+    """Base of all errors of this package."""
+
+
+class ArgumentError(UnityLinkError, ValueError):
+    """A value that no gateway, or not this one, can take. Nothing was sent."""
+
+
+class ConnectError(UnityLinkError):
+    """No link could be opened; the message says what was tried."""
+
+
+class UnsupportedError(UnityLinkError):
+    """The gateway was built without the feature that the call needs, or speaks another protocol version."""
+
+
+class SamplesLostError(UnityLinkError):
+    """A subscription with ``overflow="fail"`` was read too slowly, and its buffer is full."""
+
+
+class Outcome(enum.Enum):
+    """What is known of a request whose answer did not come."""
+
+    EXECUTED = "executed"
+    NOT_EXECUTED = "not executed"
+    UNKNOWN = "unknown"
+
+
+class LinkLostError(UnityLinkError):
+    """The link ended before the call was answered.
+
+    `outcome` says what is known of the request: a write that is ``NOT_EXECUTED`` can be sent again, one that is
+    ``UNKNOWN`` may or may not have reached the bus.
+    """
+
+    def __init__(self, reason: str, outcome: Outcome = Outcome.UNKNOWN) -> None:
+        super().__init__(reason, outcome)
+        self.reason = reason
+        self.outcome = outcome
+
+    def __str__(self) -> str:
+        """Give the reason and what is known of the request."""
+        return f"{self.reason}; the request is {_OUTCOME_TEXT[self.outcome]}"
+
+
+_OUTCOME_TEXT = {
+    Outcome.EXECUTED: "known to be executed",
+    Outcome.NOT_EXECUTED: "known not to be executed",
+    Outcome.UNKNOWN: "perhaps executed",
+}
+
+
+class LinkClosedError(LinkLostError):
+    """The link was closed by this program."""
+
+
+class GatewayError(UnityLinkError):
+    """The gateway answered with an error; `code` is its number (protocol section 2)."""
+
+    code = 0
+
+    def __init__(self, message: str, code: int | None = None) -> None:
+        super().__init__(message)
+        if code is not None:
+            self.code = code
+
+
+class BusError(GatewayError):
+    """A module on the bus refused the access (error 04). What a block did before it stays done."""
+
+    code = 4
+
+
+class BusTimeoutError(GatewayError):
+    """No module on the bus answered at the address (error 05)."""
+
+    code = 5
+
+
+class OutOfRangeError(GatewayError):
+    """The gateway refused a group, count, divisor, mode or width (error 06)."""
+
+    code = 6
+
+
+class AnswerLostError(GatewayError):
+    """The request was executed once, and its answer was lost for good (error 08): a queue read or masked write."""
+
+    code = 8

@@ -1,0 +1,68 @@
+"""What stands between two line ends (protocol section 1): a body, its check and its end.
+
+A *checked* frame is the body, its CRC and LF. A *plain* one, which a person can type, is the body and CR; a gateway ends
+its plain replies with CR LF. On a medium that several nodes share (section 7) each body stands behind a prefix of `Z` and
+two digits, which the CRC covers. Everything above this module sees bodies only.
+"""
+
+from __future__ import annotations
+
+from unity_link.wire.crc import Crc
+
+LF = b"\n"
+CR = b"\r"
+_CR_BYTE = CR[0]
+
+
+class FrameError(ValueError):
+    """A frame that is damaged, cut, or not for us."""
+
+
+class Framing:
+    """Puts bodies into frames and takes them out again.
+
+    Args:
+        crc: the check in use.
+        node: number of the node on a shared medium, 0 to 0xFE, or None for a medium of our own.
+    """
+
+    def __init__(self, crc: Crc, node: int | None = None) -> None:
+        self.crc = crc
+        self.prefix = b"" if node is None else b"Z%02X" % node
+        self.overhead = len(self.prefix) + crc.digits + len(LF)
+        """Characters of a checked frame beyond its body."""
+
+    def checked(self, body: bytes) -> bytes:
+        """Give the checked frame of `body`."""
+        covered = self.prefix + body
+        return covered + self.crc.text(covered) + LF
+
+    def plain_request(self, body: bytes) -> bytes:
+        """Give the plain frame of `body` as a host sends it."""
+        return self.prefix + body + CR
+
+    def plain_reply(self, body: bytes) -> bytes:
+        """Give the plain frame of `body` as a gateway sends it."""
+        return self.prefix + body + CR + LF
+
+    def open(self, line: bytes) -> bytes:
+        """Give the body of a frame that a gateway sent.
+
+        Args:
+            line: what came before the LF.
+
+        Raises:
+            FrameError: where the check fails or the frame is another node's.
+        """
+        if line and line[-1] == _CR_BYTE:
+            covered = line[:-1]
+        else:
+            digits = self.crc.digits
+            covered = line[:-digits]
+            if self.crc.text(covered) != line[-digits:]:
+                raise FrameError(f"wrong CRC in {line[:80]!r}")
+        if self.prefix:
+            if not covered.startswith(self.prefix):
+                raise FrameError(f"not from node {self.prefix[1:].decode()}: {line[:80]!r}")
+            return covered[len(self.prefix) :]
+        return covered

@@ -1,0 +1,155 @@
+"""What a gateway says of itself: the answer to `Q` (protocol section 5).
+
+All widths of all messages follow from it, so this is the first thing that a host learns and the one thing that host,
+model and generated code share.
+"""
+
+from __future__ import annotations
+
+import enum
+
+import msgspec
+
+from unity_link.errors import UnsupportedError
+
+PROTOCOL_VERSION = 1
+
+
+class Feature(enum.IntFlag):
+    """What a gateway was built with."""
+
+    GROUPS = 1
+    EXTERNAL_TRIGGERS = 2
+    TIMESTAMPS = 4
+    SEND_IMMEDIATE = 8
+    FLOW_CONTROL = 16
+    MASKED_WRITE = 32
+    QUEUE_COMMANDS = 64
+    ADDRESSED = 128
+
+
+class GatewayInfo(msgspec.Struct, frozen=True, kw_only=True):
+    """The configuration of one gateway. The defaults are those of the gateware's default build."""
+
+    protocol_version: int = PROTOCOL_VERSION
+    data_bits: int = 32
+    """Width of a word, 8 to 64 bits."""
+    address_bits: int = 8
+    """Width of an address, 8 to 32 bits. Addresses count words."""
+    id_digits: int = 2
+    """Hex digits of a message ID, 2 or 3."""
+    crc_bits: int = 8
+    crc_polynomial: int = 0x07
+    block_words: int = 255
+    """Most words in one block or queue request."""
+    groups: int = 256
+    """Number of publish groups, 0 to 256."""
+    group_words: int = 255
+    """Most addresses in one group."""
+    base_frequency_millihertz: int = 100_000_000
+    """Base publish frequency in mHz: groups publish at integer divisions of it."""
+    clock_hz: int = 50_000_000
+    """Clock of the gateway in Hz: the unit of timestamps."""
+    receive_fifo_bytes: int = 256
+    transmit_fifo_bytes: int = 256
+    features: Feature = Feature(0x7F)
+    build_id: int = 0
+    """Chosen at synthesis."""
+
+    @property
+    def address_digits(self) -> int:
+        """Hex digits of an address."""
+        return -(-self.address_bits // 4)
+
+    @property
+    def data_digits(self) -> int:
+        """Hex digits of a word."""
+        return -(-self.data_bits // 4)
+
+    @property
+    def base_frequency_hz(self) -> float:
+        """Base publish frequency in Hz."""
+        return self.base_frequency_millihertz / 1000
+
+    @property
+    def longest_request(self) -> int:
+        """Characters before the line end of the longest checked request that this gateway takes."""
+        head = 2 + self.id_digits
+        lengths = [
+            head + self.address_digits + 2,
+            head + self.address_digits + self.data_digits * max(self.block_words, 1),
+        ]
+        if Feature.MASKED_WRITE in self.features:
+            lengths.append(head + self.address_digits + 2 * self.data_digits)
+        if Feature.GROUPS in self.features:
+            lengths.append(head + 10 + self.address_digits * self.group_words)
+        return max(lengths) + self.crc_bits // 4
+
+    def to_hex(self) -> bytes:
+        """Give the fields of the answer to `Q` as hex digits."""
+        return b"".join(b"%0*X" % (digits, int(getattr(self, name))) for name, digits in _FIELDS)
+
+    @classmethod
+    def from_hex(cls, text: bytes) -> GatewayInfo:
+        """Read the fields of the answer to `Q`; what a later version appends is ignored.
+
+        Raises:
+            UnsupportedError: for another protocol version or widths that the protocol does not allow.
+            ValueError: where `text` is no such answer.
+        """
+        values: dict[str, int] = {}
+        position = 0
+        for name, digits in _FIELDS:
+            field = text[position : position + digits]
+            if len(field) != digits or not field.isalnum():
+                raise ValueError(f"an answer to Q of {_TOTAL_DIGITS} hex digits was expected, not {text[:80]!r}")
+            values[name] = int(field, 16)
+            position += digits
+            if name == "protocol_version" and values[name] != PROTOCOL_VERSION:
+                raise UnsupportedError(
+                    f"the gateway speaks version {values[name]} of the protocol and this program version "
+                    f"{PROTOCOL_VERSION}: install a unity-link that matches the gateware"
+                )
+        info = cls(**{**values, "features": Feature(values["features"])})  # type: ignore[arg-type]
+        info.check()
+        return info
+
+    def check(self) -> None:
+        """Raise `UnsupportedError` where a width is not one that the protocol allows."""
+        for name, low, high in _RANGES:
+            value = int(getattr(self, name))
+            if not low <= value <= high:
+                raise UnsupportedError(f"the gateway reports {name} = {value}, expected {low} to {high}")
+        if self.crc_bits not in (8, 16, 32) or not 0 < self.crc_polynomial < 1 << self.crc_bits:
+            raise UnsupportedError(
+                f"the gateway reports a CRC of {self.crc_bits} bits with polynomial {self.crc_polynomial:#x}, "
+                "expected 8, 16 or 32 bits and a polynomial that fits"
+            )
+
+
+_FIELDS = (
+    ("protocol_version", 2),
+    ("data_bits", 2),
+    ("address_bits", 2),
+    ("id_digits", 2),
+    ("crc_bits", 2),
+    ("crc_polynomial", 8),
+    ("block_words", 2),
+    ("groups", 4),
+    ("group_words", 2),
+    ("base_frequency_millihertz", 10),
+    ("clock_hz", 8),
+    ("receive_fifo_bytes", 4),
+    ("transmit_fifo_bytes", 4),
+    ("features", 4),
+    ("build_id", 8),
+)
+_TOTAL_DIGITS = sum(digits for _, digits in _FIELDS)
+_RANGES = (
+    ("data_bits", 8, 64),
+    ("address_bits", 8, 32),
+    ("id_digits", 2, 3),
+    ("block_words", 1, 255),
+    ("groups", 0, 256),
+    ("group_words", 0, 255),
+)
