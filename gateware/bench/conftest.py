@@ -1,0 +1,26 @@
+"""Marks every bench `rtl`, and skips it by name where no simulator is installed."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from gateware.bench.runner import simulator_available
+
+_HERE = Path(__file__).resolve().parent
+
+
+def pytest_configure(config: pytest.Config) -> None:
+    """Declare the mark, also when only this folder is run."""
+    config.addinivalue_line("markers", "rtl: runs the gateware in a simulator (needs ghdl and cocotb)")
+
+
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """Mark what stands in this folder."""
+    missing = pytest.mark.skip(reason="no simulator: apt install ghdl-mcode, pip install cocotb")
+    for item in items:
+        if _HERE in Path(item.path).parents:
+            item.add_marker(pytest.mark.rtl)
+            if not simulator_available():
+                item.add_marker(missing)

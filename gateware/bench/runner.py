@@ -1,0 +1,154 @@
+"""Runs a cocotb bench in GHDL from pytest: the only place that knows how a simulation is built and started.
+
+The sources are analysed once for each entity and state of `gateware/rtl` (the directory under `gateware/build/` is named
+after a hash of them), so a second run starts at once and a changed source is never run stale. Generics are given when
+the simulation starts, so all configurations share one build.
+
+A bench fails if one of its tests fails, if none ran, or if the simulator printed a warning: an undriven or undefined
+signal shows up as a `numeric_std` warning and would otherwise pass unseen.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import os
+import shutil
+import uuid
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping, Sequence
+
+GATEWARE = Path(__file__).resolve().parent.parent
+_BUILD = GATEWARE / "build" / "bench"
+_STD = "--std=08"
+
+
+class BenchError(AssertionError):
+    """A bench failed; the message ends with the last lines of the simulator's output."""
+
+
+def simulator_available() -> bool:
+    """Whether `ghdl` and cocotb are installed, which every bench needs."""
+    try:
+        import cocotb  # noqa: F401 - asked for here, so that the module can be imported without it
+    except ImportError:
+        return False
+    return shutil.which("ghdl") is not None
+
+
+def rtl_sources() -> list[Path]:
+    """Return every VHDL source of the gateware, sorted by path; GHDL finds the order of analysis itself."""
+    return sorted((GATEWARE / "rtl").rglob("*.vhd"))
+
+
+def run_bench(
+    toplevel: str,
+    module: str,
+    *,
+    generics: Mapping[str, object] | None = None,
+    extra_sources: Sequence[Path] = (),
+    testcase: str | None = None,
+    seed: int | None = None,
+    extra_env: Mapping[str, str] | None = None,
+    warnings_allowed: bool = False,
+) -> None:
+    """Run the cocotb tests of one module on one entity.
+
+    Args:
+        toplevel: name of the entity (lower case, in library `work`).
+        module: dotted name of the Python module with the cocotb tests (`gateware.bench.uart.bench_uart`).
+        generics: generics of the top entity; booleans may be Python's.
+        extra_sources: VHDL files beside those in `gateware/rtl` (a wrapper made for the bench).
+        testcase: run only the tests whose name ends so.
+        seed: of cocotb's random numbers; by default 1, so that a run can be repeated. The environment variable
+            COCOTB_RANDOM_SEED overrides it.
+        extra_env: further environment variables that the bench reads.
+        warnings_allowed: do not fail on the simulator's warnings; say why where you set it.
+
+    Raises:
+        BenchError: if a test fails, none ran, the sources do not analyse, or the simulator warned.
+    """
+    __tracebackhide__ = True
+    from cocotb_tools.check_results import get_results
+    from cocotb_tools.runner import get_runner
+
+    sources = [*rtl_sources(), *(Path(source).resolve() for source in extra_sources)]
+    build_dir = _BUILD / f"{toplevel}-{_hash_of(sources)}"
+    run_dir = build_dir / f"run-{uuid.uuid4().hex[:12]}"
+    run_dir.mkdir(parents=True)
+    log_file, results_file = run_dir / "simulation.log", run_dir / "results.xml"
+    runner = get_runner("ghdl")
+    try:
+        _build_once(runner, toplevel, sources, build_dir)
+        runner.test(
+            test_module=module,
+            hdl_toplevel=toplevel,
+            hdl_toplevel_library="work",
+            hdl_toplevel_lang="vhdl",
+            build_dir=build_dir,
+            test_dir=run_dir,
+            results_xml=str(results_file),
+            testcase=testcase,
+            seed=os.environ.get("COCOTB_RANDOM_SEED", seed if seed is not None else 1),
+            test_args=[_STD, f"--workdir={build_dir}"],
+            plusargs=["--ieee-asserts=disable-at-0"],
+            parameters={name: _as_vhdl(value) for name, value in (generics or {}).items()},
+            extra_env={"PYTHONWARNINGS": "error", **(extra_env or {})},
+            timescale=("1ns", "1ps"),
+            log_file=log_file,
+        )
+        ran, failed = get_results(results_file)
+    except (RuntimeError, SystemExit) as error:
+        raise BenchError(f"{toplevel}: {error}\n{_tail(log_file)}") from error
+    if failed or not ran:
+        raise BenchError(f"{toplevel} with {dict(generics or {})}: {failed} of {ran} tests failed\n{_tail(log_file)}")
+    warned = [line for line in log_file.read_text().splitlines() if "warning" in line and ".vhd" in line]
+    if warned and not warnings_allowed:
+        raise BenchError(f"{toplevel}: the simulator warned {len(warned)} times, first: {warned[0]}")
+    shutil.rmtree(run_dir)
+
+
+def _build_once(runner: object, toplevel: str, sources: Sequence[Path], build_dir: Path) -> None:
+    """Analyse the sources unless that was done; two runs at once do the same work twice and one result is kept."""
+    library = build_dir / "work-obj08.cf"
+    if library.exists():
+        return
+    scratch = build_dir / f"build-{uuid.uuid4().hex[:12]}"
+    scratch.mkdir()
+    log_file = scratch / "build.log"
+    try:
+        runner.build(  # type: ignore[attr-defined]
+            hdl_library="work",
+            sources=list(sources),
+            hdl_toplevel=toplevel,
+            build_args=[_STD],
+            build_dir=scratch,
+            always=True,
+            log_file=log_file,
+        )
+    except RuntimeError as error:
+        raise BenchError(f"{toplevel} does not analyse: {error}\n{_tail(log_file)}") from error
+    (scratch / library.name).replace(library)
+    shutil.rmtree(scratch)
+
+
+def _hash_of(sources: Sequence[Path]) -> str:
+    """Return what names a build: the contents and places of all sources."""
+    digest = hashlib.sha256()
+    for source in sources:
+        digest.update(str(source).encode() + b"\0" + source.read_bytes() + b"\0")
+    return digest.hexdigest()[:12]
+
+
+def _as_vhdl(value: object) -> object:
+    """Write a generic's value as GHDL's `-g` takes it."""
+    return str(value).lower() if isinstance(value, bool) else value
+
+
+def _tail(log_file: Path, lines: int = 60) -> str:
+    """Return the end of a log for an error message."""
+    if not log_file.exists():
+        return "(no output)"
+    return f"{log_file}:\n" + "\n".join(log_file.read_text(errors="replace").splitlines()[-lines:])

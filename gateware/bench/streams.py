@@ -1,0 +1,105 @@
+"""Drivers and monitors for the byte streams of the gateware (data, valid, ready), and the reset that every bench does.
+
+All of them look at signals right at the rising edge, where cocotb still shows the values before it, and change them
+after it, as registers do.
+"""
+
+from __future__ import annotations
+
+import random
+from typing import TYPE_CHECKING
+
+import cocotb
+from cocotb.clock import Clock
+from cocotb.triggers import ClockCycles, RisingEdge
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable
+
+    from cocotb.handle import LogicArrayObject, LogicObject
+
+
+async def start(clk: LogicObject, rst: LogicObject, period_ns: float = 20.0) -> None:
+    """Start a clock of the given period and hold reset for five cycles; returns one cycle after its end."""
+    cocotb.start_soon(Clock(clk, round(period_ns * 1000), unit="ps").start())
+    rst.value = 1
+    await ClockCycles(clk, 5)
+    rst.value = 0
+    await RisingEdge(clk)
+
+
+class Source:
+    """Offers entries on a stream, with pauses of its own in a share of the cycles."""
+
+    def __init__(
+        self,
+        clk: LogicObject,
+        data: LogicArrayObject,
+        valid: LogicObject,
+        ready: LogicObject,
+        *,
+        pause: float = 0.0,
+        rng: random.Random | None = None,
+    ) -> None:
+        """Take the stream's signals, and the probability (0 to 1) of not offering an entry in a cycle."""
+        self._clk, self._data, self._valid, self._ready = clk, data, valid, ready
+        self.pause = pause
+        self._rng = rng or random.Random(1)
+        valid.value = 0
+
+    async def send(self, entries: Iterable[int]) -> None:
+        """Offer each entry until it is taken; returns when the last one was."""
+        for entry in entries:
+            while self._rng.random() < self.pause:
+                await RisingEdge(self._clk)
+            self._data.value = entry
+            self._valid.value = 1
+            await RisingEdge(self._clk)
+            while self._ready.value != 1:
+                await RisingEdge(self._clk)
+            self._valid.value = 0
+
+
+class Sink:
+    """Takes entries from a stream into `received`, with pauses in a share of the cycles."""
+
+    def __init__(
+        self,
+        clk: LogicObject,
+        data: LogicArrayObject,
+        valid: LogicObject,
+        ready: LogicObject,
+        *,
+        pause: float = 0.0,
+        rng: random.Random | None = None,
+    ) -> None:
+        """Take the stream's signals, and the probability (0 to 1) of not being ready in a cycle; starts at once."""
+        self._clk, self._data, self._valid, self._ready = clk, data, valid, ready
+        self.pause = pause
+        self.received: list[int] = []
+        self._rng = rng or random.Random(2)
+        self._task = cocotb.start_soon(self._run())
+
+    def stop(self) -> None:
+        """Take no more; the ready signal stays as it is."""
+        self._task.cancel()
+
+    async def _run(self) -> None:
+        while True:
+            offered = self._rng.random() >= self.pause
+            self._ready.value = int(offered)
+            await RisingEdge(self._clk)
+            if offered and self._valid.value == 1:
+                self.received.append(int(self._data.value))
+
+    async def wait_for(self, count: int, most_cycles: int = 100_000) -> list[int]:
+        """Wait until `count` entries were received and return them.
+
+        Raises:
+            AssertionError: if they have not come within `most_cycles` cycles.
+        """
+        for _ in range(most_cycles):
+            if len(self.received) >= count:
+                return self.received
+            await RisingEdge(self._clk)
+        raise AssertionError(f"{len(self.received)} entries received in {most_cycles} cycles, expected {count}")
