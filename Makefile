@@ -1,0 +1,89 @@
+# Everything a developer does, by one word each; `make help` lists them.
+# The first use of a target makes .venv and fills it from requirements/*.lock; stamp files keep the next uses quick.
+
+.DEFAULT_GOAL := help
+.DELETE_ON_ERROR:
+SHELL := /bin/bash
+
+VENV := .venv
+BIN := $(VENV)/bin
+# `make demo` needs the package alone; everything else the whole tool box.
+CORE := $(VENV)/.core-installed
+ALL := $(VENV)/.all-installed
+PIP_INSTALL := $(BIN)/python -m pip install --quiet --disable-pip-version-check
+
+# Python to build .venv with: any from 3.11. Choose another by `make venv PYTHON=...`.
+PYTHON ?=
+# More options for pytest, as in `make test PYTEST_ARGS="-k window"`.
+PYTEST_ARGS ?=
+
+.PHONY: help venv demo test lint format bench docs lock clean
+
+help: ## list the targets
+	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-10s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
+
+venv: $(ALL) ## .venv with the package and every tool, in locked versions
+
+demo: $(CORE) ## the virtual robot: read, write and subscribe, ten seconds, no hardware
+	@$(BIN)/unity-link demo
+
+test: $(ALL) ## the test suite, with coverage
+	@$(BIN)/python -m pytest --cov --cov-report=term $(PYTEST_ARGS)
+
+lint: $(ALL) ## formatting, ruff, types, direction of the imports
+	@$(BIN)/ruff format --check .
+	@$(BIN)/ruff check .
+	@$(BIN)/mypy
+	@$(BIN)/lint-imports --cache-dir .cache/import-linter
+
+format: $(ALL) ## put the Python sources into the project's form
+	@$(BIN)/ruff format .
+	@$(BIN)/ruff check --fix .
+
+bench: $(ALL) ## measure, and write benchmarks/RESULTS.md
+	@$(BIN)/python -m benchmarks
+
+docs: $(ALL) ## the documentation as HTML, warnings are errors
+	@$(BIN)/sphinx-build --fail-on-warning --keep-going --quiet docs docs/_build/html
+	@echo "docs/_build/html/index.html"
+
+# Versions with hashes and nothing else: the files name neither a registry nor a machine.
+UV_LOCK := $(BIN)/uv pip compile pyproject.toml --universal --python-version 3.11 --generate-hashes \
+	--no-emit-index-url --no-emit-find-links --no-annotate --no-header --quiet
+lock: $(ALL) ## choose the newest versions anew and write requirements/*.lock
+	$(UV_LOCK) --upgrade --group build -o requirements/core.lock
+	$(UV_LOCK) --upgrade --constraints requirements/core.lock --all-extras \
+		--group build --group dev --group docs --group gateware -o requirements/all.lock
+
+clean: ## remove what was built, .venv too
+	rm -rf $(VENV) build dist docs/_build .cache .coverage .coverage.* htmlcov .hypothesis .mypy_cache .pytest_cache .ruff_cache
+	find . -name __pycache__ -type d -prune -exec rm -rf {} +
+
+$(BIN)/python:
+	@for python in $(or $(PYTHON),python3 python3.14 python3.13 python3.12 python3.11); do \
+		"$$python" -c 'import sys; sys.exit(sys.version_info < (3, 11))' 2>/dev/null || continue; \
+		"$$python" -m venv $(VENV) && exit 0; \
+		rm -rf $(VENV); \
+		echo "$$python cannot make a virtual environment: install its venv module (Debian, Ubuntu: apt install python3-venv)." >&2; \
+		exit 1; \
+	done; \
+	echo "Python 3.11 or later is needed, and $(or $(PYTHON),python3) is not: install it, or name one by: make PYTHON=/path/to/python3.11 $(MAKECMDGOALS)" >&2; \
+	exit 1
+
+# Without build isolation, so that the build back end is a locked one as well.
+define install
+	@echo "Installing $(1) into $(VENV)"
+	@$(PIP_INSTALL) --require-hashes --requirement $(1)
+	@$(PIP_INSTALL) --no-deps --no-build-isolation --editable .
+endef
+
+$(CORE): requirements/core.lock pyproject.toml | $(BIN)/python
+	$(call install,requirements/core.lock)
+	@touch $@
+
+$(ALL): requirements/all.lock pyproject.toml | $(BIN)/python
+	$(call install,requirements/all.lock)
+	@touch $@ $(CORE)
+
+# The gateware's targets; it also adds its own checks to `lint` and `test`.
+-include gateware/gateware.mk

@@ -1,0 +1,69 @@
+"""What every test shares, those of tests/, of gateware/bench/ and of the documents alike.
+
+- The hypothesis profiles: `quick` (the default) keeps the suite short, `pytest --hypothesis-profile=long` searches a
+  hundred times longer. Neither has a deadline, since no test judges a wall-clock time.
+- A skipped test has not passed: `--fail-on-skip` is for machines on which everything must run.
+- The documents are tests. Their blocks of `python` run, those of one document in one namespace. In a block of
+  `console`, each `$ command` runs and must print what stands below it, where `...` is any text. What cannot run
+  everywhere (it needs a board, or does not end) stands after `<!-- skip: next -->` or in a block of `shell`.
+"""
+
+import doctest
+import os
+import subprocess
+import sys
+from collections.abc import Generator
+from pathlib import Path
+
+import pytest
+from hypothesis import HealthCheck, settings
+from sybil import Example, Sybil
+from sybil.parsers.myst import CodeBlockParser, PythonCodeBlockParser, SkipParser
+
+settings.register_profile("quick", deadline=None, max_examples=100, suppress_health_check=[HealthCheck.too_slow])
+settings.register_profile("long", settings.get_profile("quick"), max_examples=10_000)
+settings.load_profile("quick")
+
+
+def pytest_addoption(parser: pytest.Parser) -> None:
+    """Add the option of this file."""
+    parser.addoption("--fail-on-skip", action="store_true", help="fail the run if any test is skipped")
+
+
+@pytest.hookimpl(wrapper=True)
+def pytest_runtest_makereport(item: pytest.Item) -> Generator[None, pytest.TestReport, pytest.TestReport]:
+    """Under --fail-on-skip, turn a skip into a failure that gives the reason of the skip."""
+    report = yield
+    if report.skipped and not hasattr(report, "wasxfail") and item.config.getoption("--fail-on-skip"):
+        report.outcome = "failed"
+        report.longrepr = f"--fail-on-skip: {report.longrepr}"
+    return report
+
+
+def run_console_block(example: Example) -> None:
+    """Run each `$ command` of a block and compare what it prints with the lines below it.
+
+    Raises:
+        AssertionError: a command failed, or printed something else.
+    """
+    environment = os.environ | {
+        "PATH": os.pathsep.join([str(Path(sys.executable).parent), os.environ["PATH"]]),
+        "COLUMNS": "120",
+    }
+    for session in ("\n" + example.parsed).split("\n$ ")[1:]:
+        command, _, expected = session.partition("\n")
+        result = subprocess.run(  # noqa: S602 -- the reader types it into a shell, too
+            command, shell=True, capture_output=True, text=True, timeout=120, env=environment, check=False
+        )
+        assert result.returncode == 0, f"`{command}` exits with {result.returncode}: {result.stderr}"
+        flags = doctest.ELLIPSIS | doctest.NORMALIZE_WHITESPACE
+        assert not expected.strip() or doctest.OutputChecker().check_output(expected, result.stdout, flags), (
+            f"`{command}` prints\n{result.stdout}\nwhere the document says\n{expected}"
+        )
+
+
+pytest_collect_file = Sybil(
+    parsers=[PythonCodeBlockParser(), CodeBlockParser("console", run_console_block), SkipParser()],
+    patterns=["README.md", "docs/*.md", "docs/**/*.md"],
+    excludes=["docs/_build/**"],
+).pytest()
