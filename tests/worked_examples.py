@@ -1,0 +1,72 @@
+"""Reads the worked examples of docs/protocol.md, so that the document itself is what is tested.
+
+The notation is explained to readers at the top of that document: `>` sent, `<` answered, `@` what is there beforehand.
+"""
+
+import re
+from pathlib import Path
+
+import msgspec
+
+DOCUMENT = Path(__file__).parent.parent / "docs" / "protocol.md"
+_ENDS = {"␍": "\r", "␊": "\n"}
+
+
+class Example(msgspec.Struct, frozen=True):
+    """One block of the document: a conversation with a gateway fresh from reset."""
+
+    line: int
+    """Of the document, where the block begins."""
+    memory: dict[int, int]
+    bus_errors: frozenset[int]
+    bus_timeouts: frozenset[int]
+    node: int | None
+    exchange: tuple[tuple[bytes, bytes], ...]
+    """What is sent, and all that comes back before the next is sent; samples (P) may come before or after responses."""
+
+    @property
+    def frames(self) -> list[bytes]:
+        """All frames of both directions, with their ends."""
+        return [frame for pair in self.exchange for text in pair for frame in text.splitlines(keepends=True)]
+
+
+def worked_examples() -> list[Example]:
+    """Give every example of the document, in order.
+
+    Raises:
+        ValueError: a line is in none of the notations.
+    """
+    text = DOCUMENT.read_text(encoding="utf-8")
+    blocks = re.finditer(r"^```text\n(.*?)^```$", text, re.DOTALL | re.MULTILINE)
+    return [_example(block[1], text.count("\n", 0, block.start()) + 2) for block in blocks]
+
+
+def _example(block: str, line: int) -> Example:
+    memory: dict[int, int] = {}
+    faults: dict[str, set[int]] = {"bus error": set(), "bus timeout": set()}
+    node = None
+    exchange: list[tuple[bytes, bytes]] = []
+    for text in block.splitlines():
+        if match := re.fullmatch(r"([<>]) ([^␍␊]*[␍␊]+)( {2}.*)?", text):
+            frame = re.sub("[␍␊]", lambda end: _ENDS[end[0]], match[2]).encode("ascii")
+            if match[1] == ">":
+                exchange.append((frame, b""))
+            else:
+                sent, answered = exchange[-1]
+                exchange[-1] = (sent, answered + frame)
+        elif match := re.fullmatch(r"@ node: ([0-9A-F]{2})", text):
+            node = int(match[1], 16)
+        elif match := re.fullmatch(r"@ ([0-9A-F]{2}): ([0-9A-F]{8})", text):
+            memory[int(match[1], 16)] = int(match[2], 16)
+        elif match := re.fullmatch(r"@ ([0-9A-F]{2}): (bus error|bus timeout)", text):
+            faults[match[2]].add(int(match[1], 16))
+        else:
+            raise ValueError(f"line {line} of {DOCUMENT.name} and after: {text!r} is no line of an example")
+    return Example(
+        line=line,
+        memory=memory,
+        bus_errors=frozenset(faults["bus error"]),
+        bus_timeouts=frozenset(faults["bus timeout"]),
+        node=node,
+        exchange=tuple(exchange),
+    )
