@@ -29,6 +29,8 @@ entity fifo_async is
     in_data   : in    std_logic_vector(width - 1 downto 0);
     in_valid  : in    std_logic;
     in_ready  : out   std_logic;
+    -- The most entries that can be inside, as far as the writing side knows; may be left open.
+    in_level  : out   unsigned(log2_ceil(depth) downto 0);
     out_clk   : in    std_logic;
     out_rst   : in    std_logic;
     out_data  : out   std_logic_vector(width - 1 downto 0);
@@ -45,12 +47,30 @@ architecture rtl of fifo_async is
 
   subtype pointer_t is unsigned(log2_ceil(depth) downto 0);
 
-  function gray (binary : pointer_t) return pointer_t is
+  function gray (number : pointer_t) return pointer_t is
   begin
 
-    return binary xor ('0' & binary(pointer_t'high downto 1));
+    return number xor ('0' & number(pointer_t'high downto 1));
 
   end function gray;
+
+  function binary (code : pointer_t) return pointer_t is
+
+    variable result : pointer_t;
+
+  begin
+
+    result := code;
+
+    for bit_index in pointer_t'high - 1 downto 0 loop
+
+      result(bit_index) := result(bit_index + 1) xor code(bit_index);
+
+    end loop;
+
+    return result;
+
+  end function binary;
 
   -- Full: the write pointer is one whole round ahead, which in Gray code differs in the two highest bits alone.
   function one_round_ahead (code : pointer_t) return pointer_t is
@@ -98,12 +118,19 @@ begin
       end if;
       read_meta <= read_gray;
       read_seen <= read_meta;
+      -- An entry accepted in this cycle counts at once, one that left may count for longer: never too few.
+      if push = '1' then
+        in_level <= write_at + 1 - binary(read_seen);
+      else
+        in_level <= write_at - binary(read_seen);
+      end if;
 
       if in_rst = '1' then
         write_at   <= (others => '0');
         write_gray <= (others => '0');
         read_meta  <= (others => '0');
         read_seen  <= (others => '0');
+        in_level   <= (others => '0');
       end if;
     end if;
 

@@ -1,0 +1,21 @@
+"""The dual-clock FIFO between equal, near, far and unrelated clocks."""
+
+from __future__ import annotations
+
+import pytest
+
+from gateware.bench.runner import run_bench
+
+
+@pytest.mark.parametrize("depth", [4, 64])
+@pytest.mark.parametrize(
+    ("in_ps", "out_ps"),
+    [(20_000, 20_000), (20_000, 16_666), (16_666, 20_000), (10_000, 73_000), (73_000, 10_000)],
+)
+def test_fifo_async(depth: int, in_ps: int, out_ps: int) -> None:
+    run_bench(
+        "fifo_async",
+        "gateware.bench.fifo_async.bench_fifo_async",
+        generics={"width": 9, "depth": depth},
+        extra_env={"IN_PERIOD_PS": str(in_ps), "OUT_PERIOD_PS": str(out_ps)},
+    )

@@ -1,0 +1,289 @@
+-- Physical layer: the asynchronous FT245 FIFO of an FT232H or FT2232H, with SIWU#.
+--
+-- Every interval is worked out from the clock frequency and the FT232H datasheet (FT_000288, table 4.2, named T1..T11
+-- below), plus `skew_ns` for the difference between the delays of two pins. Data is driven from before WR# falls until
+-- after it has risen, which is right whichever edge the chip latches at (editions of the datasheet differ on T9).
+--
+-- RXF# and TXE# have no relation to the clock, so they pass two registers. What is seen is two cycles old; after an
+-- access, the flag that it withdraws (T1 and T6, 14 ns at most) is not believed until what is seen was sampled later than
+-- that. Between the two directions, the one that did not go last goes first.
+--
+-- A byte to send is put on the bus before TXE# allows it, so that its setup time costs nothing; if a byte to receive
+-- comes in the meantime, the bus is given back.
+--
+-- `flush` means: when all bytes accepted so far were written, pull SIWU# low. Until that is done no further byte is
+-- accepted, so the pulse stands between the right two bytes. Without a byte since the last flush nothing is done: what
+-- the chip makes of SIWU# with an empty FIFO is not documented.
+
+library ieee;
+  use ieee.std_logic_1164.all;
+  use ieee.numeric_std.all;
+
+entity ft245_async is
+  generic (
+    -- Hz.
+    clock_hz : positive := 50_000_000;
+    -- The most by which the delays of two pins of the FPGA differ, board included.
+    skew_ns  : natural  := 5
+  );
+  port (
+    clk      : in    std_logic;
+    rst      : in    std_logic;
+    -- Pins; the top joins data_in, data_out and data_oe ('1': drive) to the bidirectional bus.
+    data_in  : in    std_logic_vector(7 downto 0);
+    data_out : out   std_logic_vector(7 downto 0);
+    data_oe  : out   std_logic;
+    rxf_n    : in    std_logic;
+    txe_n    : in    std_logic;
+    rd_n     : out   std_logic;
+    wr_n     : out   std_logic;
+    siwu_n   : out   std_logic;
+    -- Core.
+    rx_data  : out   std_logic_vector(7 downto 0);
+    rx_lost  : out   std_logic;
+    rx_valid : out   std_logic;
+    rx_ready : in    std_logic;
+    tx_data  : in    std_logic_vector(7 downto 0);
+    tx_valid : in    std_logic;
+    tx_ready : out   std_logic;
+    flush    : in    std_logic
+  );
+end entity ft245_async;
+
+architecture rtl of ft245_async is
+
+  -- The least number of clock cycles that last so long, pins' skew included.
+  function cycles (ns : positive) return positive is
+  begin
+
+    return integer(real(ns + skew_ns) * real(clock_hz) / 1.0e9 + 0.499_999);
+
+  end function cycles;
+
+  -- From a register of ours through pin, chip, pin and both registers of the flag: `ns` is the chip's part.
+  function cycles_until_seen (ns : positive) return positive is
+  begin
+
+    return cycles(ns) + 2;
+
+  end function cycles_until_seen;
+
+  function most (a : positive; b : positive) return positive is
+  begin
+
+    if a > b then
+      return a;
+    end if;
+    return b;
+
+  end function most;
+
+  -- RD# low: T4, and T3 with the skew of RD# out and data in is over well before.
+  constant rd_low : positive := cycles(30);
+  -- RD# high until RXF# is believed again: T1. The chip has left the data bus by then, too.
+  constant rd_high : positive := cycles_until_seen(14);
+  -- T8.
+  constant wr_setup : positive := cycles(5);
+  -- T10.
+  constant wr_low : positive := cycles(30);
+  -- T9.
+  constant wr_hold : positive := cycles(5);
+  -- Hold over until TXE# is believed again: T6, from the fall of WR#.
+  constant wr_rest : positive := most(cycles_until_seen(14), wr_low + wr_hold + 1) - wr_low - wr_hold;
+  -- SIWU#: 250 ns low, and as long high before it may fall again.
+  constant siwu_time : positive := cycles(250);
+
+  type state_t is (idle, reading, after_read, setup, offering, writing, holding, after_write);
+
+  signal state        : state_t;
+  signal wait_cycles  : natural range 0 to rd_low + rd_high + wr_setup + wr_low + wr_hold + wr_rest;
+  signal rxf_meta     : std_logic;
+  signal rxf_seen     : std_logic;
+  signal txe_meta     : std_logic;
+  signal txe_seen     : std_logic;
+  signal wrote_last   : std_logic;
+  signal may_read     : std_logic;
+  signal received     : std_logic;
+  signal tx_byte      : std_logic_vector(7 downto 0);
+  signal tx_held      : std_logic;
+  signal accept       : std_logic;
+  signal unflushed    : std_logic;
+  signal flush_wanted : std_logic;
+  signal siwu_low     : std_logic;
+  signal siwu_cycles  : natural range 0 to siwu_time;
+
+begin
+
+  rx_valid <= received;
+  rx_lost  <= '0';
+  data_out <= tx_byte;
+  tx_ready <= accept;
+  accept   <= not tx_held and not flush_wanted and not siwu_low;
+  siwu_n   <= not siwu_low;
+  may_read <= not rxf_seen and not received;
+
+  bus_cycles : process (clk) is
+
+    procedure go (
+      following : state_t;
+      length    : natural
+    ) is
+    begin
+
+      state       <= following;
+      wait_cycles <= length - 1;
+
+    end procedure go;
+
+    procedure begin_read is
+    begin
+
+      data_oe <= '0';
+      rd_n    <= '0';
+      go(reading, rd_low);
+
+    end procedure begin_read;
+
+  begin
+
+    if rising_edge(clk) then
+      rxf_meta <= rxf_n;
+      rxf_seen <= rxf_meta;
+      txe_meta <= txe_n;
+      txe_seen <= txe_meta;
+
+      if received = '1' and rx_ready = '1' then
+        received <= '0';
+      end if;
+      if tx_valid = '1' and accept = '1' then
+        tx_byte <= tx_data;
+        tx_held <= '1';
+      end if;
+      if wait_cycles /= 0 then
+        wait_cycles <= wait_cycles - 1;
+      end if;
+
+      case state is
+
+        when idle =>
+
+          if may_read = '1' and (wrote_last = '1' or tx_held = '0' or txe_seen = '1') then
+            begin_read;
+          elsif tx_held = '1' then
+            data_oe <= '1';
+            go(setup, wr_setup);
+          end if;
+
+        when reading =>
+
+          if wait_cycles = 0 then
+            rx_data    <= data_in;
+            received   <= '1';
+            wrote_last <= '0';
+            rd_n       <= '1';
+            go(after_read, rd_high);
+          end if;
+
+        when after_read =>
+
+          if wait_cycles = 0 then
+            state <= idle;
+          end if;
+
+        when setup =>
+
+          if wait_cycles = 0 then
+            state <= offering;
+          end if;
+          -- The last cycle of the setup time may already see that TXE# allows it.
+          if wait_cycles = 0 and txe_seen = '0' then
+            wr_n <= '0';
+            go(writing, wr_low);
+          end if;
+
+        when offering =>
+
+          if txe_seen = '0' then
+            wr_n <= '0';
+            go(writing, wr_low);
+          elsif may_read = '1' then
+            data_oe <= '0';
+            state   <= idle;
+          end if;
+
+        when writing =>
+
+          if wait_cycles = 0 then
+            wr_n <= '1';
+            go(holding, wr_hold);
+          end if;
+
+        when holding =>
+
+          if wait_cycles = 0 then
+            tx_held    <= '0';
+            wrote_last <= '1';
+            data_oe    <= '0';
+            go(after_write, wr_rest);
+          end if;
+
+        when after_write =>
+
+          if wait_cycles = 0 then
+            state <= idle;
+          end if;
+
+      end case;
+
+      if rst = '1' then
+        state       <= idle;
+        wait_cycles <= 0;
+        rxf_meta    <= '1';
+        rxf_seen    <= '1';
+        txe_meta    <= '1';
+        txe_seen    <= '1';
+        received    <= '0';
+        tx_held     <= '0';
+        wrote_last  <= '0';
+        data_oe     <= '0';
+        rd_n        <= '1';
+        wr_n        <= '1';
+      end if;
+    end if;
+
+  end process bus_cycles;
+
+  send_immediate : process (clk) is
+  begin
+
+    if rising_edge(clk) then
+      if siwu_cycles /= 0 then
+        siwu_cycles <= siwu_cycles - 1;
+      elsif siwu_low = '1' then
+        siwu_low    <= '0';
+        siwu_cycles <= siwu_time;
+      elsif flush_wanted = '1' and tx_held = '0' then
+        flush_wanted <= '0';
+        siwu_low     <= '1';
+        siwu_cycles  <= siwu_time - 1;
+      end if;
+
+      if tx_valid = '1' and accept = '1' then
+        unflushed <= '1';
+      end if;
+      if flush = '1' and (unflushed = '1' or (tx_valid = '1' and accept = '1')) then
+        unflushed    <= '0';
+        flush_wanted <= '1';
+      end if;
+
+      if rst = '1' then
+        unflushed    <= '0';
+        flush_wanted <= '0';
+        siwu_low     <= '0';
+        siwu_cycles  <= 0;
+      end if;
+    end if;
+
+  end process send_immediate;
+
+end architecture rtl;

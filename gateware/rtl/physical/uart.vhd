@@ -1,0 +1,329 @@
+-- Physical layer: a UART of 8 data bits, no parity, one stop bit, at up to a quarter of the clock.
+--
+-- Rates. Receiver and transmitter each have a phase accumulator that counts in fractions of a bit: any baud rate comes
+-- out within 0.05 %, and no two edges are ever more than one clock cycle away from where they should be.
+--
+-- Sampling. Where a bit is 16 clock cycles long or more, the line is looked at 16 times a bit and filtered by a majority
+-- of three, so that a glitch of less than 1/16 bit is nothing. Faster than that, the line is looked at in every clock
+-- cycle: the start edge is then known to one cycle, and the middle of each bit is sampled at
+--   t + ceil(b/2 - 1 + k*b) cycles,   0 < t <= 1 (where in the cycle the edge came), b = clock / baud,
+-- that is between b/2 - 1 and b/2 + 1 cycles after the bit's beginning. At b = 4 one cycle is left on either side, which
+-- bears a baud error of 2.6 % until the stop bit.
+--
+-- Lost bytes. A byte that arrives while the one before it still waits, and a byte without a stop bit (noise, a break),
+-- is dropped, and the next one carries `rx_lost`. After reset and after a break the line must be seen high first.
+--
+-- Flow control. With `flow_control` the receiver has a small FIFO, and RTS# goes away when a quarter of it is used: the
+-- rest is for what the far end sends until it has noticed. The transmitter begins no byte while CTS# is high.
+--
+-- `flush` exists because every physical layer has it; a UART holds nothing back.
+
+library ieee;
+  use ieee.std_logic_1164.all;
+  use ieee.numeric_std.all;
+
+library work;
+  use work.math_pkg.all;
+
+entity uart is
+  generic (
+    -- Hz.
+    clock_hz     : positive := 50_000_000;
+    -- Bits a second, at most clock_hz / 4.
+    baud         : positive := 115_200;
+    flow_control : boolean  := false;
+    -- Bytes of the receiver's FIFO, where there is flow control; a power of two, at least 8.
+    rx_slack     : positive := 64
+  );
+  port (
+    clk      : in    std_logic;
+    rst      : in    std_logic;
+    -- Pins; RTS# and CTS# may be left open without flow control.
+    rxd      : in    std_logic;
+    txd      : out   std_logic;
+    rts_n    : out   std_logic;
+    cts_n    : in    std_logic := '0';
+    -- Core.
+    rx_data  : out   std_logic_vector(7 downto 0);
+    rx_lost  : out   std_logic;
+    rx_valid : out   std_logic;
+    rx_ready : in    std_logic;
+    tx_data  : in    std_logic_vector(7 downto 0);
+    tx_valid : in    std_logic;
+    tx_ready : out   std_logic;
+    flush    : in    std_logic := '0'
+  );
+end entity uart;
+
+architecture rtl of uart is
+
+  constant oversampled : boolean := clock_hz / baud >= 16;
+
+  -- So many bits that the increment has 10 or more significant ones: its rounding is the error of the rate.
+  constant phase_bits : positive := log2_ceil(clock_hz / baud + 1) + 11;
+  constant tick_bits  : positive := phase_bits - 4;
+
+  subtype phase_t is unsigned(phase_bits - 1 downto 0);
+
+  subtype sum_t is unsigned(phase_bits downto 0);
+
+  function phase_of (bits : real) return phase_t is
+  begin
+
+    return to_unsigned(integer(bits * 2.0 ** phase_bits), phase_bits);
+
+  end function phase_of;
+
+  constant bits_per_cycle : real    := real(baud) / real(clock_hz);
+  constant step           : phase_t := phase_of(bits_per_cycle);
+
+  -- Where the phase starts at a start edge, to run over in the middle of the start bit.
+  constant start_direct : phase_t              := phase_of(0.5 + bits_per_cycle);
+  constant start_ticks  : unsigned(3 downto 0) := to_unsigned(9, 4);
+
+  type rx_state_t is (wait_high, idle, start_bit, data_bits, stop_bit);
+
+  signal rx_meta     : std_logic;
+  signal rx_now      : std_logic;
+  signal rx_history  : std_logic_vector(2 downto 0);
+  signal rx_level    : std_logic;
+  signal rx_phase    : phase_t;
+  signal rx_sum      : sum_t;
+  signal rx_tick     : std_logic;
+  signal rx_state    : rx_state_t;
+  signal rx_count    : unsigned(2 downto 0);
+  signal rx_shift    : std_logic_vector(7 downto 0);
+  signal rx_done     : std_logic;
+  signal rx_broken   : std_logic;
+  signal rx_lost_one : std_logic;
+  signal held        : std_logic_vector(8 downto 0);
+  signal held_valid  : std_logic;
+  signal held_ready  : std_logic;
+
+  signal cts_meta : std_logic;
+  signal cts_seen : std_logic;
+  signal may_send : std_logic;
+  signal tx_phase : phase_t;
+  signal tx_sum   : sum_t;
+  signal tx_shift : std_logic_vector(9 downto 0);
+  signal tx_count : unsigned(3 downto 0);
+  signal tx_load  : std_logic;
+  signal tx_last  : std_logic;
+
+begin
+
+  assert clock_hz / 4 >= baud
+    report "uart: baud is " & integer'image(baud) & ", expected at most a quarter of clock_hz (" &
+           integer'image(clock_hz / 4) & ")"
+    severity failure;
+
+  rx_sum <= ('0' & rx_phase) + step;
+
+  filtered : if oversampled generate
+    rx_tick  <= rx_sum(tick_bits) xor rx_phase(tick_bits);
+    rx_level <= (rx_history(0) and rx_history(1)) or (rx_history(1) and rx_history(2)) or
+                (rx_history(2) and rx_history(0));
+  else generate
+    rx_tick  <= '1';
+    rx_level <= rx_now;
+  end generate filtered;
+
+  receive : process (clk) is
+  begin
+
+    if rising_edge(clk) then
+      rx_meta <= rxd;
+      rx_now  <= rx_meta;
+      if rx_tick = '1' then
+        rx_history <= rx_history(1 downto 0) & rx_now;
+      end if;
+
+      rx_phase  <= rx_sum(rx_phase'range);
+      rx_done   <= '0';
+      rx_broken <= '0';
+
+      case rx_state is
+
+        when wait_high =>
+
+          if rx_level = '1' then
+            rx_state <= idle;
+          end if;
+
+        when idle =>
+
+          if rx_level = '0' then
+            rx_state <= start_bit;
+            if oversampled then
+              rx_phase(phase_t'high downto tick_bits) <= start_ticks;
+            else
+              rx_phase <= start_direct;
+            end if;
+          end if;
+
+        when start_bit =>
+
+          rx_count <= (others => '0');
+          if rx_sum(sum_t'high) = '1' then
+            if rx_level = '0' then
+              rx_state <= data_bits;
+            else
+              rx_state <= idle;
+            end if;
+          end if;
+
+        when data_bits =>
+
+          if rx_sum(sum_t'high) = '1' then
+            rx_shift <= rx_level & rx_shift(7 downto 1);
+            rx_count <= rx_count + 1;
+            if rx_count = 7 then
+              rx_state <= stop_bit;
+            end if;
+          end if;
+
+        when stop_bit =>
+
+          if rx_sum(sum_t'high) = '1' then
+            if rx_level = '1' then
+              rx_done  <= '1';
+              rx_state <= idle;
+            else
+              rx_broken <= '1';
+              rx_state  <= wait_high;
+            end if;
+          end if;
+
+      end case;
+
+      if rst = '1' then
+        rx_meta    <= '0';
+        rx_now     <= '0';
+        rx_history <= (others => '0');
+        rx_phase   <= (others => '0');
+        rx_state   <= wait_high;
+        rx_done    <= '0';
+        rx_broken  <= '0';
+      end if;
+    end if;
+
+  end process receive;
+
+  hold : process (clk) is
+  begin
+
+    if rising_edge(clk) then
+      if held_ready = '1' then
+        held_valid <= '0';
+      end if;
+      if rx_done = '1' then
+        if held_valid = '0' or held_ready = '1' then
+          held        <= rx_lost_one & rx_shift;
+          held_valid  <= '1';
+          rx_lost_one <= '0';
+        else
+          rx_lost_one <= '1';
+        end if;
+      end if;
+      if rx_broken = '1' then
+        rx_lost_one <= '1';
+      end if;
+
+      if rst = '1' then
+        held_valid  <= '0';
+        rx_lost_one <= '0';
+      end if;
+    end if;
+
+  end process hold;
+
+  with_flow_control : if flow_control generate
+
+    signal level    : unsigned(log2_ceil(rx_slack) downto 0);
+    signal rx_entry : std_logic_vector(8 downto 0);
+
+  begin
+
+    slack : entity work.fifo_sync
+      generic map (
+        width => 9,
+        depth => rx_slack
+      )
+      port map (
+        clk       => clk,
+        rst       => rst,
+        in_data   => held,
+        in_valid  => held_valid,
+        in_ready  => held_ready,
+        out_data  => rx_entry,
+        out_valid => rx_valid,
+        out_ready => rx_ready,
+        level     => level
+      );
+
+    rx_data <= rx_entry(7 downto 0);
+    rx_lost <= rx_entry(8);
+
+    pins : process (clk) is
+    begin
+
+      if rising_edge(clk) then
+        cts_meta <= cts_n;
+        cts_seen <= cts_meta;
+        rts_n    <= '0';
+        if rst = '1' or level >= rx_slack / 4 then
+          rts_n <= '1';
+        end if;
+        if rst = '1' then
+          cts_meta <= '1';
+          cts_seen <= '1';
+        end if;
+      end if;
+
+    end process pins;
+
+    may_send <= not cts_seen;
+
+  else generate
+    held_ready <= rx_ready;
+    rx_data    <= held(7 downto 0);
+    rx_lost    <= held(8);
+    rx_valid   <= held_valid;
+    rts_n      <= '0';
+    may_send   <= '1';
+  end generate with_flow_control;
+
+  tx_sum   <= ('0' & tx_phase) + step;
+  tx_last  <= '1' when tx_count = 0 or (tx_count = 1 and tx_sum(sum_t'high) = '1') else
+              '0';
+  tx_ready <= tx_last and may_send;
+  tx_load  <= tx_last and may_send and tx_valid;
+  txd      <= tx_shift(0);
+
+  -- `tx_count` is the number of bits still to end, of 10. The phase goes on over a byte that follows without a pause.
+  transmit : process (clk) is
+  begin
+
+    if rising_edge(clk) then
+      tx_phase <= tx_sum(tx_phase'range);
+      if tx_count = 0 then
+        tx_phase <= (others => '0');
+      elsif tx_sum(sum_t'high) = '1' then
+        tx_shift <= '1' & tx_shift(9 downto 1);
+        tx_count <= tx_count - 1;
+      end if;
+      if tx_load = '1' then
+        tx_shift <= '1' & tx_data & '0';
+        tx_count <= to_unsigned(10, tx_count'length);
+      end if;
+
+      if rst = '1' then
+        tx_phase <= (others => '0');
+        tx_shift <= (others => '1');
+        tx_count <= (others => '0');
+      end if;
+    end if;
+
+  end process transmit;
+
+end architecture rtl;
