@@ -17,10 +17,10 @@ PYTHON ?=
 # More options for pytest, as in `make test PYTEST_ARGS="-k window"`.
 PYTEST_ARGS ?=
 
-.PHONY: help venv demo test lint format bench docs lock clean
+.PHONY: help venv demo test lint format bench docs lock upgrade clean
 
 help: ## list the targets
-	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-10s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
+	@awk -F ':.*## ' '/^[a-z0-9-]+:.*## / { printf "  make %-10s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
 
 venv: $(ALL) ## .venv with the package and every tool, in locked versions
 
@@ -50,10 +50,13 @@ docs: $(ALL) ## the documentation as HTML, warnings are errors
 # Versions with hashes and nothing else: the files name neither a registry nor a machine.
 UV_LOCK := $(BIN)/uv pip compile pyproject.toml --universal --python-version 3.11 --generate-hashes \
 	--no-emit-index-url --no-emit-find-links --no-annotate --no-header --quiet
-lock: $(ALL) ## choose the newest versions anew and write requirements/*.lock
-	$(UV_LOCK) --upgrade --group build -o requirements/core.lock
-	$(UV_LOCK) --upgrade --constraints requirements/core.lock --all-extras \
+lock: $(ALL) ## lock what pyproject.toml asks for, keeping the versions that are locked
+	$(UV_LOCK) $(UPGRADE) --group build -o requirements/core.lock
+	$(UV_LOCK) $(UPGRADE) --constraints requirements/core.lock --all-extras \
 		--group build --group dev --group docs --group gateware -o requirements/all.lock
+
+upgrade: UPGRADE := --upgrade
+upgrade: lock ## lock the newest versions
 
 clean: ## remove what was built, .venv too
 	rm -rf $(VENV) build dist docs/_build .cache .coverage .coverage.* htmlcov .hypothesis .mypy_cache .pytest_cache .ruff_cache
