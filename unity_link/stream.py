@@ -1,0 +1,120 @@
+"""Layer 1, stream: what stands between a driver's transport and the messages.
+
+It hands on what arrives in whole reads, keeps the beginning of a frame until its end has come, and collects what is
+sent in one turn of the event loop into one write. It never looks into a frame.
+"""
+
+from __future__ import annotations
+
+import asyncio
+from typing import Protocol
+
+LONGEST_FRAME = 16_384
+"""Bytes without a line end that are kept: more than the longest message of any gateway (a sample of 255 64-bit words)."""
+
+
+class Receiver(Protocol):
+    """Who reads a stream."""
+
+    def receive(self, data: bytes) -> int:
+        """Take the whole frames in `data`, and give where the first that is not whole begins."""
+
+    def disconnected(self, reason: Exception | None) -> None:
+        """Take note that the stream has ended; `reason` is None where the other side closed it."""
+
+
+class Stream(asyncio.Protocol):
+    """One connection of a driver.
+
+    `receiver` may be replaced at any time; what arrives while it is None is dropped.
+    """
+
+    def __init__(self) -> None:
+        self.receiver: Receiver | None = None
+        self.bytes_received = 0
+        self.bytes_sent = 0
+        self.closed = False
+        self._loop = asyncio.get_running_loop()
+        self._transport: asyncio.Transport | None = None
+        self._ended: asyncio.Future[None] = self._loop.create_future()
+        self._rest = b""
+        self._out: list[bytes] = []
+        self._flushing = False
+        self._paused = False
+
+    # Called by users of the stream
+
+    def send(self, data: bytes) -> None:
+        """Send at once; for a frame that nothing is under way before."""
+        if self._out or self._paused:
+            self.send_soon(data)
+        else:
+            self._write(data)
+
+    def send_soon(self, data: bytes) -> None:
+        """Send together with all else that is sent in this turn of the event loop."""
+        self._out.append(data)
+        if not self._flushing and not self._paused:
+            self._flushing = True
+            self._loop.call_soon(self._flush)
+
+    async def close(self) -> None:
+        """End the connection and wait until it has ended."""
+        self.abort()
+        if self._transport is not None:
+            await asyncio.shield(self._ended)
+
+    def abort(self) -> None:
+        """End the connection without waiting."""
+        if self._transport is not None and not self._transport.is_closing():
+            self._transport.abort()
+
+    def _flush(self) -> None:
+        self._flushing = False
+        if self._out and not self._paused:
+            data = b"".join(self._out)
+            self._out.clear()
+            self._write(data)
+
+    def _write(self, data: bytes) -> None:
+        if self._transport is not None and not self.closed:
+            self.bytes_sent += len(data)
+            self._transport.write(data)
+
+    # Called by the transport
+
+    def connection_made(self, transport: asyncio.BaseTransport) -> None:
+        """Keep the transport."""
+        assert isinstance(transport, asyncio.Transport)  # noqa: S101  (drivers give no other)
+        self._transport = transport
+
+    def data_received(self, data: bytes) -> None:
+        """Hand on a whole read."""
+        self.bytes_received += len(data)
+        if self.receiver is None:
+            self._rest = b""
+            return
+        if self._rest:
+            data = self._rest + data
+        used = self.receiver.receive(data)
+        rest = data[used:]
+        # Noise without a line end is no frame; what is kept of it must not grow.
+        self._rest = rest if len(rest) <= LONGEST_FRAME else b""
+
+    def pause_writing(self) -> None:
+        """Hold back what is sent from now on."""
+        self._paused = True
+
+    def resume_writing(self) -> None:
+        """Send what was held back."""
+        self._paused = False
+        self._flush()
+
+    def connection_lost(self, exc: Exception | None) -> None:
+        """Tell the receiver."""
+        self.closed = True
+        self._out.clear()
+        if not self._ended.done():
+            self._ended.set_result(None)
+        if self.receiver is not None:
+            self.receiver.disconnected(exc)

@@ -1,0 +1,338 @@
+"""Layer 2, publish streams: groups of addresses that the gateway samples by itself.
+
+A `Subscription` holds one group of the gateway as long as its ``async with`` block runs. Samples wait in a buffer of a
+stated size; a reader that is too slow loses the oldest, and is told how many, or fails, as it chose.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import time
+from collections import deque
+from collections.abc import Callable
+from types import TracebackType
+from typing import Any, Literal, Self
+
+import msgspec
+import numpy as np
+from numpy.typing import NDArray
+
+from unity_link.errors import ArgumentError, LinkLostError, SamplesLostError, UnityLinkError, UnsupportedError
+from unity_link.exchange import Exchange
+from unity_link.requests import Request
+from unity_link.wire.messages import Codec, GroupFlag, Words, parse_words
+
+Overflow = Literal["drop_oldest", "fail"]
+_HEAD = 5
+"""Characters before the fields of a publish: the letter, the group and the sequence."""
+_TIMESTAMP_DIGITS = 8
+
+
+class Sample(msgspec.Struct, frozen=True, gc=False):
+    """The words of one group at one instant."""
+
+    sequence: int
+    """Number of the sample since the subscription began, lost ones counted."""
+    time: float | None
+    """Instant of sampling in seconds of the gateway's clock, unwrapped; None without timestamps."""
+    arrived: float
+    """Instant of arrival in seconds of this machine's clock (`time.time`)."""
+    values: Words
+    """The words, in the order of the addresses; shape (addresses,)."""
+    lost: int
+    """How many samples were lost between the one that was read before and this one."""
+
+
+class GatewayClock:
+    """Makes an endless time of the 32 bits of a timestamp.
+
+    Of all the instants that a timestamp may mean, it takes the one nearest to what this machine's clock says has passed
+    since the last: right as long as samples are less than half a turn of the counter late (43 s at 50 MHz).
+    """
+
+    def __init__(self, frequency_hz: int) -> None:
+        self._frequency = frequency_hz
+        self._ticks: int | None = None
+        self._at = 0.0
+
+    def seconds(self, timestamp: int, now: float) -> float:
+        """Give the time of a timestamp that arrived at `now`, in seconds."""
+        if self._ticks is None:
+            ticks = timestamp
+        else:
+            estimate = self._ticks + int((now - self._at) * self._frequency)
+            ticks = estimate + ((timestamp - estimate + 0x8000_0000) & 0xFFFF_FFFF) - 0x8000_0000
+        self._ticks, self._at = ticks, now
+        return ticks / self._frequency
+
+
+class Schedule(msgspec.Struct, frozen=True):
+    """When and what a group publishes."""
+
+    addresses: tuple[int, ...]
+    divisor: int
+    flags: GroupFlag
+
+
+class Groups:
+    """The groups of one gateway, and who holds each.
+
+    A group that was given back longest ago is taken first, so that samples still under way find nobody.
+    """
+
+    def __init__(self, exchange: Exchange) -> None:
+        self._exchange = exchange
+        self._held: dict[int, Subscription] = {}
+        self._free: deque[int] = deque()
+        self.samples = 0
+        self.samples_lost = 0
+
+    def start(self, codec: Codec) -> None:
+        """Begin with a new session: all groups are stopped."""
+        self.codec = codec
+        self.clock = GatewayClock(codec.info.clock_hz)
+        if not self._free and not self._held:
+            self._free.extend(range(codec.info.groups))
+
+    async def restore(self) -> None:
+        """Set up all subscriptions again in a new session."""
+        for group, subscription in list(self._held.items()):
+            await self._set_up(group, subscription)
+
+    def end(self, error: LinkLostError) -> None:
+        """End all subscriptions."""
+        for subscription in list(self._held.values()):
+            subscription.fail(error)
+
+    async def hold(self, subscription: Subscription) -> int:
+        """Take a free group and start it for a subscription.
+
+        Raises:
+            UnsupportedError: where no group is free.
+        """
+        if not self._free:
+            raise UnsupportedError(
+                f"all {self.codec.info.groups} groups of the gateway are in use: end a subscription first, "
+                "or put its addresses into one"
+            )
+        group = self._free.popleft()
+        self._held[group] = subscription
+        try:
+            await self._set_up(group, subscription)
+        except BaseException:
+            self._forget(group)
+            raise
+        return group
+
+    async def release(self, group: int) -> None:
+        """Stop a group and give it back."""
+        try:
+            await self._ask("GX", group)
+        except LinkLostError:
+            pass  # A gateway that is gone, or starts a new session, has stopped it.
+        finally:
+            self._forget(group)
+
+    async def publish(self, group: int) -> None:
+        """Have a group published once, now."""
+        await self._ask("GP", group)
+
+    async def _set_up(self, group: int, subscription: Subscription) -> None:
+        schedule = subscription.schedule
+        addresses = np.array(schedule.addresses, np.uint64)
+        await self._ask("GS", group, int(schedule.flags), schedule.divisor, len(addresses), addresses)
+        subscription.restart()
+        self._exchange.publishes[b"%02X" % group] = subscription.receive
+        await self._ask("GN", group)
+
+    async def _ask(self, command: str, *values: Any) -> None:
+        fields = self.codec.fields(command, *values)
+        request = Request(self.codec, command, fields, 0, asyncio.get_running_loop())
+        self._exchange.submit(request)
+        await request.future
+
+    def _forget(self, group: int) -> None:
+        self._exchange.publishes.pop(b"%02X" % group, None)
+        if self._held.pop(group, None) is not None:
+            self._free.append(group)
+
+
+class Subscription:
+    """A stream of samples; made by `Link.subscribe`.
+
+    ::
+
+        async with link.subscribe([0x88, 0x89], rate_hz=100) as samples:
+            async for sample in samples:
+                print(sample.time, sample.values)
+
+    Iteration ends with `LinkLostError` when the link ends, after the samples that had come before it.
+    """
+
+    def __init__(
+        self,
+        groups: Groups,
+        schedule: Schedule,
+        *,
+        buffer: int,
+        overflow: Overflow,
+        callback: Callable[[Sample], object] | None,
+    ) -> None:
+        if buffer < 1:
+            raise ArgumentError(f"a buffer of {buffer} samples was asked for, at least 1 is needed")
+        if overflow not in ("drop_oldest", "fail"):
+            raise ArgumentError(f'overflow is "drop_oldest" or "fail", not {overflow!r}')
+        self.schedule = schedule
+        self.lost = 0
+        """Samples lost so far: on the way, in the gateway, or in the buffer."""
+        self.received = 0
+        """Samples that arrived so far."""
+        self._groups = groups
+        self._buffer: deque[Sample] = deque()
+        self._buffer_size = buffer
+        self._overflow = overflow
+        self._callback = callback
+        self._dropped = 0
+        self._waiter: asyncio.Future[None] | None = None
+        self._group: int | None = None
+        self._error: UnityLinkError | None = None
+        self._ended = False
+        self._sequence = -1
+        self._heard_at: float | None = None
+
+    @property
+    def rate_hz(self) -> float | None:
+        """The rate that the gateway publishes at, in Hz; None for a subscription that is not periodic."""
+        if GroupFlag.PERIODIC not in self.schedule.flags:
+            return None
+        return self._groups.codec.info.base_frequency_hz / self.schedule.divisor
+
+    async def publish(self) -> None:
+        """Have one sample taken now, besides those that are due by themselves."""
+        if self._group is None:
+            raise ArgumentError("the subscription is not open: use it in an `async with` block")
+        await self._groups.publish(self._group)
+
+    async def __aenter__(self) -> Self:
+        codec = self._groups.codec
+        timestamped = GroupFlag.TIMESTAMP in self.schedule.flags
+        self._words_at = _HEAD + (_TIMESTAMP_DIGITS if timestamped else 0)
+        self._length = self._words_at + codec.info.data_digits * len(self.schedule.addresses)
+        self._group = await self._groups.hold(self)
+        return self
+
+    async def __aexit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        self._ended = True
+        self._wake()
+        if self._group is not None:
+            group, self._group = self._group, None
+            await self._groups.release(group)
+
+    def __aiter__(self) -> Self:
+        return self
+
+    async def __anext__(self) -> Sample:
+        while not self._buffer:
+            if self._error is not None:
+                raise self._error
+            if self._ended:
+                raise StopAsyncIteration
+            if self._waiter is not None:
+                raise ArgumentError("another task is already waiting for this subscription's next sample")
+            self._waiter = asyncio.get_running_loop().create_future()
+            try:
+                await self._waiter
+            finally:
+                self._waiter = None
+        sample = self._buffer.popleft()
+        if self._dropped:
+            sample = msgspec.structs.replace(sample, lost=sample.lost + self._dropped)
+            self._dropped = 0
+        return sample
+
+    # Called by the groups and the exchange
+
+    def restart(self) -> None:
+        """Begin to count anew: the gateway's sequence stands at 0."""
+        self._sequence = self._sequence | 0xFF
+        self._heard_at = None
+
+    def fail(self, error: UnityLinkError) -> None:
+        """End the stream with an error, behind the samples that wait."""
+        if self._error is None:
+            self._error = error
+        self._wake()
+
+    def receive(self, body: bytes, now: float) -> None:
+        """Take a publish of the group."""
+        if len(body) != self._length or self._error is not None:
+            return
+        try:
+            values = parse_words(body[self._words_at :], self._groups.codec.info.data_digits)
+            sequence = int(body[3:_HEAD], 16)
+            timestamp = int(body[_HEAD : self._words_at], 16) if self._words_at != _HEAD else None
+        except ValueError:
+            return
+        instant = None if timestamp is None else self._groups.clock.seconds(timestamp, now)
+        lost = self._count_lost(sequence, now if instant is None else instant)
+        self._keep(Sample(self._sequence, instant, time.time(), values, lost))
+
+    def _count_lost(self, sequence: int, at: float) -> int:
+        """Give how many samples are missing before this one; the time tells how often the two digits went round."""
+        advance = (sequence - self._sequence) & 0xFF or 0x100
+        if self._heard_at is not None and self.schedule.flags & _COUNTED == GroupFlag.PERIODIC:
+            due = (at - self._heard_at) * self._groups.codec.info.base_frequency_hz / self.schedule.divisor
+            advance += max(0, round((due - advance) / 0x100)) * 0x100
+        self._heard_at = at
+        self._sequence += advance
+        return advance - 1
+
+    def _keep(self, sample: Sample) -> None:
+        self.received += 1
+        self._groups.samples += 1
+        if sample.lost:
+            self._lose(sample.lost)
+        if self._callback is not None:
+            self._call(self._callback, sample)
+            return
+        if len(self._buffer) == self._buffer_size:
+            if self._overflow == "fail":
+                self.fail(SamplesLostError(f"the reader is too slow: {self._buffer_size} samples are waiting for it"))
+                return
+            self._dropped += self._buffer.popleft().lost + 1
+            self._lose(1)
+        self._buffer.append(sample)
+        if self._waiter is not None:
+            self._wake()
+
+    def _lose(self, count: int) -> None:
+        self.lost += count
+        self._groups.samples_lost += count
+
+    def _call(self, callback: Callable[[Sample], object], sample: Sample) -> None:
+        try:
+            callback(sample)
+        except Exception as error:  # noqa: BLE001  (it is the caller's own, and must not stop the link)
+            asyncio.get_running_loop().call_exception_handler(
+                {"message": "a subscription's callback raised", "exception": error}
+            )
+
+    def _wake(self) -> None:
+        if self._waiter is not None and not self._waiter.done():
+            self._waiter.set_result(None)
+
+
+_COUNTED = GroupFlag.PERIODIC | GroupFlag.TRIGGER | GroupFlag.ON_CHANGE
+
+
+def check_addresses(addresses: NDArray[Any], most: int) -> tuple[int, ...]:
+    """Give the addresses of a group.
+
+    Raises:
+        ArgumentError: where there are none, or more than a group of the gateway holds.
+    """
+    if not 1 <= len(addresses) <= most:
+        raise ArgumentError(f"a subscription of {len(addresses)} addresses was asked for, expected 1 to {most}")
+    return tuple(int(address) for address in addresses)
