@@ -1,0 +1,84 @@
+"""The project keeps its own promises: what an import loads, what the lock files name, where the links lead."""
+
+import importlib.metadata
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+import unity_link
+
+ROOT = Path(__file__).parent.parent
+LOCKS = sorted((ROOT / "requirements").glob("*.lock"))
+
+
+def tracked_files() -> list[Path]:
+    listing = subprocess.run(["git", "ls-files", "-z"], cwd=ROOT, check=True, capture_output=True, text=True).stdout
+    return [path for name in listing.split("\0") if name and (path := ROOT / name).is_file()]
+
+
+def test_importing_the_package_loads_nothing_that_only_some_users_need() -> None:
+    code = "import sys; before = set(sys.modules); import unity_link; print(*(set(sys.modules) - before))"
+    loaded = subprocess.run([sys.executable, "-c", code], check=True, capture_output=True, text=True).stdout.split()
+    third_party = {name.partition(".")[0] for name in loaded} - sys.stdlib_module_names
+    third_party = {name for name in third_party if not name.startswith("_")}
+    assert third_party <= {"anyio", "fastcrc", "msgspec", "numpy", "typing_extensions", "unity_link"}
+    assert not {name for name in loaded if re.match(r"unity_link\.(drivers\.|virtual|cli|bridges|generate|spec)", name)}
+
+
+def test_the_installed_version_is_the_one_of_the_sources() -> None:
+    assert importlib.metadata.version("unity-link") == unity_link.__version__
+
+
+def test_everything_public_is_exported_and_documented() -> None:
+    for name in unity_link.__all__:
+        assert (getattr(unity_link, name).__doc__ or "").strip(), name
+
+
+@pytest.mark.parametrize("lock", LOCKS, ids=lambda path: path.name)
+def test_a_lock_file_holds_versions_and_hashes_and_nothing_else(lock: Path) -> None:
+    line = r"[a-z0-9-]+==[\w.]+( ; [\w<>=!.*' ]+)? \\|    --hash=sha256:[0-9a-f]{64}( \\)?"
+    assert [text for text in lock.read_text().splitlines() if not re.fullmatch(line, text)] == []
+
+
+def test_the_versions_of_both_lock_files_agree() -> None:
+    core, whole = (
+        set(re.findall(r"^\S+==.*?(?= \\$)", (ROOT / "requirements" / f"{name}.lock").read_text(), re.MULTILINE))
+        for name in ("core", "all")
+    )
+    assert core <= whole
+
+
+def test_no_tracked_file_names_a_machine_or_a_registry() -> None:
+    places = re.compile(rb"(?<![\w.~}])/(root|work|home/\w+|tmp/\w+|opt/\w+)/|pythonhosted|index-url *=")
+    found = {
+        f"{path.relative_to(ROOT)}: {match[0].decode()}"
+        for path in tracked_files()
+        if path != Path(__file__) and (match := places.search(path.read_bytes()))
+    }
+    assert found == set()
+
+
+def test_no_module_is_a_drawer_for_odds_and_ends() -> None:
+    assert [path for path in tracked_files() if path.stem in {"util", "utils", "helpers", "misc", "common"}] == []
+
+
+def test_every_file_says_at_its_top_why_it_is_there() -> None:
+    sources = [path for path in tracked_files() if path.suffix in {".py", ".vhd", ".mk", ".sby"}]
+    silent = [path for path in sources if not re.match(r'(#!.*\n)?(#|--|r?""")', path.read_text(encoding="utf-8"))]
+    assert silent == []
+
+
+@pytest.mark.parametrize("document", ["README.md", "CHANGELOG.md"])
+def test_every_relative_link_of_the_documents_at_the_top_leads_to_a_file(document: str) -> None:
+    links = re.findall(r"\]\(([^)#:]+)(?:#[^)]*)?\)", (ROOT / document).read_text(encoding="utf-8"))
+    assert [link for link in links if not (ROOT / link).exists()] == []
+
+
+def test_every_make_target_stands_in_the_help() -> None:
+    makefile = (ROOT / "Makefile").read_text()
+    phony = set(re.search(r"^\.PHONY: (.*)$", makefile, re.MULTILINE)[1].split())  # type: ignore[index]
+    described = set(re.findall(r"^([a-z0-9-]+):.*## ", makefile, re.MULTILINE))
+    assert phony == described
