@@ -1,0 +1,14 @@
+"""What stands in for hardware.
+
+- `gateway`: the protocol as a model; `commands`, `groups` and `bus` are its inside
+- `scara`: a robot behind the bus
+- `line`, `faults`: what can happen between a gateway and a host; each is a gateway in front of another one
+- `transport`, `serving`: gateways on an event loop, in the process and for other programs
+
+Everything that takes a `Gateway` takes any of them.
+"""
+
+from unity_link.virtual.bus import AccessError, Device
+from unity_link.virtual.gateway import Gateway, VirtualGateway
+
+__all__ = ["AccessError", "Device", "Gateway", "VirtualGateway"]

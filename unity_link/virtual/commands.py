@@ -1,0 +1,161 @@
+"""What each request does in the virtual gateway, once its frame and its sequence are found right.
+
+Each method checks the ranges (error 06), accesses the bus (04, 05), and gives what was read, if anything.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING, Any, TypeAlias
+
+from unity_link.wire.gateway_info import Feature, GatewayInfo
+from unity_link.wire.messages import ErrorCode, GroupFlag
+
+if TYPE_CHECKING:
+    from unity_link.virtual.bus import Bus
+    from unity_link.virtual.groups import Groups
+
+Reads: TypeAlias = int | Sequence[int] | None
+
+ADAPTIVE = 2
+"""Send-immediate mode after a reset and after `K` (protocol section 4)."""
+_NEEDED_FEATURES = {
+    GroupFlag.TRIGGER: Feature.EXTERNAL_TRIGGERS,
+    GroupFlag.IMMEDIATE: Feature.SEND_IMMEDIATE,
+    GroupFlag.TIMESTAMP: Feature.TIMESTAMPS,
+}
+_UNCONDITIONAL = GroupFlag.PERIODIC | GroupFlag.ON_CHANGE | GroupFlag.PLAIN
+
+
+class FieldRangeError(Exception):
+    """A field that the gateway refuses by error 06."""
+
+    code = ErrorCode.OUT_OF_RANGE
+
+
+class Commands:
+    """The requests that need no knowledge of frames and sessions.
+
+    Args:
+        info: the gateway's configuration.
+        bus: what reads and writes go to.
+        groups: what the group commands go to.
+    """
+
+    def __init__(self, info: GatewayInfo, bus: Bus, groups: Groups) -> None:
+        self._info = info
+        self._bus = bus
+        self._groups = groups
+        self._last_address = (1 << info.address_bits) - 1
+        self._last_word = (1 << info.data_bits) - 1
+        self._flags = int(
+            _UNCONDITIONAL | sum(flag for flag, feature in _NEEDED_FEATURES.items() if feature in info.features)
+        )
+        self.send_immediate = ADAPTIVE
+        """Send-immediate mode of responses; it changes nothing here, as nothing here waits for a full packet."""
+        self.published = b""
+        """Frames that `GP` published, for the gateway to send."""
+        self.run: dict[str, Callable[..., Reads]] = {
+            "R": self._read,
+            "RM": self._read_block,
+            "RQ": self._read_queue,
+            "W": self._write,
+            "WM": self._write_block,
+            "WQ": self._write_queue,
+            "WK": self._write_masked,
+            "WS": self._write,
+            "GS": self._set_group,
+            "GN": self._start_group,
+            "GX": self._stop_group,
+            "GP": self._publish_group,
+            "I": self._set_send_immediate,
+            "H": self._nothing,
+        }
+        """By command: called with the time and the fields, gives what was read; raises `FieldRangeError` or `AccessError`."""
+
+    def reset(self) -> None:
+        """Go back to the state after power-up, as far as it is kept here."""
+        self.send_immediate = ADAPTIVE
+        self.published = b""
+
+    def _check(self, address: int, *words: int) -> None:
+        if address > self._last_address or any(word > self._last_word for word in words):
+            raise FieldRangeError
+
+    def _check_count(self, count: int) -> None:
+        if not 1 <= count <= self._info.block_words:
+            raise FieldRangeError
+
+    def _check_group(self, number: int) -> None:
+        if not self._groups.is_set(number):
+            raise FieldRangeError
+
+    def _read(self, now: float, address: int) -> Reads:
+        self._check(address)
+        return self._bus.read(address, now)
+
+    def _read_block(self, now: float, address: int, count: int) -> Reads:
+        self._check(address)
+        self._check_count(count)
+        return self._bus.read_words(self._bus.block(address, count), now)
+
+    def _read_queue(self, now: float, address: int, count: int) -> Reads:
+        self._check(address)
+        self._check_count(count)
+        return self._bus.read_words([address] * count, now)
+
+    def _write(self, now: float, address: int, word: int) -> Reads:
+        self._check(address, word)
+        self._bus.write(address, word, now)
+        return None
+
+    def _write_block(self, now: float, address: int, words: list[int]) -> Reads:
+        self._check(address, max(words))
+        self._check_count(len(words))
+        self._bus.write_words(self._bus.block(address, len(words)), words, now)
+        return None
+
+    def _write_queue(self, now: float, address: int, words: list[int]) -> Reads:
+        self._check(address, max(words))
+        self._check_count(len(words))
+        self._bus.write_words([address] * len(words), words, now)
+        return None
+
+    def _write_masked(self, now: float, address: int, mask: int, word: int) -> Reads:
+        self._check(address, mask, word)
+        old = self._bus.read(address, now)
+        self._bus.write(address, old & ~mask | word & mask, now)
+        return old
+
+    def _set_group(self, _: float, number: int, flags: int, divisor: int, count: int, addresses: list[int]) -> Reads:
+        if number >= self._info.groups or flags & ~self._flags or not divisor:
+            raise FieldRangeError
+        if not 1 <= count <= self._info.group_words:
+            raise FieldRangeError
+        self._check(max(addresses))
+        self._groups.set(number, flags, divisor, addresses)
+        return None
+
+    def _start_group(self, now: float, number: int) -> Reads:
+        self._check_group(number)
+        self._groups.start(number, now)
+        return None
+
+    def _stop_group(self, _: float, number: int) -> Reads:
+        self._check_group(number)
+        self._groups.stop(number)
+        return None
+
+    def _publish_group(self, now: float, number: int) -> Reads:
+        self._check_group(number)
+        self.published += self._groups.publish_now(number, now)
+        return None
+
+    def _set_send_immediate(self, _: float, mode: int) -> Reads:
+        if mode > ADAPTIVE:
+            raise FieldRangeError
+        self.send_immediate = mode
+        return None
+
+    def _nothing(self, *_: Any) -> Reads:
+        return None

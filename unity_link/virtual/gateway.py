@@ -1,0 +1,352 @@
+"""The virtual gateway: the whole protocol as a model without I/O and without a clock.
+
+Bytes and the time go in, bytes come out; the gateware answers the same bytes. Everything that happens at the gateway
+happens inside `receive` and `advance`, so a test can stop the world between any two bytes. The order of the checks is
+that of protocol section 2: each step below either answers or hands on to the next.
+
+`receive` -> `_answer` (node) -> `_checked_line` (overflow, length, CRC) -> `_request` (command, form) -> `_in_sequence`
+-> `_execute` (range, bus). Reads and writes of one word with the expected ID are most of the traffic and take a short
+way, `_quick_read` and `_quick_write`, which gives exactly what the long way would, or gives up before anything changes.
+
+The model answers at once and takes as many bytes as it is given. What a line and its FIFOs do to that is modelled in
+front of it: `unity_link.virtual.line` and `unity_link.virtual.faults`.
+"""
+
+from __future__ import annotations
+
+import re
+from typing import TYPE_CHECKING, Protocol
+
+import msgspec
+
+from unity_link.errors import ArgumentError
+from unity_link.virtual.bus import AccessError, Bus, Device
+from unity_link.virtual.commands import Commands, FieldRangeError
+from unity_link.virtual.groups import Groups
+from unity_link.wire.gateway_info import Feature, GatewayInfo
+from unity_link.wire.messages import COMMANDS, Codec, ErrorCode, Repetition, Request, RequestError
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterable, MutableMapping
+
+_ENDS = re.compile(rb"([\r\n])")
+_BROADCAST = 0xFF
+_PREFIX_SIZE = 3
+_LOWER_R, _LOWER_W = b"rw"
+_DEFAULT_INFO = GatewayInfo()
+
+
+class Gateway(Protocol):
+    """Anything that behaves like a gateway: this model, the gateware in a simulator, a line with faults before either."""
+
+    info: GatewayInfo
+    wake: Callable[[], None]
+    """Called when `next_due` has moved ahead for another reason than a call of `receive` or `advance`."""
+
+    @property
+    def memory(self) -> MutableMapping[int, int]:
+        """The words behind the gateway, by address."""
+
+    @property
+    def next_due(self) -> float | None:
+        """When `advance` must be called next; None while nothing is planned."""
+
+    @property
+    def waiting(self) -> int:
+        """Bytes that were received and not looked at yet. A medium with flow control stops while this is large."""
+
+    def receive(self, data: bytes, now: float) -> bytes:
+        """Take bytes at the time `now`, in seconds of any origin, and give the bytes sent at once."""
+
+    def advance(self, now: float, room: int | None = None) -> bytes:
+        """Let time pass, and give the bytes sent.
+
+        Args:
+            now: the time in seconds; it never goes back.
+            room: how many bytes the medium can take. Responses are never cut, but a sample is published only while
+                fewer bytes were sent, and is otherwise an overrun. None for no limit.
+        """
+
+
+class VirtualGateway:
+    """A gateway with plain memory at every address.
+
+    Args:
+        info: the configuration that it reports and keeps to.
+        node: its number on a shared medium, 0 to 0xFE, or None for a medium of its own (protocol section 7).
+
+    Raises:
+        ArgumentError: for a node number that does not fit.
+        UnsupportedError: for a configuration that the protocol does not allow.
+    """
+
+    def __init__(self, info: GatewayInfo = _DEFAULT_INFO, *, node: int | None = None) -> None:
+        info.check()
+        if node is not None and not 0 <= node < _BROADCAST:
+            raise ArgumentError(f"node {node} is not from 0 to 254")
+        addressed = Feature.ADDRESSED if node is not None else Feature(0)
+        self.info = msgspec.structs.replace(info, features=info.features & ~Feature.ADDRESSED | addressed)
+        self.wake: Callable[[], None] = _do_nothing
+        self.bus = Bus(self.info)
+        self._node = node
+        self._codec = Codec(self.info, node)
+        self._framing = self._codec.framing
+        self.groups = Groups(self.info, self.bus, self._frame)
+        self._commands = Commands(self.info, self.bus, self.groups)
+        self._longest = self.info.longest_request
+        self._most_kept = self._longest + len(self._framing.prefix) + 1
+        self._ring_mask = self._codec.ring - 1
+        self._half_ring = self._codec.ring // 2
+        self._prepare_quick_ways()
+        self.reset()
+
+    def reset(self) -> None:
+        """Go back to the state after power-up. What is behind the bus stays as it is."""
+        self.expected = 0
+        """The next ID expected."""
+        self._gap_told = False
+        self._tail = b""
+        self._bytes_lost = False
+        self.groups.reset()
+        self._commands.reset()
+
+    # What is behind the bus
+
+    @property
+    def memory(self) -> MutableMapping[int, int]:
+        """The words of plain memory, by address."""
+        return self.bus.memory
+
+    def attach(self, device: Device, addresses: Iterable[int]) -> None:
+        """Put a device behind addresses, in place of what was there; the first is its offset 0.
+
+        Raises:
+            ArgumentError: for an address that does not fit.
+        """
+        self.bus.attach(device, addresses)
+
+    def detach(self, addresses: Iterable[int]) -> None:
+        """Make addresses plain memory again."""
+        self.bus.detach(addresses)
+
+    # Time
+
+    @property
+    def send_immediate(self) -> int:
+        """Send-immediate mode of responses: 0 off, 1 always, 2 adaptive."""
+        return self._commands.send_immediate
+
+    @property
+    def waiting(self) -> int:
+        """Bytes not looked at yet: always 0."""
+        return 0
+
+    @property
+    def next_due(self) -> float | None:
+        """When a sample is due next."""
+        return self.groups.next_due
+
+    def advance(self, now: float, room: int | None = None) -> bytes:
+        """Let time pass up to `now` (seconds), and give the publishes that became due, as far as there is `room`."""
+        self.groups.clock.start(now)
+        return self.groups.advance(now, room)
+
+    def trigger(self, now: float) -> None:
+        """Give a rising edge to the external trigger; the publishes come out of the next call."""
+        self.groups.clock.start(now)
+        self.groups.trigger(now)
+        self.wake()
+
+    # Frames
+
+    def receive(self, data: bytes, now: float) -> bytes:
+        """Take bytes at the time `now` (seconds), and give what is sent at once."""
+        replies = [self.advance(now)]
+        lines = (self._tail + data).split(b"\n")
+        tail = lines.pop()
+        if self._bytes_lost or b"\r" in data:
+            tail = self._take_any(self._tail + data, now, replies)
+        else:
+            self._take_checked(lines, now, replies)
+        self._tail = tail[: self._most_kept]
+        return b"".join(replies)
+
+    def overflow(self) -> None:
+        """Lose bytes before the next one received: the frame that they belong to is answered by error 09."""
+        self._bytes_lost = True
+
+    def _take_checked(self, lines: list[bytes], now: float, replies: list[bytes]) -> None:
+        """Take frames that all end in LF."""
+        read_size, write_size = self._quick_sizes
+        for line in lines:
+            size = len(line)
+            reply: bytes | None = None
+            if size == read_size and line[0] == _LOWER_R:
+                reply = self._quick_read(line)
+            elif size == write_size and line[0] == _LOWER_W:
+                reply = self._quick_write(line)
+            if reply is None:
+                reply = self._answer(line, now, plain=False)
+            replies.append(reply)
+
+    def _take_any(self, data: bytes, now: float, replies: list[bytes]) -> bytes:
+        """Take frames with any ends; gives what follows the last end."""
+        pieces = _ENDS.split(data)
+        for line, end in zip(pieces[:-1:2], pieces[1::2], strict=True):
+            replies.append(self._answer(line, now, plain=end == b"\r"))
+        return pieces[-1]
+
+    def _frame(self, body: bytes, plain: bool) -> bytes:  # noqa: FBT001  (the form of a frame, everywhere)
+        return self._framing.plain_reply(body) if plain else self._framing.checked(body)
+
+    def _answer(self, line: bytes, now: float, *, plain: bool) -> bytes:
+        """Give the reply to what stood before an end, and publishes that it asked for."""
+        bytes_lost, self._bytes_lost = self._bytes_lost, False
+        prefix, muted = b"", False
+        if self._node is not None:
+            prefix, line = line[:_PREFIX_SIZE], line[_PREFIX_SIZE:]
+            number = _node_number(prefix)
+            if number not in (self._node, _BROADCAST):
+                return b""
+            muted = number == _BROADCAST
+        if not line and not bytes_lost:
+            return b""
+        body = self._checked_line(prefix, line, now, plain=plain, bytes_lost=bytes_lost)
+        published, self._commands.published = self._commands.published, b""
+        if not body or muted:
+            return published
+        return published + self._frame(body, plain)
+
+    def _checked_line(self, prefix: bytes, line: bytes, now: float, *, plain: bool, bytes_lost: bool) -> bytes:
+        """Check overflow, length and CRC; gives the body of the reply."""
+        if bytes_lost:
+            return self._codec.error(ErrorCode.RECEIVE_OVERFLOW)
+        if len(line) > self._longest:
+            return self._codec.error(ErrorCode.TOO_LONG)
+        if plain:
+            return self._request(line, now, plain=True)
+        digits = self._framing.crc.digits
+        body, check = line[:-digits], line[-digits:]
+        if self._framing.crc.text(prefix + body) != check.upper():
+            return self._codec.error(ErrorCode.CRC)
+        return self._request(body, now, plain=False)
+
+    # Requests
+
+    def _request(self, body: bytes, now: float, *, plain: bool) -> bytes:
+        """Check command and form; gives the body of the reply."""
+        try:
+            request = self._codec.decode_plain_request(body) if plain else self._codec.decode_request(body)
+        except RequestError as refusal:
+            return self._codec.error(refusal.code)
+        if request.command == "Q":
+            return b"Q" + self.info.to_hex()
+        if request.command == "K":
+            self._start_session(request.values[0])
+            return self._codec.response(request)
+        if request.id is None:
+            return self._execute(request, now)
+        return self._in_sequence(request, request.id, now)
+
+    def _start_session(self, expected: int) -> None:
+        self.expected = expected
+        self._gap_told = False
+        self.groups.stop_all()
+        self._commands.reset()
+
+    def _in_sequence(self, request: Request, number: int, now: float) -> bytes:
+        """Execute a request with the expected ID, and no other (protocol section 3)."""
+        distance = number - self.expected & self._ring_mask
+        if distance == 0:
+            self._advance_sequence()
+            return self._execute(request, now)
+        if distance < self._half_ring:
+            if self._gap_told:
+                return b""
+            self._gap_told = True
+            return self._codec.out_of_sequence(self.expected)
+        repetition = COMMANDS[request.command].repetition
+        if repetition is Repetition.READ_AGAIN:
+            return self._execute(request, now)
+        if repetition is Repetition.REFUSE:
+            return self._codec.error(ErrorCode.ALREADY_EXECUTED, number)
+        return b"" if repetition is Repetition.SILENCE else self._codec.response(request)
+
+    def _advance_sequence(self) -> None:
+        self.expected = self.expected + 1 & self._ring_mask
+        self._gap_told = False
+
+    def _execute(self, request: Request, now: float) -> bytes:
+        try:
+            reads = self._commands.run[request.command](now, *request.values)
+        except (FieldRangeError, AccessError) as fault:
+            return self._codec.error(fault.code, request.id)
+        return b"" if request.command == "WS" else self._codec.response(request, reads)
+
+    # The short way for single words
+
+    def _prepare_quick_ways(self) -> None:
+        info, overhead = self.info, self._framing.crc.digits + self.info.id_digits + self.info.address_digits + 1
+        quick = self._node is None
+        self._quick_sizes = (overhead, overhead + info.data_digits) if quick else (-1, -1)
+        self._crc_text = self._framing.crc.text
+        self._crc_digits = self._framing.crc.digits
+        self._address_shift = 4 * info.address_digits
+        self._address_field = (1 << self._address_shift) - 1
+        self._data_shift = 4 * info.data_digits
+        self._data_field = (1 << self._data_shift) - 1
+        self._last_address = (1 << info.address_bits) - 1
+        self._last_word = (1 << info.data_bits) - 1
+        self._word_form = b"r%%b%%0%dX" % info.data_digits
+
+    def _quick_read(self, line: bytes) -> bytes | None:
+        """Answer `r` of plain memory with the expected ID, or give up."""
+        digits, text = self._crc_digits, self._crc_text
+        if text(line[:-digits]) != line[-digits:] or not line.isalnum():
+            return None
+        try:
+            fields = int(line[1:-digits], 16)
+        except ValueError:
+            return None
+        number, address = fields >> self._address_shift, fields & self._address_field
+        if number != self.expected or address > self._last_address or address in self.bus.devices:
+            return None
+        self.expected = number + 1 & self._ring_mask
+        self._gap_told = False
+        body = self._word_form % (self._codec.id_text[number], self.bus.memory[address])
+        return b"%b%b\n" % (body, text(body))
+
+    def _quick_write(self, line: bytes) -> bytes | None:
+        """Answer `w` to plain memory with the expected ID, or give up."""
+        digits, text = self._crc_digits, self._crc_text
+        if text(line[:-digits]) != line[-digits:] or not line.isalnum():
+            return None
+        try:
+            fields = int(line[1:-digits], 16)
+        except ValueError:
+            return None
+        rest, word = fields >> self._data_shift, fields & self._data_field
+        number, address = rest >> self._address_shift, rest & self._address_field
+        if number != self.expected or address > self._last_address or word > self._last_word:
+            return None
+        if address in self.bus.devices:
+            return None
+        self.expected = number + 1 & self._ring_mask
+        self._gap_told = False
+        dict.__setitem__(self.bus.memory, address, word)
+        body = b"w" + self._codec.id_text[number]
+        return b"%b%b\n" % (body, text(body))
+
+
+def _do_nothing() -> None:
+    """Stand in for a caller that needs no waking."""
+
+
+def _node_number(prefix: bytes) -> int | None:
+    """Give the number in a prefix of `Z` and two hex digits, None where it is none."""
+    if len(prefix) != _PREFIX_SIZE or prefix[:1] != b"Z" or not prefix[1:].isalnum():
+        return None
+    try:
+        return int(prefix[1:], 16)
+    except ValueError:
+        return None

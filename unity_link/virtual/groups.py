@@ -1,0 +1,251 @@
+"""Publish groups of the virtual gateway (protocol section 2): when a sample is due, and what it says.
+
+Time runs in base ticks: tick k is at k / base frequency after the gateway's start, and a periodic group is due at whole
+multiples of its divisor after its first tick. A sample is read and stamped at the instant at which it is due, however
+late the caller comes to fetch it. A due sample for which there is no room is an overrun: it counts in the group's
+sequence number and is otherwise forgotten.
+"""
+
+from __future__ import annotations
+
+from collections import deque
+from heapq import heapify, heapreplace
+from typing import TYPE_CHECKING
+
+from unity_link.virtual.bus import AccessError, Bus
+from unity_link.wire.messages import GroupFlag
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from unity_link.wire.gateway_info import GatewayInfo
+
+_TIMESTAMP_MASK = 0xFFFFFFFF
+_SEQUENCE_MASK = 0xFF
+_SLACK_TICKS = 1e-3
+"""A float of seconds may lie this much of a clock tick below the tick that it stands for."""
+
+
+class Clock:
+    """The gateway's time: base ticks and clock ticks since its start, which is the first instant it hears of."""
+
+    def __init__(self, info: GatewayInfo) -> None:
+        self._base_hz = info.base_frequency_millihertz / 1000
+        self._stamp_factor = info.clock_hz * 1000
+        self._stamp_divisor = info.base_frequency_millihertz
+        self._clock_hz = info.clock_hz
+        self._start: float | None = None
+
+    def restart(self) -> None:
+        """Start anew at the next instant."""
+        self._start = None
+
+    def start(self, now: float) -> float:
+        """Give the instant of tick 0."""
+        if self._start is None:
+            self._start = now
+        return self._start
+
+    def time_of(self, tick: int) -> float:
+        """Give the instant of a base tick."""
+        return (self._start or 0.0) + tick / self._base_hz
+
+    def tick_before(self, now: float) -> int:
+        """Give the last base tick that is not after `now`."""
+        tick = int((now - self.start(now)) * self._base_hz)
+        while self.time_of(tick + 1) <= now:
+            tick += 1
+        while self.time_of(tick) > now:
+            tick -= 1
+        return tick
+
+    def stamp_of(self, tick: int) -> int:
+        """Give the timestamp of a base tick."""
+        return tick * self._stamp_factor // self._stamp_divisor & _TIMESTAMP_MASK
+
+    def stamp_at(self, now: float) -> int:
+        """Give the timestamp of an instant."""
+        return int((now - self.start(now)) * self._clock_hz + _SLACK_TICKS) & _TIMESTAMP_MASK
+
+
+class Group:
+    """Settings and state of one group."""
+
+    __slots__ = ("addresses", "divisor", "due", "flags", "form", "last", "running", "sequence")
+
+    def __init__(self, flags: int, divisor: int, addresses: list[int], form: bytes) -> None:
+        self.flags = GroupFlag(flags)
+        self.divisor = divisor
+        self.addresses = addresses
+        self.form = form
+        """%-format of the body: sequence, timestamp if there is one, words."""
+        self.sequence = 0
+        self.running = False
+        self.due = 0
+        """The next base tick of a periodic group that runs."""
+        self.last: list[int] | None = None
+        """The last sample that was accepted for sending since GS or GN."""
+
+
+class Groups:
+    """All groups of one gateway.
+
+    Args:
+        info: the gateway's configuration.
+        bus: where samples are read.
+        frame: puts a body into a frame, given whether a plain one is wanted.
+    """
+
+    def __init__(self, info: GatewayInfo, bus: Bus, frame: Callable[[bytes, bool], bytes]) -> None:
+        self.clock = Clock(info)
+        self.overruns = 0
+        """Samples that were due and had no room, all groups together."""
+        self._word_form = b"%%0%dX" % info.data_digits
+        self._bus = bus
+        self._frame = frame
+        self._groups: dict[int, Group] = {}
+        self._schedule: list[tuple[int, int]] = []
+        """Heap of next tick and number of every periodic group that runs."""
+        self._triggers: deque[float] = deque()
+
+    def reset(self) -> None:
+        """Forget all groups."""
+        self._groups.clear()
+        self._triggers.clear()
+        self._schedule.clear()
+        self.clock.restart()
+
+    def is_set(self, number: int) -> bool:
+        """Say whether a group was set since the reset."""
+        return number in self._groups
+
+    def set(self, number: int, flags: int, divisor: int, addresses: list[int]) -> None:
+        """Store the settings of a group, which stops and begins at sequence 0."""
+        stamp = b"%08X" if flags & GroupFlag.TIMESTAMP else b""
+        form = b"P%02X%%02X%b%b" % (number, stamp, self._word_form * len(addresses))
+        self._groups[number] = Group(flags, divisor, addresses, form)
+        self._reschedule()
+
+    def start(self, number: int, now: float) -> None:
+        """Start a group: a periodic one is due first at the next base tick."""
+        group = self._groups[number]
+        group.running = True
+        group.last = None
+        group.due = self.clock.tick_before(now) + 1
+        self._reschedule()
+
+    def stop(self, number: int) -> None:
+        """Stop a group."""
+        self._groups[number].running = False
+        self._reschedule()
+
+    def stop_all(self) -> None:
+        """Stop all groups, which keep settings and sequences."""
+        for group in self._groups.values():
+            group.running = False
+        self._schedule.clear()
+
+    def _reschedule(self) -> None:
+        self._schedule = [
+            (group.due, number)
+            for number, group in self._groups.items()
+            if group.running and group.flags & GroupFlag.PERIODIC
+        ]
+        heapify(self._schedule)
+
+    def trigger(self, now: float) -> None:
+        """Take note of a rising edge of the external trigger."""
+        self._triggers.append(now)
+
+    @property
+    def next_due(self) -> float | None:
+        """When `advance` has something to do next."""
+        periodic = self.clock.time_of(self._schedule[0][0]) if self._schedule else None
+        if self._triggers and (periodic is None or self._triggers[0] < periodic):
+            return self._triggers[0]
+        return periodic
+
+    def publish_now(self, number: int, now: float) -> bytes:
+        """Publish a group once, running or not, changed or not."""
+        return self._publish(self._groups[number], now, self.clock.stamp_at(now), unchanged=True)
+
+    def advance(self, now: float, room: int | None) -> bytes:
+        """Publish what is due up to `now`.
+
+        Args:
+            now: the time in seconds.
+            room: a sample is accepted as long as this many bytes are more than those sent; None for no limit.
+        """
+        frames: list[bytes] = []
+        while self._triggers and self._triggers[0] <= now:
+            edge = self._triggers.popleft()
+            room = self._advance_periodic(edge, room, frames)
+            room = self._advance_triggered(edge, room, frames)
+        self._advance_periodic(now, room, frames)
+        return b"".join(frames)
+
+    def _advance_periodic(self, now: float, room: int | None, frames: list[bytes]) -> int | None:
+        schedule, groups, time_of, stamp_of = self._schedule, self._groups, self.clock.time_of, self.clock.stamp_of
+        while schedule:
+            tick, number = schedule[0]
+            instant = time_of(tick)
+            if instant > now:
+                break
+            if room is not None and room <= 0:
+                self._skip(now)
+                break
+            group = groups[number]
+            group.due = tick + group.divisor
+            heapreplace(schedule, (group.due, number))
+            frame = self._publish(group, instant, stamp_of(tick))
+            if frame:
+                frames.append(frame)
+                if room is not None:
+                    room -= len(frame)
+        return room
+
+    def _advance_triggered(self, edge: float, room: int | None, frames: list[bytes]) -> int | None:
+        stamp = self.clock.stamp_at(edge)
+        for _, group in sorted(self._groups.items()):
+            if not (group.running and group.flags & GroupFlag.TRIGGER):
+                continue
+            if room is not None and room <= 0:
+                self._count_overruns(group, 1)
+                continue
+            frame = self._publish(group, edge, stamp)
+            frames.append(frame)
+            if room is not None:
+                room -= len(frame)
+        return room
+
+    def _skip(self, now: float) -> None:
+        """Count everything periodic up to `now` as overruns, at no cost for each."""
+        tick = self.clock.tick_before(now)
+        for due, number in self._schedule:
+            if due <= tick:
+                group = self._groups[number]
+                missed = (tick - due) // group.divisor + 1
+                group.due = due + missed * group.divisor
+                self._count_overruns(group, missed)
+        self._reschedule()
+
+    def _count_overruns(self, group: Group, count: int) -> None:
+        group.sequence = group.sequence + count & _SEQUENCE_MASK
+        self.overruns += count
+
+    def _publish(self, group: Group, instant: float, stamp: int, *, unchanged: bool = False) -> bytes:
+        """Give the frame of a due sample, or nothing where the bus fails or, unless `unchanged`, nothing has changed."""
+        sequence = group.sequence
+        try:
+            words = self._bus.read_words(group.addresses, instant)
+        except AccessError:
+            group.sequence = sequence + 1 & _SEQUENCE_MASK
+            return b""
+        flags = group.flags._value_
+        if flags & 16:
+            if words == group.last and not unchanged:
+                return b""
+            group.last = words
+        group.sequence = sequence + 1 & _SEQUENCE_MASK
+        body = group.form % ((sequence, stamp, *words) if flags & 8 else (sequence, *words))
+        return self._frame(body, flags & 32 != 0)
