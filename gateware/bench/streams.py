@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 import cocotb
 from cocotb.clock import Clock
 from cocotb.triggers import ClockCycles, RisingEdge
+from cocotb.utils import get_sim_time
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -21,10 +22,12 @@ if TYPE_CHECKING:
 
 async def start(clk: LogicObject, rst: LogicObject, period_ns: float = 20.0) -> None:
     """Start a clock of the given period and hold reset for five cycles; returns one cycle after its end."""
-    cocotb.start_soon(Clock(clk, round(period_ns * 1000), unit="ps").start())
+    cocotb.start_soon(Clock(clk, 2 * round(period_ns * 500), unit="ps").start())
     rst.value = 1
     await ClockCycles(clk, 5)
     rst.value = 0
+    # `runner` looks for this: undefined signals are no fault until then.
+    cocotb.log.info("reset ended at %d ps", get_sim_time("ps"))
     await RisingEdge(clk)
 
 
@@ -61,12 +64,15 @@ class Source:
 
 
 class Sink:
-    """Takes entries from a stream into `received`, with pauses in a share of the cycles."""
+    """Takes entries from a stream into `received`, with pauses in a share of the cycles.
+
+    `data` may be several signals that go together: entries are then tuples of their values.
+    """
 
     def __init__(
         self,
         clk: LogicObject,
-        data: LogicArrayObject,
+        data: LogicArrayObject | tuple[LogicArrayObject | LogicObject, ...],
         valid: LogicObject,
         ready: LogicObject,
         *,
@@ -76,7 +82,7 @@ class Sink:
         """Take the stream's signals, and the probability (0 to 1) of not being ready in a cycle; starts at once."""
         self._clk, self._data, self._valid, self._ready = clk, data, valid, ready
         self.pause = pause
-        self.received: list[int] = []
+        self.received: list[int | tuple[int, ...]] = []
         self._rng = rng or random.Random(2)
         self._task = cocotb.start_soon(self._run())
 
@@ -90,9 +96,14 @@ class Sink:
             self._ready.value = int(offered)
             await RisingEdge(self._clk)
             if offered and self._valid.value == 1:
-                self.received.append(int(self._data.value))
+                self.received.append(self._entry())
 
-    async def wait_for(self, count: int, most_cycles: int = 100_000) -> list[int]:
+    def _entry(self) -> int | tuple[int, ...]:
+        if isinstance(self._data, tuple):
+            return tuple(int(signal.value) for signal in self._data)
+        return int(self._data.value)
+
+    async def wait_for(self, count: int, most_cycles: int = 100_000) -> list[int | tuple[int, ...]]:
         """Wait until `count` entries were received and return them.
 
         Raises:

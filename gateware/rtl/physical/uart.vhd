@@ -4,8 +4,8 @@
 -- out within 0.05 %, and no two edges are ever more than one clock cycle away from where they should be.
 --
 -- Sampling. Where a bit is 16 clock cycles long or more, the line is looked at 16 times a bit and filtered by a majority
--- of three, so that a glitch of less than 1/16 bit is nothing. Faster than that, the line is looked at in every clock
--- cycle: the start edge is then known to one cycle, and the middle of each bit is sampled at
+-- of three, so that a glitch of less than floor(clock / baud / 16) cycles is nothing. Faster than that, the line is
+-- looked at in every clock cycle: the start edge is then known to one cycle, and the middle of each bit is sampled at
 --   t + ceil(b/2 - 1 + k*b) cycles,   0 < t <= 1 (where in the cycle the edge came), b = clock / baud,
 -- that is between b/2 - 1 and b/2 + 1 cycles after the bit's beginning. At b = 4 one cycle is left on either side, which
 -- bears a baud error of 2.6 % until the stop bit.

@@ -1,0 +1,37 @@
+"""The UART at ratios of clock to baud rate from 4 to 434: filtered, unfiltered, whole and broken."""
+
+from __future__ import annotations
+
+import pytest
+
+from gateware.bench.runner import BenchError, run_bench
+
+_BENCH = "gateware.bench.uart.bench_uart"
+
+
+@pytest.mark.parametrize(
+    ("clock_hz", "baud"),
+    [
+        (12_000_000, 3_000_000),  # 4.0
+        (50_000_000, 12_000_000),  # 4.17
+        (50_000_000, 11_000_000),  # 4.55
+        (48_000_000, 8_000_000),  # 6.0
+        (60_000_000, 4_000_000),  # 15.0
+        (48_000_000, 3_000_000),  # 16.0
+        (100_000_000, 6_000_000),  # 16.7
+        (12_000_000, 115_200),  # 104.2
+        (50_000_000, 115_200),  # 434.0
+    ],
+)
+def test_uart(clock_hz: int, baud: int) -> None:
+    run_bench("uart", _BENCH, generics={"clock_hz": clock_hz, "baud": baud})
+
+
+@pytest.mark.parametrize(("clock_hz", "baud"), [(48_000_000, 12_000_000), (48_000_000, 2_000_000)])
+def test_uart_with_flow_control(clock_hz: int, baud: int) -> None:
+    run_bench("uart", _BENCH, generics={"clock_hz": clock_hz, "baud": baud, "flow_control": True, "rx_slack": 32})
+
+
+def test_a_baud_rate_above_a_quarter_of_the_clock_is_refused() -> None:
+    with pytest.raises(BenchError, match="baud is 4000000, expected at most a quarter of clock_hz"):
+        run_bench("uart", _BENCH, generics={"clock_hz": 12_000_000, "baud": 4_000_000})
