@@ -86,8 +86,13 @@ class Message(Run):
     __slots__ = ("codec", "command", "given_up")
 
     def __init__(self, codec: Codec, command: str, fields_size: int, reply_digits: int | None, count: int = 1) -> None:
-        head = codec.framing.overhead + len(command) + codec.info.id_digits
-        super().__init__(count, head + fields_size, 0 if reply_digits is None else head + reply_digits)
+        head = codec.head_sizes[command]
+        # As `Run` would: this is on the way of every read.
+        self.first = 0
+        self.count = count
+        self.size = head + fields_size
+        self.posted = reply_digits is None
+        self.reply_size = 0 if reply_digits is None else head + reply_digits
         self.codec = codec
         self.command = command
         self.given_up = False
@@ -133,7 +138,7 @@ class Request(Message):
         self, codec: Codec, command: str, fields: bytes, reply_digits: int | None, loop: asyncio.AbstractEventLoop
     ) -> None:
         super().__init__(codec, command, len(fields), reply_digits)
-        self._command = command.lower().encode()
+        self._command = codec.lower[command]
         self.fields = fields
         self.frame = b""
         self.future: asyncio.Future[Any] = loop.create_future()

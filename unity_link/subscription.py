@@ -198,7 +198,7 @@ class Subscription:
         self._error: UnityLinkError | None = None
         self._ended = False
         self._sequence = -1
-        self._heard_at: float | None = None
+        self._sampled_at: float | None = None
 
     @property
     def rate_hz(self) -> float | None:
@@ -257,7 +257,7 @@ class Subscription:
     def restart(self) -> None:
         """Begin to count anew: the gateway's sequence stands at 0."""
         self._sequence = self._sequence | 0xFF
-        self._heard_at = None
+        self._sampled_at = None
 
     def fail(self, error: UnityLinkError) -> None:
         """End the stream with an error, behind the samples that wait."""
@@ -276,16 +276,16 @@ class Subscription:
         except ValueError:
             return
         instant = None if timestamp is None else self._groups.clock.seconds(timestamp, now)
-        lost = self._count_lost(sequence, now if instant is None else instant)
+        lost = self._count_lost(sequence, instant)
         self._keep(Sample(self._sequence, instant, time.time(), values, lost))
 
-    def _count_lost(self, sequence: int, at: float) -> int:
-        """Give how many samples are missing before this one; the time tells how often the two digits went round."""
+    def _count_lost(self, sequence: int, at: float | None) -> int:
+        """Give how many samples are missing before this one; a timestamp tells how often the two digits went round."""
         advance = (sequence - self._sequence) & 0xFF or 0x100
-        if self._heard_at is not None and self.schedule.flags & _COUNTED == GroupFlag.PERIODIC:
-            due = (at - self._heard_at) * self._groups.codec.info.base_frequency_hz / self.schedule.divisor
+        if at is not None and self._sampled_at is not None and self.schedule.flags & _COUNTED == GroupFlag.PERIODIC:
+            due = (at - self._sampled_at) * self._groups.codec.info.base_frequency_hz / self.schedule.divisor
             advance += max(0, round((due - advance) / 0x100)) * 0x100
-        self._heard_at = at
+        self._sampled_at = at
         self._sequence += advance
         return advance - 1
 

@@ -1,9 +1,10 @@
 """``serial:/dev/ttyUSB0?baud=12000000``: a serial port, USB adapter or pseudo-terminal.
 
 Built on pyserial-asyncio-fast, the kept fork of pyserial-asyncio: it tries each write at once instead of waiting for the
-port to become writable, which is one turn of the event loop less on every request. Its transport is taken over with two
+port to become writable, which is one turn of the event loop less on every request. Its transport is taken over with three
 changes, for what a fast link needs and a terminal does not: whole reads of up to 64 KiB by one system call (its own are
-of 1 KiB, by two), and a port that was unplugged is a lost connection, not a report to the loop's exception handler.
+of 1 KiB, by two); an end to watching for writability when all is written (it stops at no time, and then fails in every
+turn of the loop); and a port that was unplugged is a lost connection, not a report to the loop's exception handler.
 """
 
 from __future__ import annotations
@@ -68,6 +69,12 @@ class PortTransport(SerialTransport):  # type: ignore[misc]  # the library ships
             self._protocol.data_received(data)
         else:
             self._abort(None)
+
+    def _write_ready(self) -> None:
+        if self._write_buffer:
+            super()._write_ready()
+        if not self._write_buffer:
+            self._remove_writer()
 
     def _fatal_error(self, exc: BaseException, message: str = "") -> None:  # noqa: ARG002  (the library's signature)
         self._abort(exc)

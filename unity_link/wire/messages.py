@@ -155,6 +155,11 @@ class Codec:
         self.id_text = [b"%0*X" % (info.id_digits, number) for number in range(self.ring)]
         self.id_number = {text: number for number, text in enumerate(self.id_text)}
         self.word_type: np.dtype[np.unsignedinteger[Any]] = np.dtype(f"u{_octets(info.data_digits)}")
+        self.lower = {name: name.lower().encode() for name in COMMANDS}
+        """The commands as they stand before an ID."""
+        overhead = self.framing.overhead + info.id_digits
+        self.head_sizes = {name: overhead + len(name) for name in COMMANDS}
+        """Characters of a checked frame with an ID, beyond its fields or data."""
         self.commands = {name: row for name, row in COMMANDS.items() if row.feature in info.features}
         self._formats = {name: self._format(row.fields) for name, row in COMMANDS.items()}
         self._id_rows = np.frombuffer(b"".join(self.id_text), np.uint8).reshape(self.ring, info.id_digits)
@@ -171,7 +176,7 @@ class Codec:
 
     def request(self, command: str, number: int, fields: bytes) -> bytes:
         """Give the checked frame of a request with an ID."""
-        return self.framing.checked(command.lower().encode() + self.id_text[number] + fields)
+        return self.framing.checked(self.lower[command] + self.id_text[number] + fields)
 
     def request_rows(self, command: str, first: int, fields: NDArray[np.uint8]) -> bytes:
         """Give the checked frames of many requests of one command under consecutive IDs.
@@ -182,7 +187,7 @@ class Codec:
             fields: hex digits of the fields, shape (n, width).
         """
         count = len(fields)
-        head = np.frombuffer(self.framing.prefix + command.lower().encode(), np.uint8)
+        head = np.frombuffer(self.framing.prefix + self.lower[command], np.uint8)
         ids = self._id_rows.take(np.arange(first, first + count), axis=0, mode="wrap")
         covered = np.concatenate((np.broadcast_to(head, (count, len(head))), ids, fields), axis=1)
         ends = np.full((count, 1), 10, np.uint8)
@@ -201,7 +206,7 @@ class Codec:
             The words of the frames up to the first that is anything else than the expected response (zeros where
             `digits` is 0), or None where there is none.
         """
-        head = np.frombuffer(self.framing.prefix + command.lower().encode(), np.uint8)
+        head = np.frombuffer(self.framing.prefix + self.lower[command], np.uint8)
         crc_digits = self.framing.crc.digits
         before = len(head) + self.info.id_digits
         rows = np.frombuffer(data, np.uint8).reshape(-1, before + digits + crc_digits + 1)

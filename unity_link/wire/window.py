@@ -112,7 +112,7 @@ class Window(Generic[R]):
         """Smoothed round trip in seconds (SRTT of RFC 6298), None before the first."""
         self._variation = 0.0
         self._timeout = FIRST_TIMEOUT
-        self._expiry: float | None = None
+        self._since = 0.0
         self._tries = 0
         self._gone_back = False
         self._refused = False
@@ -158,9 +158,9 @@ class Window(Generic[R]):
             self._fence_due = None
             if self._timed is None:
                 self._timed = (first, now)
+        if self.oldest == first:
+            self._since = now
         self.next = after
-        if self._expiry is None:
-            self._restart(now)
 
     def needs_fence(self, now: float) -> bool:
         """Say whether posted writes have waited long enough, or are many enough, to be confirmed by an ``h``."""
@@ -204,10 +204,14 @@ class Window(Generic[R]):
         if self._timed is not None and (self._timed[0] - number & self._mask) < count:
             self._measure(now - self._timed[1])
             self._timed = None
-        if self._distance(number) >= self._distance(self.executed):
+        after = number + count & self._mask
+        if number == self.executed:
+            self._bytes -= run.size * count
+            self.executed = after
+        elif self._distance(number) > self._distance(self.executed):
             self._confirm(number)
             self._bytes -= run.size * count
-            self.executed = number + count & self._mask
+            self.executed = after
         if count == 1:
             self._slots[number] = None
         else:
@@ -251,14 +255,20 @@ class Window(Generic[R]):
 
     @property
     def deadline(self) -> float | None:
-        """When `expire` must be called, None while nothing is under way."""
-        if self._fence_due is not None and (self._expiry is None or self._fence_due < self._expiry):
+        """When `expire` must be called, or a fence is due; None while nothing is under way."""
+        under_way = self.next - self.oldest & self._mask
+        if self._unfenced == under_way:
+            # Posted writes alone have no answer to wait for: their fence will.
             return self._fence_due
-        return self._expiry
+        run = self._slots[self.oldest]
+        wire_time = 0.0 if run is None else self._byte_time * (run.size + run.reply_size)
+        expiry = self._since + self._timeout + wire_time
+        return expiry if self._fence_due is None else min(expiry, self._fence_due)
 
     def expire(self, now: float) -> None:
-        """Take note of the time."""
-        if self._expiry is None or now < self._expiry:
+        """Take note of the time; a fence that is due is `needs_fence`'s."""
+        deadline = self.deadline
+        if deadline is None or deadline == self._fence_due or now < deadline:
             return
         self._tries += 1
         if self._tries > MOST_TRIES:
@@ -292,15 +302,15 @@ class Window(Generic[R]):
 
     def _news(self, now: float) -> None:
         """Move `oldest` up over what is done, and start the clock anew."""
-        before = position = self.oldest
-        while position != self.executed and self._slots[position] is None:
-            position = position + 1 & self._mask
-        self.oldest = position
-        self._tries = 0
-        if position != before:
+        slots, position = self._slots, self.oldest
+        if position != self.executed and slots[position] is None:
+            while position != self.executed and slots[position] is None:
+                position = position + 1 & self._mask
+            self.oldest = position
             self._gone_back = self._refused = False
             self._refusals = 0
-        self._restart(now)
+        self._tries = 0
+        self._since = now
 
     def _go_back(self, now: float) -> None:
         if self.oldest == self.next or self._gone_back:
@@ -310,15 +320,7 @@ class Window(Generic[R]):
         self._timed = None
         self._allowed = max(self._allowed // 2, min(FEWEST_IN_FLIGHT, self._half))
         self.wants_repetition = True
-        self._restart(now)
-
-    def _restart(self, now: float) -> None:
-        run = self._slots[self.oldest] if self.oldest != self.next else None
-        if run is None or self._unfenced == (self.next - self.oldest & self._mask):
-            # Posted writes alone have no answer to wait for: their fence will.
-            self._expiry = None
-        else:
-            self._expiry = now + self._timeout + self._byte_time * (run.size + run.reply_size)
+        self._since = now
 
     def _measure(self, round_trip: float) -> None:
         """Adapt the time out (RFC 6298, section 2)."""

@@ -1,0 +1,200 @@
+/* The other end of the benchmarks: a gateway that costs next to nothing, so that what is measured is the host.
+ *
+ * It speaks the wire protocol in checked form (32-bit data, CRC-8; addresses of 2 to 4 digits, IDs of 2 or 3) and
+ * executes r, rm, w, wm, ws, h and the group commands on plain memory. It trusts its wire: no sequence rules, no errors.
+ * A running group publishes as fast as the wire takes it, without timestamps.
+ *
+ * usage: responder FD ID_DIGITS ADDRESS_DIGITS     (FD: an open pseudo-terminal or socket)
+ */
+#include <errno.h>
+#include <poll.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+enum { DATA = 8, MOST = 1 << 16, WORDS = 1 << 16, PUBLISHES = 256 };
+
+static uint8_t crc_table[256];
+static uint32_t memory[WORDS];
+static char out[MOST * 4];
+static size_t out_length;
+static int fd, id_digits, address_digits;
+static int running, words, group, sequence;
+static uint16_t addresses[256];
+
+static const char digit[] = "0123456789ABCDEF";
+
+static void make_table(void)
+{
+    for (int byte = 0; byte < 256; byte++) {
+        uint8_t crc = (uint8_t)byte;
+        for (int bit = 0; bit < 8; bit++)
+            crc = (uint8_t)(crc & 0x80 ? crc << 1 ^ 0x07 : crc << 1);
+        crc_table[byte] = crc;
+    }
+}
+
+static void flush(void)
+{
+    size_t sent = 0;
+    while (sent < out_length) {
+        ssize_t n = write(fd, out + sent, out_length - sent);
+        if (n < 0 && errno != EINTR)
+            exit(0);
+        if (n > 0)
+            sent += (size_t)n;
+    }
+    out_length = 0;
+}
+
+static void put_hex(uint32_t value, int digits)
+{
+    for (int shift = 4 * (digits - 1); shift >= 0; shift -= 4)
+        out[out_length++] = digit[value >> shift & 15];
+}
+
+static void put(const char *text, size_t length)
+{
+    memcpy(out + out_length, text, length);
+    out_length += length;
+}
+
+static void end_frame(size_t start)
+{
+    uint8_t crc = 0;
+    for (size_t i = start; i < out_length; i++)
+        crc = crc_table[crc ^ (uint8_t)out[i]];
+    put_hex(crc, 2);
+    out[out_length++] = '\n';
+}
+
+static uint32_t get_hex(const char *text, int digits)
+{
+    uint32_t value = 0;
+    for (int i = 0; i < digits; i++)
+        value = value << 4 | (uint32_t)(text[i] <= '9' ? text[i] - '0' : text[i] - 'A' + 10);
+    return value;
+}
+
+static void configuration(void)
+{
+    put_hex(1, 2);           /* protocol version */
+    put_hex(4 * DATA, 2);    /* data bits */
+    put_hex(4 * (uint32_t)address_digits, 2); /* address bits */
+    put_hex((uint32_t)id_digits, 2);
+    put_hex(8, 2); /* CRC bits */
+    put_hex(7, 8); /* CRC polynomial */
+    put_hex(255, 2);
+    put_hex(256, 4);
+    put_hex(255, 2);
+    put_hex(0, 2);
+    put_hex(100000000, 8); /* base frequency, mHz: ten digits with the two before */
+    put_hex(50000000, 8);  /* clock, Hz */
+    put_hex(4096, 4);
+    put_hex(4096, 4);
+    put_hex(0x11, 4); /* groups, flow control */
+    put_hex(0, 8);
+}
+
+static void answer(const char *frame, size_t length)
+{
+    size_t start = out_length;
+    int letters = frame[1] > 'F' ? 2 : 1;
+    const char *fields = frame + letters + id_digits;
+    uint32_t address;
+
+    if (frame[0] == 'Q' || frame[0] == 'K') {
+        put(frame, 1);
+        if (frame[0] == 'Q')
+            configuration();
+        else
+            put(frame + 1, (size_t)id_digits);
+        running = 0;
+        if (frame[length] == '\r')
+            put("\r\n", 2);
+        else
+            end_frame(start);
+        return;
+    }
+    if (frame[0] == 'w' && frame[1] == 's') {
+        memory[get_hex(fields, address_digits)] = get_hex(fields + address_digits, DATA);
+        return;
+    }
+    put(frame, (size_t)(letters + id_digits));
+    if (frame[0] == 'r') {
+        address = get_hex(fields, address_digits);
+        uint32_t count = letters == 2 ? get_hex(fields + address_digits, 2) : 1;
+        for (uint32_t i = 0; i < count; i++)
+            put_hex(memory[(address + i) & (WORDS - 1)], DATA);
+    } else if (frame[0] == 'w') {
+        address = get_hex(fields, address_digits);
+        for (const char *word = fields + address_digits; word + DATA <= frame + length - 2; word += DATA)
+            memory[address++ & (WORDS - 1)] = get_hex(word, DATA);
+    } else if (frame[0] == 'g' && frame[1] == 's') {
+        group = (int)get_hex(fields, 2);
+        words = (int)get_hex(fields + 8, 2);
+        for (int i = 0; i < words; i++)
+            addresses[i] = (uint16_t)get_hex(fields + 10 + address_digits * i, address_digits);
+        sequence = 0;
+    } else if (frame[0] == 'g') {
+        running = frame[1] == 'n';
+    }
+    end_frame(start);
+}
+
+static void publish(void)
+{
+    for (int n = 0; n < PUBLISHES && out_length < 4096; n++) {
+        size_t start = out_length;
+        out[out_length++] = 'P';
+        put_hex((uint32_t)group, 2);
+        put_hex((uint32_t)sequence++ & 255, 2);
+        for (int i = 0; i < words; i++)
+            put_hex(memory[addresses[i]], DATA);
+        end_frame(start);
+    }
+}
+
+int main(int argc, char **argv)
+{
+    static char in[MOST];
+    size_t held = 0;
+
+    if (argc != 4)
+        return 2;
+    fd = atoi(argv[1]);
+    id_digits = atoi(argv[2]);
+    address_digits = atoi(argv[3]);
+    make_table();
+    for (uint32_t i = 0; i < WORDS; i++)
+        memory[i] = i * 0x01010101u;
+    for (;;) {
+        struct pollfd ready = {fd, POLLIN, 0};
+        if (running) {
+            publish();
+            flush();
+        }
+        if (poll(&ready, 1, running ? 0 : -1) < 0 && errno != EINTR)
+            return 0;
+        if (!(ready.revents & (POLLIN | POLLHUP | POLLERR)))
+            continue;
+        ssize_t n = read(fd, in + held, sizeof in - held);
+        if (n <= 0)
+            return 0;
+        held += (size_t)n;
+        char *frame = in;
+        for (char *at = in; at < in + held; at++)
+            if (*at == '\n' || *at == '\r') {
+                if (at > frame)
+                    answer(frame, (size_t)(at - frame));
+                frame = at + 1;
+                if (out_length > sizeof out - 8192)
+                    flush();
+            }
+        held -= (size_t)(frame - in);
+        memmove(in, frame, held);
+        flush();
+    }
+}
