@@ -1,1 +1,1 @@
-"""Measurements, one module for one question that a user asks; `python -m benchmarks` runs them and writes RESULTS.md."""
+"""Measurements, one module for each question that a user asks; `python -m benchmarks` writes RESULTS.md."""
