@@ -5,7 +5,7 @@ import re
 import fastcrc
 import pytest
 
-from unity_link.virtual.bus import AccessError
+from unity_link.virtual.faults import Failing
 from unity_link.virtual.gateway import VirtualGateway
 from unity_link.wire.gateway_info import GatewayInfo
 from unity_link.wire.messages import ErrorCode
@@ -14,27 +14,14 @@ from worked_examples import DOCUMENT, Example, worked_examples
 EXAMPLES = worked_examples()
 
 
-class FailingModule:
-    """A module that ends each access with an error."""
-
-    def __init__(self, code: ErrorCode) -> None:
-        self._code = code
-
-    def read(self, offset: int, now: float) -> int:
-        raise AccessError(self._code)
-
-    def write(self, offset: int, value: int, now: float) -> None:
-        raise AccessError(self._code)
-
-
 def documented_gateway(example: Example) -> VirtualGateway:
     """Give a gateway fresh from reset, of the configuration that the document's answer to Q tells."""
     text = DOCUMENT.read_text(encoding="utf-8")
     info = GatewayInfo.from_hex(re.search(r"^< Q([0-9A-F]+)␍␊", text, re.MULTILINE)[1].encode())  # type: ignore[index]
     gateway = VirtualGateway(info, node=example.node)
     gateway.memory.update(example.memory)
-    gateway.attach(FailingModule(ErrorCode.BUS_ERROR), example.bus_errors)
-    gateway.attach(FailingModule(ErrorCode.BUS_TIMEOUT), example.bus_timeouts)
+    gateway.attach(Failing(ErrorCode.BUS_ERROR), example.bus_errors)
+    gateway.attach(Failing(ErrorCode.BUS_TIMEOUT), example.bus_timeouts)
     return gateway
 
 
