@@ -1,8 +1,8 @@
 """Layer 2, the engine of a link: requests go into the window and onto the stream, responses find their requests.
 
-There is no task, lock or queue in here. A call puts its request in, the stream calls `receive` with whole reads, and one
-timer of the event loop serves all time outs. What must wait for room in the window waits in one line; a source with more
-to send goes to the end of the line after its turn, so that a batch of thousands does not hold up the others.
+There is no task, lock or queue in here. A call puts its request in, the stream calls `receive` with whole reads, and
+one timer of the event loop serves all time outs. What must wait for room in the window waits in one line; a source with
+more to send goes to the end of the line after its turn, so that a batch of thousands does not hold up the others.
 """
 
 from __future__ import annotations
@@ -10,14 +10,16 @@ from __future__ import annotations
 import asyncio
 from collections import deque
 from collections.abc import Callable
-from typing import Any
+from typing import TYPE_CHECKING
 
-from unity_link.errors import LinkLostError, Outcome, UnityLinkError, UnsupportedError
+from unity_link.errors import LinkLostError, Outcome, UnsupportedError
 from unity_link.requests import BatchRun, Message, Request, Source, gateway_error
-from unity_link.stream import Stream
 from unity_link.wire.frames import FrameError
-from unity_link.wire.messages import Codec
 from unity_link.wire.window import Window
+
+if TYPE_CHECKING:
+    from unity_link.stream import Stream
+    from unity_link.wire.messages import Codec
 
 FEWEST_ROWS = 8
 """Answers of a batch that are worth a turn of numpy."""
@@ -52,6 +54,8 @@ class Exchange:
         self._waiting: deque[Source] = deque()
         self._timer: asyncio.TimerHandle | None = None
         self._stream: Stream | None = None
+        self._codec: Codec
+        self._window: Window[Message] = Window(2)
         self._closed: str | None = None
 
     # Sessions
@@ -93,15 +97,13 @@ class Exchange:
     def _end_sent(self, reason: str, *, keep: bool) -> list[Source]:
         """End the requests that were sent; give what a new session can send again."""
         again = []
-        window: Window[Message] | None = getattr(self, "_window", None)
-        for part in window.unanswered() if window is not None else ():
-            source = part.run.again(part.offset, part.count) if keep and not part.run.unwanted() else None
+        for part in self._window.unanswered():
+            source = part.run.again(part.offset, part.size) if keep and not part.run.unwanted() else None
             if source is not None:
                 again.append(source)
             else:
                 part.run.fail(LinkLostError(reason, Outcome.EXECUTED if part.executed else Outcome.UNKNOWN))
-        if window is not None:
-            self._window = Window(self._codec.ring)
+        self._window = Window(2)
         return again
 
     # Requests
@@ -137,7 +139,7 @@ class Exchange:
     @property
     def in_flight(self) -> int:
         """Number of requests that were sent and not answered."""
-        return self._window.next - self._window.oldest & self._codec.ring - 1
+        return self._window.in_flight
 
     @property
     def round_trip(self) -> float | None:
@@ -196,8 +198,12 @@ class Exchange:
         """Take the whole frames of a read, and give where the first that is not whole begins."""
         now = self._now()
         start = 0
+        batched = True
         while True:
-            start = self._receive_rows(data, start, now)
+            if batched:
+                # Looked for at the start of a read and behind what interrupts a batch, not at each line.
+                before, start = start, self._receive_rows(data, start, now)
+                batched = start != before
             end = data.find(b"\n", start)
             if end < 0:
                 break

@@ -1,19 +1,22 @@
 """The first words on a new connection: what the gateway is, and the start of a session (protocol sections 2 and 5).
 
-`Q` is asked in plain form, because nothing is known yet, and again in the checked form that follows from the answer; only
-if both agree is the answer believed. `K` then starts the session: the gateway expects ID 0 and publishes nothing.
+`Q` is asked in plain form, because nothing is known yet, and again in the checked form that follows from the answer;
+only if both agree is the answer believed. `K` then starts the session: the gateway expects ID 0 and publishes nothing.
 """
 
 from __future__ import annotations
 
 import asyncio
+from typing import TYPE_CHECKING
 
 from unity_link.errors import ConnectError
-from unity_link.stream import Stream
 from unity_link.wire.crc import Crc
 from unity_link.wire.frames import LF, FrameError, Framing
 from unity_link.wire.gateway_info import GatewayInfo
 from unity_link.wire.messages import Codec
+
+if TYPE_CHECKING:
+    from unity_link.stream import Stream
 
 FIRST_TRY = 0.1
 """Seconds until a question is asked again, doubled each time."""
@@ -71,7 +74,7 @@ async def shake_hands(stream: Stream, node: int | None) -> tuple[Codec, float]:
     listener = _Listener()
     listener.framing = Framing(Crc(), node)
     stream.receiver = listener
-    # A line end first, for what an earlier program may have left unfinished. LF, not CR: a plain frame is executed unchecked.
+    # A line end first, for what an earlier program left unfinished. LF, not CR: that would execute it unchecked.
     plain = await _ask(stream, listener, LF + listener.framing.plain_request(b"Q"), b"Q")
     info = _read(plain)
     codec = Codec(info, node)

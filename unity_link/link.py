@@ -8,13 +8,10 @@ means.
 from __future__ import annotations
 
 import asyncio
-from collections.abc import Callable, Generator
-from types import TracebackType
 from typing import TYPE_CHECKING, Any, Literal, Self
 
 import msgspec
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
 
 from unity_link.drivers import DriverUrl, load_driver, parse_url
 from unity_link.errors import (
@@ -36,6 +33,11 @@ from unity_link.wire.messages import Codec, GroupFlag, Words, hex_rows
 from unity_link.wire.window import Window
 
 if TYPE_CHECKING:
+    from collections.abc import Callable, Generator
+    from types import TracebackType
+
+    from numpy.typing import ArrayLike, NDArray
+
     from unity_link.virtual import Gateway
 
 SendImmediate = Literal["off", "always", "adaptive"]
@@ -83,14 +85,17 @@ class Statistics(msgspec.Struct, frozen=True, kw_only=True):
 class Link:
     """A connection to one gateway; made by `connect`.
 
-    Any number of tasks may use it at once. Requests are executed exactly once, and in the order of the calls; blocks and
-    batches of several tasks take turns. Cancelling a call leaves all others as they are; a write that was cancelled may
-    or may not have been executed.
+    Any number of tasks may use it at once. Requests are executed exactly once, and in the order of the calls; blocks
+    and batches of several tasks take turns. Cancelling a call leaves all others as they are; a write that was cancelled
+    may or may not have been executed.
 
     Every call may raise `LinkLostError`, `BusError` and `BusTimeoutError`.
     """
 
     def __init__(self, target: DriverUrl | Gateway, reconnect: Reconnect | None) -> None:
+        self.gateway: GatewayInfo
+        """What the gateway says of itself."""
+        self._codec: Codec
         self._target = target
         self._reconnect = reconnect
         self._loop = asyncio.get_running_loop()
@@ -145,8 +150,7 @@ class Link:
             raise ConnectError(f"another gateway answers after the reconnection: {info} instead of {self._codec.info}")
         self._codec = codec
         self._stream = stream
-        self.gateway: GatewayInfo = info
-        """What the gateway says of itself."""
+        self.gateway = info
         self._highest_address = (1 << info.address_bits) - 1
         self._highest_word = (1 << info.data_bits) - 1
         credit = None if Feature.FLOW_CONTROL in info.features else info.receive_fifo_bytes
@@ -332,7 +336,7 @@ class Link:
         return await self._read_words("RQ", address, count, step=0)
 
     async def write_block(self, address: int, values: ArrayLike) -> None:
-        """Write consecutive words from `address` on; at most ``gateway.block_words`` of them are one atomic transaction."""
+        """Write consecutive words from `address` on, each ``gateway.block_words`` of them in one atomic transaction."""
         words = self._words(values)
         self._check_block(address, len(words))
         await self._write_words("WM", address, words, step=1)
@@ -374,7 +378,7 @@ class Link:
 
     # Publishing
 
-    def subscribe(
+    def subscribe(  # noqa: PLR0913  (each is a choice of its own, by keyword)
         self,
         addresses: int | ArrayLike,
         *,
@@ -503,9 +507,8 @@ class Link:
             if divisor is not None:
                 raise ArgumentError("a rate and a divisor were given, expected one of them")
             if not base / _LARGEST_DIVISOR <= rate_hz <= base:
-                raise ArgumentError(
-                    f"a rate of {rate_hz:g} Hz was asked for, the gateway has {base / _LARGEST_DIVISOR:.3g} to {base:g} Hz"
-                )
+                lowest = base / _LARGEST_DIVISOR
+                raise ArgumentError(f"a rate of {rate_hz:g} Hz was asked for, expected {lowest:.3g} to {base:g} Hz")
             return round(base / rate_hz)
         if divisor is None:
             return 1
@@ -523,9 +526,8 @@ class Link:
 
     def _check_word(self, value: int) -> None:
         if not 0 <= value <= self._highest_word:
-            raise ArgumentError(
-                f"{value} does not fit in a word of {self.gateway.data_bits} bits (0 to {self._highest_word:#x})"
-            )
+            bits = self.gateway.data_bits
+            raise ArgumentError(f"{value} does not fit in a word of {bits} bits (0 to {self._highest_word:#x})")
 
     def _check_count(self, count: int) -> None:
         if count < 1:

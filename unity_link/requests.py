@@ -1,17 +1,16 @@
 """What a link asks of a gateway: requests that know how they are sent and what their answer means.
 
-The exchange takes them from *sources*. Most requests are a source of their own; a block is a source of several requests,
-because the gateway limits their length; a batch is a source of runs of many, which are encoded and decoded by numpy.
+The exchange takes them from *sources*. Most requests are a source of their own; a block is a source of several
+requests, because the gateway limits their length; a batch is a source of runs of many, which are encoded and decoded by
+numpy.
 """
 
 from __future__ import annotations
 
-import asyncio
 from collections import deque
-from typing import Any, Protocol
+from typing import TYPE_CHECKING, Any, Protocol
 
 import numpy as np
-from numpy.typing import NDArray
 
 from unity_link.errors import (
     AnswerLostError,
@@ -23,6 +22,11 @@ from unity_link.errors import (
 )
 from unity_link.wire.messages import Codec, Words, parse_words
 from unity_link.wire.window import Run
+
+if TYPE_CHECKING:
+    import asyncio
+
+    from numpy.typing import NDArray
 
 SMALLEST_BATCH = 32
 """Requests of a batch that are worth a turn of numpy: room for so many is waited for while others are under way."""
@@ -61,8 +65,13 @@ def gateway_error(code: int, what: str) -> GatewayError:
 class Source(Protocol):
     """Something that has requests to send."""
 
-    size: int
-    posted: bool
+    @property
+    def size(self) -> int:
+        """Characters of the next request."""
+
+    @property
+    def posted(self) -> bool:
+        """Whether the next request is a posted write."""
 
     def least(self) -> int:
         """Give for how many requests room is wanted before the next turn."""
@@ -102,7 +111,7 @@ class Message(Run):
         raise NotImplementedError
 
     def accept(self, offset: int, body: bytes, position: int) -> bool:
-        """Take the response to one request; `position` is where its data begins. False where it is no response to it."""
+        """Take the response to one request, with its data from `position` on; False where it is no response to it."""
         raise NotImplementedError
 
     def unwanted(self) -> bool:
@@ -388,7 +397,8 @@ class BatchRun(Message):
 
     def fields_at(self, offset: int) -> bytes:
         """Give the fields of one request."""
-        return self._batch.fields[self._offset + offset].tobytes()
+        fields: bytes = self._batch.fields[self._offset + offset].tobytes()
+        return fields
 
     def unwanted(self) -> bool:
         """Say whether nobody waits for the batch any more."""

@@ -10,7 +10,7 @@ import asyncio
 from typing import Protocol
 
 LONGEST_FRAME = 16_384
-"""Bytes without a line end that are kept: more than the longest message of any gateway (a sample of 255 64-bit words)."""
+"""Bytes without a line end that are kept: more than the longest message, a sample of 255 words of 64 bits, has."""
 
 
 class Receiver(Protocol):
@@ -85,7 +85,7 @@ class Stream(asyncio.Protocol):
 
     def connection_made(self, transport: asyncio.BaseTransport) -> None:
         """Keep the transport."""
-        assert isinstance(transport, asyncio.Transport)  # noqa: S101  (drivers give no other)
+        assert isinstance(transport, asyncio.Transport)
         self._transport = transport
 
     def data_received(self, data: bytes) -> None:

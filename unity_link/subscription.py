@@ -9,18 +9,22 @@ from __future__ import annotations
 import asyncio
 import time
 from collections import deque
-from collections.abc import Callable
-from types import TracebackType
-from typing import Any, Literal, Self
+from typing import TYPE_CHECKING, Any, Literal, Self
 
 import msgspec
 import numpy as np
-from numpy.typing import NDArray
 
 from unity_link.errors import ArgumentError, LinkLostError, SamplesLostError, UnityLinkError, UnsupportedError
-from unity_link.exchange import Exchange
 from unity_link.requests import Request
 from unity_link.wire.messages import Codec, GroupFlag, Words, parse_words
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+    from types import TracebackType
+
+    from numpy.typing import NDArray
+
+    from unity_link.exchange import Exchange
 
 Overflow = Literal["drop_oldest", "fail"]
 _HEAD = 5

@@ -6,14 +6,16 @@ feeds `protocol`, and ``OPTIONS``, the names of the URL options that it takes.
 
 from __future__ import annotations
 
-import asyncio
 import importlib
-from typing import Protocol, cast
+from typing import TYPE_CHECKING, Protocol, cast
 from urllib.parse import parse_qsl, urlsplit
 
 import msgspec
 
 from unity_link.errors import ArgumentError
+
+if TYPE_CHECKING:
+    import asyncio
 
 _MODULES = {
     "serial": "serial",

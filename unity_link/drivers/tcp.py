@@ -4,9 +4,12 @@ from __future__ import annotations
 
 import asyncio
 import socket
+from typing import TYPE_CHECKING
 
-from unity_link.drivers import DriverUrl
 from unity_link.errors import ArgumentError, ConnectError
+
+if TYPE_CHECKING:
+    from unity_link.drivers import DriverUrl
 
 OPTIONS: frozenset[str] = frozenset()
 

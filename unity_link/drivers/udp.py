@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import asyncio
 import re
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-from unity_link.drivers import DriverUrl
 from unity_link.drivers.tcp import address
 from unity_link.errors import ConnectError
+
+if TYPE_CHECKING:
+    from unity_link.drivers import DriverUrl
 
 OPTIONS: frozenset[str] = frozenset()
 LARGEST_DATAGRAM = 1400
@@ -56,7 +58,7 @@ class DatagramAdapter(asyncio.Transport, asyncio.DatagramProtocol):
         """Hand on the frames of a datagram; a cut one at its end is ended here."""
         self._protocol.data_received(data if data.endswith(b"\n") else data + b"\n")
 
-    def error_received(self, exc: OSError) -> None:
+    def error_received(self, exc: Exception) -> None:
         """Ignore that a datagram was refused: it is as good as lost, and the gateway may come yet."""
 
     def connection_lost(self, exc: Exception | None) -> None:

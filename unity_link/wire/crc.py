@@ -6,12 +6,16 @@ the CRC is linear, so the CRC of many rows of equal length is one table look-up 
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from functools import lru_cache
+from typing import TYPE_CHECKING
 
 import fastcrc
 import numpy as np
-from numpy.typing import NDArray
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from numpy.typing import NDArray
 
 _COMPILED: dict[tuple[int, int], Callable[[bytes], int]] = {
     (8, 0x07): fastcrc.crc8.smbus,
@@ -57,7 +61,8 @@ class Crc:
         table = _column_table(self.bits, self.polynomial, rows.shape[1])
         crcs = np.bitwise_xor.reduce(table[np.arange(rows.shape[1]), rows], axis=1)
         shifts = np.arange(self.bits - 4, -1, -4, dtype=crcs.dtype)
-        return _NIBBLE_TO_ASCII[(crcs[:, None] >> shifts) & 15]
+        digits: NDArray[np.uint8] = _NIBBLE_TO_ASCII[(crcs[:, None] >> shifts) & 15]
+        return digits
 
     def _by_table(self, data: bytes) -> int:
         table, shift, mask = _byte_table(self.bits, self.polynomial), self.bits - 8, (1 << self.bits) - 1

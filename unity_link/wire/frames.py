@@ -1,13 +1,16 @@
 """What stands between two line ends (protocol section 1): a body, its check and its end.
 
-A *checked* frame is the body, its CRC and LF. A *plain* one, which a person can type, is the body and CR; a gateway ends
-its plain replies with CR LF. On a medium that several nodes share (section 7) each body stands behind a prefix of `Z` and
-two digits, which the CRC covers. Everything above this module sees bodies only.
+A *checked* frame is the body, its CRC and LF. A *plain* one, which a person can type, is the body and CR; a gateway
+ends its plain replies with CR LF. On a medium that several nodes share (section 7) each body stands behind a prefix of
+`Z` and two digits, which the CRC covers. Everything above this module sees bodies only.
 """
 
 from __future__ import annotations
 
-from unity_link.wire.crc import Crc
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from unity_link.wire.crc import Crc
 
 LF = b"\n"
 CR = b"\r"

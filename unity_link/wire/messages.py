@@ -12,8 +12,7 @@ from __future__ import annotations
 import enum
 import re
 from binascii import hexlify, unhexlify
-from collections.abc import Sequence
-from typing import Any, NamedTuple, TypeAlias
+from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -21,6 +20,9 @@ from numpy.typing import ArrayLike, NDArray
 from unity_link.wire.crc import Crc
 from unity_link.wire.frames import Framing
 from unity_link.wire.gateway_info import Feature, GatewayInfo
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
 
 Words: TypeAlias = NDArray[np.unsignedinteger[Any]]
 
@@ -302,7 +304,7 @@ class Codec:
             head = request.command.encode() + self._echo(row, request.values)
         if reads is None:
             return head
-        if row.reads == "d":
+        if isinstance(reads, int):
             return head + b"%0*X" % (self.info.data_digits, reads)
         return head + hex_rows(reads, self.info.data_digits).tobytes()
 

@@ -26,10 +26,10 @@ What comes in, and what the window does:
     time out                        go back, with twice the time out; after too many without any news: lost
     ==============================  ==========================================================================
 
-*Go back* means: send all unanswered requests again, in order, from `oldest`. A gap brings many signs (the damaged frame,
-the out-of-sequence one behind it, the skipped answer), so the window goes back once for each `oldest`; if the repetition
-is lost too, the time out finds it. While it loses, fewer requests are kept in flight, because one damaged frame costs
-all those sent behind it.
+*Go back* means: send all unanswered requests again, in order, from `oldest`. A gap brings many signs (the damaged
+frame, the out-of-sequence one behind it, the skipped answer), so the window goes back once for each `oldest`; if the
+repetition is lost too, the time out finds it. While it loses, fewer requests are kept in flight, because one damaged
+frame costs all those sent behind it.
 
 A request that nobody waits for any more, or that the gateway refuses again and again, keeps its ID, for those behind it
 build on it; when it is sent again, it is sent as ``h``.
@@ -39,8 +39,10 @@ The time out is RFC 6298's, with the clock of the caller. One request at a time 
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import Generic, NamedTuple, TypeVar
+from typing import TYPE_CHECKING, Generic, NamedTuple, TypeVar
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
 
 MOST_TRIES = 8
 MOST_REFUSALS = 3
@@ -75,11 +77,11 @@ R = TypeVar("R", bound=Run)
 
 
 class Unanswered(NamedTuple, Generic[R]):
-    """Part of a run that is not done: `count` requests from `offset` on; whether they are known to be executed."""
+    """Part of a run that is not done: `size` requests from `offset` on; whether they are known to be executed."""
 
     run: R
     offset: int
-    count: int
+    size: int
     executed: bool
 
 
@@ -124,6 +126,11 @@ class Window(Generic[R]):
         if round_trip is not None:
             self._measure(round_trip)
 
+    @property
+    def in_flight(self) -> int:
+        """Number of IDs that were sent and are not done."""
+        return self.next - self.oldest & self._mask
+
     # Sending
 
     def room(self, size: int, *, posted: bool = False) -> int:
@@ -131,7 +138,7 @@ class Window(Generic[R]):
 
         Posted writes leave room for the ``h`` that will confirm them.
         """
-        ids = self._allowed - (self.next - self.oldest & self._mask) - posted
+        ids = self._allowed - self.in_flight - posted
         if self._byte_limit is not None:
             most = (self._byte_limit - self._bytes) // size - posted
             # A request longer than the whole FIFO goes alone.
@@ -174,7 +181,7 @@ class Window(Generic[R]):
         """Give what is to be sent again, in order: ID, run, offset in the run, count."""
         self.wants_repetition = False
         for part in self.unanswered():
-            yield part.run.first + part.offset & self._mask, part.run, part.offset, part.count
+            yield part.run.first + part.offset & self._mask, part.run, part.offset, part.size
 
     def unanswered(self) -> Iterator[Unanswered[R]]:
         """Give all that is not done, in order."""
@@ -256,8 +263,7 @@ class Window(Generic[R]):
     @property
     def deadline(self) -> float | None:
         """When `expire` must be called, or a fence is due; None while nothing is under way."""
-        under_way = self.next - self.oldest & self._mask
-        if self._unfenced == under_way:
+        if self._unfenced == self.in_flight:
             # Posted writes alone have no answer to wait for: their fence will.
             return self._fence_due
         run = self._slots[self.oldest]
