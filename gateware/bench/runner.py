@@ -51,7 +51,7 @@ def run_bench(
     *,
     generics: Mapping[str, object] | None = None,
     extra_sources: Sequence[Path] = (),
-    testcase: str | None = None,
+    testcase: str | Sequence[str] | None = None,
     seed: int | None = None,
     extra_env: Mapping[str, str] | None = None,
     warnings_allowed: bool = False,
@@ -63,7 +63,7 @@ def run_bench(
         module: dotted name of the Python module with the cocotb tests (`gateware.bench.uart.bench_uart`).
         generics: generics of the top entity; booleans may be Python's.
         extra_sources: VHDL files beside those in `gateware/rtl` (a wrapper made for the bench).
-        testcase: run only the tests whose name ends so.
+        testcase: run only the test or tests whose name ends so.
         seed: of cocotb's random numbers; by default 1, so that a run can be repeated. The environment variable
             COCOTB_RANDOM_SEED overrides it.
         extra_env: further environment variables that the bench reads.

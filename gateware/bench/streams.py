@@ -18,11 +18,17 @@ if TYPE_CHECKING:
     from collections.abc import Iterable
 
     from cocotb.handle import LogicArrayObject, LogicObject
+    from cocotb.task import Task
+
+
+_clocks: dict[str, Task[None]] = {}
 
 
 async def start(clk: LogicObject, rst: LogicObject, period_ns: float = 20.0) -> None:
-    """Start a clock of the given period and hold reset for five cycles; returns one cycle after its end."""
-    cocotb.start_soon(Clock(clk, 2 * round(period_ns * 500), unit="ps").start())
+    """Start a clock of the given period, unless it runs, and reset for five cycles; returns one cycle after that."""
+    running = _clocks.get(clk._path)  # noqa: SLF001 - a handle has no public name that is unique
+    if running is None or running.done():
+        _clocks[clk._path] = cocotb.start_soon(Clock(clk, 2 * round(period_ns * 500), unit="ps").start())  # noqa: SLF001
     rst.value = 1
     await ClockCycles(clk, 5)
     rst.value = 0
