@@ -71,7 +71,7 @@ class Commands:
             "I": self._set_send_immediate,
             "H": self._nothing,
         }
-        """By command: called with the time and the fields, gives what was read; raises `FieldRangeError` or `AccessError`."""
+        """By command: takes the time and the fields, gives what was read; raises `FieldRangeError` or `AccessError`."""
 
     def reset(self) -> None:
         """Go back to the state after power-up, as far as it is kept here."""

@@ -37,7 +37,7 @@ _DEFAULT_INFO = GatewayInfo()
 
 
 class Gateway(Protocol):
-    """Anything that behaves like a gateway: this model, the gateware in a simulator, a line with faults before either."""
+    """Anything that behaves like a gateway: this model, the gateware in a simulator, a bad line before either."""
 
     info: GatewayInfo
     wake: Callable[[], None]

@@ -234,7 +234,7 @@ class Groups:
         self.overruns += count
 
     def _publish(self, group: Group, instant: float, stamp: int, *, unchanged: bool = False) -> bytes:
-        """Give the frame of a due sample, or nothing where the bus fails or, unless `unchanged`, nothing has changed."""
+        """Give the frame of a due sample; nothing where the bus fails, or no change is found and one is wanted."""
         sequence = group.sequence
         try:
             words = self._bus.read_words(group.addresses, instant)

@@ -1,0 +1,72 @@
+"""Builds a virtual gateway from what a user says, in a URL or on the command line: robot, widths, faults."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from unity_link.errors import ArgumentError, UnsupportedError
+from unity_link.virtual.faults import Noise, NoisyLine
+from unity_link.virtual.gateway import Gateway, VirtualGateway
+from unity_link.virtual.line import SlowLine
+from unity_link.virtual.scara import attach_scara
+from unity_link.wire.gateway_info import Feature, GatewayInfo
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Mapping
+
+ROBOTS: dict[str, Callable[[VirtualGateway], object]] = {"": lambda _: None, "scara": attach_scara}
+"""What can stand behind the bus, by name; the empty name is plain memory."""
+CHANCES = ("loss", "flip", "double")
+"""Probabilities of `Noise` that a user can choose."""
+CONFIGURATION = tuple(name for name in GatewayInfo.__struct_fields__ if name != "protocol_version")
+"""Fields of `GatewayInfo` that a user can choose."""
+_POLYNOMIALS = {8: 0x07, 16: 0x1021, 32: 0x04C11DB7}
+
+
+def build_gateway(
+    robot: str = "",
+    configuration: Mapping[str, int] | None = None,
+    *,
+    node: int | None = None,
+    chances: Mapping[str, float] | None = None,
+    seed: int = 0,
+    bytes_per_second: float | None = None,
+) -> Gateway:
+    """Build a gateway.
+
+    Args:
+        robot: a name from `ROBOTS`.
+        configuration: fields of `GatewayInfo` that are not as in the gateware's default build.
+        node: its number on a shared medium.
+        chances: probabilities of `CHANCES`, for each byte in both directions.
+        seed: chooses the course of the noise; both directions have their own.
+        bytes_per_second: rate of a line with the FIFOs of the configuration, None for one without limit.
+
+    Raises:
+        ArgumentError: for an unknown robot, or a value that no gateway can have.
+    """
+    if robot not in ROBOTS:
+        known = ", ".join(name for name in ROBOTS if name)
+        raise ArgumentError(f"no robot {robot!r} is known: {known} was expected, or none for plain memory")
+    model = VirtualGateway(_info(configuration or {}), node=node)
+    ROBOTS[robot](model)
+    gateway: Gateway = model
+    if bytes_per_second is not None:
+        gateway = SlowLine(model, bytes_per_second)
+    if chances:
+        gateway = NoisyLine(gateway, Noise(2 * seed, **chances), Noise(2 * seed + 1, **chances))
+    return gateway
+
+
+def _info(configuration: Mapping[str, int]) -> GatewayInfo:
+    values = dict(configuration)
+    if "crc_bits" in values and values["crc_bits"] in _POLYNOMIALS:
+        values.setdefault("crc_polynomial", _POLYNOMIALS[values["crc_bits"]])
+    if "features" in values:
+        values["features"] = Feature(values["features"])
+    info = GatewayInfo(**values)  # type: ignore[arg-type]
+    try:
+        info.check()
+    except UnsupportedError as error:
+        raise ArgumentError(f"no such gateway can be built: {error}") from None
+    return info

@@ -1,0 +1,203 @@
+"""What can go wrong, on purpose and repeatably: addresses that fail, and bytes that are lost, damaged or doubled.
+
+`Failing` is a device, attached where the bus is to fail. `Noise` spoils one stream of bytes; `NoisyLine` puts two of
+them between a gateway and whoever talks to it, and is a gateway itself.
+"""
+
+from __future__ import annotations
+
+import math
+import random
+import sys
+from collections import deque
+from typing import TYPE_CHECKING
+
+from unity_link.errors import ArgumentError
+from unity_link.virtual.bus import AccessError
+from unity_link.wire.messages import ErrorCode
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, MutableMapping
+
+    from unity_link.virtual.gateway import Gateway
+
+
+class Failing:
+    """A device of which every access fails, by default as where nothing answers."""
+
+    def __init__(self, code: ErrorCode = ErrorCode.BUS_TIMEOUT) -> None:
+        self._code = code
+
+    def read(self, offset: int, now: float) -> int:  # noqa: ARG002  (all fail)
+        """Fail."""
+        raise AccessError(self._code)
+
+    def write(self, offset: int, value: int, now: float) -> None:  # noqa: ARG002
+        """Fail."""
+        raise AccessError(self._code)
+
+
+class Noise:
+    """Spoils a stream of bytes; the same seed spoils the same bytes, however the stream is cut into pieces.
+
+    Args:
+        seed: chooses one of many courses of events.
+        loss: probability that a byte is lost.
+        flip: probability that one of its bits is inverted.
+        double: probability that it arrives twice.
+        stall: probability that the stream stands still before it.
+        stall_seconds: for how long.
+
+    Raises:
+        ArgumentError: for probabilities that are none, or more than 1 in total.
+    """
+
+    def __init__(
+        self,
+        seed: int = 0,
+        *,
+        loss: float = 0.0,
+        flip: float = 0.0,
+        double: float = 0.0,
+        stall: float = 0.0,
+        stall_seconds: float = 0.01,
+    ) -> None:
+        chances = {"loss": loss, "flip": flip, "double": double, "stall": stall}
+        for name, chance in chances.items():
+            if not 0 <= chance <= 1:
+                raise ArgumentError(f"{name}={chance} is no probability: 0 to 1 was expected")
+        self._total = sum(chances.values())
+        if self._total > 1:
+            raise ArgumentError(f"the probabilities of {', '.join(chances)} are {self._total} together: at most 1")
+        self.stall_seconds = stall_seconds
+        self._kinds = list(chances)
+        self._weights = list(chances.values())
+        self._random = random.Random(seed)  # noqa: S311  (repeatable is what is wanted)
+        self._until_next = self._draw()
+
+    def spoil(self, data: bytes) -> list[bytes]:
+        """Give what becomes of `data`: pieces between which the stream stands still; most often it is one."""
+        if self._until_next >= len(data):
+            self._until_next -= len(data)
+            return [data]
+        pieces, piece, position = [], bytearray(), 0
+        while position + self._until_next < len(data):
+            index = position + self._until_next
+            piece += data[position:index]
+            kind = self._random.choices(self._kinds, self._weights)[0]
+            if kind == "stall":
+                pieces.append(bytes(piece))
+                piece.clear()
+            piece += self._fate(kind, data[index])
+            position = index + 1
+            self._until_next = self._draw()
+        self._until_next -= len(data) - position
+        piece += data[position:]
+        return [*pieces, bytes(piece)]
+
+    def _fate(self, kind: str, byte: int) -> bytes:
+        if kind == "loss":
+            return b""
+        if kind == "flip":
+            return bytes([byte ^ 1 << self._random.randrange(8)])
+        return bytes([byte] * (2 if kind == "double" else 1))
+
+    def _draw(self) -> int:
+        """Give how many bytes pass before the next that does not pass unharmed."""
+        if self._total == 0:
+            return sys.maxsize
+        if self._total == 1:
+            return 0
+        return int(math.log(1 - self._random.random()) / math.log(1 - self._total))
+
+
+class _Direction:
+    """One direction of a line: what is held back, and until when."""
+
+    def __init__(self, noise: Noise) -> None:
+        self._noise = noise
+        self._held: deque[tuple[float, bytes]] = deque()
+        self.held_bytes = 0
+
+    def put(self, data: bytes, now: float) -> None:
+        due = max(now, self._held[-1][0]) if self._held else now
+        for number, piece in enumerate(self._noise.spoil(data)):
+            if number:
+                due += self._noise.stall_seconds
+            self._held.append((due, piece))
+            self.held_bytes += len(piece)
+
+    @property
+    def next_due(self) -> float | None:
+        return self._held[0][0] if self._held else None
+
+    def take(self, now: float) -> bytes:
+        taken = bytearray()
+        while self._held and self._held[0][0] <= now:
+            taken += self._held.popleft()[1]
+        self.held_bytes -= len(taken)
+        return bytes(taken)
+
+
+class NoisyLine:
+    """A gateway behind a line that spoils bytes.
+
+    Args:
+        gateway: what is behind the line.
+        towards: what happens to the bytes on their way to the gateway.
+        back: what happens to those that it sends.
+    """
+
+    def __init__(self, gateway: Gateway, towards: Noise, back: Noise) -> None:
+        self.info = gateway.info
+        self.wake: Callable[[], None] = lambda: None
+        gateway.wake = self.wake
+        self._gateway = gateway
+        self._towards = _Direction(towards)
+        self._back = _Direction(back)
+
+    @property
+    def memory(self) -> MutableMapping[int, int]:
+        """The words behind the gateway, by address."""
+        return self._gateway.memory
+
+    @property
+    def waiting(self) -> int:
+        """Bytes that have not reached the gateway yet, or wait there."""
+        return self._towards.held_bytes + self._gateway.waiting
+
+    @property
+    def next_due(self) -> float | None:
+        """When the gateway has something to do, or a stall ends."""
+        times = (self._towards.next_due, self._gateway.next_due, self._back.next_due)
+        return min((time for time in times if time is not None), default=None)
+
+    def receive(self, data: bytes, now: float) -> bytes:
+        """Take bytes at the time `now`, in seconds, and give those that arrive back at once."""
+        before = self.advance(now)
+        self._towards.put(data, now)
+        return before + self.advance(now)
+
+    def advance(self, now: float, room: int | None = None) -> bytes:
+        """Let time pass, and give the bytes that arrive back; see `Gateway`."""
+        arrived = bytearray()
+        while (due := self._next_at_gateway()) is not None and due <= now:
+            self._step(due, None if room is None else room - len(arrived))
+            arrived += self._back.take(now)
+        self._step(now, None if room is None else room - len(arrived))
+        return bytes(arrived + self._back.take(now))
+
+    def _next_at_gateway(self) -> float | None:
+        """When something happens at the gateway's end of the line."""
+        times = (self._towards.next_due, self._gateway.next_due)
+        return min((time for time in times if time is not None), default=None)
+
+    def _step(self, now: float, room: int | None) -> None:
+        published = self._gateway.advance(now, room)
+        if published:
+            self._back.put(published, now)
+        data = self._towards.take(now)
+        if data:
+            answer = self._gateway.receive(data, now)
+            if answer:
+                self._back.put(answer, now)

@@ -1,0 +1,120 @@
+"""A line of limited rate, with the FIFOs at the gateway's end of it.
+
+The gateway itself is quick; what takes time is the line. A response enters the transmit FIFO as fast as the line
+empties it, and the gateway looks at the next request when the last byte of the response is in. Meanwhile requests gather
+in the receive FIFO. Where there is no flow control, bytes that find it full are lost (error 09); else they wait.
+Bytes given to `receive` arrive at once, which is the worst that a line can do to the FIFO.
+"""
+
+from __future__ import annotations
+
+import re
+from typing import TYPE_CHECKING
+
+from unity_link.errors import ArgumentError
+from unity_link.wire.gateway_info import Feature
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, MutableMapping
+
+    from unity_link.virtual.gateway import VirtualGateway
+
+_TO_END = re.compile(rb"[^\r\n]*[\r\n]?")
+
+
+class SlowLine:
+    """A gateway behind a line of limited rate.
+
+    Args:
+        gateway: what is behind the line. The sizes of its FIFOs and whether it has flow control are in its `info`.
+        bytes_per_second: rate of the line from the gateway to the host.
+
+    Raises:
+        ArgumentError: for a rate of 0 or less.
+    """
+
+    def __init__(self, gateway: VirtualGateway, bytes_per_second: float) -> None:
+        if bytes_per_second <= 0:
+            raise ArgumentError(f"bytes_per_second={bytes_per_second} is no rate: more than 0 was expected")
+        self.info = gateway.info
+        self.wake: Callable[[], None] = lambda: None
+        gateway.wake = self.wake
+        self._gateway = gateway
+        self._rate = bytes_per_second
+        self._loses = Feature.FLOW_CONTROL not in self.info.features
+        self._fifo = bytearray()
+        self._lost_at: list[int] = []
+        """Places in the FIFO before which bytes were lost."""
+        self._sent_at = float("-inf")
+        """When the line will have sent everything."""
+
+    @property
+    def memory(self) -> MutableMapping[int, int]:
+        """The words behind the gateway, by address."""
+        return self._gateway.memory
+
+    @property
+    def waiting(self) -> int:
+        """Bytes in the receive FIFO and, with flow control, before it."""
+        return len(self._fifo)
+
+    @property
+    def next_due(self) -> float | None:
+        """When a sample is due, or a request can be looked at."""
+        free = self._free_at if self._fifo else None
+        times = (free, self._gateway.next_due)
+        return min((time for time in times if time is not None), default=None)
+
+    def receive(self, data: bytes, now: float) -> bytes:
+        """Take bytes at the time `now`, in seconds, and give those sent."""
+        sent = self.advance(now)
+        self._fifo += data
+        sent += self._look_at_requests(now)
+        limit = self.info.receive_fifo_bytes
+        if self._loses and len(self._fifo) > limit:
+            del self._fifo[limit:]
+            if limit not in self._lost_at:
+                self._lost_at.append(limit)
+        return sent
+
+    def advance(self, now: float, room: int | None = None) -> bytes:
+        """Let time pass, and give the bytes sent; see `Gateway`."""
+        sent = bytearray()
+        while (due := self.next_due) is not None and due <= now:
+            sent += self._step(due, None if room is None else room - len(sent))
+        sent += self._step(now, None if room is None else room - len(sent))
+        return bytes(sent)
+
+    @property
+    def _free_at(self) -> float:
+        """When the last byte of the last response is in the transmit FIFO."""
+        return self._sent_at - self.info.transmit_fifo_bytes / self._rate
+
+    def _step(self, now: float, room: int | None) -> bytes:
+        free = 0
+        if now >= self._free_at:
+            free = max(1, self.info.transmit_fifo_bytes - int(max(0.0, self._sent_at - now) * self._rate))
+        published = self._gateway.advance(now, free if room is None else min(free, room))
+        self._occupy(published, now)
+        return published + self._look_at_requests(now)
+
+    def _look_at_requests(self, now: float) -> bytes:
+        """Hand on requests until a response fills the transmit FIFO."""
+        sent = bytearray()
+        while self._fifo and now >= self._free_at:
+            match = _TO_END.match(self._fifo)
+            size = match.end() if match else len(self._fifo)
+            if self._lost_at and self._lost_at[0] < size:
+                self._gateway.overflow()
+            self._lost_at = [place - size for place in self._lost_at if place >= size]
+            frame = bytes(self._fifo[:size])
+            del self._fifo[:size]
+            answer = self._gateway.receive(frame, now)
+            self._occupy(answer, now)
+            sent += answer
+        return bytes(sent)
+
+    def _occupy(self, data: bytes, now: float) -> None:
+        """Put bytes on the line."""
+        if data:
+            self._sent_at = max(self._sent_at, now) + len(data) / self._rate

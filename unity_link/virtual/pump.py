@@ -1,0 +1,112 @@
+"""Drives a gateway by the clock of an event loop: what every way of serving one has in common.
+
+A sample belongs to the instant at which it is due, not to the one at which the loop comes to it. So the pump steps from
+one due instant to the next, as far as the loop's time has come. It never does more in one go than `MOST_BYTES` or
+`MOST_STEPS`, so that the loop stays alive; a gateway that is asked for more samples than this machine can make runs
+late, and what is later than `MOST_LAG` is counted as overruns, as is all that becomes due while the medium is blocked.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    import asyncio
+    from collections.abc import Callable
+
+    from unity_link.virtual.gateway import Gateway
+
+MOST_BYTES = 65536
+"""Bytes that are published before the loop gets its turn."""
+MOST_STEPS = 2048
+"""Due instants that are passed before the loop gets its turn."""
+MOST_LAG = 0.25
+"""Seconds by which the gateway's time may be behind that of the loop."""
+
+
+class Pump:
+    """Moves one gateway along.
+
+    Args:
+        gateway: what is driven.
+        send: takes the bytes that the gateway sends, and may call `block`; it is also called, with none, when time has
+            passed at the gateway, which may then have room for more requests.
+        loop: whose time counts.
+    """
+
+    def __init__(self, gateway: Gateway, send: Callable[[bytes], None], loop: asyncio.AbstractEventLoop) -> None:
+        self.gateway = gateway
+        self.blocked = False
+        self._send = send
+        self._loop = loop
+        self._timer: asyncio.TimerHandle | None = None
+        self._closed = False
+        gateway.wake = self._arm
+        self._arm()
+
+    def feed(self, data: bytes) -> None:
+        """Give the gateway bytes that arrived."""
+        answer = self.gateway.receive(data, self._catch_up(self._loop.time()))
+        if answer:
+            self._send(answer)
+        self._arm()
+
+    def block(self) -> None:
+        """Take note that the medium takes nothing more. Give nothing to `feed` until it does."""
+        self.blocked = True
+        self._disarm()
+
+    def unblock(self) -> None:
+        """Take note that the medium takes bytes again."""
+        if not self.blocked:
+            return
+        late = self.gateway.advance(self._loop.time(), room=0)
+        self.blocked = False
+        if late:
+            self._send(late)
+        self._arm()
+
+    def close(self) -> None:
+        """Let go of the gateway, which stands still from now on."""
+        self._closed = True
+        self._disarm()
+
+    def _catch_up(self, now: float) -> float:
+        """Go on to `now`, or as far as one turn can; gives the gateway's time then."""
+        gateway, published, steps = self.gateway, 0, 0
+        reached = now
+        while not self._closed and (due := gateway.next_due) is not None and due <= now:
+            if self.blocked or now - due > MOST_LAG:
+                frames = gateway.advance(now, room=0)
+                due = now
+            elif published >= MOST_BYTES or steps >= MOST_STEPS:
+                return reached
+            else:
+                frames = gateway.advance(due)
+            reached = due
+            published += len(frames)
+            steps += 1
+            if frames:
+                self._send(frames)
+        return now
+
+    def _arm(self) -> None:
+        """See to it that the loop comes back when something is due."""
+        due = self.gateway.next_due
+        if due is None or self.blocked or self._closed:
+            return
+        if self._timer is None or due < self._timer.when():
+            self._disarm()
+            self._timer = self._loop.call_at(due, self._on_time, due)
+
+    def _disarm(self) -> None:
+        if self._timer is not None:
+            self._timer.cancel()
+            self._timer = None
+
+    def _on_time(self, due: float) -> None:
+        self._timer = None
+        # A loop's timer may fire a little early.
+        self._catch_up(max(self._loop.time(), due))
+        self._send(b"")
+        self._arm()

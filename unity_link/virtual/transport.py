@@ -1,0 +1,147 @@
+"""A gateway in this process, behind an `asyncio` transport: what ``sim:`` opens.
+
+It behaves as a serial port does: `write` returns at once, what is written in one turn of the loop is looked at in the
+next, and answers arrive in whole reads. It has no task; each turn takes at most `MOST_TAKEN` bytes in and delivers at
+most `MOST_DELIVERED`, so many requests in flight leave room for everything else on the loop. A protocol that pauses
+reading stops the gateway from sending, and so from looking at requests, and so, when `HIGH_WATER` bytes wait, is itself
+asked to pause writing: no more than that is ever kept.
+"""
+
+from __future__ import annotations
+
+import asyncio
+from typing import TYPE_CHECKING
+
+from unity_link.virtual.pump import Pump
+
+if TYPE_CHECKING:
+    from unity_link.virtual.gateway import Gateway
+
+MOST_TAKEN = 16384
+MOST_DELIVERED = 65536
+HIGH_WATER = 65536
+LOW_WATER = 16384
+
+
+class GatewayTransport(asyncio.Transport):
+    """Pairs a protocol with a gateway on the running loop."""
+
+    def __init__(self, gateway: Gateway, protocol: asyncio.Protocol) -> None:
+        super().__init__({"gateway": gateway})
+        self._loop = asyncio.get_running_loop()
+        self._protocol: asyncio.BaseProtocol = protocol
+        self._pump = Pump(gateway, self._collect, self._loop)
+        self._to_gateway = bytearray()
+        self._to_protocol = bytearray()
+        self._turn_planned = False
+        self._reading = True
+        self._writing_paused = False
+        self._closing = False
+
+    # asyncio.Transport
+
+    def write(self, data: bytes | bytearray | memoryview) -> None:
+        """Give bytes to the gateway."""
+        if self._closing:
+            return
+        self._to_gateway += data
+        if len(self._to_gateway) > HIGH_WATER and not self._writing_paused:
+            self._writing_paused = True
+            self._protocol.pause_writing()
+        self._plan_turn()
+
+    def pause_reading(self) -> None:
+        """Deliver nothing until `resume_reading`."""
+        self._reading = False
+
+    def resume_reading(self) -> None:
+        """Deliver again."""
+        self._reading = True
+        self._plan_turn()
+
+    def is_reading(self) -> bool:
+        """Say whether what arrives is delivered."""
+        return self._reading and not self._closing
+
+    def get_write_buffer_size(self) -> int:
+        """Give how many bytes the gateway has not taken yet."""
+        return len(self._to_gateway)
+
+    def get_write_buffer_limits(self) -> tuple[int, int]:
+        """Give the levels at which the protocol may write again, and must pause."""
+        return LOW_WATER, HIGH_WATER
+
+    def can_write_eof(self) -> bool:
+        """Say that a gateway knows no end of a stream."""
+        return False
+
+    def set_protocol(self, protocol: asyncio.BaseProtocol) -> None:
+        """Deliver to another protocol."""
+        self._protocol = protocol
+
+    def get_protocol(self) -> asyncio.BaseProtocol:
+        """Give who is delivered to."""
+        return self._protocol
+
+    def is_closing(self) -> bool:
+        """Say whether `close` or `abort` was called."""
+        return self._closing
+
+    def close(self) -> None:
+        """Give the gateway what was written, and end."""
+        if not self._closing:
+            self._pump.feed(bytes(self._to_gateway))
+            self.abort()
+
+    def abort(self) -> None:
+        """End at once."""
+        if not self._closing:
+            self._closing = True
+            self._pump.close()
+            self._to_gateway.clear()
+            self._to_protocol.clear()
+            self._loop.call_soon(self._protocol.connection_lost, None)
+
+    # The inside
+
+    def _collect(self, data: bytes) -> None:
+        self._to_protocol += data
+        if len(self._to_protocol) > HIGH_WATER:
+            self._pump.block()
+        if self._to_protocol or self._to_gateway:
+            self._plan_turn()
+
+    def _plan_turn(self) -> None:
+        if not self._turn_planned and not self._closing:
+            self._turn_planned = True
+            self._loop.call_soon(self._turn)
+
+    def _turn(self) -> None:
+        """Take requests, deliver answers, once each."""
+        self._turn_planned = False
+        if self._closing:
+            return
+        if self._can_take():
+            taken = bytes(self._to_gateway[:MOST_TAKEN])
+            del self._to_gateway[:MOST_TAKEN]
+            self._pump.feed(taken)
+        if self._writing_paused and len(self._to_gateway) <= LOW_WATER:
+            self._writing_paused = False
+            self._protocol.resume_writing()
+        delivered = b""
+        if self._reading:
+            delivered = bytes(self._to_protocol[:MOST_DELIVERED])
+            del self._to_protocol[:MOST_DELIVERED]
+            if len(self._to_protocol) <= LOW_WATER:
+                self._pump.unblock()
+        if self._can_take() or (self._to_protocol and self._reading):
+            self._plan_turn()
+        if delivered:
+            self._deliver(delivered)
+
+    def _can_take(self) -> bool:
+        return bool(self._to_gateway) and not self._pump.blocked and self._pump.gateway.waiting < HIGH_WATER
+
+    def _deliver(self, data: bytes) -> None:
+        assert isinstance(self._protocol, asyncio.Protocol)
+        self._protocol.data_received(data)
