@@ -1,8 +1,8 @@
 """A line of limited rate, with the FIFOs at the gateway's end of it.
 
 The gateway itself is quick; what takes time is the line. A response enters the transmit FIFO as fast as the line
-empties it, and the gateway looks at the next request when the last byte of the response is in. Meanwhile requests gather
-in the receive FIFO. Where there is no flow control, bytes that find it full are lost (error 09); else they wait.
+empties it, and the gateway looks at the next request when the last byte of the response is in. Meanwhile requests
+gather in the receive FIFO. Where there is no flow control, bytes that find it full are lost (error 09); else they wait.
 Bytes given to `receive` arrive at once, which is the worst that a line can do to the FIFO.
 """
 
