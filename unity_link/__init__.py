@@ -20,6 +20,7 @@ from unity_link.errors import (
     Outcome,
     OutOfRangeError,
     SamplesLostError,
+    UnansweredError,
     UnityLinkError,
     UnsupportedError,
 )
@@ -48,6 +49,7 @@ __all__ = [
     "SamplesLostError",
     "Statistics",
     "Subscription",
+    "UnansweredError",
     "UnityLinkError",
     "UnsupportedError",
     "connect",

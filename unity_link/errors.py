@@ -38,8 +38,8 @@ class Outcome(enum.Enum):
     UNKNOWN = "unknown"
 
 
-class LinkLostError(UnityLinkError):
-    """The link ended before the call was answered.
+class UnansweredError(UnityLinkError):
+    """The call was not answered, and never will be.
 
     `outcome` says what is known of the request: a write that is ``NOT_EXECUTED`` can be sent again, one that is
     ``UNKNOWN`` may or may not have reached the bus.
@@ -60,6 +60,10 @@ _OUTCOME_TEXT = {
     Outcome.NOT_EXECUTED: "known not to be executed",
     Outcome.UNKNOWN: "perhaps executed",
 }
+
+
+class LinkLostError(UnansweredError):
+    """The link ended before the call was answered."""
 
 
 class LinkClosedError(LinkLostError):

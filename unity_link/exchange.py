@@ -12,7 +12,7 @@ from collections import deque
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
-from unity_link.errors import LinkLostError, Outcome, UnsupportedError
+from unity_link.errors import LinkLostError, Outcome, UnansweredError, UnityLinkError, UnsupportedError
 from unity_link.requests import BatchRun, Message, Request, Source, gateway_error
 from unity_link.wire.frames import FrameError
 from unity_link.wire.window import Window
@@ -197,6 +197,7 @@ class Exchange:
     def receive(self, data: bytes) -> int:
         """Take the whole frames of a read, and give where the first that is not whole begins."""
         now = self._now()
+        self._window.heard()
         start = 0
         batched = True
         while True:
@@ -289,9 +290,14 @@ class Exchange:
         elif code in (2, 3):
             given_up = self._window.refused(now)
             if given_up is not None:
-                given_up.given_up = True
                 what = given_up.describe(0)
-                given_up.fail(UnsupportedError(f"{what}: the gateway refuses the request with error {code:02X}"))
+                reason = f"{what}: the gateway refuses the request with error {code:02X}"
+                self._give_up(given_up, UnsupportedError(reason))
+
+    def _give_up(self, run: Message, error: UnityLinkError) -> None:
+        """End a request that will never be answered; it is sent as ``h`` from now on."""
+        run.given_up = True
+        run.fail(error)
 
     # Time and ends
 
@@ -308,7 +314,9 @@ class Exchange:
         self._timer = None
         now = self._now()
         before = self.counters.repetitions
-        self._window.expire(now)
+        given_up = self._window.expire(now)
+        if given_up is not None:
+            self._give_up(given_up, UnansweredError(f"{given_up.describe(0)}: every try was damaged on the way"))
         if self._window.lost:
             self._on_lost("the gateway does not answer any more")
             return

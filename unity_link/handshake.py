@@ -2,6 +2,7 @@
 
 `Q` is asked in plain form, because nothing is known yet, and again in the checked form that follows from the answer;
 only if both agree is the answer believed. `K` then starts the session: the gateway expects ID 0 and publishes nothing.
+A plain answer has no CRC, so whatever is wrong with one may be damage: it is asked for again.
 """
 
 from __future__ import annotations
@@ -9,7 +10,7 @@ from __future__ import annotations
 import asyncio
 from typing import TYPE_CHECKING
 
-from unity_link.errors import ConnectError
+from unity_link.errors import ConnectError, UnsupportedError
 from unity_link.wire.crc import Crc
 from unity_link.wire.frames import LF, FrameError, Framing
 from unity_link.wire.gateway_info import GatewayInfo
@@ -21,91 +22,124 @@ if TYPE_CHECKING:
 FIRST_TRY = 0.1
 """Seconds until a question is asked again, doubled each time."""
 LONGEST_TRY = 1.0
+CHECKED_TRIES = 4
+"""How often the checked `Q` is asked before the plain answer is doubted."""
 
 
-class _Listener:
-    """Waits for the one answer that a handshake is asking for."""
+class Handshake:
+    """One conversation with what is at the other end of a new connection.
 
-    def __init__(self) -> None:
-        self.heard = 0
-        self.framing = Framing(Crc())
-        self.beginning = b""
-        self.plain = True
-        self.answer: asyncio.Future[bytes] = asyncio.get_running_loop().create_future()
+    Args:
+        stream: the connection.
+        node: number of the node on a shared medium, or None.
+    """
+
+    def __init__(self, stream: Stream, node: int | None) -> None:
+        self._stream = stream
+        self._node = node
+        self._framing = Framing(Crc(), node)
+        self._plain = True
+        self._beginning = b""
+        self._answer: asyncio.Future[bytes] = asyncio.get_running_loop().create_future()
+        self._doubtful = b""
+        self._heard = 0
+        stream.receiver = self
+
+    async def run(self) -> tuple[Codec, float]:
+        """Learn what the gateway is and start a session; the caller's time out ends it.
+
+        Returns:
+            The messages of the gateway, and the round trip of the last question in seconds.
+
+        Raises:
+            ConnectError: where the connection ends.
+            UnsupportedError: where the gateway is of another protocol version or reports impossible widths.
+        """
+        codec = await self._learn()
+        loop = asyncio.get_running_loop()
+        session = b"K" + codec.id_text[0]
+        while True:
+            start = loop.time()
+            if await self._ask(codec.framing.checked(session), session, tries=1):
+                self._stream.receiver = None
+                return codec, loop.time() - start
+
+    def describe(self) -> str:
+        """Say what was heard, for the message of a time out."""
+        if self._doubtful:
+            return f"what answers is no gateway: it said {self._doubtful[:80]!r}"
+        if self._heard:
+            return f"{self._heard} bytes arrived, none of them an answer: check the speed of the port"
+        return "nothing arrived: check that the gateway is powered, the port and the wiring"
+
+    async def _learn(self) -> Codec:
+        while True:
+            # A line end first, for what an earlier program left unfinished; LF, for CR would execute it unchecked.
+            self._framing, self._plain = Framing(Crc(), self._node), True
+            plain = await self._ask(LF + self._framing.plain_request(b"Q"), b"Q", tries=None)
+            info = self._believe(plain)
+            if info is None:
+                continue
+            codec = Codec(info, self._node)
+            self._framing, self._plain = codec.framing, False
+            checked = await self._ask(codec.framing.checked(b"Q"), b"Q", tries=CHECKED_TRIES)
+            if checked == plain:
+                return codec
+            self._doubtful = plain
+
+    def _believe(self, plain: bytes) -> GatewayInfo | None:
+        """Read a plain answer; what it says twice in the same words is no damage."""
+        try:
+            return GatewayInfo.from_hex(plain[1:])
+        except UnsupportedError:
+            if plain == self._doubtful:
+                raise
+        except ValueError:
+            pass
+        self._doubtful = plain
+        return None
+
+    async def _ask(self, question: bytes, beginning: bytes, tries: int | None) -> bytes:
+        """Ask until the answer comes, and give it; nothing after so many tries."""
+        self._beginning = beginning
+        self._answer = asyncio.get_running_loop().create_future()
+        patience = FIRST_TRY
+        while tries is None or tries > 0:
+            if self._stream.closed:
+                raise ConnectError("the connection ended before the gateway answered")
+            self._stream.send(question)
+            try:
+                return await asyncio.wait_for(asyncio.shield(self._answer), patience)
+            except TimeoutError:
+                patience = min(2 * patience, LONGEST_TRY)
+                tries = None if tries is None else tries - 1
+        return b""
+
+    # Called by the stream
 
     def receive(self, data: bytes) -> int:
-        self.heard += len(data)
+        """Look for the answer in a read."""
+        self._heard += len(data)
         *lines, rest = data.split(LF)
         for line in lines:
             self._receive_line(line)
         return len(data) - len(rest)
 
     def _receive_line(self, line: bytes) -> None:
-        if line.endswith(b"\r") != self.plain:
+        if line.endswith(b"\r") != self._plain:
             return
         try:
-            body = self.framing.open(line)
+            body = self._framing.open(line)
         except FrameError:
             return
-        if body.startswith(self.beginning) and not self.answer.done():
-            self.answer.set_result(body)
+        if body.startswith(self._beginning) and not self._answer.done():
+            self._answer.set_result(body)
 
     def disconnected(self, reason: Exception | None) -> None:
-        if not self.answer.done():
-            self.answer.set_exception(ConnectError(f"the connection ended before the gateway answered ({reason})"))
+        """End the conversation."""
+        if not self._answer.done():
+            self._answer.set_exception(
+                ConnectError("the connection ended before the gateway answered" + (f" ({reason})" if reason else ""))
+            )
             # Nobody may be waiting at this moment.
-            self.answer.exception()
-
-
-async def shake_hands(stream: Stream, node: int | None) -> tuple[Codec, float]:
-    """Learn what the gateway is and start a session.
-
-    Args:
-        stream: a new connection.
-        node: number of the node on a shared medium, or None.
-
-    Returns:
-        The messages of the gateway, and the round trip of the last question in seconds.
-
-    Raises:
-        ConnectError: where the connection ends, or the two answers differ.
-        UnsupportedError: where the gateway is of another protocol version or reports impossible widths.
-    """
-    listener = _Listener()
-    listener.framing = Framing(Crc(), node)
-    stream.receiver = listener
-    # A line end first, for what an earlier program left unfinished. LF, not CR: that would execute it unchecked.
-    plain = await _ask(stream, listener, LF + listener.framing.plain_request(b"Q"), b"Q")
-    info = _read(plain)
-    codec = Codec(info, node)
-    listener.framing, listener.plain = codec.framing, False
-    checked = await _ask(stream, listener, codec.framing.checked(b"Q"), b"Q")
-    if _read(checked) != info:
-        raise ConnectError(f"the gateway described itself first as {plain!r} and then as {checked!r}")
-    start = asyncio.get_running_loop().time()
-    session = b"K" + codec.id_text[0]
-    await _ask(stream, listener, codec.framing.checked(session), session)
-    stream.receiver = None
-    return codec, asyncio.get_running_loop().time() - start
-
-
-def _read(body: bytes) -> GatewayInfo:
-    try:
-        return GatewayInfo.from_hex(body[1:])
-    except ValueError as error:
-        raise ConnectError(f"what answers is no gateway: {error}") from None
-
-
-async def _ask(stream: Stream, listener: _Listener, question: bytes, beginning: bytes) -> bytes:
-    """Ask until the answer comes; the caller's time out ends it."""
-    listener.beginning = beginning
-    listener.answer = asyncio.get_running_loop().create_future()
-    patience = FIRST_TRY
-    while True:
-        if stream.closed:
-            raise ConnectError("the connection ended before the gateway answered")
-        stream.send(question)
-        try:
-            return await asyncio.wait_for(asyncio.shield(listener.answer), patience)
-        except TimeoutError:
-            patience = min(2 * patience, LONGEST_TRY)
+            self._answer.exception()

@@ -24,7 +24,7 @@ from unity_link.errors import (
     UnsupportedError,
 )
 from unity_link.exchange import Exchange
-from unity_link.handshake import shake_hands
+from unity_link.handshake import Handshake
 from unity_link.requests import Batch, BatchSource, Block, Posted, Request, WordRequest, WordsRequest
 from unity_link.stream import Stream
 from unity_link.subscription import Groups, Overflow, Sample, Schedule, Subscription, check_addresses
@@ -113,41 +113,37 @@ class Link:
     async def open(self, timeout: float) -> None:  # noqa: ASYNC109  (it is an argument of `connect`)
         """Connect and start the first session; `connect` calls this."""
         name = self._target.text if isinstance(self._target, DriverUrl) else "the given gateway"
+        stream = Stream()
+        handshake = None
         try:
             async with asyncio.timeout(timeout):
-                await self._start_session()
-        except TimeoutError:
-            raise ConnectError(
-                f"no gateway answered at {name} within {timeout:g} s: it was asked for its configuration (Q) again and "
-                "again; check that the gateway is powered, and the port, its speed and the wiring"
-            ) from None
-        except ConnectError as error:
-            raise ConnectError(f"{name}: {error}") from error
-
-    async def _start_session(self) -> None:
-        stream = Stream()
-        byte_time = 0.0
-        try:
-            if isinstance(self._target, DriverUrl):
-                driver = load_driver(self._target.scheme)
-                await driver.connect(self._target, stream)
-                byte_time = 10 / self._target.integer("baud", 0) if "baud" in self._target.options else 0.0
-                codec, round_trip = await shake_hands(stream, self._target.node)
-            else:
-                from unity_link.virtual.serving import connect_gateway
-
-                await connect_gateway(self._target, stream)
-                codec, round_trip = await shake_hands(stream, None)
-            self._use(stream, codec, round_trip, byte_time)
-        except BaseException:
+                await self._connect_stream(stream)
+                handshake = Handshake(stream, self._target.node if isinstance(self._target, DriverUrl) else None)
+                codec, round_trip = await handshake.run()
+                self._start(stream, codec, round_trip)
+        except BaseException as error:
             stream.receiver = None
             stream.abort()
+            if isinstance(error, TimeoutError):
+                heard = "the connection was not accepted" if handshake is None else handshake.describe()
+                raise ConnectError(f"no gateway answered at {name} within {timeout:g} s; {heard}") from None
+            if isinstance(error, ConnectError):
+                raise ConnectError(f"{name}: {error}") from error
             raise
 
-    def _use(self, stream: Stream, codec: Codec, round_trip: float, byte_time: float) -> None:
+    async def _connect_stream(self, stream: Stream) -> None:
+        if isinstance(self._target, DriverUrl):
+            await load_driver(self._target.scheme).connect(self._target, stream)
+        else:
+            from unity_link.virtual.serving import connect_gateway
+
+            await connect_gateway(self._target, stream)
+
+    def _start(self, stream: Stream, codec: Codec, round_trip: float) -> None:
+        """Begin a session on a stream whose gateway has said what it is."""
         info = codec.info
-        if self._reconnections and info != self._codec.info:
-            raise ConnectError(f"another gateway answers after the reconnection: {info} instead of {self._codec.info}")
+        if self._reconnections and info != self.gateway:
+            raise ConnectError(f"another gateway answers after the reconnection: {info} instead of {self.gateway}")
         self._codec = codec
         self._stream = stream
         self.gateway = info
@@ -155,7 +151,12 @@ class Link:
         self._highest_word = (1 << info.data_bits) - 1
         credit = None if Feature.FLOW_CONTROL in info.features else info.receive_fifo_bytes
         self._groups.start(codec)
-        self._exchange.start(stream, codec, Window(codec.ring, credit, byte_time, round_trip))
+        self._exchange.start(stream, codec, Window(codec.ring, credit, self._byte_time(), round_trip))
+
+    def _byte_time(self) -> float:
+        """Give the seconds that a byte takes on a serial port, 0 on other media: ten bits, with start and stop."""
+        baud = self._target.integer("baud", 0) if isinstance(self._target, DriverUrl) else 0
+        return 10 / baud if baud else 0.0
 
     def _lose(self, reason: str) -> None:
         """End the session; and the link, if it is not to reconnect."""

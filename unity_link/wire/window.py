@@ -23,7 +23,8 @@ What comes in, and what the window does:
     ``n i``                         `executed` moves to i; go back
     ``X01`` ``X07`` ``X09``         something arrived damaged: go back
     ``X02`` ``X03``                 the same, and the third time for the same request: give that one up
-    time out                        go back, with twice the time out; after too many without any news: lost
+    time out, something was heard   go back; after too many for the same request: give that one up
+    time out, nothing was heard     go back, with twice the time out; after too many: lost
     ==============================  ==========================================================================
 
 *Go back* means: send all unanswered requests again, in order, from `oldest`. A gap brings many signs (the damaged
@@ -31,8 +32,8 @@ frame, the out-of-sequence one behind it, the skipped answer), so the window goe
 repetition is lost too, the time out finds it. While it loses, fewer requests are kept in flight, because one damaged
 frame costs all those sent behind it.
 
-A request that nobody waits for any more, or that the gateway refuses again and again, keeps its ID, for those behind it
-build on it; when it is sent again, it is sent as ``h``.
+A request that is given up, or that nobody waits for any more, keeps its ID, for those behind it build on it; when it is
+sent again, it is sent as ``h``.
 
 The time out is RFC 6298's, with the clock of the caller. One request at a time is timed, and none that was sent twice.
 """
@@ -44,7 +45,8 @@ from typing import TYPE_CHECKING, Generic, NamedTuple, TypeVar
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
-MOST_TRIES = 8
+MOST_SILENT_TRIES = 8
+MOST_TRIES = 64
 MOST_REFUSALS = 3
 FEWEST_IN_FLIGHT = 8
 SHORTEST_TIMEOUT = 0.010
@@ -115,14 +117,16 @@ class Window(Generic[R]):
         self._variation = 0.0
         self._timeout = FIRST_TIMEOUT
         self._since = 0.0
+        self._silent_tries = 0
         self._tries = 0
+        self._heard = False
         self._gone_back = False
         self._refused = False
         self._refusals = 0
         self.wants_repetition = False
         """The window has gone back: `repetition` is to be sent."""
         self.lost = False
-        """Too many time outs without any news: the gateway does not answer any more."""
+        """Too many time outs in silence: the gateway does not answer any more."""
         if round_trip is not None:
             self._measure(round_trip)
 
@@ -229,6 +233,10 @@ class Window(Generic[R]):
         if self.oldest != self.executed:
             self._go_back(now)
 
+    def heard(self) -> None:
+        """Take note of a sign of life: any frame, be it damaged."""
+        self._heard = True
+
     def out_of_sequence(self, expected: int, now: float) -> None:
         """Take note of ``n``: the gateway expects this ID, so a request has been lost."""
         if self._distance(expected) > self._distance(self.next):
@@ -249,12 +257,7 @@ class Window(Generic[R]):
             self._refused = True
             self._refusals += 1
             if self._refusals == MOST_REFUSALS:
-                self._refusals = 0
-                self._gone_back = False
-                given_up = self._slots[self.oldest]
-                if given_up is not None:
-                    # What it is sent as from now on, an ``h``, has an answer.
-                    given_up.posted = False
+                given_up = self._give_up()
         self._go_back(now)
         return given_up
 
@@ -271,18 +274,27 @@ class Window(Generic[R]):
         expiry = self._since + self._timeout + wire_time
         return expiry if self._fence_due is None else min(expiry, self._fence_due)
 
-    def expire(self, now: float) -> None:
-        """Take note of the time; a fence that is due is `needs_fence`'s."""
+    def expire(self, now: float) -> R | None:
+        """Take note of the time: give the run whose request is given up, if this was once too often.
+
+        A fence that is due is the matter of `needs_fence`.
+        """
         deadline = self.deadline
         if deadline is None or deadline == self._fence_due or now < deadline:
-            return
+            return None
+        given_up = None
         self._tries += 1
-        if self._tries > MOST_TRIES:
-            self.lost = True
-            return
-        self._timeout = min(2 * self._timeout, LONGEST_TIMEOUT)
-        self._gone_back = False
+        if self._heard:
+            self._silent_tries = 0
+            if self._tries > MOST_TRIES:
+                given_up = self._give_up()
+        else:
+            self._silent_tries += 1
+            self._timeout = min(2 * self._timeout, LONGEST_TIMEOUT)
+            self.lost = self._silent_tries > MOST_SILENT_TRIES
+        self._heard = self._gone_back = False
         self._go_back(now)
+        return given_up
 
     # The inside
 
@@ -315,8 +327,17 @@ class Window(Generic[R]):
             self.oldest = position
             self._gone_back = self._refused = False
             self._refusals = 0
-        self._tries = 0
+        self._tries = self._silent_tries = 0
         self._since = now
+
+    def _give_up(self) -> R | None:
+        given_up = self._slots[self.oldest]
+        if given_up is not None:
+            # What it is sent as from now on, an ``h``, has an answer.
+            given_up.posted = False
+        self._tries = self._refusals = 0
+        self._gone_back = False
+        return given_up
 
     def _go_back(self, now: float) -> None:
         if self.oldest == self.next or self._gone_back:
