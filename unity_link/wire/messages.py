@@ -370,7 +370,9 @@ def _octets(digits: int) -> int:
 def hex_rows(values: ArrayLike, digits: int) -> NDArray[np.uint8]:
     """Give numbers as upper-case hex digits, shape (n, digits)."""
     octets = _octets(digits)
-    raw = np.asarray(values).astype(f">u{octets}", copy=False).tobytes()
+    # Without a type, numpy makes floats of a list that holds both small numbers and some of 64 bits.
+    numbers = values if isinstance(values, np.ndarray) else np.asarray(values, np.uint64)
+    raw = numbers.astype(f">u{octets}", copy=False).tobytes()
     return np.frombuffer(hexlify(raw).upper(), np.uint8).reshape(-1, 2 * octets)[:, 2 * octets - digits :]
 
 

@@ -1,0 +1,389 @@
+"""Writes the shared vectors, `*.ndjson` beside this file: requests, and exactly what a gateway answers to them.
+
+The virtual gateway gives the answers. Whoever changes it runs `python tests/vectors/generate.py` and reads the
+difference: it is a change of the protocol. README.md says what the files mean.
+"""
+
+from __future__ import annotations
+
+import json
+import random
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import msgspec
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
+
+from unity_link.virtual import VirtualGateway
+from unity_link.virtual.faults import Failing
+from unity_link.wire.gateway_info import Feature, GatewayInfo
+from unity_link.wire.messages import COMMANDS, Codec, ErrorCode
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+FOLDER = Path(__file__).resolve().parent
+BUS_ERROR_AT, BUS_TIMEOUT_AT = 0xE0, 0xE8
+RANDOM_FRAMES = 300
+
+CONFIGURATIONS: dict[str, tuple[GatewayInfo, int | None]] = {
+    "default": (GatewayInfo(), None),
+    "words_of_16": (GatewayInfo(address_bits=16, data_bits=16, crc_bits=16, crc_polynomial=0x1021), None),
+    "words_of_64": (GatewayInfo(address_bits=32, data_bits=64, crc_bits=32, crc_polynomial=0x04C11DB7), None),
+    "long_ids": (GatewayInfo(id_digits=3, block_words=32, group_words=16, groups=8), None),
+    "odd_widths": (
+        GatewayInfo(
+            address_bits=10, data_bits=13, crc_polynomial=0x31, block_words=16, groups=5, group_words=6, build_id=0xBEEF
+        ),
+        None,
+    ),
+    "bare": (GatewayInfo(features=Feature(0), groups=0, group_words=0, block_words=8), None),
+    "addressed": (GatewayInfo(block_words=16, groups=4, group_words=8), 0x1A),
+}
+
+
+class Script:
+    """Sends to a gateway and keeps the record."""
+
+    def __init__(self, info: GatewayInfo, node: int | None) -> None:
+        self.gateway = VirtualGateway(info, node=node)
+        self.gateway.attach(Failing(ErrorCode.BUS_ERROR), [BUS_ERROR_AT])
+        self.gateway.attach(Failing(ErrorCode.BUS_TIMEOUT), [BUS_TIMEOUT_AT])
+        self.info = self.gateway.info
+        self.codec = Codec(self.info, node)
+        self.node = node
+        self.records: list[dict[str, Any]] = []
+
+    def header(self) -> dict[str, Any]:
+        """Give the first line of the file."""
+        configuration = msgspec.structs.asdict(self.info) | {"features": int(self.info.features)}
+        return {
+            "configuration": configuration,
+            "node": self.node,
+            "bus_error": [BUS_ERROR_AT],
+            "bus_timeout": [BUS_TIMEOUT_AT],
+        }
+
+    def send(self, about: str, data: bytes) -> None:
+        """Send bytes as they are."""
+        frames = self.gateway.receive(data, 0.0).splitlines(keepends=True)
+        publish = self.codec.framing.prefix + b"P"
+        publishes = b"".join(frame for frame in frames if frame.startswith(publish))
+        answers = b"".join(frame for frame in frames if not frame.startswith(publish))
+        texts = {"send": data, "answers": answers, "publishes": publishes}
+        record = {name: text.decode("latin-1") for name, text in texts.items()}
+        if not publishes:
+            del record["publishes"]
+        self.records.append({"about": about, **record})
+
+    def checked(self, about: str, *bodies: bytes) -> None:
+        """Send bodies in checked frames, one after the other."""
+        for body in bodies:
+            self.send(about, self.codec.framing.checked(body))
+
+    def plain(self, about: str, *bodies: bytes) -> None:
+        """Send bodies in plain frames, one after the other."""
+        for body in bodies:
+            self.send(about, self.codec.framing.plain_request(body))
+
+    def both(self, about: str, *bodies: bytes) -> None:
+        """Send bodies in either form."""
+        self.checked(about, *bodies)
+        self.plain(about + ", plain", *bodies)
+
+    def body(self, command: str, *values: Any, number: int | None = None) -> bytes:
+        """Give the body of a request."""
+        fields = self.codec.fields(command, *values)
+        if number is None:
+            return b"%b%b" % (command.encode(), fields)
+        return b"%b%b%b" % (command.lower().encode(), self.codec.id_text[number % self.codec.ring], fields)
+
+
+def examples(info: GatewayInfo) -> dict[str, tuple[Any, ...]]:
+    """Give good fields for each command."""
+    words = [(0x123456789ABCDEF0 >> 4 * index) % (1 << info.data_bits) for index in range(3)]
+    return {
+        "W": (0x0A, words[0]),
+        "R": (0x0A,),
+        "WM": (0x20, words),
+        "RM": (0x20, 3),
+        "WQ": (0x30, words),
+        "RQ": (0x30, 2),
+        "WK": (0x0A, 0x5A, 0xFF),
+        "WS": (0x0B, words[1]),
+        "GS": (1, 0, 1, 2, [0x0A, 0x0B]),
+        "GN": (1,),
+        "GX": (1,),
+        "GP": (1,),
+        "I": (1,),
+        "H": (),
+    }
+
+
+def worked_examples(script: Script) -> None:
+    """Send the examples of section 6 of the protocol, after the word that they need."""
+    for text in ("W0A000000124F\n", "R0ACB\n", "r000A2B\n", "w010A0000002A95\n", "R0A\r", "R0A00\n"):
+        script.send("worked example", text.encode())
+
+
+def every_command(script: Script) -> None:
+    """Send each command in each form, with and without an ID."""
+    script.both("configuration", b"Q")
+    number = 0
+    script.checked("session", script.body("K", 0))
+    for command, values in examples(script.info).items():
+        script.both(f"{command} without ID", script.body(command, *values))
+        script.checked(f"{command} with ID", script.body(command, *values, number=number))
+        if command in script.codec.commands:
+            number += 1
+        script.plain(f"{command} with ID, plain", script.body(command, *values, number=number))
+        if command in script.codec.commands:
+            number += 1
+
+
+def frames(script: Script) -> None:
+    """Send frames that are wrong in what stands between two ends."""
+    framing, read = script.codec.framing, script.body("R", 0x0A)
+    good = framing.checked(read)
+    script.send(
+        "hex digits of the CRC in lower case", good[: -1 - framing.crc.digits] + good[-1 - framing.crc.digits :].lower()
+    )
+    script.both("hex digits in lower case", b"R" + read[1:].lower())
+    script.send("wrong CRC", good[:-2] + (b"0" if good[-2:-1] != b"0" else b"1") + b"\n")
+    script.send("CRC too short", framing.prefix + b"0\n")
+    script.send("CRC that is not hex", good[:-2] + b"G\n")
+    script.send("only a CRC", framing.checked(b""))
+    script.send("empty frames", b"\n\r\r\n\n")
+    script.send("several frames at once", good + framing.plain_request(read) + b"\n" + good)
+    script.send("half a frame", good[:3])
+    script.send("the other half", good[3:])
+    script.send("null and high bytes", framing.checked(b"R\x00\xff") + framing.plain_request(b"\x80R0A"))
+    longest = script.info.longest_request
+    script.send("a plain frame of the longest length", framing.prefix + b"G" * longest + b"\r")
+    for end in (b"\n", b"\r"):
+        script.send("a frame longer than the longest", framing.prefix + b"R" + b"0" * longest + end)
+    script.send("a much longer one, in pieces", framing.prefix + b"0" * 3 * longest)
+    script.send("its last piece, and a good one", b"0\n" + good)
+
+
+def forms(script: Script) -> None:
+    """Send unknown commands and fields of wrong width."""
+    script.both("unknown command", b"Z", b"G", b"GG00", b"RR0A", b"0A", b"HH", b"N00", b"X01", b"P0000", b"RMM0A01")
+    script.both("mixed case", b"Rm0A01", b"rM000A01", b"wM", b"Hh")
+    script.both("lower case without the right", b"q", b"k00", b"q00")
+    script.both("numbers that are not hex", b"R0_", b"R 0", b"R+1", b"R0x", b"H\xff", b"r000G")
+    for command, values in examples(script.info).items():
+        body = script.body(command, *values)
+        script.both(f"{command} with a digit too many", body + b"0")
+        if values:
+            script.both(f"{command} with a digit too few", body[:-1])
+            script.both(f"{command} without fields", command.encode())
+        script.both(f"{command} with half an ID", command.lower().encode() + b"0")
+        script.both(f"{command} with nothing but an ID", command.lower().encode() + script.codec.id_text[0])
+    address = script.body("R", 0x0A)[1:]
+    script.both("short data", b"W" + address + b"5", b"WS" + address + b"7", b"W" + address)
+    script.both("short data in a block", b"WM" + address + b"5")
+    script.both("short session number", b"K", b"K0", b"K0000")
+    script.both("addresses that are not as many as said", script.body("GS", 1, 0, 1, 3, [1, 2]))
+    most = b"0" * script.info.data_digits
+    if script.info.block_words == 255:
+        script.plain("255 words", b"WM" + address + most * 255)
+
+
+def ranges(script: Script) -> None:
+    """Send values that are out of range."""
+    info = script.info
+    script.both("count 0", script.body("RM", 0, 0), script.body("RQ", 0, 0))
+    if info.block_words < 255:
+        words = [0] * (info.block_words + 1)
+        script.checked("count beyond the most", script.body("RM", 0, info.block_words + 1))
+        script.checked("words beyond the most", script.body("WM", 0, words), script.body("WQ", 0, words))
+    script.checked(
+        "most words",
+        script.body("WM", 0x40, list(range(info.block_words % 97))),
+        script.body("RM", 0x40, info.block_words),
+    )
+    top = 16**info.address_digits - 1
+    script.checked(
+        "the highest address that can be written down",
+        script.body("R", top),
+        script.body("W", top, 1),
+        script.body("RM", top, 2),
+    )
+    top = 16**info.data_digits - 1
+    script.checked(
+        "the highest word",
+        script.body("W", 0x50, top),
+        script.body("WK", 0x50, top, 1),
+        script.body("WK", 0x50, 1, top),
+        script.body("WM", 0x50, [1, top]),
+    )
+    script.checked("mode beyond the last", script.body("I", 3), script.body("I", 255))
+    script.checked("a group never set", script.body("GN", 2), script.body("GX", 2), script.body("GP", 2))
+    if info.groups < 256:
+        script.checked("a group too many", script.body("GS", info.groups, 0, 1, 1, [0]), script.body("GP", info.groups))
+    for flags in (0x40, 0x80, 0xC0, 0x3E):
+        script.checked(f"flags {flags:02X}", script.body("GS", 0, flags, 1, 1, [0]))
+    script.checked("divisor 0", script.body("GS", 0, 0, 0, 1, [0]))
+    script.checked("no addresses", script.body("GS", 0, 0, 1, 0, []))
+    if 0 < info.group_words < 255:
+        script.checked(
+            "addresses beyond the most", script.body("GS", 0, 0, 1, info.group_words + 1, [0] * (info.group_words + 1))
+        )
+    script.checked("a group with an address too high", script.body("GS", 0, 0, 1, 2, [0, 16**info.address_digits - 1]))
+
+
+def bus(script: Script) -> None:
+    """Wrap, and meet addresses that fail."""
+    last = (1 << script.info.address_bits) - 1
+    script.checked(
+        "a block that wraps",
+        script.body("WM", last - 1, [1, 2, 3, 4]),
+        script.body("RM", last - 1, 4),
+        script.body("R", 0),
+    )
+    for number, place in enumerate((BUS_ERROR_AT, BUS_TIMEOUT_AT)):
+        script.checked("session", script.body("K", 16 * number))
+        requests: list[tuple[Any, ...]] = [
+            ("R", place),
+            ("W", place, 1),
+            ("RM", place - 2, 4),
+            ("WM", place - 2, [5, 6, 7, 8]),
+            ("RM", place - 2, 2),
+            ("R", place + 1),
+            ("RQ", place, 2),
+            ("WQ", place, [1, 2]),
+            ("WK", place, 1, 1),
+            ("WS", place, 1),
+        ]
+        expected = 16 * number
+        for command, *values in requests:
+            script.both(f"bus failure in {command}", script.body(command, *values))
+            script.checked(f"bus failure in {command} with ID", script.body(command, *values, number=expected))
+            if command in script.codec.commands:
+                script.checked(f"{command} again", script.body(command, *values, number=expected))
+                expected += 1
+
+
+def sequence(script: Script) -> None:
+    """Repeat, skip, wrap around."""
+    ring = script.codec.ring
+    script.checked("session", script.body("K", ring - 3))
+    number = ring - 3
+    for command, values in examples(script.info).items():
+        if command not in script.codec.commands:
+            continue
+        script.checked(f"{command} in sequence", script.body(command, *values, number=number))
+        script.both(f"{command} repeated", script.body(command, *values, number=number))
+        number += 1
+    script.checked("a gap", script.body("W", 1, 2, number=number + 1))
+    script.checked("told once", script.body("R", 1, number=number + 2), script.body("H", number=number + ring // 2 - 1))
+    script.checked("the far half of the ring is behind", script.body("W", 1, 5, number=number + ring // 2))
+    script.checked("a range error in sequence ends the gap", script.body("RM", 1, 0, number=number))
+    script.checked("a gap again", script.body("R", 1, number=number + 2))
+    script.checked("a session ends the gap", script.body("K", number))
+    script.checked("so it is told again", script.body("R", 1, number=number + 1))
+    script.checked(
+        "nothing malformed counts", b"r" + script.codec.id_text[number % ring], script.body("R", 1, number=number)
+    )
+    script.checked("a repeated read out of range", script.body("RM", 1, 0, number=number))
+    script.checked("a repeated group command out of range", script.body("GN", 0xFF, number=number))
+
+
+def groups(script: Script) -> None:
+    """Publish on request."""
+    if Feature.GROUPS not in script.info.features:
+        return
+    script.checked("words to publish", script.body("W", 0x0A, 0x12), script.body("W", 0x0B, 0x34))
+    script.checked("a group", script.body("GS", 0, 0, 1, 3, [0x0B, 0x0A, 0x0B]))
+    script.both("published on request", script.body("GP", 0), script.body("GP", 0))
+    script.checked("a session keeps settings and sequence", script.body("K", 0), script.body("GP", 0))
+    script.checked("as starting and stopping does", script.body("GN", 0), script.body("GX", 0), script.body("GP", 0))
+    script.checked("setting starts anew", script.body("GS", 0, 0x20, 1, 1, [0x0A]), script.body("GP", 0))
+    script.checked("a refused setting changes nothing", script.body("GS", 0, 0, 0, 1, [0x0B]), script.body("GP", 0))
+    script.checked(
+        "on request, changed or not",
+        script.body("GS", 1, 0x10, 1, 1, [0x0A]),
+        script.body("GP", 1),
+        script.body("GP", 1),
+    )
+    script.checked(
+        "a sample that fails counts", script.body("GS", 1, 0, 1, 2, [0x0A, BUS_ERROR_AT]), script.body("GP", 1)
+    )
+    script.checked(
+        "with an ID, once", script.body("K", 0), script.body("GP", 0, number=0), script.body("GP", 0, number=0)
+    )
+    script.send("the sequence of a group wraps", script.codec.framing.checked(script.body("GP", 0)) * 256)
+
+
+def nodes(script: Script) -> None:
+    """Send what is for others, and for all."""
+    if script.node is None:
+        return
+    crc = script.codec.framing.crc
+    for prefix in (b"", b"Z1B", b"Z", b"Z1", b"z1A", b"Z1G", b"ZZ1A"):
+        covered = prefix + b"R0A"
+        script.send("not for this node", covered + crc.text(covered) + b"\n" + covered + b"\r")
+        script.send("not for this node and wrong", covered + b"\n")
+    script.send("nothing behind the prefix", b"Z1A\nZ1A\r")
+    for body in (b"W0C00000077", b"R0C", b"R0", b"Q"):
+        covered = b"ZFF" + body
+        script.send("for all nodes", covered + crc.text(covered) + b"\n" + covered + b"\r")
+    script.checked("was executed", b"R0C")
+    lower = b"Z1a" + b"R0C"
+    script.send("the number in lower case", lower + crc.text(lower) + b"\n")
+
+
+def random_frames(script: Script) -> None:
+    """Send a seeded mixture of requests, good and damaged, near the expected ID."""
+    source = random.Random(script.info.data_bits)
+    script.checked("session", script.body("K", 0))
+    for _ in range(RANDOM_FRAMES):
+        command = source.choice([name for name in COMMANDS if name not in ("GN", "K")])
+        number = script.gateway.expected + source.choice((0, 0, 0, 0, -1, 1, 2)) if source.random() < 0.8 else None
+        if command == "Q":
+            number = None
+        body = script.body(command, *_random_values(script, command, source), number=number)
+        frame = bytearray(
+            script.codec.framing.checked(body) if source.random() < 0.8 else script.codec.framing.plain_request(body)
+        )
+        if source.random() < 0.15:
+            frame[source.randrange(len(frame))] ^= 1 << source.randrange(7)
+        if b"N" not in frame.upper():
+            script.send("random", bytes(frame))
+
+
+def _random_values(script: Script, command: str, source: random.Random) -> Iterator[Any]:
+    info = script.info
+    addresses = [source.randrange(0xDC, 0xEC) for _ in range(source.randint(1, 6))]
+    values = {
+        "a": addresses[0],
+        "d": source.randrange(1 << info.data_bits),
+        "m": source.randrange(1 << info.data_bits),
+        "n": len(addresses),
+        "g": source.randrange(4),
+        "f": source.choice((0, 0x10, 0x20, 0x30)),
+        "v": 1,
+        "s": source.randrange(4),
+        "D": [source.randrange(1 << info.data_bits) for _ in range(source.randint(1, 6))],
+        "A": addresses,
+    }
+    return (values[letter] for letter in COMMANDS[command].fields)
+
+
+def generate(name: str) -> str:
+    """Give the text of one file."""
+    info, node = CONFIGURATIONS[name]
+    script = Script(info, node)
+    if name == "default":
+        worked_examples(script)
+    for part in (every_command, frames, forms, ranges, bus, sequence, groups, nodes, random_frames):
+        part(script)
+    return "".join(json.dumps(record) + "\n" for record in [script.header(), *script.records])
+
+
+if __name__ == "__main__":
+    for name in CONFIGURATIONS:
+        (FOLDER / f"{name}.ndjson").write_text(generate(name))

@@ -1,0 +1,95 @@
+"""The shared vectors are what the model answers, however the bytes arrive."""
+
+from __future__ import annotations
+
+import importlib.util
+import json
+from pathlib import Path
+from typing import Any
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from unity_link.virtual import VirtualGateway
+from unity_link.virtual.faults import Failing
+from unity_link.wire.gateway_info import Feature, GatewayInfo
+from unity_link.wire.messages import ErrorCode
+
+FOLDER = Path(__file__).resolve().parents[1] / "vectors"
+FILES = sorted(FOLDER.glob("*.ndjson"))
+
+
+def load(path: Path) -> tuple[VirtualGateway, list[dict[str, Any]]]:
+    header, *steps = map(json.loads, path.read_text().splitlines())
+    values = header["configuration"]
+    info = GatewayInfo(**{**values, "features": Feature(values["features"])})
+    gateway = VirtualGateway(info, node=header["node"])
+    gateway.attach(Failing(ErrorCode.BUS_ERROR), header["bus_error"])
+    gateway.attach(Failing(ErrorCode.BUS_TIMEOUT), header["bus_timeout"])
+    return gateway, steps
+
+
+def split(answer: bytes, node: int | None) -> tuple[bytes, bytes]:
+    """Give responses and publishes."""
+    start = b"P" if node is None else b"Z%02XP" % node
+    frames = answer.splitlines(keepends=True)
+    return (
+        b"".join(frame for frame in frames if not frame.startswith(start)),
+        b"".join(frame for frame in frames if frame.startswith(start)),
+    )
+
+
+def expected(step: dict[str, Any]) -> tuple[bytes, bytes]:
+    return step["answers"].encode("latin-1"), step.get("publishes", "").encode("latin-1")
+
+
+def node_of(path: Path) -> int | None:
+    node: int | None = json.loads(path.read_text().splitlines()[0])["node"]
+    return node
+
+
+def test_there_are_vectors_for_several_configurations() -> None:
+    assert len(FILES) >= 6
+
+
+@pytest.mark.parametrize("path", FILES, ids=lambda path: path.stem)
+def test_the_model_answers_every_vector_byte_for_byte(path: Path) -> None:
+    gateway, steps = load(path)
+    for step in steps:
+        answer = gateway.receive(step["send"].encode("latin-1"), 0.0)
+        assert split(answer, node_of(path)) == expected(step), step["about"]
+
+
+@pytest.mark.parametrize("path", FILES, ids=lambda path: path.stem)
+def test_bytes_may_arrive_one_at_a_time(path: Path) -> None:
+    gateway, steps = load(path)
+    for step in steps:
+        answer = b"".join(gateway.receive(bytes([byte]), 0.0) for byte in step["send"].encode("latin-1"))
+        assert split(answer, node_of(path)) == expected(step), step["about"]
+
+
+@pytest.mark.parametrize("path", FILES, ids=lambda path: path.stem)
+@given(sizes=st.lists(st.integers(1, 5000), min_size=1, max_size=40))
+def test_bytes_may_arrive_in_pieces_of_any_size(path: Path, sizes: list[int]) -> None:
+    gateway, steps = load(path)
+    stream = b"".join(step["send"].encode("latin-1") for step in steps)
+    answer, position, turn = b"", 0, 0
+    while position < len(stream):
+        size = sizes[turn % len(sizes)] if len(sizes) > 1 else max(sizes[0], 100)
+        answer += gateway.receive(stream[position : position + size], 0.0)
+        position, turn = position + size, turn + 1
+    both = split(answer, node_of(path))
+    assert both[0] == b"".join(expected(step)[0] for step in steps)
+    assert both[1] == b"".join(expected(step)[1] for step in steps)
+
+
+def test_the_files_are_what_the_generator_writes() -> None:
+    spec = importlib.util.spec_from_file_location("generate_vectors", FOLDER / "generate.py")
+    assert spec is not None
+    assert spec.loader is not None
+    generator = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(generator)
+    assert sorted(generator.CONFIGURATIONS) == [path.stem for path in FILES]
+    for path in FILES:
+        assert generator.generate(path.stem) == path.read_text(), path.name
