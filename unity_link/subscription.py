@@ -238,6 +238,26 @@ class Subscription:
         return self
 
     async def __anext__(self) -> Sample:
+        await self._wait()
+        return self._next()
+
+    async def take(self) -> list[Sample]:
+        """Wait until there is a sample, and give all that wait; for readers that work on many at once.
+
+        Raises:
+            StopAsyncIteration: when the ``async with`` block has ended.
+        """
+        await self._wait()
+        return [self._next() for _ in range(len(self._buffer))]
+
+    def _next(self) -> Sample:
+        sample = self._buffer.popleft()
+        if self._dropped:
+            sample = msgspec.structs.replace(sample, lost=sample.lost + self._dropped)
+            self._dropped = 0
+        return sample
+
+    async def _wait(self) -> None:
         while not self._buffer:
             if self._error is not None:
                 raise self._error
@@ -250,11 +270,6 @@ class Subscription:
                 await self._waiter
             finally:
                 self._waiter = None
-        sample = self._buffer.popleft()
-        if self._dropped:
-            sample = msgspec.structs.replace(sample, lost=sample.lost + self._dropped)
-            self._dropped = 0
-        return sample
 
     # Called by the groups and the exchange
 
