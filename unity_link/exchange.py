@@ -23,6 +23,8 @@ if TYPE_CHECKING:
 
 FEWEST_ROWS = 8
 """Answers of a batch that are worth a turn of numpy."""
+FEWEST_BYTES = 64
+"""Fewer bytes than so many answers have."""
 Publish = Callable[[bytes, float], None]
 """Takes the body of a publish and the time of its arrival on the loop's clock, in seconds."""
 
@@ -117,13 +119,14 @@ class Exchange:
         if self._closed is not None:
             raise LinkLostError(self._closed, Outcome.NOT_EXECUTED)
         stream = self._stream
+        window = self._window
+        idle = window.oldest == window.next
         if (
             stream is not None
             and not self._waiting
             and isinstance(source, Request)
-            and self._window.room(source.size, posted=source.posted)
+            and (idle or window.room(source.size, posted=source.posted))
         ):
-            idle = self._window.oldest == self._window.next
             frame = self._number(source.take(1))
             if idle:
                 stream.send(frame)
@@ -197,9 +200,9 @@ class Exchange:
     def receive(self, data: bytes) -> int:
         """Take the whole frames of a read, and give where the first that is not whole begins."""
         now = self._now()
-        self._window.heard()
+        self._window.heard = True
         start = 0
-        batched = True
+        batched = len(data) >= FEWEST_BYTES
         while True:
             if batched:
                 # Looked for at the start of a read and behind what interrupts a batch, not at each line.
@@ -214,7 +217,8 @@ class Exchange:
         if self._stream is not None:
             if self._window.wants_repetition:
                 self._repeat()
-            self._admit()
+            if self._waiting or self._window.unfenced:
+                self._admit()
         return start
 
     def _receive_rows(self, data: bytes, start: int, now: float) -> int:

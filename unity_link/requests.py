@@ -90,18 +90,21 @@ class Source(Protocol):
 
 
 class Message(Run):
-    """A run that knows its messages."""
+    """A run that knows its messages.
+
+    Args:
+        codec: the messages of the gateway.
+        command: in upper case.
+        fields_size: characters of the fields of each request.
+        reply_digits: hex digits behind the ID of each answer, None for a posted write.
+        count: number of requests.
+    """
 
     __slots__ = ("codec", "command", "given_up")
 
     def __init__(self, codec: Codec, command: str, fields_size: int, reply_digits: int | None, count: int = 1) -> None:
         head = codec.head_sizes[command]
-        # As `Run` would: this is on the way of every read.
-        self.first = 0
-        self.count = count
-        self.size = head + fields_size
-        self.posted = reply_digits is None
-        self.reply_size = 0 if reply_digits is None else head + reply_digits
+        super().__init__(count, head + fields_size, 0 if reply_digits is None else head + reply_digits)
         self.codec = codec
         self.command = command
         self.given_up = False
@@ -146,7 +149,16 @@ class Request(Message):
     def __init__(
         self, codec: Codec, command: str, fields: bytes, reply_digits: int | None, loop: asyncio.AbstractEventLoop
     ) -> None:
-        super().__init__(codec, command, len(fields), reply_digits)
+        # As `Message` would: this is on the way of every read.
+        head = codec.head_sizes[command]
+        self.first = 0
+        self.count = 1
+        self.size = head + len(fields)
+        self.posted = reply_digits is None
+        self.reply_size = 0 if reply_digits is None else head + reply_digits
+        self.codec = codec
+        self.command = command
+        self.given_up = False
         self._command = codec.lower[command]
         self.fields = fields
         self.frame = b""

@@ -46,10 +46,12 @@ class Stream(asyncio.Protocol):
 
     def send(self, data: bytes) -> None:
         """Send at once; for a frame that nothing is under way before."""
-        if self._out or self._paused:
+        transport = self._transport
+        if self._out or self._paused or transport is None or self.closed:
             self.send_soon(data)
         else:
-            self._write(data)
+            self.bytes_sent += len(data)
+            transport.write(data)
 
     def send_soon(self, data: bytes) -> None:
         """Send together with all else that is sent in this turn of the event loop."""
@@ -74,12 +76,9 @@ class Stream(asyncio.Protocol):
         if self._out and not self._paused:
             data = b"".join(self._out)
             self._out.clear()
-            self._write(data)
-
-    def _write(self, data: bytes) -> None:
-        if self._transport is not None and not self.closed:
-            self.bytes_sent += len(data)
-            self._transport.write(data)
+            if self._transport is not None and not self.closed:
+                self.bytes_sent += len(data)
+                self._transport.write(data)
 
     # Called by the transport
 

@@ -61,13 +61,17 @@ def _explain(path: str, error: Exception) -> str:
 
 
 class PortTransport(SerialTransport):
-    """The library's transport, with whole reads."""
+    """The library's transport, with the changes that this module's docstring gives."""
+
+    def __init__(self, loop: asyncio.AbstractEventLoop, protocol: asyncio.Protocol, port: serial.Serial) -> None:
+        super().__init__(loop, protocol, port)
+        self._descriptor = port.fileno()
 
     def write(self, data: bytes | bytearray | memoryview) -> None:
         """Write at once what the port takes; the library's buffer has the rest."""
         if not self._closing and not self._write_buffer:
             try:
-                sent = os.write(self._serial.fileno(), data)
+                sent = os.write(self._descriptor, data)
             except (BlockingIOError, InterruptedError):
                 sent = 0
             except OSError as error:
@@ -80,7 +84,7 @@ class PortTransport(SerialTransport):
 
     def _read_ready(self) -> None:
         try:
-            data = os.read(self._serial.fileno(), LARGEST_READ)
+            data = os.read(self._descriptor, LARGEST_READ)
         except (BlockingIOError, InterruptedError):
             return
         except OSError as error:

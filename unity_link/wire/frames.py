@@ -7,6 +7,7 @@ ends its plain replies with CR LF. On a medium that several nodes share (section
 
 from __future__ import annotations
 
+import re
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
@@ -15,6 +16,9 @@ if TYPE_CHECKING:
 LF = b"\n"
 CR = b"\r"
 _CR_BYTE = CR[0]
+LARGEST_DATAGRAM = 1400
+"""Bytes of frames that are put together into one datagram: what passes an Ethernet in one piece."""
+_FRAME = re.compile(rb"[^\r\n]*[\r\n]+")
 
 
 class FrameError(ValueError):
@@ -69,3 +73,14 @@ class Framing:
                 raise FrameError(f"not from node {self.prefix[1:].decode()}: {line[:80]!r}")
             return covered[len(self.prefix) :]
         return covered
+
+
+def datagrams(data: bytes) -> list[bytes]:
+    """Put frames into as few datagrams as they fit in; a frame is never cut."""
+    packed: list[bytes] = []
+    for frame in _FRAME.findall(data):
+        if packed and len(packed[-1]) + len(frame) <= LARGEST_DATAGRAM:
+            packed[-1] += frame
+        else:
+            packed.append(frame)
+    return packed

@@ -163,18 +163,17 @@ class Codec:
         self.head_sizes = {name: overhead + len(name) for name in COMMANDS}
         """Characters of a checked frame with an ID, beyond its fields or data."""
         self.commands = {name: row for name, row in COMMANDS.items() if row.feature in info.features}
-        self._formats = {name: self._format(row.fields) for name, row in COMMANDS.items()}
+        self._layouts = {name: self._layout(row.fields) for name, row in COMMANDS.items()}
         self._id_rows = np.frombuffer(b"".join(self.id_text), np.uint8).reshape(self.ring, info.id_digits)
 
     # Requests, host to gateway
 
     def fields(self, command: str, *values: Any) -> bytes:
         """Give the fields of a request as hex digits. A list of words or addresses is given as an array."""
-        letters = COMMANDS[command].fields
-        if letters and letters[-1] in LISTS:
-            tail = hex_rows(values[-1], self.digits[LISTS[letters[-1]]]).tobytes()
-            return self._formats[command] % (*values[:-1], tail)
-        return self._formats[command] % values
+        layout, digits = self._layouts[command]
+        if digits:
+            return layout % (*values[:-1], hex_rows(values[-1], digits).tobytes())
+        return layout % values
 
     def request(self, command: str, number: int, fields: bytes) -> bytes:
         """Give the checked frame of a request with an ID."""
@@ -357,9 +356,10 @@ class Codec:
         letters_expected = ("" if with_id else row.echo) + row.reads
         return Response(command, number, dict(zip(letters_expected, self._split(letters_expected, text), strict=True)))
 
-    def _format(self, letters: str) -> bytes:
-        """Give the %-format of a request's fields."""
-        return b"".join(b"%b" if letter in LISTS else b"%%0%dX" % self.digits[letter] for letter in letters)
+    def _layout(self, letters: str) -> tuple[bytes, int]:
+        """Give the %-format of a request's fields, and the digits of the items of the list at its end, if any."""
+        layout = b"".join(b"%b" if letter in LISTS else b"%%0%dX" % self.digits[letter] for letter in letters)
+        return layout, self.digits[LISTS[letters[-1]]] if letters[-1:] in LISTS else 0
 
 
 def _octets(digits: int) -> int:

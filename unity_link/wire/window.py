@@ -53,6 +53,8 @@ SHORTEST_TIMEOUT = 0.010
 LONGEST_TIMEOUT = 2.0
 FIRST_TIMEOUT = 0.25
 FENCE_DELAY = 0.001
+MEASUREMENT_PAUSE = 0.001
+"""Seconds between two measurements of the round trip: one a window is enough, and fast reads are left alone."""
 
 
 class Run:
@@ -108,10 +110,12 @@ class Window(Generic[R]):
         self.oldest = self.executed = self.next = 0
         self._allowed = self._half
         self._bytes = 0
-        self._unfenced = 0
+        self.unfenced = 0
+        """Posted writes that nothing with an answer was sent behind."""
         self._unfenced_bytes = 0
         self._fence_due: float | None = None
         self._timed: tuple[int, float] | None = None
+        self._next_measurement = float("-inf")
         self.smoothed_round_trip: float | None = None
         """Smoothed round trip in seconds (SRTT of RFC 6298), None before the first."""
         self._variation = 0.0
@@ -119,7 +123,8 @@ class Window(Generic[R]):
         self._since = 0.0
         self._silent_tries = 0
         self._tries = 0
-        self._heard = False
+        self.heard = False
+        """Something has arrived since the last time out, be it damaged: set by who reads."""
         self._gone_back = False
         self._refused = False
         self._refusals = 0
@@ -160,14 +165,14 @@ class Window(Generic[R]):
             self._fill(first, count, run)
         self._bytes += run.size * count
         if run.posted:
-            if not self._unfenced:
+            if not self.unfenced:
                 self._fence_due = now + FENCE_DELAY
-            self._unfenced += count
+            self.unfenced += count
             self._unfenced_bytes += run.size * count
         else:
-            self._unfenced = self._unfenced_bytes = 0
+            self.unfenced = self._unfenced_bytes = 0
             self._fence_due = None
-            if self._timed is None:
+            if self._timed is None and now >= self._next_measurement:
                 self._timed = (first, now)
         if self.oldest == first:
             self._since = now
@@ -175,11 +180,11 @@ class Window(Generic[R]):
 
     def needs_fence(self, now: float) -> bool:
         """Say whether posted writes have waited long enough, or are many enough, to be confirmed by an ``h``."""
-        if not self._unfenced:
+        if not self.unfenced:
             return False
         if self._byte_limit is not None and 4 * self._unfenced_bytes >= self._byte_limit:
             return True
-        return 4 * self._unfenced >= self._allowed or (self._fence_due is not None and now >= self._fence_due)
+        return 4 * self.unfenced >= self._allowed or (self._fence_due is not None and now >= self._fence_due)
 
     def repetition(self) -> Iterator[tuple[int, R, int, int]]:
         """Give what is to be sent again, in order: ID, run, offset in the run, count."""
@@ -215,6 +220,7 @@ class Window(Generic[R]):
         if self._timed is not None and (self._timed[0] - number & self._mask) < count:
             self._measure(now - self._timed[1])
             self._timed = None
+            self._next_measurement = now + MEASUREMENT_PAUSE
         after = number + count & self._mask
         if number == self.executed:
             self._bytes -= run.size * count
@@ -232,10 +238,6 @@ class Window(Generic[R]):
         self._news(now)
         if self.oldest != self.executed:
             self._go_back(now)
-
-    def heard(self) -> None:
-        """Take note of a sign of life: any frame, be it damaged."""
-        self._heard = True
 
     def out_of_sequence(self, expected: int, now: float) -> None:
         """Take note of ``n``: the gateway expects this ID, so a request has been lost."""
@@ -266,7 +268,7 @@ class Window(Generic[R]):
     @property
     def deadline(self) -> float | None:
         """When `expire` must be called, or a fence is due; None while nothing is under way."""
-        if self._unfenced == self.in_flight:
+        if self.unfenced == self.in_flight:
             # Posted writes alone have no answer to wait for: their fence will.
             return self._fence_due
         run = self._slots[self.oldest]
@@ -284,7 +286,7 @@ class Window(Generic[R]):
             return None
         given_up = None
         self._tries += 1
-        if self._heard:
+        if self.heard:
             self._silent_tries = 0
             if self._tries > MOST_TRIES:
                 given_up = self._give_up()
@@ -292,7 +294,7 @@ class Window(Generic[R]):
             self._silent_tries += 1
             self._timeout = min(2 * self._timeout, LONGEST_TIMEOUT)
             self.lost = self._silent_tries > MOST_SILENT_TRIES
-        self._heard = self._gone_back = False
+        self.heard = self._gone_back = False
         self._go_back(now)
         return given_up
 

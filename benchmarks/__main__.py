@@ -1,0 +1,78 @@
+"""Runs all benchmarks and writes their figures, with the machine they were seen on, to RESULTS.md: `make bench`."""
+
+from __future__ import annotations
+
+import asyncio
+import datetime as dt
+import os
+import platform
+import sys
+from pathlib import Path
+
+from rich.console import Console
+from rich.table import Table
+
+import unity_link
+from benchmarks import batch_reads, block_reads, concurrent_reads, memory, samples, sequential_read
+from benchmarks.measure import RUNS, Row
+
+BENCHMARKS = (sequential_read, concurrent_reads, batch_reads, block_reads, samples, memory)
+RESULTS = Path(__file__).with_name("RESULTS.md")
+_COLUMNS = ("Question", "Unity-Link", "Bare loop", "Time, ours to bare", "Target", "Met")
+
+
+def machine() -> str:
+    """Describe the machine."""
+    model = platform.processor() or platform.machine()
+    for line in Path("/proc/cpuinfo").read_text().splitlines() if Path("/proc/cpuinfo").exists() else ():
+        if line.startswith("model name"):
+            model = line.partition(": ")[2]
+            break
+    return f"{model}, {os.cpu_count()} cores, {platform.system()}, Python {platform.python_version()}"
+
+
+def document(rows: list[Row]) -> str:
+    """Give the text of RESULTS.md."""
+    lines = [
+        "# Results",
+        "",
+        "The host's software alone: through a pseudo-terminal against a responder in C in another process, and the",
+        "same bytes through a bare asyncio loop (`add_reader`, `os.read`, `os.write`, nothing else) in the same run.",
+        f"Medians of {RUNS} alternating runs. Run them again by `make bench`, which writes this file.",
+        "",
+        f"Seen on {dt.datetime.now(dt.UTC):%Y-%m-%d} by unity-link {unity_link.__version__}: {machine()}.",
+        "The ratio is what carries over to other machines; the rates depend on them and on what else they are doing.",
+        "",
+        "| " + " | ".join(_COLUMNS) + " |",
+        "|---" * len(_COLUMNS) + "|",
+    ]
+    for row in rows:
+        met = "yes" if row.met else "**no**"
+        lines.append(f"| {row.question} | {row.ours} | {row.bare} | {row.ratio} | {row.target} | {met} |")
+    return "\n".join(lines) + "\n"
+
+
+async def run(console: Console) -> list[Row]:
+    """Run all, and show each as it ends."""
+    rows = []
+    for benchmark in BENCHMARKS:
+        with console.status(benchmark.__doc__ or ""):
+            rows.append(await benchmark.measure())
+        console.print(f"{rows[-1].question}: {rows[-1].ours} (target: {rows[-1].target})")
+    return rows
+
+
+def main() -> int:
+    """Run, show and write; 1 where a target was missed."""
+    console = Console()
+    rows = asyncio.run(run(console))
+    table = Table(*_COLUMNS)
+    for row in rows:
+        table.add_row(row.question, row.ours, row.bare, row.ratio, row.target, "yes" if row.met else "[red]no")
+    console.print(table)
+    RESULTS.write_text(document(rows))
+    return 0 if all(row.met for row in rows) else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())

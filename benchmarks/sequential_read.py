@@ -1,0 +1,48 @@
+"""How fast is a read, one after the other?"""
+
+from __future__ import annotations
+
+import statistics
+import time
+
+import unity_link
+from benchmarks.measure import Row, compare
+from benchmarks.responder import BareLoop, responder
+
+READS = 4000
+MOST = 1.25
+
+
+async def measure() -> Row:
+    """Compare `await link.read(...)` with the same 8 and 14 bytes through a bare loop, median of the round trips."""
+    with responder() as path:
+
+        async def ours() -> float:
+            async with unity_link.connect(f"serial:{path}") as link:
+                times = []
+                for _ in range(READS):
+                    start = time.perf_counter()
+                    await link.read(0x0A)
+                    times.append(time.perf_counter() - start)
+                return statistics.median(times)
+
+        async def bare() -> float:
+            loop = BareLoop(path)
+            times = []
+            for _ in range(READS):
+                start = time.perf_counter()
+                loop.send(b"r000A2B\n")
+                await loop.receive(len(b"r000A0A0A0A00\n"))
+                times.append(time.perf_counter() - start)
+            loop.close()
+            return statistics.median(times)
+
+        pair = await compare(ours, bare)
+    return Row(
+        "A read, one after the other",
+        f"{pair.ours * 1e6:.1f} us",
+        f"{pair.bare * 1e6:.1f} us",
+        f"{pair.ratio:.2f}",
+        f"ratio at most {MOST}",
+        pair.ratio <= MOST,
+    )
