@@ -153,6 +153,7 @@ async def a_flush_without_a_new_byte_does_nothing(dut: SimHandleBase) -> None:
     chip = await _prepare(dut)
     await _flush(dut)
     await Timer(2, unit="us")
+    await RisingEdge(dut.clk)
     assert chip.flushed_after == []
     await _source(dut).send(b"A")
     await _flush(dut)

@@ -7,9 +7,11 @@
 -- away in any cycle of a burst.
 --
 -- Turnaround. OE# low one cycle after our drivers are off, RD# low one cycle after OE#; back: RD# and OE# high, then one
--- cycle in which nobody drives. A direction is kept for at most `burst` bytes while the other one has something to do.
+-- cycle in which nobody drives. A direction is kept until the other one has something to do, and then for at most `burst`
+-- bytes more.
 --
--- Clocks. CLKOUT runs only while the PC holds the chip in synchronous mode. Both FIFOs stand between the two clocks. A
+-- Clocks. CLKOUT runs only while the PC holds the chip in synchronous mode. The strobes are reset asynchronously, as
+-- CLKOUT may stand with one of them low. Both FIFOs stand between the two clocks. A
 -- reset lasts for four cycles of clk on the chip's side, so that the core's side is surely in reset when that one leaves
 -- it; and the core's side stays in reset until the chip's side reports that it was reset. So a reset without CLKOUT is
 -- remembered, and nothing is kept from before it.
@@ -74,6 +76,7 @@ architecture rtl of ft245_sync is
   signal rst_request    : std_logic_vector(3 downto 0);
   signal up_meta        : std_logic;
   signal up_seen        : std_logic;
+  signal rx_entry_valid : std_logic;
   signal unflushed      : std_logic;
   signal flush_wanted   : std_logic;
   signal tx_entry       : std_logic_vector(8 downto 0);
@@ -90,6 +93,7 @@ architecture rtl of ft245_sync is
   signal wr_active    : std_logic;
   signal written      : std_logic;
   signal out_free     : std_logic;
+  signal room         : std_logic;
   signal may_read     : std_logic;
   signal may_write    : std_logic;
   signal rxf_seen     : std_logic;
@@ -160,11 +164,12 @@ begin
       out_clk   => clk,
       out_rst   => core_rst,
       out_data  => rx_data,
-      out_valid => rx_valid,
+      out_valid => rx_entry_valid,
       out_ready => rx_ready
     );
 
-  rx_lost <= '0';
+  rx_valid <= rx_entry_valid and not core_rst;
+  rx_lost  <= '0';
 
   tx_fifo : entity work.fifo_async
     generic map (
@@ -223,17 +228,29 @@ begin
   out_free   <= not out_held or written;
   head_ready <= not out_held when head(8) = '1' else
                 out_free and not siwu_low;
-  may_read   <= '1' when rxf_seen = '0' and rx_level < rx_depth - rx_reserve else
+  room       <= '1' when rx_level < rx_depth - rx_reserve else
                 '0';
+  may_read   <= room and not rxf_seen;
   may_write  <= out_held and not txe_seen;
 
-  bus_cycles : process (clkout) is
+  bus_cycles : process (clkout, chip_rst) is
 
     variable holds : std_logic;
 
   begin
 
-    if rising_edge(clkout) then
+    if chip_rst = '1' then
+      state        <= release_theirs;
+      moved        <= 0;
+      rd_active    <= '0';
+      wr_active    <= '0';
+      out_held     <= '0';
+      captured_one <= '0';
+      rxf_seen     <= '1';
+      txe_seen     <= '1';
+      oe_n         <= '1';
+      data_oe      <= '0';
+    elsif rising_edge(clkout) then
       rxf_seen     <= rxf_n;
       txe_seen     <= txe_n;
       captured     <= data_in;
@@ -271,7 +288,7 @@ begin
 
           oe_n <= '0';
           if oe_n = '0' then
-            rd_active <= '1';
+            rd_active <= not rxf_n and room;
             state     <= read_bytes;
           end if;
 
@@ -280,7 +297,8 @@ begin
           if captured_one = '1' and moved /= burst then
             moved <= moved + 1;
           end if;
-          if rxf_n = '1' or may_read = '0' or (may_write = '1' and moved = burst) then
+          rd_active <= not rxf_n and room;
+          if may_write = '1' and (rxf_n = '1' or room = '0' or moved = burst) then
             rd_active <= '0';
             state     <= release_theirs;
           end if;
@@ -295,27 +313,17 @@ begin
           end if;
 
       end case;
-
-      if chip_rst = '1' then
-        state        <= release_theirs;
-        moved        <= 0;
-        rd_active    <= '0';
-        wr_active    <= '0';
-        out_held     <= '0';
-        captured_one <= '0';
-        rxf_seen     <= '1';
-        txe_seen     <= '1';
-        oe_n         <= '1';
-        data_oe      <= '0';
-      end if;
     end if;
 
   end process bus_cycles;
 
-  send_immediate : process (clkout) is
+  send_immediate : process (clkout, chip_rst) is
   begin
 
-    if rising_edge(clkout) then
+    if chip_rst = '1' then
+      siwu_low    <= '0';
+      siwu_cycles <= 0;
+    elsif rising_edge(clkout) then
       if siwu_cycles /= 0 then
         siwu_cycles <= siwu_cycles - 1;
       elsif siwu_low = '1' then
@@ -324,11 +332,6 @@ begin
       if head_valid = '1' and head_ready = '1' and head(8) = '1' then
         siwu_low    <= '1';
         siwu_cycles <= siwu_time - 1;
-      end if;
-
-      if chip_rst = '1' then
-        siwu_low    <= '0';
-        siwu_cycles <= 0;
       end if;
     end if;
 

@@ -1,0 +1,232 @@
+"""Inside the simulator: the synchronous FT245 layer at a chip whose flags go away in any cycle."""
+
+from __future__ import annotations
+
+import os
+import random
+
+import cocotb
+from cocotb.handle import SimHandleBase
+from cocotb.triggers import ClockCycles, RisingEdge, Timer
+
+from gateware.bench.ft245_sync.chip import PERIOD_PS, SyncChip
+from gateware.bench.streams import Sink, Source, start
+
+_CLK_NS = float(os.environ["CLK_NS"])
+_FLAGS = ((0.0, 0.0), (0.5, 0.5), (0.1, 0.8), (0.8, 0.1), (0.03, 0.03))
+
+
+async def _prepare(dut: SimHandleBase, no_rxf: float = 0.0, no_txe: float = 0.0) -> SyncChip:
+    dut.rx_ready.value = 0
+    dut.tx_valid.value = 0
+    dut.tx_data.value = 0
+    dut.flush.value = 0
+    dut.rxf_n.value = 1
+    dut.txe_n.value = 1
+    chip = SyncChip(dut, no_rxf=no_rxf, no_txe=no_txe)
+    await start(dut.clk, dut.rst, _CLK_NS)
+    await ClockCycles(dut.clk, 10)
+    return chip
+
+
+def _sink(dut: SimHandleBase, pause: float = 0.0) -> Sink:
+    return Sink(dut.clk, (dut.rx_data, dut.rx_lost), dut.rx_valid, dut.rx_ready, pause=pause)
+
+
+def _source(dut: SimHandleBase, pause: float = 0.0) -> Source:
+    return Source(dut.clk, dut.tx_data, dut.tx_valid, dut.tx_ready, pause=pause)
+
+
+def _data(count: int, seed: int = 11) -> bytes:
+    return random.Random(seed).randbytes(count)
+
+
+async def _until_written(chip: SyncChip, count: int, most_us: int = 1000) -> None:
+    for _ in range(most_us):
+        if len(chip.from_gateware) >= count:
+            break
+        await Timer(1, unit="us")
+    await Timer(20 * PERIOD_PS, unit="ps")
+
+
+async def _flush(dut: SimHandleBase) -> None:
+    dut.flush.value = 1
+    await RisingEdge(dut.clk)
+    dut.flush.value = 0
+
+
+@cocotb.test
+async def bytes_arrive_each_once_and_in_order(dut: SimHandleBase) -> None:
+    for no_rxf, no_txe in _FLAGS:
+        for core_pause in (0.0, 0.5, 0.95):
+            chip = await _prepare(dut, no_rxf, no_txe)
+            sink = _sink(dut, core_pause)
+            data = _data(400)
+            chip.to_gateware.extend(data)
+            assert await sink.wait_for(len(data)) == [(byte, 0) for byte in data]
+            chip.stop()
+            sink.stop()
+
+
+@cocotb.test
+async def bytes_leave_each_once_and_in_order(dut: SimHandleBase) -> None:
+    for no_rxf, no_txe in _FLAGS:
+        for core_pause in (0.0, 0.5, 0.95):
+            chip = await _prepare(dut, no_rxf, no_txe)
+            data = _data(400)
+            await _source(dut, core_pause).send(data)
+            await _until_written(chip, len(data))
+            assert bytes(chip.from_gateware) == data
+            chip.stop()
+
+
+@cocotb.test
+async def both_directions_share_the_bus(dut: SimHandleBase) -> None:
+    for no_rxf, no_txe in _FLAGS:
+        for core_pause in (0.0, 0.5):
+            chip = await _prepare(dut, no_rxf, no_txe)
+            sink = _sink(dut, core_pause)
+            down, up = _data(1500), _data(1500, 12)
+            chip.to_gateware.extend(down)
+            await _source(dut, core_pause).send(up)
+            assert await sink.wait_for(len(down)) == [(byte, 0) for byte in down]
+            await _until_written(chip, len(up))
+            assert bytes(chip.from_gateware) == up
+            chip.stop()
+            sink.stop()
+
+
+@cocotb.test
+async def no_direction_waits_for_the_end_of_the_other(dut: SimHandleBase) -> None:
+    chip = await _prepare(dut)
+    _sink(dut)
+    chip.to_gateware.extend(_data(6000))
+    cocotb.start_soon(_source(dut).send(_data(6000)))
+    for _ in range(1000):
+        await Timer(1, unit="us")
+        if len(chip.read_cycles) > 2000 or len(chip.write_cycles) > 2000:
+            break
+    # Turns of 256 bytes, where the core is fast enough to ask for them.
+    fewest = 1200 if _CLK_NS < PERIOD_PS / 1000 else 400
+    assert min(len(chip.read_cycles), len(chip.write_cycles)) > fewest
+    chip.stop()
+
+
+@cocotb.test
+async def a_burst_moves_one_byte_in_every_cycle_of_clkout(dut: SimHandleBase) -> None:
+    if _CLK_NS > PERIOD_PS / 1000:
+        return
+    chip = await _prepare(dut)
+    sink = _sink(dut)
+    data = _data(500)
+    chip.to_gateware.extend(data)
+    await sink.wait_for(len(data))
+    assert chip.read_cycles[-1] - chip.read_cycles[0] == len(data) - 1
+    await _source(dut).send(data)
+    await _until_written(chip, len(data))
+    # A byte every 10 ns into a FIFO that empties one in 16.7 ns: it never runs dry once it holds two.
+    assert chip.write_cycles[-1] - chip.write_cycles[0] <= len(data) + 1
+    chip.stop()
+
+
+@cocotb.test
+async def siwu_follows_the_last_byte_before_the_flush(dut: SimHandleBase) -> None:
+    for _, no_txe in _FLAGS:
+        chip = await _prepare(dut, 0.0, no_txe)
+        rng = random.Random(13)
+        accepted, flushes = 0, []
+
+        async def count() -> None:
+            nonlocal accepted
+            while True:
+                await RisingEdge(dut.clk)
+                accepted += int(dut.tx_valid.value == 1 and dut.tx_ready.value == 1)
+                if dut.flush.value == 1:
+                    flushes.append(accepted)
+
+        counter = cocotb.start_soon(count())
+        source = cocotb.start_soon(_source(dut, 0.3).send(_data(150)))
+        while not source.done():
+            await ClockCycles(dut.clk, rng.choice((1, 2, 5, 20, 40)))
+            await _flush(dut)
+        await RisingEdge(dut.clk)
+        await _until_written(chip, 150)
+        assert set(chip.flushed_after) <= set(flushes)
+        assert chip.flushed_after == sorted(set(chip.flushed_after))
+        assert chip.flushed_after[-1] == 150
+        assert len(chip.flushed_after) > 5
+        assert bytes(chip.from_gateware) == _data(150)
+        counter.cancel()
+        chip.stop()
+
+
+@cocotb.test
+async def a_flush_without_a_new_byte_does_nothing(dut: SimHandleBase) -> None:
+    chip = await _prepare(dut)
+    await _flush(dut)
+    await Timer(2, unit="us")
+    await RisingEdge(dut.clk)
+    assert chip.flushed_after == []
+    await _source(dut).send(b"A")
+    await _flush(dut)
+    await Timer(2, unit="us")
+    await _flush(dut)
+    await Timer(2, unit="us")
+    assert chip.flushed_after == [1]
+    chip.stop()
+
+
+@cocotb.test
+async def nothing_is_lost_when_clkout_stops_for_a_while(dut: SimHandleBase) -> None:
+    chip = await _prepare(dut)
+    sink = _sink(dut)
+    down, up = _data(600), _data(600, 12)
+    chip.to_gateware.extend(down)
+    source = cocotb.start_soon(_source(dut).send(up))
+    for _ in range(5):
+        await Timer(1700, unit="ns")
+        chip.running = False
+        await Timer(3, unit="us")
+        chip.running = True
+    await source
+    assert await sink.wait_for(len(down)) == [(byte, 0) for byte in down]
+    await _until_written(chip, len(up))
+    assert bytes(chip.from_gateware) == up
+    chip.stop()
+
+
+@cocotb.test
+async def nothing_from_before_a_reset_comes_after_it(dut: SimHandleBase) -> None:
+    rng = random.Random(15)
+    for clkout_stands in (False, True) * 8:
+        chip = await _prepare(dut, 0.2, 0.2)
+        chip.to_gateware.extend(b"\xee" * 100)
+        source = cocotb.start_soon(_source(dut).send(b"\xee" * 100))
+        sink = _sink(dut)
+        await Timer(rng.randrange(100, 4000), unit="ns")
+        source.cancel()
+        sink.stop()
+        dut.rx_ready.value = 0
+        dut.tx_valid.value = 0
+        chip.running = not clkout_stands
+        await RisingEdge(dut.clk)
+        dut.rst.value = 1
+        await RisingEdge(dut.clk)
+        dut.rst.value = 0
+        sender = cocotb.start_soon(_source(dut).send(b"CD"))
+        sink = _sink(dut)
+        # The chip forgets with us: what the PC sent before is gone, and what we wrote is looked at anew.
+        chip.to_gateware.clear()
+        chip.stop()
+        if clkout_stands:
+            await Timer(2, unit="us")
+            assert not sink.received
+        chip = SyncChip(dut)
+        await sender
+        await Timer(1, unit="us")
+        chip.to_gateware.extend(b"AB")
+        assert await sink.wait_for(2) == [(ord("A"), 0), (ord("B"), 0)]
+        await _until_written(chip, 2)
+        assert bytes(chip.from_gateware) == b"CD"
+        chip.stop()
+        sink.stop()

@@ -1,0 +1,22 @@
+"""The synchronous FT245 layer with a core that is faster, slower and much slower than CLKOUT."""
+
+from __future__ import annotations
+
+import pytest
+
+from gateware.bench.runner import run_bench
+
+
+@pytest.mark.parametrize("clk_ns", [10.0, 16.0, 20.0, 40.7])
+def test_ft245_sync(clk_ns: float) -> None:
+    run_bench("ft245_sync", "gateware.bench.ft245_sync.bench_ft245_sync", extra_env={"CLK_NS": str(clk_ns)})
+
+
+def test_ft245_sync_with_the_smallest_fifos() -> None:
+    run_bench(
+        "ft245_sync",
+        "gateware.bench.ft245_sync.bench_ft245_sync",
+        generics={"rx_depth": 16, "tx_depth": 16},
+        testcase=("bytes_arrive_each_once_and_in_order", "both_directions_share_the_bus"),
+        extra_env={"CLK_NS": "20.0"},
+    )
