@@ -19,14 +19,15 @@ from __future__ import annotations
 
 from collections import deque
 from contextlib import ExitStack
-from typing import TYPE_CHECKING, Any, Self
+from typing import TYPE_CHECKING, Any, Self, TypeVar
 
 from anyio.from_thread import start_blocking_portal
 
 from unity_link import link as asynchronous
+from unity_link.errors import LinkClosedError, Outcome
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Awaitable, Callable
     from types import TracebackType
 
     from numpy.typing import ArrayLike
@@ -36,6 +37,8 @@ if TYPE_CHECKING:
     from unity_link.virtual import Gateway
     from unity_link.wire.gateway_info import GatewayInfo
     from unity_link.wire.messages import Words
+
+T = TypeVar("T")
 
 
 def connect(target: str | Gateway, *, timeout: float = 5.0, reconnect: bool | asynchronous.Reconnect = False) -> Link:
@@ -50,6 +53,7 @@ class Link:
     """A connection to one gateway; made by `connect`. `unity_link.Link` documents the methods of the same names."""
 
     def __init__(self, target: str | Gateway, *, timeout: float, reconnect: bool | asynchronous.Reconnect) -> None:
+        self._closed = False
         with ExitStack() as stack:
             self._portal = stack.enter_context(start_blocking_portal("asyncio"))
 
@@ -62,7 +66,14 @@ class Link:
 
     def close(self) -> None:
         """End the link and its thread. May be called twice."""
+        self._closed = True
         self._stack.close()
+
+    def _call(self, function: Callable[..., Awaitable[T]], *arguments: Any) -> T:
+        """Call a function in the thread of the link, and wait for what it gives."""
+        if self._closed:
+            raise LinkClosedError("the link was closed", Outcome.NOT_EXECUTED)
+        return self._portal.call(function, *arguments)
 
     def __enter__(self) -> Self:
         return self
@@ -84,51 +95,51 @@ class Link:
 
     def read(self, address: int) -> int:
         """Read the word at `address`."""
-        return self._portal.call(self._link.read, address)
+        return self._call(self._link.read, address)
 
     def write(self, address: int, value: int) -> None:
         """Write `value` to `address`; when this returns it is on the bus."""
-        self._portal.call(self._link.write, address, value)
+        self._call(self._link.write, address, value)
 
     def write_masked(self, address: int, value: int, mask: int) -> int:
         """Replace the bits of a word that are 1 in `mask`, atomically, and give the word as it was before."""
-        return self._portal.call(self._link.write_masked, address, value, mask)
+        return self._call(self._link.write_masked, address, value, mask)
 
     def post(self, address: int, value: int) -> None:
         """Send a write without waiting for its execution."""
-        self._portal.call(self._link.post, address, value)
+        self._call(self._link.post, address, value)
 
     def fence(self) -> None:
         """Wait until everything that was asked for before has been executed."""
-        self._portal.call(self._link.fence)
+        self._call(self._link.fence)
 
     def read_block(self, address: int, count: int) -> Words:
         """Read `count` consecutive words from `address` on."""
-        return self._portal.call(self._link.read_block, address, count)
+        return self._call(self._link.read_block, address, count)
 
     def write_block(self, address: int, values: ArrayLike) -> None:
         """Write consecutive words from `address` on."""
-        self._portal.call(self._link.write_block, address, values)
+        self._call(self._link.write_block, address, values)
 
     def read_queue(self, address: int, count: int) -> Words:
         """Read the same address `count` times."""
-        return self._portal.call(self._link.read_queue, address, count)
+        return self._call(self._link.read_queue, address, count)
 
     def write_queue(self, address: int, values: ArrayLike) -> None:
         """Write all `values` to the same address."""
-        self._portal.call(self._link.write_queue, address, values)
+        self._call(self._link.write_queue, address, values)
 
     def read_many(self, addresses: ArrayLike) -> Words:
         """Read many words in one pipelined batch."""
-        return self._portal.call(self._link.read_many, addresses)
+        return self._call(self._link.read_many, addresses)
 
     def write_many(self, addresses: ArrayLike, values: ArrayLike) -> None:
         """Write one word to each of many addresses in one pipelined batch."""
-        self._portal.call(self._link.write_many, addresses, values)
+        self._call(self._link.write_many, addresses, values)
 
     def send_immediate(self, mode: asynchronous.SendImmediate) -> None:
         """Choose when the gateway has an FT232H send a short packet at once."""
-        self._portal.call(self._link.send_immediate, mode)
+        self._call(self._link.send_immediate, mode)
 
     def subscribe(self, addresses: int | ArrayLike, **options: Any) -> Subscription:
         """Have the gateway sample addresses by itself; `unity_link.Link.subscribe` documents the options.
@@ -139,7 +150,7 @@ class Link:
         async def make() -> AsyncSubscription:
             return self._link.subscribe(addresses, **options)
 
-        return Subscription(self._portal.call(make), self._portal.call)
+        return Subscription(self._call(make), self._call)
 
 
 class Subscription:
