@@ -1,0 +1,180 @@
+-- The protocol's numbers as the gateware needs them: command codes, error codes, and the widths that follow from the
+-- generics. The host's twin of the latter is `unity_link/wire/gateway_info.py`; both follow docs/protocol.md.
+--
+-- A command is four bits. The codes are chosen so that bits tell what is asked everywhere: bit 3 low is an access to the
+-- bus (bit 2: it writes), "10xx" is about groups. What is sent in reply adds three that no request has, with bit 4.
+
+library ieee;
+  use ieee.std_logic_1164.all;
+  use ieee.numeric_std.all;
+
+package unity_link_pkg is
+
+  subtype command_t is std_logic_vector(3 downto 0);
+
+  constant command_r  : command_t := "0000";
+  constant command_rm : command_t := "0001";
+  constant command_rq : command_t := "0010";
+  constant command_wk : command_t := "0011";
+  constant command_w  : command_t := "0100";
+  constant command_wm : command_t := "0101";
+  constant command_wq : command_t := "0110";
+  constant command_ws : command_t := "0111";
+  constant command_gs : command_t := "1000";
+  constant command_gn : command_t := "1001";
+  constant command_gx : command_t := "1010";
+  constant command_gp : command_t := "1011";
+  constant command_i  : command_t := "1100";
+  constant command_h  : command_t := "1101";
+  constant command_q  : command_t := "1110";
+  constant command_k  : command_t := "1111";
+
+  -- What a frame sent by the gateway is: '0' and the command it answers, or one of these.
+  subtype message_t is std_logic_vector(4 downto 0);
+
+  constant message_error           : message_t := "10000";
+  constant message_out_of_sequence : message_t := "10001";
+  constant message_publish         : message_t := "10010";
+
+  -- Errors (protocol section 2); two digits on the wire, the upper one is always 0.
+  subtype error_t is std_logic_vector(3 downto 0);
+
+  constant error_none      : error_t := x"0";
+  constant error_crc       : error_t := x"1";
+  constant error_command   : error_t := x"2";
+  constant error_malformed : error_t := x"3";
+  constant error_bus       : error_t := x"4";
+  constant error_timeout   : error_t := x"5";
+  constant error_range     : error_t := x"6";
+  constant error_too_long  : error_t := x"7";
+  constant error_repeated  : error_t := x"8";
+  constant error_overflow  : error_t := x"9";
+
+  constant character_lf : std_logic_vector(7 downto 0) := x"0A";
+  constant character_cr : std_logic_vector(7 downto 0) := x"0D";
+  constant character_z  : std_logic_vector(7 downto 0) := x"5A";
+
+  -- Group flags (protocol section 2), by bit number.
+  constant flag_periodic    : natural := 0;
+  constant flag_trigger     : natural := 1;
+  constant flag_immediate   : natural := 2;
+  constant flag_timestamp   : natural := 3;
+  constant flag_on_change   : natural := 4;
+  constant flag_plain       : natural := 5;
+
+  -- How a frame that was sent ends for send-immediate: what goes through the transmit FIFO beside each byte.
+  subtype flush_mark_t is std_logic_vector(1 downto 0);
+
+  constant flush_none      : flush_mark_t := "00";
+  constant flush_when_idle : flush_mark_t := "01";
+  constant flush_now       : flush_mark_t := "10";
+
+  -- Hex digits of a field of this many bits.
+  function digits_of (bits : positive) return positive;
+
+  -- The most characters before LF that a valid checked request can have, its CRC included (X07 beyond).
+  function longest_request (
+    data_bits, address_bits, id_digits, crc_bits, block_words, groups, group_words : natural;
+    masked_write                                                                   : boolean
+  ) return positive;
+
+  -- ASCII code of a hex digit, in upper case.
+  function hex_character (nibble : std_logic_vector(3 downto 0)) return std_logic_vector;
+
+  -- '1' for 0-9, A-F, a-f.
+  function is_hex (code : std_logic_vector(7 downto 0)) return std_logic;
+
+  -- Value of a character that is_hex.
+  function hex_value (code : std_logic_vector(7 downto 0)) return std_logic_vector;
+
+  function to_std_logic (condition : boolean) return std_logic;
+
+end package unity_link_pkg;
+
+package body unity_link_pkg is
+
+  function digits_of (bits : positive) return positive is
+  begin
+
+    return (bits + 3) / 4;
+
+  end function digits_of;
+
+  function longest_request (
+    data_bits, address_bits, id_digits, crc_bits, block_words, groups, group_words : natural;
+    masked_write                                                                   : boolean
+  ) return positive is
+
+    constant head   : positive := 2 + id_digits;
+    variable length : positive := head + digits_of(address_bits) + 2;
+
+  begin
+
+    length := maximum(length, head + digits_of(address_bits) + digits_of(data_bits) * block_words);
+    if masked_write then
+      length := maximum(length, head + digits_of(address_bits) + 2 * digits_of(data_bits));
+    end if;
+    if groups > 0 then
+      length := maximum(length, head + 10 + digits_of(address_bits) * group_words);
+    end if;
+    return length + crc_bits / 4;
+
+  end function longest_request;
+
+  function hex_character (nibble : std_logic_vector(3 downto 0)) return std_logic_vector is
+  begin
+
+    if unsigned(nibble) > 9 then
+      return std_logic_vector(x"37" + resize(unsigned(nibble), 8));
+    else
+      return x"3" & nibble;
+    end if;
+
+  end function hex_character;
+
+  function is_hex (code : std_logic_vector(7 downto 0)) return std_logic is
+
+    variable low : natural range 0 to 15;
+
+  begin
+
+    low := to_integer(unsigned(code(3 downto 0)));
+
+    case code(7 downto 4) is
+
+      when x"3" =>
+        return to_std_logic(low <= 9);
+
+      when x"4" | x"6" =>
+        return to_std_logic(low >= 1 and low <= 6);
+
+      when others =>
+        return '0';
+
+    end case;
+
+  end function is_hex;
+
+  function hex_value (code : std_logic_vector(7 downto 0)) return std_logic_vector is
+  begin
+
+    if code(6) = '1' then
+      return std_logic_vector(unsigned(code(3 downto 0)) + 9);
+    else
+      return code(3 downto 0);
+    end if;
+
+  end function hex_value;
+
+  function to_std_logic (condition : boolean) return std_logic is
+  begin
+
+    if condition then
+      return '1';
+    else
+      return '0';
+    end if;
+
+  end function to_std_logic;
+
+end package body unity_link_pkg;
