@@ -3,19 +3,16 @@
 from __future__ import annotations
 
 import asyncio
-import re
 from typing import TYPE_CHECKING, Any
 
 from unity_link.drivers.tcp import address
 from unity_link.errors import ConnectError
+from unity_link.wire.frames import datagrams
 
 if TYPE_CHECKING:
     from unity_link.drivers import DriverUrl
 
 OPTIONS: frozenset[str] = frozenset()
-LARGEST_DATAGRAM = 1400
-"""Bytes of frames that are put together into one datagram: what passes an Ethernet in one piece."""
-_FRAME = re.compile(rb"[^\r\n]*[\r\n]+")
 
 
 async def connect(url: DriverUrl, protocol: asyncio.Protocol) -> asyncio.Transport:
@@ -28,17 +25,6 @@ async def connect(url: DriverUrl, protocol: asyncio.Protocol) -> asyncio.Transpo
     except OSError as error:
         raise ConnectError(f"no socket for port {port} of {host} ({error.strerror or error})") from error
     return adapter
-
-
-def datagrams(data: bytes) -> list[bytes]:
-    """Put frames into as few datagrams as they fit in; a frame is never cut."""
-    packed: list[bytes] = []
-    for frame in _FRAME.findall(data):
-        if packed and len(packed[-1]) + len(frame) <= LARGEST_DATAGRAM:
-            packed[-1] += frame
-        else:
-            packed.append(frame)
-    return packed
 
 
 class DatagramAdapter(asyncio.Transport, asyncio.DatagramProtocol):

@@ -9,8 +9,8 @@
 
 Each joint has a motor with an encoder of 4000 counts a revolution behind a gear. A servo moves it to its set point as
 fast as its acceleration and the speed set point allow, with a trapezoidal speed profile; a new set point may come at
-any time, and the motion goes over into the new one without a jump of the speed. Set points beyond the soft limits of the
-joint move it to the limit, speeds beyond its most speed count as that. After power-up all joints stand at 0, with
+any time, and the motion goes over into the new one without a jump of the speed. Set points beyond the soft limits of
+the joint move it to the limit, speeds beyond its most speed count as that. After power-up all joints stand at 0, with
 a quarter of their most speed as set point. Writing an actual value is a bus error.
 
 Motion is computed in closed form from the last change of a set point, so it does not depend on when anyone looks.

@@ -1,15 +1,39 @@
-"""Gateways for others: on an event loop, each `Gateway` to one client."""
+"""Gateways for other programs: over a pty, TCP, a Unix socket or UDP.
+
+`serve_pty`, `serve_tcp`, `serve_unix` and `serve_udp` are asynchronous context managers that give the URL to use.
+A served gateway lives on between its clients, as a board does: what it publishes while none is there is lost. It has
+one client at a time. On TCP and Unix sockets a second one is told so in a line of text and hung up on, so that nobody
+takes a running robot away from its controller by accident; on UDP, answers and samples go to who spoke last.
+
+Everything passes through a `GatewayTransport`. When the client does not read, that one is told to pause, and when that
+one is full, the client is not read from; nothing in between grows.
+"""
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+import asyncio
+import contextlib
+import errno
+import io
+import os
+import socket
+import tty
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
 
+from unity_link.errors import ConnectError
 from unity_link.virtual.transport import GatewayTransport
+from unity_link.wire.frames import datagrams
 
 if TYPE_CHECKING:
-    import asyncio
+    from collections.abc import AsyncIterator
 
     from unity_link.virtual.gateway import Gateway
+
+BUSY = b"this gateway serves another client; try again when that has gone\r\n"
+LOOPBACK = "127.0.0.1"
+_LONGEST_REST = 65536
+_OWNER_ONLY = 0o177
 
 
 async def connect_gateway(gateway: Gateway, protocol: asyncio.Protocol) -> asyncio.Transport:
@@ -17,3 +41,283 @@ async def connect_gateway(gateway: Gateway, protocol: asyncio.Protocol) -> async
     transport = GatewayTransport(gateway, protocol)
     protocol.connection_made(transport)
     return transport
+
+
+class Counter(asyncio.Protocol):
+    """Where a gateway meets its client of the moment."""
+
+    def __init__(self, gateway: Gateway) -> None:
+        self.gateway = GatewayTransport(gateway, self)
+        self.sender: asyncio.WriteTransport | None = None
+        """Where bytes for the client go."""
+        self.reader: asyncio.ReadTransport | None = None
+        """Where bytes of the client come from."""
+
+    @property
+    def taken(self) -> bool:
+        """Say whether there is a client."""
+        return self.reader is not None
+
+    def leave(self) -> None:
+        """Take note that the client has gone."""
+        self.sender = self.reader = None
+        self.gateway.resume_reading()
+
+    # Called by the gateway's side
+
+    def data_received(self, data: bytes) -> None:
+        """Hand on what the gateway sends; without a client it is lost."""
+        if self.sender is not None:
+            self.sender.write(data)
+
+    def pause_writing(self) -> None:
+        """Stop listening to the client."""
+        if self.reader is not None:
+            self.reader.pause_reading()
+
+    def resume_writing(self) -> None:
+        """Listen again."""
+        if self.reader is not None:
+            self.reader.resume_reading()
+
+
+class _Client(asyncio.Protocol):
+    """The client's side of a stream."""
+
+    def __init__(self, counter: Counter) -> None:
+        self._counter = counter
+        self._served = False
+
+    def connection_made(self, transport: asyncio.BaseTransport) -> None:
+        assert isinstance(transport, asyncio.Transport)
+        if self._counter.taken:
+            transport.write(BUSY)
+            transport.close()
+            return
+        self._served = True
+        self._counter.sender = self._counter.reader = transport
+
+    def data_received(self, data: bytes) -> None:
+        if self._served:
+            self._counter.gateway.write(data)
+
+    def pause_writing(self) -> None:
+        if self._served:
+            self._counter.gateway.pause_reading()
+
+    def resume_writing(self) -> None:
+        if self._served:
+            self._counter.gateway.resume_reading()
+
+    def connection_lost(self, exc: Exception | None) -> None:  # noqa: ARG002  (why it has gone changes nothing)
+        if self._served:
+            self._counter.leave()
+
+
+@contextlib.asynccontextmanager
+async def _counter(gateway: Gateway) -> AsyncIterator[Counter]:
+    counter = Counter(gateway)
+    try:
+        yield counter
+    finally:
+        counter.gateway.abort()
+
+
+@contextlib.asynccontextmanager
+async def _serving(server: asyncio.Server, counter: Counter) -> AsyncIterator[None]:
+    """Serve a stream until the end of the context, and hang up then."""
+    try:
+        yield
+    finally:
+        server.close()
+        if counter.sender is not None:
+            counter.sender.abort()
+        await server.wait_closed()
+
+
+@contextlib.asynccontextmanager
+async def serve_tcp(gateway: Gateway, port: int = 0, host: str = LOOPBACK) -> AsyncIterator[str]:
+    """Serve a gateway on a TCP port; 0 chooses a free one. Gives its URL.
+
+    Raises:
+        ConnectError: where the port can't be opened.
+    """
+    async with _counter(gateway) as counter:
+        loop = asyncio.get_running_loop()
+        try:
+            server = await loop.create_server(lambda: _Client(counter), host, port)
+        except (OSError, OverflowError) as error:
+            raise _port_error("TCP", host, port, error) from error
+        async with _serving(server, counter):
+            yield f"tcp://{host}:{server.sockets[0].getsockname()[1]}"
+
+
+@contextlib.asynccontextmanager
+async def serve_unix(gateway: Gateway, path: str | os.PathLike[str]) -> AsyncIterator[str]:
+    """Serve a gateway on a Unix socket that only this user may open, and that is removed at the end. Gives its URL.
+
+    Raises:
+        ConnectError: where something else is at the path, or it can't be used.
+    """
+    async with _counter(gateway) as counter:
+        place = _absolute(path)
+        listener = _unix_listener(place)
+        try:
+            server = await asyncio.get_running_loop().create_unix_server(lambda: _Client(counter), sock=listener)
+            async with _serving(server, counter):
+                yield f"unix:{place}"
+        finally:
+            listener.close()
+            place.unlink(missing_ok=True)
+
+
+def _unix_listener(place: Path) -> socket.socket:
+    """Bind a socket; one that a program left behind without removing it is replaced."""
+    if place.is_socket():
+        with socket.socket(socket.AF_UNIX) as probe, contextlib.suppress(ConnectionRefusedError):
+            probe.connect(str(place))
+            raise ConnectError(f"{place} is already served by another program: choose another path")
+        place.unlink(missing_ok=True)
+    elif place.exists():
+        raise ConnectError(f"{place} exists and is no socket: remove it, or choose another path")
+    listener = socket.socket(socket.AF_UNIX)
+    mask = os.umask(_OWNER_ONLY)
+    try:
+        listener.bind(str(place))
+    except OSError as error:
+        listener.close()
+        raise ConnectError(
+            f"no socket can be made at {place} ({error.strerror or error}): choose another path"
+        ) from error
+    finally:
+        os.umask(mask)
+    return listener
+
+
+class _Datagrams(asyncio.DatagramProtocol, asyncio.WriteTransport):
+    """The client's side of a datagram socket: a stream towards the gateway, datagrams towards who spoke last."""
+
+    def __init__(self, counter: Counter) -> None:
+        super().__init__()
+        self._counter = counter
+        self._socket: asyncio.DatagramTransport | None = None
+        self._peer: Any = None
+        self._rest = b""
+        counter.sender = self
+
+    def connection_made(self, transport: asyncio.DatagramTransport) -> None:  # type: ignore[override]
+        self._socket = transport
+
+    def datagram_received(self, data: bytes, addr: Any) -> None:
+        self._peer = addr
+        # A datagram holds whole frames: what has no end was cut on its way.
+        self._counter.gateway.write(data if data.endswith((b"\n", b"\r")) else data + b"\n")
+
+    def error_received(self, exc: Exception) -> None:
+        """Ignore that nobody listens any more: a board would not hear of it."""
+
+    def pause_writing(self) -> None:
+        self._counter.gateway.pause_reading()
+
+    def resume_writing(self) -> None:
+        self._counter.gateway.resume_reading()
+
+    def write(self, data: bytes | bytearray | memoryview) -> None:
+        """Send whole frames; the beginning of one waits for its end."""
+        data = self._rest + data
+        end = max(data.rfind(b"\n"), data.rfind(b"\r")) + 1
+        self._rest = data[end:] if len(data) - end <= _LONGEST_REST else b""
+        if self._peer is not None and self._socket is not None:
+            for datagram in datagrams(data[:end]):
+                self._socket.sendto(datagram, self._peer)
+
+
+@contextlib.asynccontextmanager
+async def serve_udp(gateway: Gateway, port: int = 0, host: str = LOOPBACK) -> AsyncIterator[str]:
+    """Serve a gateway on a UDP port; 0 chooses a free one. Gives its URL.
+
+    Raises:
+        ConnectError: where the port can't be opened.
+    """
+    async with _counter(gateway) as counter:
+        loop = asyncio.get_running_loop()
+        try:
+            transport, _ = await loop.create_datagram_endpoint(lambda: _Datagrams(counter), local_addr=(host, port))
+        except (OSError, OverflowError) as error:
+            raise _port_error("UDP", host, port, error) from error
+        try:
+            yield f"udp://{host}:{transport.get_extra_info('sockname')[1]}"
+        finally:
+            transport.close()
+
+
+def _port_error(kind: str, host: str, port: int, error: Exception) -> ConnectError:
+    if isinstance(error, OSError) and error.errno == errno.EADDRINUSE:
+        return ConnectError(f"{kind} port {port} of {host} is in use: choose another, or 0 for any free one")
+    reason = getattr(error, "strerror", None) or error
+    return ConnectError(f"{kind} port {port} of {host} can't be opened ({reason}): choose another")
+
+
+class _PtySide(_Client):
+    """One direction of a pty, which asyncio treats as two pipes."""
+
+    def connection_made(self, transport: asyncio.BaseTransport) -> None:
+        self._served = True
+        # The transport of a write pipe calls itself a read transport, too.
+        if isinstance(transport, asyncio.WriteTransport):
+            self._counter.sender = transport
+        elif isinstance(transport, asyncio.ReadTransport):
+            self._counter.reader = transport
+
+
+@contextlib.asynccontextmanager
+async def serve_pty(gateway: Gateway, link: str | os.PathLike[str] | None = None) -> AsyncIterator[str]:
+    """Serve a gateway on a pseudo terminal, which looks like a serial port. Gives its URL.
+
+    The port may be closed and opened again; what the gateway sends meanwhile waits in the terminal until that is full.
+
+    Args:
+        gateway: what is served.
+        link: path of a symbolic link to the terminal, under which it can be found again; removed at the end.
+
+    Raises:
+        ConnectError: where there is something at the path already, or no terminal is left.
+    """
+    async with contextlib.AsyncExitStack() as stack:
+        counter = await stack.enter_async_context(_counter(gateway))
+        try:
+            master, port = os.openpty()
+        except OSError as error:
+            raise ConnectError(f"no pseudo terminal can be opened ({error.strerror or error})") from error
+        # As long as the port's side is open here, a client may come and go.
+        stack.callback(os.close, port)
+        tty.setraw(port)
+        name = os.ttyname(port)
+        reading = stack.enter_context(io.FileIO(master, "r"))
+        writing = stack.enter_context(io.FileIO(os.dup(master), "w"))
+        if link is not None:
+            name = str(_linked(_absolute(link), name, stack))
+        loop = asyncio.get_running_loop()
+        reader, _ = await loop.connect_read_pipe(lambda: _PtySide(counter), reading)
+        stack.callback(reader.close)
+        sender, _ = await loop.connect_write_pipe(lambda: _PtySide(counter), writing)
+        stack.callback(sender.abort)
+        yield f"serial:{name}"
+
+
+def _absolute(path: str | os.PathLike[str]) -> Path:
+    return Path(path).absolute()
+
+
+def _linked(link: Path, name: str, stack: contextlib.AsyncExitStack) -> Path:
+    """Make a symbolic link to a terminal; one that leads nowhere any more is replaced."""
+    try:
+        if link.is_symlink() and not link.exists():
+            link.unlink()
+        link.symlink_to(name)
+    except OSError as error:
+        raise ConnectError(
+            f"{link} can't be made a link ({error.strerror}): remove it, or choose another path"
+        ) from error
+    stack.callback(link.unlink, missing_ok=True)
+    return link
