@@ -1,0 +1,202 @@
+"""The gateway model keeps to the protocol where single vectors do not reach: sequences, damage, limits of memory."""
+
+from __future__ import annotations
+
+import tracemalloc
+from itertools import pairwise
+from typing import Any
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from unity_link.errors import ArgumentError, UnsupportedError
+from unity_link.virtual import AccessError, VirtualGateway
+from unity_link.virtual.faults import Failing
+from unity_link.wire.gateway_info import Feature, GatewayInfo
+from unity_link.wire.messages import Codec, ErrorCode
+
+CODEC = Codec(GatewayInfo())
+RING = 256
+
+
+def frame(command: str, number: int, *fields: Any) -> bytes:
+    return CODEC.request(command, number % RING, CODEC.fields(command, *fields))
+
+
+class Counting:
+    """A device that counts its accesses."""
+
+    def __init__(self) -> None:
+        self.reads = 0
+        self.writes: list[int] = []
+
+    def read(self, offset: int, now: float) -> int:
+        self.reads += 1
+        return self.reads
+
+    def write(self, offset: int, value: int, now: float) -> None:
+        self.writes.append(value)
+
+
+@pytest.mark.parametrize(
+    ("sent", "answered"),
+    [
+        (b"R0ACB\n", b"R0A000000122C\n"),
+        (b"W0A000000124F\n", b"W0A0B\n"),
+        (b"r000A2B\n", b"r00000000122E\n"),
+        (b"R0A\r", b"R0A00000012\r\n"),
+        (b"R0A00\n", b"X011B\n"),
+    ],
+)
+def test_the_worked_examples_are_answered_to_the_byte(sent: bytes, answered: bytes) -> None:
+    gateway = VirtualGateway()
+    gateway.memory[0x0A] = 0x12
+    assert gateway.receive(sent, 0.0) == answered
+
+
+def test_the_worked_write_as_message_01_is_answered_to_the_byte() -> None:
+    gateway = VirtualGateway()
+    gateway.receive(b"K01\r", 0.0)
+    assert gateway.receive(b"w010A0000002A95\n", 0.0) == b"w011F\n"
+    assert gateway.memory[0x0A] == 42
+
+
+@given(
+    steps=st.lists(st.tuples(st.sampled_from(["w", "ws", "wq", "again", "ahead", "behind"]), st.integers(1, 127))),
+    first=st.integers(0, RING - 1),
+)
+def test_writes_are_executed_once_each_and_in_order(steps: list[tuple[str, int]], first: int) -> None:
+    gateway, device = VirtualGateway(), Counting()
+    gateway.attach(device, [0x10])
+    gateway.receive(b"K%02X\r" % first, 0.0)
+    expected, value, told = first, 0, False
+    for kind, distance in steps:
+        if kind in ("w", "ws", "wq"):
+            value += 1
+            word: Any = [value] if kind == "wq" else value
+            answer = gateway.receive(frame(kind.upper(), expected, 0x10, word), 0.0)
+            assert answer == (b"" if kind == "ws" else CODEC.framing.checked(b"%b%02X" % (kind.encode(), expected)))
+            expected, told = (expected + 1) % RING, False
+        elif kind == "ahead":
+            answer = gateway.receive(frame("W", expected + distance, 0x10, 0xBAD), 0.0)
+            assert answer == (b"" if told else CODEC.framing.checked(b"n%02X" % expected))
+            told = True
+        else:
+            number = (expected - (1 if kind == "again" else distance)) % RING
+            assert gateway.receive(frame("W", number, 0x10, 0xBAD), 0.0) == CODEC.framing.checked(b"w%02X" % number)
+    assert device.writes == list(range(1, value + 1))
+
+
+@given(data=st.binary(max_size=300), cuts=st.lists(st.integers(0, 300), max_size=5))
+def test_no_bytes_do_harm_and_no_cut_matters(data: bytes, cuts: list[int]) -> None:
+    whole, pieces = VirtualGateway(), VirtualGateway()
+    expected = whole.receive(data, 0.0)
+    places = [0, *sorted(cuts), len(data)]
+    assert b"".join(pieces.receive(data[a:b], 0.0) for a, b in pairwise(places)) == expected
+    assert whole.receive(b"\nH\r", 0.0).endswith(b"H\r\n")
+
+
+def test_a_repeated_read_is_read_again_and_a_repeated_queue_read_is_not() -> None:
+    gateway, device = VirtualGateway(), Counting()
+    gateway.attach(device, [0x10])
+    assert gateway.receive(frame("R", 0, 0x10), 0.0)[3:11] == b"00000001"
+    assert gateway.receive(frame("R", 0, 0x10), 0.0)[3:11] == b"00000002"
+    gateway.receive(frame("RQ", 1, 0x10, 1), 0.0)
+    assert gateway.receive(frame("RQ", 1, 0x10, 1), 0.0) == CODEC.framing.checked(b"x0108")
+    assert device.reads == 3
+
+
+def test_a_block_write_stops_at_the_word_that_fails_and_keeps_what_was_written() -> None:
+    gateway = VirtualGateway()
+    gateway.attach(Failing(ErrorCode.BUS_ERROR), [0x12])
+    assert gateway.receive(frame("WM", 0, 0x10, [1, 2, 3, 4]), 0.0) == CODEC.framing.checked(b"x0004")
+    assert [gateway.memory[address] for address in range(0x10, 0x14)] == [1, 2, 0, 0]
+
+
+def test_a_masked_write_whose_read_fails_writes_nothing() -> None:
+    class Unreadable(Counting):
+        def read(self, offset: int, now: float) -> int:
+            raise AccessError(ErrorCode.BUS_TIMEOUT)
+
+    gateway, device = VirtualGateway(), Unreadable()
+    gateway.attach(device, [0x10])
+    assert gateway.receive(frame("WK", 0, 0x10, 1, 1), 0.0) == CODEC.framing.checked(b"x0005")
+    assert device.writes == []
+
+
+def test_a_frame_with_lost_bytes_is_answered_by_an_overflow_in_the_form_of_its_end() -> None:
+    gateway = VirtualGateway()
+    gateway.receive(b"R0", 0.0)
+    gateway.overflow()
+    assert gateway.receive(b"CB\nR0ACB\n", 0.0) == CODEC.framing.checked(b"X09") + CODEC.framing.checked(b"R0A00000000")
+    gateway.overflow()
+    assert gateway.receive(b"\r", 0.0) == b"X09\r\n"
+
+
+def test_words_of_64_bits_are_exact() -> None:
+    gateway = VirtualGateway(GatewayInfo(data_bits=64))
+    gateway.memory[0x10] = 1
+    gateway.memory[0x11] = 0xFFFF_FFFF_FFFF_FFFD
+    assert gateway.receive(b"RM1002\r", 0.0) == b"RM10020000000000000001FFFFFFFFFFFFFFFD\r\n"
+
+
+def test_endless_noise_without_an_end_takes_no_memory() -> None:
+    gateway = VirtualGateway()
+    noise = bytes(range(0x20, 0x7F)) * 100
+    gateway.receive(noise, 0.0)
+    tracemalloc.start()
+    try:
+        for _ in range(200):
+            gateway.receive(noise, 0.0)
+        assert tracemalloc.get_traced_memory()[0] < 20_000
+    finally:
+        tracemalloc.stop()
+    assert gateway.receive(b"\n", 0.0) == CODEC.framing.checked(b"X07")
+
+
+def test_a_device_may_give_negative_words() -> None:
+    class Negative(Counting):
+        def read(self, offset: int, now: float) -> int:
+            return -2 - offset
+
+    gateway = VirtualGateway()
+    gateway.attach(Negative(), range(0x10, 0x12))
+    assert gateway.receive(b"RM1002\r", 0.0) == b"RM1002FFFFFFFEFFFFFFFD\r\n"
+    gateway.detach([0x10])
+    assert gateway.receive(b"R10\r", 0.0) == b"R1000000000\r\n"
+
+
+def test_a_reset_forgets_session_groups_and_half_a_frame_but_not_the_memory() -> None:
+    gateway = VirtualGateway()
+    gateway.receive(b"W1077\rGS00010001011\rI01\rK55\rR1", 0.0)
+    gateway.reset()
+    assert (gateway.expected, gateway.next_due, gateway.send_immediate) == (0, None, 2)
+    assert gateway.receive(b"R10\rGP00\r", 0.0) == b"R1000000077\r\nX06\r\n"
+
+
+def test_the_send_immediate_mode_is_kept_until_the_next_session() -> None:
+    gateway = VirtualGateway()
+    gateway.receive(b"I01\r", 0.0)
+    assert gateway.send_immediate == 1
+    gateway.receive(b"K00\r", 0.0)
+    assert gateway.send_immediate == 2
+
+
+def test_impossible_gateways_are_refused() -> None:
+    with pytest.raises(ArgumentError, match="node 255"):
+        VirtualGateway(node=255)
+    with pytest.raises(UnsupportedError, match="data_bits = 4"):
+        VirtualGateway(GatewayInfo(data_bits=4))
+    assert Feature.ADDRESSED not in VirtualGateway(GatewayInfo(features=Feature(0xFF))).info.features
+
+
+@pytest.mark.parametrize(("address", "word"), [(0x100, 0), (-1, 0), (0, 1 << 32), (0, -1)])
+def test_memory_takes_only_what_fits(address: int, word: int) -> None:
+    with pytest.raises(ArgumentError, match="does not fit"):
+        VirtualGateway().memory[address] = word
+
+
+def test_a_device_is_attached_only_where_addresses_are() -> None:
+    with pytest.raises(ArgumentError, match="0x100 does not fit in 8 bits"):
+        VirtualGateway().attach(Counting(), [0xFF, 0x100])

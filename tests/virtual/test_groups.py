@@ -1,0 +1,225 @@
+"""Groups publish at their true instants."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from unity_link.virtual import VirtualGateway
+from unity_link.virtual.faults import Failing
+from unity_link.wire.gateway_info import GatewayInfo
+
+PERIODIC, TRIGGER, STAMPED, ON_CHANGE, PLAIN = 1, 2, 8, 16, 32
+
+
+class Clocked:
+    """A device that reads as the time in microseconds."""
+
+    def read(self, offset: int, now: float) -> int:
+        return round(now * 1e6)
+
+    def write(self, offset: int, value: int, now: float) -> None:
+        pass
+
+
+class Sample(NamedTuple):
+    group: int
+    sequence: int
+    rest: bytes
+
+
+def samples(data: bytes) -> list[Sample]:
+    found = []
+    for line in data.split(b"\n"):
+        if line.startswith(b"P"):
+            body = line[:-1] if line.endswith(b"\r") else line[:-2]
+            found.append(Sample(int(body[1:3], 16), int(body[3:5], 16), body[5:]))
+    return found
+
+
+def stamps(data: bytes) -> list[int]:
+    return [int(sample.rest[:8], 16) for sample in samples(data)]
+
+
+def sequences(data: bytes) -> list[int]:
+    return [sample.sequence for sample in samples(data)]
+
+
+def send(gateway: VirtualGateway, *bodies: str, now: float = 0.0) -> bytes:
+    return gateway.receive("".join(body + "\r" for body in bodies).encode(), now)
+
+
+def setting(group: int, flags: int, divisor: int, *addresses: int) -> str:
+    return f"GS{group:02X}{flags:02X}{divisor:04X}{len(addresses):02X}" + "".join(f"{a:02X}" for a in addresses)
+
+
+def test_a_group_publishes_at_whole_multiples_of_the_base_tick_with_clock_timestamps() -> None:
+    gateway = VirtualGateway()
+    send(gateway, setting(0, PERIODIC | STAMPED, 10, 0x10), "GN00")
+    # 100 kHz base, 50 MHz clock: the first tick is at 500 clocks, the next sample ten ticks later.
+    assert stamps(gateway.advance(0.000_311)) == [500, 5500, 10500, 15500]
+    assert gateway.next_due == pytest.approx(0.000_410, abs=1e-12)
+
+
+@given(calls=st.lists(st.floats(0, 0.01), max_size=30), divisor=st.integers(1, 50))
+def test_when_the_caller_comes_changes_nothing(calls: list[float], divisor: int) -> None:
+    gateway = VirtualGateway()
+    gateway.attach(Clocked(), [0x10])
+    send(gateway, setting(0, PERIODIC | STAMPED, divisor, 0x10), "GN00")
+    sent = b"".join(gateway.advance(now) for now in [*sorted(calls), 0.01])
+    ticks = range(1, 1001, divisor)
+    assert [sample.rest for sample in samples(sent)] == [b"%08X%08X" % (500 * tick, 10 * tick) for tick in ticks]
+    assert sequences(sent) == [index % 256 for index in range(len(ticks))]
+
+
+def test_advancing_from_due_to_due_meets_every_sample_alone() -> None:
+    gateway = VirtualGateway()
+    send(gateway, setting(0, PERIODIC, 7, 0x10), "GN00", now=1234.5)
+    count = 0
+    while (due := gateway.next_due) is not None and due < 1234.6:
+        assert len(samples(gateway.advance(due))) == 1
+        count += 1
+    assert count == len(range(1, 10_000, 7))
+
+
+def test_timestamps_wrap_at_32_bits() -> None:
+    gateway = VirtualGateway()
+    send(gateway, setting(0, PERIODIC | STAMPED, 1, 0x10))
+    wrap = 2**32 / 50e6
+    gateway.advance(wrap - 5e-6)
+    send(gateway, "GN00", now=wrap - 5e-6)
+    first, second = stamps(gateway.advance(wrap + 15e-6))
+    assert second == first + 500
+    assert first < 500
+
+
+def test_a_clock_that_is_no_multiple_of_the_base_rounds_down_without_drift() -> None:
+    gateway = VirtualGateway(GatewayInfo(base_frequency_millihertz=3_000_000, clock_hz=10_000))
+    send(gateway, setting(0, PERIODIC | STAMPED, 1, 0x10), "GN00")
+    assert stamps(gateway.advance(0.0021)) == [3, 6, 10, 13, 16, 20]
+
+
+def test_groups_due_at_the_same_tick_publish_in_the_order_of_their_numbers() -> None:
+    gateway = VirtualGateway()
+    for group in (3, 1, 2):
+        send(gateway, setting(group, PERIODIC, group, 0x10), f"GN{group:02X}")
+    gateway.advance(0.000_065)
+    assert [sample.group for sample in samples(gateway.advance(0.000_070))] == [1, 2, 3]
+
+
+def test_256_groups_of_255_words_publish_together() -> None:
+    gateway = VirtualGateway()
+    for group in range(256):
+        send(gateway, setting(group, PERIODIC, 1000, *range(255)), f"GN{group:02X}")
+    published = gateway.advance(0.0101)
+    assert [sample.group for sample in samples(published)] == list(range(256)) * 2
+    assert all(len(sample.rest) == 255 * 8 for sample in samples(published))
+
+
+def test_a_trigger_makes_running_groups_with_the_flag_due_at_its_instant() -> None:
+    gateway = VirtualGateway()
+    for group, flags in enumerate((TRIGGER | STAMPED, PERIODIC, TRIGGER | STAMPED, TRIGGER)):
+        send(gateway, setting(group, flags, 1000, 0x10))
+    send(gateway, "GN00", "GN01", "GN02")
+    gateway.trigger(0.002)
+    assert gateway.next_due == pytest.approx(1e-5)
+    gateway.advance(0.001)
+    assert gateway.next_due == 0.002
+    published = gateway.advance(0.005)
+    assert [(sample.group, sample.rest[:8]) for sample in samples(published)] == [(0, b"000186A0"), (2, b"000186A0")]
+
+
+def test_starting_a_running_group_begins_at_the_next_tick_again() -> None:
+    gateway = VirtualGateway()
+    send(gateway, setting(0, PERIODIC | STAMPED, 100, 0x10), "GN00")
+    assert stamps(gateway.advance(0.000_5)) == [500]
+    assert stamps(send(gateway, "GN00", now=0.000_5) + gateway.advance(0.001)) == [51 * 500]
+
+
+def test_a_stopped_group_goes_on_counting_where_it_was() -> None:
+    gateway = VirtualGateway()
+    send(gateway, setting(0, PERIODIC, 1, 0x10), "GN00")
+    assert sequences(gateway.advance(0.000_031)) == [0, 1, 2]
+    send(gateway, "GX00", now=0.000_032)
+    assert (gateway.next_due, gateway.advance(1.0)) == (None, b"")
+    assert sequences(send(gateway, "GN00", now=1.0) + gateway.advance(1.000_011)) == [3]
+
+
+def test_a_session_stops_all_groups_and_keeps_their_settings() -> None:
+    gateway = VirtualGateway()
+    send(gateway, setting(0, PERIODIC, 1, 0x10), "GN00", "K00")
+    assert (gateway.next_due, gateway.advance(1.0)) == (None, b"")
+    assert sequences(send(gateway, "GP00", now=1.0)) == [0]
+
+
+def test_on_change_publishes_the_first_sample_and_then_changes_only() -> None:
+    gateway = VirtualGateway()
+    send(gateway, setting(0, PERIODIC | ON_CHANGE, 1, 0x10), "GN00")
+    assert sequences(gateway.advance(0.001_001)) == [0]
+    gateway.memory[0x10] = 7
+    assert sequences(gateway.advance(0.002_001)) == [1]
+    assert sequences(send(gateway, "GP00", "GP00", now=0.002_002)) == [2, 3]
+    assert sequences(gateway.advance(0.003_001)) == []
+    assert sequences(send(gateway, "GN00", now=0.003_001) + gateway.advance(0.004_001)) == [4]
+
+
+def test_a_sample_without_room_counts_and_is_gone() -> None:
+    gateway = VirtualGateway()
+    send(gateway, setting(0, PERIODIC, 1, 0x10), "GN00")
+    assert sequences(gateway.advance(0.000_051, room=0)) == []
+    assert sequences(gateway.advance(0.000_071)) == [5, 6]
+    # Room for one byte is room for a sample: it is sent as the line takes it.
+    assert sequences(gateway.advance(0.000_111, room=17)) == [7, 8]
+    assert sequences(gateway.advance(0.000_121)) == [11]
+    assert gateway.groups.overruns == 5 + 2
+
+
+def test_years_without_room_are_counted_at_once() -> None:
+    gateway = VirtualGateway()
+    send(gateway, setting(0, PERIODIC, 3, 0x10), "GN00")
+    gateway.advance(1e8, room=0)
+    assert gateway.groups.overruns == (10**13 - 1) // 3 + 1
+
+
+def test_overruns_of_a_group_on_change_count_uncompared_and_keep_the_last_sample() -> None:
+    gateway = VirtualGateway()
+    send(gateway, setting(0, PERIODIC | ON_CHANGE, 1, 0x10), "GN00")
+    gateway.advance(0.000_011)
+    gateway.advance(0.000_041, room=0)
+    assert sequences(gateway.advance(0.000_051)) == []
+    gateway.memory[0x10] = 1
+    assert sequences(gateway.advance(0.000_061)) == [4]
+
+
+def test_a_trigger_without_room_is_an_overrun() -> None:
+    gateway = VirtualGateway()
+    send(gateway, setting(0, TRIGGER, 1, 0x10), "GN00")
+    gateway.trigger(0.001)
+    assert gateway.advance(0.002, room=0) == b""
+    assert sequences(send(gateway, "GP00", now=0.002)) == [1]
+
+
+def test_a_sample_whose_bus_read_fails_is_not_sent_and_counts() -> None:
+    gateway = VirtualGateway()
+    gateway.attach(Failing(), [0x11])
+    send(gateway, setting(0, PERIODIC, 1, 0x10, 0x11), "GN00")
+    assert gateway.advance(0.000_031) == b""
+    gateway.detach([0x11])
+    assert sequences(gateway.advance(0.000_041)) == [3]
+
+
+def test_plain_groups_publish_plain_frames() -> None:
+    gateway = VirtualGateway()
+    send(gateway, setting(0, PERIODIC | PLAIN, 1, 0x10), "GN00")
+    assert gateway.advance(0.000_011) == b"P000000000000\r\n"
+
+
+def test_publishes_that_became_due_come_before_the_answer_to_what_arrives_later() -> None:
+    gateway = VirtualGateway()
+    send(gateway, setting(0, PERIODIC, 1, 0x10), "GN00")
+    answer = send(gateway, "W1005", now=0.000_025)
+    assert samples(answer) == [Sample(0, 0, b"00000000"), Sample(0, 1, b"00000000")]
+    assert answer.endswith(b"W10\r\n")
