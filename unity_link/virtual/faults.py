@@ -151,10 +151,13 @@ class NoisyLine:
     def __init__(self, gateway: Gateway, towards: Noise, back: Noise) -> None:
         self.info = gateway.info
         self.wake: Callable[[], None] = lambda: None
-        gateway.wake = self.wake
+        gateway.wake = self._pass_on_wake
         self._gateway = gateway
         self._towards = _Direction(towards)
         self._back = _Direction(back)
+
+    def _pass_on_wake(self) -> None:
+        self.wake()
 
     @property
     def memory(self) -> MutableMapping[int, int]:

@@ -38,7 +38,7 @@ class SlowLine:
             raise ArgumentError(f"bytes_per_second={bytes_per_second} is no rate: more than 0 was expected")
         self.info = gateway.info
         self.wake: Callable[[], None] = lambda: None
-        gateway.wake = self.wake
+        gateway.wake = self._pass_on_wake
         self._gateway = gateway
         self._rate = bytes_per_second
         self._loses = Feature.FLOW_CONTROL not in self.info.features
@@ -47,6 +47,9 @@ class SlowLine:
         """Places in the FIFO before which bytes were lost."""
         self._sent_at = float("-inf")
         """When the line will have sent everything."""
+
+    def _pass_on_wake(self) -> None:
+        self.wake()
 
     @property
     def memory(self) -> MutableMapping[int, int]:
