@@ -9,6 +9,7 @@ from pathlib import Path
 import pytest
 
 import unity_link
+from unity_link.cli import app
 
 ROOT = Path(__file__).parent.parent
 LOCKS = sorted((ROOT / "requirements").glob("*.lock"))
@@ -49,7 +50,7 @@ def test_a_lock_file_holds_versions_and_hashes_and_nothing_else(lock: Path) -> N
 
 def test_the_versions_of_both_lock_files_agree() -> None:
     core, whole = (
-        set(re.findall(r"^\S+==.*?(?= \\$)", (ROOT / "requirements" / f"{name}.lock").read_text(), re.MULTILINE))
+        set(re.findall(r"^\S+==\S+", (ROOT / "requirements" / f"{name}.lock").read_text(), re.MULTILINE))
         for name in ("core", "all")
     )
     assert core <= whole
@@ -86,3 +87,9 @@ def test_every_make_target_stands_in_the_help() -> None:
     phony = set(re.search(r"^\.PHONY: (.*)$", makefile, re.MULTILINE)[1].split())  # type: ignore[index]
     described = set(re.findall(r"^([a-z0-9-]+):.*## ", makefile, re.MULTILINE))
     assert phony == described
+
+
+def test_the_reference_of_the_command_line_has_every_command() -> None:
+    reference = (ROOT / "docs" / "reference" / "command-line.md").read_text(encoding="utf-8")
+    commands = {command.name or command.callback.__name__ for command in app.registered_commands if command.callback}
+    assert set(re.findall(r"^## (.*)$", reference, re.MULTILINE)) == commands
