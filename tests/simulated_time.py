@@ -49,6 +49,10 @@ class SimulatedTimeLoop(asyncio.SelectorEventLoop):
         """Give the simulated time in seconds."""
         return self._jumping.now
 
+    def be_busy(self, seconds: float) -> None:
+        """Let time pass during which no timer fires, as when a callback takes long."""
+        self._jumping.now += seconds
+
 
 def run_simulated(coroutine: Coroutine[Any, Any, T]) -> T:
     """Run a coroutine to its end on simulated time."""

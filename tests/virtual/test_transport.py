@@ -1,0 +1,221 @@
+"""The in-process transport: as a serial port, but exact in time and bounded in memory."""
+
+from __future__ import annotations
+
+import asyncio
+from typing import TYPE_CHECKING
+
+import pytest
+
+from simulated_time import SimulatedTimeLoop, on_simulated_time
+from unity_link.virtual import VirtualGateway
+from unity_link.virtual.line import SlowLine
+from unity_link.virtual.pump import MOST_LAG
+from unity_link.virtual.serving import connect_gateway
+from unity_link.virtual.transport import HIGH_WATER, MOST_DELIVERED, MOST_TAKEN, GatewayTransport
+
+if TYPE_CHECKING:
+    from unity_link.virtual import Gateway
+
+
+class Recorder(asyncio.Protocol):
+    """Keeps what happens to it, with the time."""
+
+    def __init__(self) -> None:
+        self.received: list[tuple[float, bytes]] = []
+        self.events: list[str] = []
+
+    @property
+    def data(self) -> bytes:
+        return b"".join(data for _, data in self.received)
+
+    def connection_made(self, transport: asyncio.BaseTransport) -> None:
+        self.events.append("made")
+
+    def data_received(self, data: bytes) -> None:
+        self.received.append((asyncio.get_running_loop().time(), data))
+
+    def pause_writing(self) -> None:
+        self.events.append("pause")
+
+    def resume_writing(self) -> None:
+        self.events.append("resume")
+
+    def connection_lost(self, exc: Exception | None) -> None:
+        self.events.append(f"lost {exc}")
+
+
+async def connected(gateway: Gateway) -> tuple[GatewayTransport, Recorder]:
+    protocol = Recorder()
+    transport = await connect_gateway(gateway, protocol)
+    assert isinstance(transport, GatewayTransport)
+    assert protocol.events == ["made"]
+    return transport, protocol
+
+
+async def turns(count: int = 50) -> None:
+    for _ in range(count):
+        await asyncio.sleep(0)
+
+
+@on_simulated_time
+async def test_what_is_written_in_one_turn_is_answered_in_one_read() -> None:
+    transport, protocol = await connected(VirtualGateway())
+    for address in range(100):
+        transport.write(b"W%02X07\r" % address)
+    assert protocol.received == []
+    await turns()
+    assert [data for _, data in protocol.received] == [b"".join(b"W%02X\r\n" % address for address in range(100))]
+
+
+@on_simulated_time
+async def test_samples_arrive_at_the_instants_at_which_they_are_due() -> None:
+    transport, protocol = await connected(VirtualGateway())
+    transport.write(b"GS000100640110\rGN00\r")
+    await asyncio.sleep(0.01)
+    transport.abort()
+    times = [time for time, data in protocol.received if data.startswith(b"P")]
+    assert times == pytest.approx([1e-5 + 1e-3 * index for index in range(10)], abs=1e-9)
+
+
+@on_simulated_time
+async def test_much_in_flight_is_taken_and_delivered_in_bounded_pieces() -> None:
+    transport, protocol = await connected(VirtualGateway())
+    transport.write(b"RM00FF\r" * 1000)
+    await turns(200)
+    assert len(protocol.data) == 1000 * (8 + 255 * 8 + 1) - 1000
+    assert max(len(data) for _, data in protocol.received) <= MOST_DELIVERED
+
+
+@on_simulated_time
+async def test_a_protocol_that_does_not_read_is_asked_to_stop_writing_and_nothing_grows() -> None:
+    transport, protocol = await connected(VirtualGateway())
+    transport.pause_reading()
+    assert not transport.is_reading()
+    sent = 0
+    while "pause" not in protocol.events:
+        transport.write(b"RM00FF\r" * 100)
+        sent += 100
+        await turns(5)
+    assert transport.get_write_buffer_size() <= HIGH_WATER + 700
+    most_answers = MOST_TAKEN // 7 * 2050
+    assert len(transport._to_protocol) <= HIGH_WATER + most_answers
+    assert protocol.received == []
+    transport.resume_reading()
+    await turns(2000)
+    assert protocol.events == ["made", "pause", "resume"]
+    assert protocol.data == b"RM00FF" + (b"0" * 2040 + b"\r\nRM00FF") * (sent - 1) + b"0" * 2040 + b"\r\n"
+
+
+@on_simulated_time
+async def test_samples_that_find_the_protocol_not_reading_are_overruns() -> None:
+    gateway = VirtualGateway()
+    transport, protocol = await connected(gateway)
+    transport.write(b"GS000100010110\rGN00\r")
+    await asyncio.sleep(0.001)
+    transport.pause_reading()
+    await asyncio.sleep(3600)
+    assert len(transport._to_protocol) < HIGH_WATER + 100
+    transport.resume_reading()
+    await asyncio.sleep(0.01)
+    transport.write(b"GX00\r")
+    await asyncio.sleep(0.01)
+    samples = protocol.data.count(b"\nP")
+    assert samples + gateway.groups.overruns == pytest.approx(100_000 * 3600.011, abs=3)
+    assert samples < HIGH_WATER / 16 + 1200
+
+
+@on_simulated_time
+async def test_a_loop_that_was_busy_catches_up_on_the_true_instants_within_the_lag() -> None:
+    loop = asyncio.get_running_loop()
+    assert isinstance(loop, SimulatedTimeLoop)
+    gateway = VirtualGateway()
+    transport, protocol = await connected(gateway)
+    transport.write(b"GS000900640110\rGN00\r")
+    await asyncio.sleep(0)
+    await asyncio.sleep(0)
+    loop.be_busy(MOST_LAG / 2)
+    await asyncio.sleep(0.001)
+    stamps = [int(line[5:13], 16) for line in protocol.data.splitlines() if line.startswith(b"P")]
+    assert stamps[:3] == [500, 50_500, 100_500]
+    assert len(stamps) == 1 + round(MOST_LAG / 2 * 1000)
+    assert gateway.groups.overruns == 0
+    loop.be_busy(10 * MOST_LAG)
+    await asyncio.sleep(0.001)
+    assert gateway.groups.overruns == pytest.approx(10 * MOST_LAG * 1000, abs=2)
+    transport.abort()
+
+
+@on_simulated_time
+async def test_a_trigger_wakes_the_loop() -> None:
+    gateway = VirtualGateway()
+    _, protocol = await connected(gateway)
+    gateway.receive(b"GS000200010110\rGN00\r", 0.0)
+    await asyncio.sleep(5)
+    gateway.trigger(5.0)
+    await asyncio.sleep(0.001)
+    [(time, data)] = protocol.received
+    assert time == 5.0
+    assert data.startswith(b"P000000000000")
+
+
+@on_simulated_time
+async def test_answers_that_a_slow_line_holds_back_come_when_it_has_room() -> None:
+    transport, protocol = await connected(SlowLine(VirtualGateway(), 1000))
+    transport.write(b"RM00FF\r" + b"H\r" * 3)
+    await asyncio.sleep(10)
+    assert protocol.data.endswith(b"H\r\nH\r\nH\r\n")
+    assert protocol.received[-1][0] > 1.0
+
+
+@on_simulated_time
+async def test_requests_wait_outside_of_a_slow_line_that_is_full() -> None:
+    line = SlowLine(VirtualGateway(), 1e6)
+    transport, protocol = await connected(line)
+    transport.write(b"RM00FF\r" * 40_000)
+    await turns()
+    assert line.waiting <= HIGH_WATER + MOST_TAKEN
+    await asyncio.sleep(100)
+    assert protocol.data.count(b"\n") == 40_000
+
+
+@on_simulated_time
+async def test_closing_executes_what_was_written_and_aborting_does_not() -> None:
+    for end, word in (("close", 7), ("abort", 0)):
+        gateway = VirtualGateway()
+        transport, protocol = await connected(gateway)
+        transport.write(b"W1007\r")
+        getattr(transport, end)()
+        assert transport.is_closing()
+        transport.write(b"W1009\r")
+        transport.close()
+        await turns()
+        assert gateway.memory[0x10] == word
+        assert protocol.events == ["made", "lost None"]
+        assert protocol.received == []
+
+
+@on_simulated_time
+async def test_a_closed_transport_leaves_no_timer_behind() -> None:
+    transport, protocol = await connected(VirtualGateway())
+    transport.write(b"GS000100010110\rGN00\r")
+    await asyncio.sleep(0.001)
+    transport.abort()
+    count = len(protocol.received)
+    await asyncio.sleep(10)
+    assert len(protocol.received) == count
+
+
+@on_simulated_time
+async def test_a_gateway_may_be_connected_again_and_keeps_its_state() -> None:
+    gateway = VirtualGateway()
+    transport, _ = await connected(gateway)
+    transport.write(b"W1007\rK42\r")
+    await turns()
+    transport.abort()
+    transport, protocol = await connected(gateway)
+    assert transport.get_extra_info("gateway") is gateway
+    transport.write(b"R10\r")
+    await turns()
+    assert protocol.data == b"R1000000007\r\n"
+    assert gateway.expected == 0x42
