@@ -1,8 +1,8 @@
 """Runs a cocotb bench in GHDL from pytest: the only place that knows how a simulation is built and started.
 
-The sources are analysed once for each entity and state of `gateware/rtl` (the directory under `gateware/build/` is named
-after a hash of them), so a second run starts at once and a changed source is never run stale. Generics are given when
-the simulation starts, so all configurations share one build.
+The sources are analysed once for each entity and state of `gateware/rtl` (the directory under `gateware/build/` is
+named after a hash of them), so a second run starts at once and a changed source is never run stale. Generics are given
+when the simulation starts, so all configurations share one build.
 
 A bench fails if one of its tests fails, if none ran, or if the simulator printed a warning: an undriven or undefined
 signal shows up as a `numeric_std` warning and would otherwise pass unseen.

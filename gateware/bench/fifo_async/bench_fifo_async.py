@@ -4,13 +4,16 @@ from __future__ import annotations
 
 import os
 import random
+from typing import TYPE_CHECKING
 
 import cocotb
 from cocotb.clock import Clock
-from cocotb.handle import SimHandleBase
 from cocotb.triggers import ClockCycles, ReadOnly, RisingEdge, Timer
 
 from gateware.bench.streams import Sink, Source
+
+if TYPE_CHECKING:
+    from cocotb.handle import SimHandleBase
 
 _IN_PERIOD_PS = int(os.environ["IN_PERIOD_PS"])
 _OUT_PERIOD_PS = int(os.environ["OUT_PERIOD_PS"])

@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 import random
+from typing import TYPE_CHECKING
 
 import cocotb
-from cocotb.handle import SimHandleBase
 from cocotb.triggers import ReadOnly, RisingEdge
 
 from gateware.bench.streams import Sink, Source, start
+
+if TYPE_CHECKING:
+    from cocotb.handle import SimHandleBase
 
 
 async def _prepare(dut: SimHandleBase) -> None:

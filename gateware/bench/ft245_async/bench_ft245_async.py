@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 import random
+from typing import TYPE_CHECKING
 
 import cocotb
-from cocotb.handle import SimHandleBase
 from cocotb.triggers import ClockCycles, ReadOnly, RisingEdge, Timer
 
 from gateware.bench.ft245_async.chip import AsyncChip
 from gateware.bench.streams import Sink, Source, start
+
+if TYPE_CHECKING:
+    from cocotb.handle import SimHandleBase
 
 _PAUSES_NS = (0, 100, 1000)
 
@@ -112,9 +115,19 @@ async def from_50_mhz_on_it_writes_as_fast_as_the_chip_takes_bytes(dut: SimHandl
     await _source(dut).send(data)
     await Timer(2, unit="us")
     mean_ns = (chip.write_times[-1] - chip.write_times[0]) / (len(data) - 1)
-    dut._log.info("one byte in %.1f ns", mean_ns)
+    cocotb.log.info("one byte in %.1f ns", mean_ns)
     assert mean_ns <= 125, "the chip takes 8 MB/s"
     chip.stop()
+
+
+async def _note_flushes(dut: SimHandleBase, flushes: list[int]) -> None:
+    """Note after how many accepted bytes each flush came."""
+    accepted = 0
+    while True:
+        await RisingEdge(dut.clk)
+        accepted += int(dut.tx_valid.value == 1 and dut.tx_ready.value == 1)
+        if dut.flush.value == 1:
+            flushes.append(accepted)
 
 
 @cocotb.test
@@ -122,17 +135,8 @@ async def siwu_follows_the_last_byte_before_the_flush(dut: SimHandleBase) -> Non
     for most_pause in _PAUSES_NS:
         chip = await _prepare(dut, most_pause)
         rng = random.Random(13)
-        accepted, flushes = 0, []
-
-        async def count() -> None:
-            nonlocal accepted
-            while True:
-                await RisingEdge(dut.clk)
-                accepted += int(dut.tx_valid.value == 1 and dut.tx_ready.value == 1)
-                if dut.flush.value == 1:
-                    flushes.append(accepted)
-
-        counter = cocotb.start_soon(count())
+        flushes: list[int] = []
+        counter = cocotb.start_soon(_note_flushes(dut, flushes))
         source = cocotb.start_soon(_source(dut, 0.3).send(_data(150)))
         while not source.done():
             await ClockCycles(dut.clk, rng.choice((1, 2, 5, 20, 100)))

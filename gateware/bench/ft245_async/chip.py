@@ -1,20 +1,23 @@
 """The asynchronous FT245 FIFO as its datasheet draws it (FT232H, FT_000288, section 4.5, table 4.2).
 
-The chip checks every interval that it may demand, at our pins and longer by the skew that the gateware was built for, and
-uses every freedom that it has: its own delays are random between the limits of the datasheet, its data bus is undefined
-whenever it is not defined to be valid, and its flags come back after the least time or any longer one.
+The chip checks every interval that it may demand, at our pins and longer by the skew that the gateware was built for,
+and uses every freedom that it has: its own delays are random between the limits of the datasheet, its data bus is
+undefined whenever it is not defined to be valid, and its flags come back after the least time or any longer one.
 """
 
 from __future__ import annotations
 
 import random
 from collections import deque
+from typing import TYPE_CHECKING
 
 import cocotb
-from cocotb.handle import SimHandleBase
 from cocotb.triggers import Event, FallingEdge, RisingEdge, Timer
 from cocotb.types import LogicArray
 from cocotb.utils import get_sim_time
+
+if TYPE_CHECKING:
+    from cocotb.handle import SimHandleBase
 
 T1, T2, T3, T4 = (1, 14), 49, (1, 14), 30
 T6, T7, T8, T9, T10 = (1, 14), 49, 5, 5, 30

@@ -4,13 +4,16 @@ from __future__ import annotations
 
 import os
 import random
+from typing import TYPE_CHECKING
 
 import cocotb
-from cocotb.handle import SimHandleBase
 from cocotb.triggers import ClockCycles, RisingEdge, Timer
 
 from gateware.bench.ft245_sync.chip import PERIOD_PS, SyncChip
 from gateware.bench.streams import Sink, Source, start
+
+if TYPE_CHECKING:
+    from cocotb.handle import SimHandleBase
 
 _CLK_NS = float(os.environ["CLK_NS"])
 _FLAGS = ((0.0, 0.0), (0.5, 0.5), (0.1, 0.8), (0.8, 0.1), (0.03, 0.03))
@@ -129,22 +132,23 @@ async def a_burst_moves_one_byte_in_every_cycle_of_clkout(dut: SimHandleBase) ->
     chip.stop()
 
 
+async def _note_flushes(dut: SimHandleBase, flushes: list[int]) -> None:
+    """Note after how many accepted bytes each flush came."""
+    accepted = 0
+    while True:
+        await RisingEdge(dut.clk)
+        accepted += int(dut.tx_valid.value == 1 and dut.tx_ready.value == 1)
+        if dut.flush.value == 1:
+            flushes.append(accepted)
+
+
 @cocotb.test
 async def siwu_follows_the_last_byte_before_the_flush(dut: SimHandleBase) -> None:
     for _, no_txe in _FLAGS:
         chip = await _prepare(dut, 0.0, no_txe)
         rng = random.Random(13)
-        accepted, flushes = 0, []
-
-        async def count() -> None:
-            nonlocal accepted
-            while True:
-                await RisingEdge(dut.clk)
-                accepted += int(dut.tx_valid.value == 1 and dut.tx_ready.value == 1)
-                if dut.flush.value == 1:
-                    flushes.append(accepted)
-
-        counter = cocotb.start_soon(count())
+        flushes: list[int] = []
+        counter = cocotb.start_soon(_note_flushes(dut, flushes))
         source = cocotb.start_soon(_source(dut, 0.3).send(_data(150)))
         while not source.done():
             await ClockCycles(dut.clk, rng.choice((1, 2, 5, 20, 40)))

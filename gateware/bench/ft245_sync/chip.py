@@ -1,20 +1,24 @@
 """The synchronous FT245 FIFO as its datasheet draws it (FT232H, FT_000288, section 4.4, table 4.1).
 
-The chip makes CLKOUT. At each rising edge it looks at its pins, checks that they were stable for the setup time, and moves
-a byte where both halves of a handshake are low; then its own outputs change at a random instant of the 9 ns that they may
-take, the data bus being undefined until then. RXF# and TXE# go away in any cycle with the probabilities asked for.
+The chip makes CLKOUT. At each rising edge it looks at its pins, checks that they were stable for the setup time, and
+moves a byte where both halves of a handshake are low; then its own outputs change at a random instant of the 9 ns that
+they may take, the data bus being undefined until then. RXF# and TXE# go away in any cycle with the probabilities asked
+for.
 """
 
 from __future__ import annotations
 
 import random
 from collections import deque
+from typing import TYPE_CHECKING
 
 import cocotb
-from cocotb.handle import SimHandleBase
 from cocotb.triggers import Timer
 from cocotb.types import LogicArray
 from cocotb.utils import get_sim_time
+
+if TYPE_CHECKING:
+    from cocotb.handle import SimHandleBase
 
 PERIOD_PS = 16_667
 SETUP_PS = 7_500
@@ -85,7 +89,7 @@ class SyncChip:
             delay = self._rng.randrange(2, OUTPUT_PS)
             await Timer(delay - 1, unit="ps")
             dut.rxf_n.value, dut.txe_n.value = rxf_n, txe_n
-            # OE# falls right after an edge, so its own 9 ns (t6) are over at the next one, as those of CLKOUT (t5).
+            # The 9 ns after OE# fell (t6) are over at the next edge, as are those after CLKOUT (t5).
             if self._bit("oe_n") == 0 and not rxf_n:
                 dut.data_in.value = self.to_gateware[0]
             if delay < PERIOD_PS // 2:

@@ -7,13 +7,16 @@ says. What it decodes from the transmitter it samples in the middle of each bit 
 from __future__ import annotations
 
 import random
+from typing import TYPE_CHECKING
 
 import cocotb
-from cocotb.handle import SimHandleBase
 from cocotb.triggers import ClockCycles, FallingEdge, ReadOnly, RisingEdge, Timer
 from cocotb.utils import get_sim_time
 
 from gateware.bench.streams import Sink, Source, start
+
+if TYPE_CHECKING:
+    from cocotb.handle import SimHandleBase
 
 _HELD_BYTES = 1
 

@@ -24,11 +24,11 @@ entity fifo_async is
     depth : positive := 16
   );
   port (
-    in_clk    : in    std_logic;
-    in_rst    : in    std_logic;
-    in_data   : in    std_logic_vector(width - 1 downto 0);
-    in_valid  : in    std_logic;
-    in_ready  : out   std_logic;
+    in_clk   : in    std_logic;
+    in_rst   : in    std_logic;
+    in_data  : in    std_logic_vector(width - 1 downto 0);
+    in_valid : in    std_logic;
+    in_ready : out   std_logic;
     -- The most entries that can be inside, as far as the writing side knows; may be left open.
     in_level  : out   unsigned(log2_ceil(depth) downto 0);
     out_clk   : in    std_logic;
@@ -82,19 +82,19 @@ architecture rtl of fifo_async is
 
   signal memory : memory_t;
 
-  signal write_at      : pointer_t;
-  signal write_gray    : pointer_t;
-  signal read_meta     : pointer_t;
-  signal read_seen     : pointer_t;
-  signal not_full      : std_logic;
-  signal push          : std_logic;
+  signal write_at   : pointer_t;
+  signal write_gray : pointer_t;
+  signal read_meta  : pointer_t;
+  signal read_seen  : pointer_t;
+  signal not_full   : std_logic;
+  signal push       : std_logic;
 
-  signal read_at       : pointer_t;
-  signal read_gray     : pointer_t;
-  signal write_meta    : pointer_t;
-  signal write_seen    : pointer_t;
-  signal head_valid    : std_logic;
-  signal load          : std_logic;
+  signal read_at    : pointer_t;
+  signal read_gray  : pointer_t;
+  signal write_meta : pointer_t;
+  signal write_seen : pointer_t;
+  signal head_valid : std_logic;
+  signal load       : std_logic;
 
 begin
 

@@ -10,8 +10,8 @@ library ieee;
 
 entity fifo_port is
   port (
-    clk       : in    std_logic;
-    rst       : in    std_logic;
+    clk : in    std_logic;
+    rst : in    std_logic;
     -- Medium.
     in_data   : in    std_logic_vector(7 downto 0);
     in_lost   : in    std_logic := '0';
@@ -22,14 +22,14 @@ entity fifo_port is
     out_ready : in    std_logic;
     out_flush : out   std_logic;
     -- Core.
-    rx_data   : out   std_logic_vector(7 downto 0);
-    rx_lost   : out   std_logic;
-    rx_valid  : out   std_logic;
-    rx_ready  : in    std_logic;
-    tx_data   : in    std_logic_vector(7 downto 0);
-    tx_valid  : in    std_logic;
-    tx_ready  : out   std_logic;
-    flush     : in    std_logic
+    rx_data  : out   std_logic_vector(7 downto 0);
+    rx_lost  : out   std_logic;
+    rx_valid : out   std_logic;
+    rx_ready : in    std_logic;
+    tx_data  : in    std_logic_vector(7 downto 0);
+    tx_valid : in    std_logic;
+    tx_ready : out   std_logic;
+    flush    : in    std_logic
   );
 end entity fifo_port;
 

@@ -24,11 +24,11 @@ entity ft245_async is
     -- Hz.
     clock_hz : positive := 50_000_000;
     -- The most by which the delays of two pins of the FPGA differ, board included.
-    skew_ns  : natural  := 5
+    skew_ns : natural := 5
   );
   port (
-    clk      : in    std_logic;
-    rst      : in    std_logic;
+    clk : in    std_logic;
+    rst : in    std_logic;
     -- Pins; the top joins data_in, data_out and data_oe ('1': drive) to the bidirectional bus.
     data_in  : in    std_logic_vector(7 downto 0);
     data_out : out   std_logic_vector(7 downto 0);

@@ -33,11 +33,11 @@ entity ft245_sync is
     rx_depth : positive := 64;
     tx_depth : positive := 64;
     -- Bytes moved in one direction while the other one waits, at most.
-    burst    : positive := 256
+    burst : positive := 256
   );
   port (
-    clk      : in    std_logic;
-    rst      : in    std_logic;
+    clk : in    std_logic;
+    rst : in    std_logic;
     -- Pins; the top joins data_in, data_out and data_oe ('1': drive) to the bidirectional bus.
     clkout   : in    std_logic;
     data_in  : in    std_logic_vector(7 downto 0);
@@ -313,6 +313,7 @@ begin
           end if;
 
       end case;
+
     end if;
 
   end process bus_cycles;

@@ -28,21 +28,21 @@ library work;
 entity uart is
   generic (
     -- Hz.
-    clock_hz     : positive := 50_000_000;
+    clock_hz : positive := 50_000_000;
     -- Bits a second, at most clock_hz / 4.
     baud         : positive := 115_200;
     flow_control : boolean  := false;
     -- Bytes of the receiver's FIFO, where there is flow control; a power of two, at least 8.
-    rx_slack     : positive := 64
+    rx_slack : positive := 64
   );
   port (
-    clk      : in    std_logic;
-    rst      : in    std_logic;
+    clk : in    std_logic;
+    rst : in    std_logic;
     -- Pins; RTS# and CTS# may be left open without flow control.
-    rxd      : in    std_logic;
-    txd      : out   std_logic;
-    rts_n    : out   std_logic;
-    cts_n    : in    std_logic := '0';
+    rxd   : in    std_logic;
+    txd   : out   std_logic;
+    rts_n : out   std_logic;
+    cts_n : in    std_logic := '0';
     -- Core.
     rx_data  : out   std_logic_vector(7 downto 0);
     rx_lost  : out   std_logic;

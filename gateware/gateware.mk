@@ -1,0 +1,19 @@
+# Targets of the gateware; the Makefile above includes this file and brings VENV, BIN and ALL.
+
+.PHONY: rtl synth test-rtl lint-vhdl formal
+
+rtl: $(ALL) ## the gateware as C++ into unity_link/virtual/rtl/generated, from VHDL
+	@$(BIN)/python -m gateware.tools.model
+
+synth: $(ALL) ## logic cells, RAM and Fmax into gateware/RESULTS.md, checked against gateware/budget.toml
+	@$(BIN)/python -m gateware.tools.synth
+
+test-rtl: $(ALL) ## the benches of the gateware, in GHDL
+	@$(BIN)/python -m pytest gateware/bench $(PYTEST_ARGS)
+
+formal: $(ALL) ## the proofs of gateware/formal
+	@$(BIN)/python -m gateware.tools.formal
+
+lint-vhdl: $(ALL) ## the style of the VHDL sources
+	@$(BIN)/vsg --configuration gateware/vsg.yaml --output_format syntastic \
+		--filename $(sort $(shell find gateware/rtl gateware/boards -name '*.vhd'))

@@ -1,0 +1,58 @@
+"""VHDL to Verilog: one entity with chosen generics, all of its hierarchy in one file."""
+
+from __future__ import annotations
+
+import subprocess
+import tempfile
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from gateware.tools.cache import cache_folder, hash_of, vhdl_sources
+from gateware.tools.ghdl import converting_ghdl
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping, Sequence
+
+_STD = "--std=08"
+
+
+class ConversionError(Exception):
+    """A tool refused the sources; the message is what it said."""
+
+
+def to_verilog(top: str, generics: Mapping[str, object] | None = None, extra_sources: Sequence[Path] = ()) -> Path:
+    """Return a Verilog file of the entity `top`, converted unless that was done before.
+
+    Args:
+        top: name of the entity in `gateware/rtl` or `extra_sources`.
+        generics: values for its generics; what is not named keeps its default. Booleans may be Python's.
+        extra_sources: VHDL files beside those in `gateware/rtl`.
+
+    Raises:
+        ConversionError: if GHDL refuses the sources.
+        ToolMissingError: if there is no GHDL that can be used.
+    """
+    sources = [*vhdl_sources(), *(Path(source).resolve() for source in extra_sources)]
+    options = [f"-g{name}={_as_vhdl(value)}" for name, value in sorted((generics or {}).items())]
+    ghdl = converting_ghdl()
+    name = hash_of([ghdl.version(), top, *options, *(source.read_bytes() for source in sources)])
+    result = cache_folder("verilog") / f"{top}-{name}.v"
+    if result.exists():
+        return result
+    with tempfile.TemporaryDirectory() as scratch:
+        try:
+            # Imported first, so that GHDL itself finds the order in which the sources depend on each other.
+            ghdl.run("import", _STD, f"--workdir={scratch}", *map(str, sources), cwd=Path(scratch))
+            ghdl.run("make", _STD, f"--workdir={scratch}", top, cwd=Path(scratch))
+            arguments = [_STD, f"--workdir={scratch}", "--out=verilog", *options, top]
+            text = ghdl.run("synth", *arguments, cwd=Path(scratch))
+        except subprocess.CalledProcessError as error:
+            raise ConversionError(f"{top} with {dict(generics or {})}: {error.stderr.strip()}") from error
+    partial = result.with_suffix(".partial")
+    partial.write_text(text)
+    partial.replace(result)
+    return result
+
+
+def _as_vhdl(value: object) -> str:
+    return str(value).lower() if isinstance(value, bool) else str(value)

@@ -1,0 +1,137 @@
+"""A GHDL whose `synth` can be trusted: the system's from version 4 on, else Debian 13's 5.0.1 in a folder of its own.
+
+GHDL 2.0 (Debian 12's) writes Verilog in which the default of every `case` is missing; it simulates well, and is never
+used here. Where the system has nothing better, five packages of Debian 13 are fetched by apt from the mirror that it is
+set up with, unpacked into the cache, and run by their own loader and C library: nothing is installed.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import os
+import re
+import shutil
+import subprocess
+import tempfile
+from pathlib import Path
+
+from gateware.tools.cache import cache_folder
+
+_LEAST_VERSION = 4
+_SUITE = "trixie"
+_PACKAGES = ("ghdl-mcode", "ghdl-common", "libc6", "libgcc-s1", "zlib1g")
+_KEYRING = "/usr/share/keyrings/debian-archive-keyring.gpg"
+_DEFAULT_MIRROR = "http://deb.debian.org/debian"
+_MULTIARCH = "x86_64-linux-gnu"
+_LOADER = "usr/lib64/ld-linux-x86-64.so.2"
+
+
+class ToolMissingError(Exception):
+    """A tool is not there and can't be fetched; the message says what to install."""
+
+
+@dataclasses.dataclass(frozen=True)
+class Ghdl:
+    """How to run one GHDL."""
+
+    command: tuple[str, ...]
+    environment: dict[str, str]
+
+    def run(self, *arguments: str, cwd: Path | None = None) -> str:
+        """Run it and return its standard output.
+
+        Raises:
+            subprocess.CalledProcessError: if it fails; `stderr` holds what it said.
+        """
+        return subprocess.run(
+            [*self.command, *arguments],
+            env={**os.environ, **self.environment},
+            cwd=cwd,
+            check=True,
+            capture_output=True,
+            text=True,
+        ).stdout
+
+    def version(self) -> str:
+        """Return the version line, which is part of the name of what this GHDL made."""
+        return self.run("--version").splitlines()[0]
+
+
+def converting_ghdl() -> Ghdl:
+    """Return a GHDL of version 4 or later.
+
+    Raises:
+        ToolMissingError: if there is none and none can be fetched.
+    """
+    if shutil.which("ghdl"):
+        system = Ghdl(("ghdl",), {})
+        match = re.match(r"GHDL (\d+)", system.version())
+        if match and int(match[1]) >= _LEAST_VERSION:
+            return system
+    root = cache_folder("tools") / f"ghdl-{_SUITE}"
+    if not root.exists():
+        _fetch(root)
+    return Ghdl(
+        (
+            str(root / _LOADER),
+            "--library-path",
+            str(root / "usr/lib" / _MULTIARCH),
+            str(root / "usr/bin/ghdl-mcode"),
+        ),
+        {"GHDL_PREFIX": str(root / "usr/lib/ghdl/mcode/vhdl")},
+    )
+
+
+def _fetch(root: Path) -> None:
+    """Fetch and unpack the packages; the folder appears when it is complete."""
+    if not (shutil.which("apt-get") and Path(_KEYRING).exists()):
+        raise ToolMissingError(
+            f"GHDL {_LEAST_VERSION} or later converts the gateware, and there is none: install one from "
+            "https://github.com/ghdl/ghdl (on Debian 12 it is fetched by apt-get, on Debian 13: apt install ghdl)"
+        )
+    with tempfile.TemporaryDirectory(dir=root.parent, prefix="ghdl-") as scratch:
+        work = Path(scratch)
+        for folder in ("lists/partial", "cache/archives/partial", "root"):
+            (work / folder).mkdir(parents=True)
+        sources = work / "sources.list"
+        sources.write_text(f"deb [signed-by={_KEYRING}] {_mirror()} {_SUITE} main\n")
+        apt = [
+            "apt-get",
+            "-q",
+            f"-oDir::Etc::SourceList={sources}",
+            "-oDir::Etc::SourceParts=/dev/null",
+            f"-oDir::State::Lists={work / 'lists'}",
+            f"-oDir::Cache={work / 'cache'}",
+            # No installed package counts: its version would be asked for.
+            "-oDir::State::status=/dev/null",
+            "-oAPT::Sandbox::User=root",
+        ]
+        try:
+            for command in ("update", "download"):
+                subprocess.run(
+                    [*apt, command, *(_PACKAGES if command == "download" else ())],
+                    cwd=work,
+                    check=True,
+                    capture_output=True,
+                    text=True,
+                )
+            for package in work.glob("*.deb"):
+                subprocess.run(["dpkg", "-x", str(package), str(work / "root")], check=True, capture_output=True)
+        except subprocess.CalledProcessError as error:
+            reason = (error.stderr or "").strip().splitlines()[-1:] or ["no reason given"]
+            raise ToolMissingError(
+                f"GHDL {_LEAST_VERSION} or later converts the gateware; fetching Debian {_SUITE}'s failed: {reason[0]}"
+            ) from error
+        (work / "root").rename(root)
+
+
+def _mirror() -> str:
+    """Return the Debian mirror that this machine is set up with."""
+    listing = subprocess.run(
+        ["apt-get", "indextargets", "--format", "$(LABEL) $(REPO_URI)", "Created-By: Packages"],
+        check=False,
+        capture_output=True,
+        text=True,
+    ).stdout
+    mirrors = [line.split()[1] for line in listing.splitlines() if line.startswith("Debian ")]
+    return mirrors[0] if mirrors else _DEFAULT_MIRROR
