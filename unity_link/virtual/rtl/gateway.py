@@ -1,0 +1,295 @@
+"""One gateway that is the gateware: bytes and the time go in, bytes come out, clock cycles pass in between.
+
+Time. The gateware knows only cycles of its clock, and its `Q` says truthfully how many there are in a second. This
+machine simulates a few million of them in a second, so a served gateway is clocked far slower than a board. While
+nothing that depends on time can happen, simulated time stands still between calls and each request costs only the
+cycles that it takes. Once a group was started, time has to pass: from then until the answer to `K` (which stops all
+groups), `next_due` asks for `advance` every `SLICE` seconds and cycles keep pace with the `now` that it is given. What
+a slow machine can't make up for in one call (`MOST_CYCLES`) is left out: the gateware's time then falls behind, as its
+timestamps show, but nothing piles up.
+
+So timestamps of one subscription are exact to the cycle, and two subscriptions with rest between them seem closer in
+time than they were.
+"""
+
+from __future__ import annotations
+
+import ctypes
+import weakref
+from collections.abc import Iterable, Iterator, MutableMapping
+from typing import TYPE_CHECKING
+
+from unity_link.errors import ArgumentError, ConnectError
+from unity_link.virtual.bus import AccessError, Device
+from unity_link.virtual.rtl.library import DeviceFunction, load
+from unity_link.wire.gateway_info import GatewayInfo
+from unity_link.wire.messages import ErrorCode
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+SLICE = 0.001
+"""Seconds between two calls of `advance` while groups may be running."""
+MOST_CYCLES = 500_000
+"""Cycles that pass in one call at most because of time."""
+_MOST_TO_QUIET = 50_000_000
+_MOST_TO_QUIET_WITH_GROUPS = 8192
+_UNLIMITED = ctypes.c_size_t(-1).value
+_BEHIND_MEMORY, _BEHIND_DEVICE = 0, 3
+_ANSWERS = {ErrorCode.BUS_ERROR: 1, ErrorCode.BUS_TIMEOUT: 2}
+_TRIGGER_CYCLES = 8
+
+
+class RtlMemory(MutableMapping[int, int]):
+    """Words behind the gateware by address; what was never written is 0, and 0 counts as not written."""
+
+    def __init__(self, library: ctypes.CDLL, handle: int, info: GatewayInfo) -> None:
+        self._library, self._handle = library, handle
+        self._address_bits, self._data_bits = info.address_bits, info.data_bits
+
+    def __getitem__(self, address: int) -> int:
+        self._check(address)
+        return int(self._library.ul_read_memory(self._handle, address))
+
+    def __setitem__(self, address: int, word: int) -> None:
+        self._check(address)
+        if not 0 <= word < 1 << self._data_bits:
+            raise ArgumentError(f"word {word:#x} does not fit in {self._data_bits} bits")
+        self._library.ul_write_memory(self._handle, address, word)
+
+    def __delitem__(self, address: int) -> None:
+        self[address] = 0
+
+    def __iter__(self) -> Iterator[int]:
+        count = len(self)
+        used = (ctypes.c_uint64 * count)()
+        self._library.ul_used_memory(self._handle, used, count)
+        return iter(list(used))
+
+    def __len__(self) -> int:
+        return int(self._library.ul_used_memory(self._handle, None, 0))
+
+    def _check(self, address: int) -> None:
+        if not 0 <= address < 1 << self._address_bits:
+            raise ArgumentError(f"address {address:#x} does not fit in {self._address_bits} bits")
+
+
+class RtlGateway:
+    """The gateware with plain memory at every address.
+
+    Args:
+        configuration: which build of it, one of `configurations()`.
+
+    Raises:
+        ArgumentError: for a configuration that there is not.
+        ConnectError: where no C++ compiler is installed.
+    """
+
+    def __init__(self, configuration: str = "default") -> None:
+        self._library = load(configuration)
+        self._handle = int(self._library.ul_create())
+        self._free = weakref.finalize(self, self._library.ul_destroy, self._handle)
+        self.wake: Callable[[], None] = _do_nothing
+        self._origin: float | None = None
+        self._ticking = False
+        self._last_sent = self._last_received = b""
+        self._devices: dict[int, tuple[Device, int]] = {}
+        self._fault: BaseException | None = None
+        # The library keeps the address alone: the function must live as long as the gateway.
+        self._device_function = DeviceFunction(_device_of(weakref.ref(self)))
+        self._library.ul_set_device(self._handle, self._device_function, None)
+        self.info = self._ask_for_info()
+        self.memory = RtlMemory(self._library, self._handle, self.info)
+
+    def reset(self) -> None:
+        """Go back to the state after power-up. What is behind the bus stays as it is."""
+        self._library.ul_reset(self._handle)
+        self._origin = None
+        self._ticking = False
+        self._last_sent = self._last_received = b""
+
+    # What is behind the bus
+
+    def attach(self, device: Device, addresses: Iterable[int]) -> None:
+        """Put a device behind addresses, in place of what was there; the first is its offset 0.
+
+        Raises:
+            ArgumentError: for an address that does not fit.
+        """
+        places = list(addresses)
+        for address in places:
+            if not 0 <= address < 1 << self.info.address_bits:
+                raise ArgumentError(f"address {address:#x} does not fit in {self.info.address_bits} bits")
+        for offset, address in enumerate(places):
+            self._devices[address] = device, offset
+            self._library.ul_set_behind(self._handle, address, _BEHIND_DEVICE)
+
+    def detach(self, addresses: Iterable[int]) -> None:
+        """Make addresses plain memory again."""
+        for address in addresses:
+            self._devices.pop(address, None)
+            self._library.ul_set_behind(self._handle, address, _BEHIND_MEMORY)
+
+    # Time
+
+    @property
+    def cycles(self) -> int:
+        """Clock cycles since the last reset."""
+        return int(self._library.ul_cycles(self._handle))
+
+    @property
+    def flushes(self) -> int:
+        """How often the gateware asked its medium to send at once, since the last reset."""
+        return int(self._library.ul_flushes(self._handle))
+
+    @property
+    def waiting(self) -> int:
+        """Bytes that wait for room in the receive FIFO."""
+        return int(self._library.ul_waiting(self._handle))
+
+    @property
+    def next_due(self) -> float | None:
+        """When `advance` should be called next; None while time makes no difference."""
+        if self._origin is None or not (self._ticking or self.waiting):
+            return None
+        return self._time() + SLICE
+
+    def receive(self, data: bytes, now: float) -> bytes:
+        """Take bytes at the time `now` (seconds), and give what is sent until the gateway has nothing left to do."""
+        self._pass_time(now)
+        self._library.ul_push(self._handle, data, len(data))
+        self._watch_starts(data)
+        return self._settle()
+
+    def advance(self, now: float, room: int | None = None) -> bytes:
+        """Let time pass up to `now` (seconds), and give what was sent, as far as there is `room`."""
+        self._library.ul_set_room(self._handle, _UNLIMITED if room is None else room)
+        self._pass_time(now)
+        if self.waiting:
+            self._run_until_quiet()
+        self._library.ul_set_room(self._handle, _UNLIMITED)
+        return self._pull()
+
+    def overflow(self) -> None:
+        """Lose bytes before the next one received: the frame that they belong to is answered by error 09."""
+        self._library.ul_lose(self._handle)
+
+    def trigger(self, now: float) -> None:
+        """Give a rising edge to all external triggers; the publishes come out of the next call."""
+        self._pass_time(now)
+        for level in (1, 0):
+            self._library.ul_set_trigger(self._handle, level)
+            self._run(_TRIGGER_CYCLES)
+        self._run_until_quiet()
+        self.wake()
+
+    def run(self, cycles: int) -> bytes:
+        """Let exactly so many clock cycles pass, and give what was sent."""
+        self._run(cycles)
+        return self._pull()
+
+    # The inside
+
+    def _ask_for_info(self) -> GatewayInfo:
+        answer = self.receive(b"Q\r", 0.0)
+        self.reset()
+        if not answer.startswith(b"Q"):
+            raise ConnectError(f"the gateware answered {answer!r} to Q: it was not built as it should be")
+        return GatewayInfo.from_hex(answer[1:-2])
+
+    def _time(self) -> float:
+        """The gateway's time in the caller's seconds."""
+        assert self._origin is not None
+        return self._origin + self.cycles / self.info.clock_hz
+
+    def _pass_time(self, now: float) -> None:
+        """Let cycles pass up to `now`, where they matter; else say that now is now."""
+        if not hasattr(self, "info"):
+            return
+        if self._origin is not None and (self._ticking or self._time() > now):
+            missing = round((now - self._time()) * self.info.clock_hz)
+            if missing > 0:
+                self._run(min(missing, MOST_CYCLES))
+            if missing <= MOST_CYCLES:
+                return
+        self._origin = now - self.cycles / self.info.clock_hz
+
+    def _watch_starts(self, data: bytes) -> None:
+        """Take note of a request that may start a group; it is not parsed, as waiting for nothing costs only cycles."""
+        seen = self._last_received + data
+        self._ticking = self._ticking or b"GN" in seen or b"gn" in seen
+        self._last_received = seen[-1:]
+
+    def _watch_stops(self, sent: bytes) -> None:
+        """Take note of the answer to K: all groups have stopped."""
+        seen = self._last_sent + sent
+        at = max(seen.rfind(b"\nK"), 0 if self._last_sent == b"" and seen.startswith(b"K") else -1)
+        if at >= 0:
+            self._ticking = b"GN" in seen[at:] or b"gn" in seen[at:]
+        self._last_sent = seen[-1:]
+
+    def _settle(self) -> bytes:
+        self._run_until_quiet()
+        return self._pull()
+
+    def _run(self, cycles: int) -> None:
+        self._library.ul_run(self._handle, cycles)
+        self._raise_fault()
+
+    def _run_until_quiet(self) -> None:
+        most = _MOST_TO_QUIET_WITH_GROUPS if self._ticking else _MOST_TO_QUIET
+        self._library.ul_run_until_quiet(self._handle, most)
+        self._raise_fault()
+
+    def _pull(self) -> bytes:
+        size = int(self._library.ul_available(self._handle))
+        if not size:
+            return b""
+        buffer = ctypes.create_string_buffer(size)
+        self._library.ul_pull(self._handle, buffer, size)
+        sent = buffer.raw
+        self._watch_stops(sent)
+        return sent
+
+    def _access(self, address: int, word: int | None) -> int:
+        """Let a device answer one access; gives the word read."""
+        device, offset = self._devices[address]
+        now = self._time() if self._origin is not None else 0.0
+        if word is None:
+            return device.read(offset, now) & (1 << self.info.data_bits) - 1
+        device.write(offset, word, now)
+        return 0
+
+    def _raise_fault(self) -> None:
+        """Raise what a device raised while cycles passed: no exception gets through the C++ in between."""
+        fault, self._fault = self._fault, None
+        if fault is not None:
+            raise fault
+
+    def _answer_access(self, address: int, write: int, word: ctypes._Pointer[ctypes.c_uint64]) -> int:
+        try:
+            read = self._access(address, int(word[0]) if write else None)
+        except AccessError as refusal:
+            return _ANSWERS[refusal.code]
+        except BaseException as fault:  # noqa: BLE001  (kept, and raised where the call came from)
+            self._fault = fault
+            return _ANSWERS[ErrorCode.BUS_ERROR]
+        if not write:
+            word[0] = ctypes.c_uint64(read)
+        return 0
+
+
+def _device_of(
+    gateway: weakref.ref[RtlGateway],
+) -> Callable[[int | None, int, int, ctypes._Pointer[ctypes.c_uint64]], int]:
+    """Give the function that the library calls; it holds the gateway weakly, which holds it."""
+
+    def answer(_context: int | None, address: int, write: int, word: ctypes._Pointer[ctypes.c_uint64]) -> int:
+        behind = gateway()
+        return _ANSWERS[ErrorCode.BUS_TIMEOUT] if behind is None else behind._answer_access(address, write, word)  # noqa: SLF001
+
+    return answer
+
+
+def _do_nothing() -> None:
+    """Stand in for `wake` where nobody drives the gateway by a clock."""

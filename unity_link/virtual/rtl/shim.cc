@@ -1,0 +1,280 @@
+// What stands around the gateware when it runs in a process: a clock, the medium, and a bus with memory and devices.
+//
+// The generated C++ (UL_MODEL names the file) is the entity `unity_link_fifo`, cycle for cycle. This file gives it, in
+// every cycle, what a medium and a Wishbone bus would, and shows the rest of the world a C interface for ctypes. Time is
+// the number of clock cycles and nothing else: it passes only in `ul_run` and `ul_run_until_quiet`.
+//
+// Order within a cycle: inputs are set with the clock low, the logic settles, both sides' signals are looked at as a
+// register would see them at the coming edge, then the clock rises. So handshakes are exact, and no output is ever read
+// before it has settled (CXXRTL needs the step with the clock low for that).
+//
+// The bus answers each access with the cycle after it, as block RAM does: `ack` is a register. In classic mode the
+// strobe that is still up beside `ack` belongs to the access just answered.
+
+#include UL_MODEL
+
+#include <cstdint>
+#include <cstring>
+#include <deque>
+#include <limits>
+#include <unordered_map>
+#include <vector>
+
+namespace {
+
+using Top = cxxrtl_design::p_unity__link__fifo;
+
+// A bus access that the caller answers. `value` is the word written, or takes the word read. Gives an Answer.
+using Device = int (*)(void *context, uint64_t address, int write, uint64_t *value);
+
+enum Answer { ANSWER_ACK = 0, ANSWER_ERROR = 1, ANSWER_NONE = 2 };
+
+// What is behind an address that is no plain memory: one of Answer, or the device.
+constexpr uint8_t BEHIND_MEMORY = 0;
+constexpr uint8_t BEHIND_DEVICE = 3;
+
+// Up to this width, memory is one array; above, a table of the words that were written.
+constexpr size_t MOST_DIRECT_BITS = 20;
+
+// So many cycles without a byte and without a bus access mean that the gateway has nothing left to do.
+constexpr uint64_t QUIET_CYCLES = 96;
+
+template<size_t Bits>
+uint64_t get(const cxxrtl::value<Bits> &signal) { return signal.template get<uint64_t>(); }
+
+template<size_t Bits>
+uint64_t get(const cxxrtl::wire<Bits> &signal) { return signal.curr.template get<uint64_t>(); }
+
+template<size_t Bits>
+void set(cxxrtl::value<Bits> &signal, uint64_t value) { signal.template set<uint64_t>(value); }
+
+template<size_t Bits>
+size_t width(const cxxrtl::value<Bits> &) { return Bits; }
+
+template<size_t Bits>
+size_t width(const cxxrtl::wire<Bits> &) { return Bits; }
+
+template<size_t Bits>
+void fill(cxxrtl::value<Bits> &signal, bool level) {
+	for (auto &chunk : signal.data)
+		chunk = level ? std::numeric_limits<cxxrtl::chunk_t>::max() : 0;
+	signal.data[cxxrtl::value<Bits>::chunks - 1] &= cxxrtl::value<Bits>::msb_mask;
+}
+
+class Memory {
+public:
+	explicit Memory(size_t address_bits) : direct_(address_bits <= MOST_DIRECT_BITS) {
+		if (direct_)
+			words_.resize(size_t{1} << address_bits);
+	}
+
+	uint64_t read(uint64_t address) const {
+		if (direct_)
+			return words_[address];
+		auto found = table_.find(address);
+		return found == table_.end() ? 0 : found->second;
+	}
+
+	void write(uint64_t address, uint64_t value) {
+		if (direct_)
+			words_[address] = value;
+		else
+			table_[address] = value;
+	}
+
+	// All addresses whose word is not zero.
+	std::vector<uint64_t> used() const {
+		std::vector<uint64_t> addresses;
+		for (size_t address = 0; address < words_.size(); ++address)
+			if (words_[address])
+				addresses.push_back(address);
+		for (auto &entry : table_)
+			if (entry.second)
+				addresses.push_back(entry.first);
+		return addresses;
+	}
+
+private:
+	bool direct_;
+	std::vector<uint64_t> words_;
+	std::unordered_map<uint64_t, uint64_t> table_;
+};
+
+class Gateway {
+public:
+	Gateway() : memory(width(top_.p_wb__adr)) { reset(); }
+
+	// Everything but memory and what is behind addresses goes back to power-up.
+	void reset() {
+		top_.reset();
+		to_gateway.clear();
+		from_gateway.clear();
+		lost_before_next = false;
+		ack_ = err_ = false;
+		read_data_ = 0;
+		set(top_.p_rst, 1);
+		run(2);
+		set(top_.p_rst, 0);
+		cycles = 0;
+		flushes = 0;
+		quiet_ = 0;
+	}
+
+	void run(uint64_t count) {
+		for (; count; --count)
+			cycle();
+	}
+
+	// Runs until nothing moves any more, or what moves waits for room; at most `most` cycles. Gives the cycles run.
+	uint64_t run_until_quiet(uint64_t most) {
+		uint64_t count = 0;
+		quiet_ = 0;
+		while (quiet_ < QUIET_CYCLES && count < most) {
+			cycle();
+			++count;
+		}
+		return count;
+	}
+
+	std::deque<uint8_t> to_gateway;
+	std::vector<uint8_t> from_gateway;
+	Memory memory;
+	std::unordered_map<uint64_t, uint8_t> behind;
+	Device device = nullptr;
+	void *device_context = nullptr;
+	uint64_t cycles = 0;
+	uint64_t flushes = 0;
+	size_t room = std::numeric_limits<size_t>::max();
+	bool lost_before_next = false;
+	bool trigger = false;
+
+private:
+	void cycle() {
+		const bool offered = !to_gateway.empty();
+		const bool room_left = from_gateway.size() < room;
+		set(top_.p_in__valid, offered);
+		set(top_.p_in__data, offered ? to_gateway.front() : 0);
+		set(top_.p_in__lost, offered && lost_before_next);
+		set(top_.p_out__ready, room_left);
+		set(top_.p_wb__ack, ack_);
+		set(top_.p_wb__err, err_);
+		set(top_.p_wb__dat__i, read_data_);
+		fill(top_.p_trigger, trigger);
+		set(top_.p_clk, 0);
+		top_.step();
+
+		const bool taken = offered && get(top_.p_in__ready);
+		const bool sent = room_left && get(top_.p_out__valid);
+		const bool on_bus = get(top_.p_wb__cyc);
+		if (taken) {
+			to_gateway.pop_front();
+			lost_before_next = false;
+		}
+		if (sent)
+			from_gateway.push_back(get(top_.p_out__data));
+		if (get(top_.p_out__flush))
+			++flushes;
+		const bool answered = ack_ || err_;
+		ack_ = err_ = false;
+		if (on_bus && get(top_.p_wb__stb) && !answered)
+			access();
+
+		set(top_.p_clk, 1);
+		top_.step();
+		++cycles;
+		quiet_ = (taken || sent || on_bus) ? 0 : quiet_ + 1;
+	}
+
+	// One access of the bus; the answer stands in the registers from the next cycle on.
+	void access() {
+		const uint64_t address = get(top_.p_wb__adr);
+		const bool write = get(top_.p_wb__we);
+		uint64_t value = write ? get(top_.p_wb__dat__o) : 0;
+		int answer = ANSWER_ACK;
+		uint8_t kind = BEHIND_MEMORY;
+		if (!behind.empty()) {
+			auto found = behind.find(address);
+			if (found != behind.end())
+				kind = found->second;
+		}
+		if (kind == BEHIND_DEVICE && device)
+			answer = device(device_context, address, write, &value);
+		else if (kind != BEHIND_MEMORY)
+			answer = kind;
+		else if (write)
+			memory.write(address, value);
+		else
+			value = memory.read(address);
+		ack_ = answer == ANSWER_ACK;
+		err_ = answer == ANSWER_ERROR;
+		read_data_ = value;
+	}
+
+	Top top_;
+	bool ack_ = false;
+	bool err_ = false;
+	uint64_t read_data_ = 0;
+	uint64_t quiet_ = 0;
+};
+
+} // namespace
+
+extern "C" {
+
+// One gateway in reset state with memory of zeros. Free it with ul_destroy.
+Gateway *ul_create() { return new Gateway; }
+void ul_destroy(Gateway *gateway) { delete gateway; }
+void ul_reset(Gateway *gateway) { gateway->reset(); }
+
+void ul_run(Gateway *gateway, uint64_t cycles) { gateway->run(cycles); }
+uint64_t ul_run_until_quiet(Gateway *gateway, uint64_t most) { return gateway->run_until_quiet(most); }
+uint64_t ul_cycles(const Gateway *gateway) { return gateway->cycles; }
+uint64_t ul_flushes(const Gateway *gateway) { return gateway->flushes; }
+
+// Bytes wait here until the gateway's receive FIFO has room for them.
+void ul_push(Gateway *gateway, const uint8_t *data, size_t size) {
+	gateway->to_gateway.insert(gateway->to_gateway.end(), data, data + size);
+}
+size_t ul_waiting(const Gateway *gateway) { return gateway->to_gateway.size(); }
+
+// The next byte that the gateway takes carries the mark that bytes before it were lost.
+void ul_lose(Gateway *gateway) { gateway->lost_before_next = true; }
+
+// The gateway can't send more than so many bytes until they are pulled.
+void ul_set_room(Gateway *gateway, size_t bytes) { gateway->room = bytes; }
+size_t ul_available(const Gateway *gateway) { return gateway->from_gateway.size(); }
+size_t ul_pull(Gateway *gateway, uint8_t *data, size_t size) {
+	auto &bytes = gateway->from_gateway;
+	const size_t count = std::min(size, bytes.size());
+	std::memcpy(data, bytes.data(), count);
+	bytes.erase(bytes.begin(), bytes.begin() + count);
+	return count;
+}
+
+// The level of all external triggers.
+void ul_set_trigger(Gateway *gateway, int level) { gateway->trigger = level != 0; }
+
+uint64_t ul_read_memory(const Gateway *gateway, uint64_t address) { return gateway->memory.read(address); }
+void ul_write_memory(Gateway *gateway, uint64_t address, uint64_t value) { gateway->memory.write(address, value); }
+
+// The addresses of all words that are not zero; gives how many there are and writes at most `size` of them.
+size_t ul_used_memory(const Gateway *gateway, uint64_t *addresses, size_t size) {
+	auto used = gateway->memory.used();
+	std::copy(used.begin(), used.begin() + std::min(size, used.size()), addresses);
+	return used.size();
+}
+
+// What is behind an address: 0 memory, 1 an error, 2 no answer, 3 the device.
+void ul_set_behind(Gateway *gateway, uint64_t address, uint8_t kind) {
+	if (kind == BEHIND_MEMORY)
+		gateway->behind.erase(address);
+	else
+		gateway->behind[address] = kind;
+}
+
+void ul_set_device(Gateway *gateway, Device device, void *context) {
+	gateway->device = device;
+	gateway->device_context = context;
+}
+
+}
