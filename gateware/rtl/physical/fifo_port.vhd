@@ -2,8 +2,8 @@
 -- processor, a network stack, another clock domain behind a `fifo_async`.
 --
 -- The medium's side names its streams by direction as the link sees them: `in` goes into the link. `in_lost` marks a
--- byte before which the medium lost some; a medium that loses none leaves it open. `out_flush` pulses in the cycle after
--- the one in which the last byte meant by `flush` has left, so it never overtakes one.
+-- byte before which the medium lost some; a medium that loses none leaves it open. `out_flush` pulses in the cycle
+-- after the one in which the last byte meant by `flush` has left, so it never overtakes one.
 
 library ieee;
   use ieee.std_logic_1164.all;

@@ -5,8 +5,8 @@
 -- after it has risen, which is right whichever edge the chip latches at (editions of the datasheet differ on T9).
 --
 -- RXF# and TXE# have no relation to the clock, so they pass two registers. What is seen is two cycles old; after an
--- access, the flag that it withdraws (T1 and T6, 14 ns at most) is not believed until what is seen was sampled later than
--- that. Between the two directions, the one that did not go last goes first.
+-- access, the flag that it withdraws (T1 and T6, 14 ns at most) is not believed until what is seen was sampled later
+-- than that. Between the two directions, the one that did not go last goes first.
 --
 -- A byte to send is put on the bus before TXE# allows it, so that its setup time costs nothing; if a byte to receive
 -- comes in the meantime, the bus is given back.

@@ -1,24 +1,24 @@
 -- Physical layer: the synchronous FT245 FIFO of an FT232H or FT2232H: one byte in every cycle of its 60 MHz CLKOUT.
 --
--- Timing (FT232H datasheet FT_000288, table 4.1). The chip's outputs are valid 9 ns after CLKOUT rises, its inputs must be
--- so 7.5 ns before: of 16.67 ns, 7.67 are left for the way in and 9.17 for the way out. Hence all outputs are registers,
--- and RXF#, TXE# and the data pass at most one level of logic before one. A byte has moved if, at a rising edge, RD# and
--- RXF# (or WR# and TXE#) were both low at the pins; nothing but that is ever counted, so the chip may take its flag
--- away in any cycle of a burst.
+-- Timing (FT232H datasheet FT_000288, table 4.1). The chip's outputs are valid 9 ns after CLKOUT rises, its inputs must
+-- be so 7.5 ns before: of 16.67 ns, 7.67 are left for the way in and 9.17 for the way out. Hence all outputs are
+-- registers, and RXF#, TXE# and the data pass at most one level of logic before one. A byte has moved if, at a rising
+-- edge, RD# and RXF# (or WR# and TXE#) were both low at the pins; nothing but that is ever counted, so the chip may
+-- take its flag away in any cycle of a burst.
 --
--- Turnaround. OE# low one cycle after our drivers are off, RD# low one cycle after OE#; back: RD# and OE# high, then one
--- cycle in which nobody drives. A direction is kept until the other one has something to do, and then for at most `burst`
--- bytes more.
+-- Turnaround. OE# low one cycle after our drivers are off, RD# low one cycle after OE#; back: RD# and OE# high, then
+-- one cycle in which nobody drives. A direction is kept until the other one has something to do, and then for at most
+-- `burst` bytes more.
 --
 -- Clocks. CLKOUT runs only while the PC holds the chip in synchronous mode. The strobes are reset asynchronously, as
 -- CLKOUT may stand with one of them low. Both FIFOs stand between the two clocks. A
--- reset lasts for four cycles of clk on the chip's side, so that the core's side is surely in reset when that one leaves
--- it; and the core's side stays in reset until the chip's side reports that it was reset. So a reset without CLKOUT is
--- remembered, and nothing is kept from before it.
+-- reset lasts for four cycles of clk on the chip's side, so that the core's side is surely in reset when that one
+-- leaves it; and the core's side stays in reset until the chip's side reports that it was reset. So a reset without
+-- CLKOUT is remembered, and nothing is kept from before it.
 --
 -- `flush` passes the transmit FIFO as a marker between the bytes (bit 8). When it comes out and the last byte before it
--- was accepted by the chip, SIWU# goes low for 16 cycles of CLKOUT (267 ns; 250 are asked for), and no byte follows before
--- its end. A flush with no byte since the last one is dropped, as what the chip makes of it is not documented.
+-- was accepted by the chip, SIWU# goes low for 16 cycles of CLKOUT (267 ns; 250 are asked for), and no byte follows
+-- before its end. A flush with no byte since the last one is dropped, as what the chip makes of it is not documented.
 
 library ieee;
   use ieee.std_logic_1164.all;

@@ -3,12 +3,12 @@
 -- Rates. Receiver and transmitter each have a phase accumulator that counts in fractions of a bit: any baud rate comes
 -- out within 0.05 %, and no two edges are ever more than one clock cycle away from where they should be.
 --
--- Sampling. Where a bit is 16 clock cycles long or more, the line is looked at 16 times a bit and filtered by a majority
--- of three, so that a glitch of less than floor(clock / baud / 16) cycles is nothing. Faster than that, the line is
--- looked at in every clock cycle: the start edge is then known to one cycle, and the middle of each bit is sampled at
---   t + ceil(b/2 - 1 + k*b) cycles,   0 < t <= 1 (where in the cycle the edge came), b = clock / baud,
--- that is between b/2 - 1 and b/2 + 1 cycles after the bit's beginning. At b = 4 one cycle is left on either side, which
--- bears a baud error of 2.6 % until the stop bit.
+-- Sampling. Where a bit is 16 clock cycles long or more, the line is looked at 16 times a bit and filtered by a
+-- majority of three, so that a glitch of less than floor(clock / baud / 16) cycles is nothing. Faster than that, the
+-- line is looked at in every clock cycle: the start edge is then known to one cycle, and the middle of each bit is
+-- sampled at t + ceil(b/2 - 1 + k*b) cycles,   0 < t <= 1 (where in the cycle the edge came), b = clock / baud, that is
+-- between b/2 - 1 and b/2 + 1 cycles after the bit's beginning. At b = 4 one cycle is left on either side, which bears
+-- a baud error of 2.6 % until the stop bit.
 --
 -- Lost bytes. A byte that arrives while the one before it still waits, and a byte without a stop bit (noise, a break),
 -- is dropped, and the next one carries `rx_lost`. After reset and after a break the line must be seen high first.
