@@ -1,0 +1,46 @@
+-- Reset at power-up and at a button: for 16 cycles after the FPGA was configured, and while `button` is '1'.
+--
+-- The count starts from the initial value of its register, which FPGAs that load their configuration from outside honour.
+
+library ieee;
+  use ieee.std_logic_1164.all;
+  use ieee.numeric_std.all;
+
+entity board_reset is
+  port (
+    clk    : in    std_logic;
+    -- From a pin, any timing; leave it open if there is none.
+    button : in    std_logic := '0';
+    rst    : out   std_logic
+  );
+end entity board_reset;
+
+architecture rtl of board_reset is
+
+  -- vsg_off signal_007
+  signal button_meta : std_logic := '0';
+  signal button_seen : std_logic := '0';
+
+  signal waited : unsigned(4 downto 0) := (others => '0');
+  -- vsg_on signal_007
+
+begin
+
+  rst <= not waited(waited'high);
+
+  wait_a_while : process (clk) is
+  begin
+
+    if rising_edge(clk) then
+      button_meta <= button;
+      button_seen <= button_meta;
+      if button_seen = '1' then
+        waited <= (others => '0');
+      elsif waited(waited'high) = '0' then
+        waited <= waited + 1;
+      end if;
+    end if;
+
+  end process wait_a_while;
+
+end architecture rtl;

@@ -1,0 +1,101 @@
+-- Unity-Link on the open ECP5/FT2232HQ board (gildobjanschi/ECP5_BGA381_FT2232HQ_FIFO, rev. A): synchronous FT245.
+--
+-- An ECP5-25 with an FT2232H whose channel A is wired as a FIFO, all of its pins. The gateway runs on the board's
+-- oscillator of 24.576 MHz; `ft245_sync` crosses to the 60 MHz of the chip, which runs only while the PC holds it in
+-- synchronous mode (`ft232h://...` does). Any FT232H module on any ECP5 is wired alike: change the .lpf alone.
+-- Behind the gateway stands `demo_slave`, whose first four LEDs the board has.
+
+library ieee;
+  use ieee.std_logic_1164.all;
+  use ieee.numeric_std.all;
+
+entity ecp5_ft2232h is
+  port (
+    clk_24576000   : in    std_logic;
+    btn_reset      : in    std_logic;
+    ft2232_reset_n : out   std_logic;
+    fifo_clk       : in    std_logic;
+    fifo_data      : inout std_logic_vector(7 downto 0);
+    fifo_rxf_n     : in    std_logic;
+    fifo_txe_n     : in    std_logic;
+    fifo_rd_n      : out   std_logic;
+    fifo_wr_n      : out   std_logic;
+    fifo_oe_n      : out   std_logic;
+    fifo_siwu      : out   std_logic;
+    leds           : out   std_logic_vector(3 downto 0)
+  );
+end entity ecp5_ft2232h;
+
+architecture rtl of ecp5_ft2232h is
+
+  signal rst          : std_logic;
+  signal ft_data_out  : std_logic_vector(7 downto 0);
+  signal ft_data_oe   : std_logic;
+  signal wb_cyc       : std_logic;
+  signal wb_stb       : std_logic;
+  signal wb_we        : std_logic;
+  signal wb_adr       : std_logic_vector(7 downto 0);
+  signal wb_to_slave  : std_logic_vector(31 downto 0);
+  signal wb_to_master : std_logic_vector(31 downto 0);
+  signal wb_ack       : std_logic;
+  signal wb_err       : std_logic;
+  signal slave_leds   : std_logic_vector(7 downto 0);
+
+begin
+
+  ft2232_reset_n <= '1';
+  fifo_data      <= ft_data_out when ft_data_oe = '1' else
+                    (others => 'Z');
+  leds           <= slave_leds(3 downto 0);
+
+  reset : entity work.board_reset
+    port map (
+      clk    => clk_24576000,
+      button => btn_reset,
+      rst    => rst
+    );
+
+  gateway : entity work.unity_link
+    generic map (
+      physical => "ft245_sync",
+      clock_hz => 24_576_000
+    )
+    port map (
+      clk         => clk_24576000,
+      rst         => rst,
+      ft_clkout   => fifo_clk,
+      ft_data_in  => fifo_data,
+      ft_data_out => ft_data_out,
+      ft_data_oe  => ft_data_oe,
+      ft_rxf_n    => fifo_rxf_n,
+      ft_txe_n    => fifo_txe_n,
+      ft_rd_n     => fifo_rd_n,
+      ft_wr_n     => fifo_wr_n,
+      ft_oe_n     => fifo_oe_n,
+      ft_siwu_n   => fifo_siwu,
+      wb_cyc      => wb_cyc,
+      wb_stb      => wb_stb,
+      wb_we       => wb_we,
+      wb_adr      => wb_adr,
+      wb_dat_o    => wb_to_slave,
+      wb_dat_i    => wb_to_master,
+      wb_ack      => wb_ack,
+      wb_err      => wb_err
+    );
+
+  slave : entity work.demo_slave
+    port map (
+      clk      => clk_24576000,
+      rst      => rst,
+      wb_cyc   => wb_cyc,
+      wb_stb   => wb_stb,
+      wb_we    => wb_we,
+      wb_adr   => wb_adr,
+      wb_dat_i => wb_to_slave,
+      wb_dat_o => wb_to_master,
+      wb_ack   => wb_ack,
+      wb_err   => wb_err,
+      leds     => slave_leds
+    );
+
+end architecture rtl;

@@ -1,0 +1,76 @@
+-- Unity-Link on Lattice's iCE40-HX8K Breakout Board (iCE40HX8K-B-EVN): its USB port, 3 MBd, no flow control.
+--
+-- The board's FT2232H carries a UART on its second channel: on Linux /dev/ttyUSB1. The clock is the board's 12 MHz, of
+-- which 3 MBd are a quarter, the fastest that `uart` can do; it needs no PLL, so there is no vendor primitive here.
+-- Behind the gateway stands `demo_slave`; `W000000005A` and Enter in a terminal light half of the LEDs.
+
+library ieee;
+  use ieee.std_logic_1164.all;
+  use ieee.numeric_std.all;
+
+entity ice40_hx8k is
+  port (
+    clk_12mhz : in    std_logic;
+    uart_rxd  : in    std_logic;
+    uart_txd  : out   std_logic;
+    leds      : out   std_logic_vector(7 downto 0)
+  );
+end entity ice40_hx8k;
+
+architecture rtl of ice40_hx8k is
+
+  signal rst          : std_logic;
+  signal wb_cyc       : std_logic;
+  signal wb_stb       : std_logic;
+  signal wb_we        : std_logic;
+  signal wb_adr       : std_logic_vector(7 downto 0);
+  signal wb_to_slave  : std_logic_vector(31 downto 0);
+  signal wb_to_master : std_logic_vector(31 downto 0);
+  signal wb_ack       : std_logic;
+  signal wb_err       : std_logic;
+
+begin
+
+  reset : entity work.board_reset
+    port map (
+      clk => clk_12mhz,
+      rst => rst
+    );
+
+  gateway : entity work.unity_link
+    generic map (
+      physical => "uart",
+      clock_hz => 12_000_000,
+      baud     => 3_000_000
+    )
+    port map (
+      clk      => clk_12mhz,
+      rst      => rst,
+      uart_rxd => uart_rxd,
+      uart_txd => uart_txd,
+      wb_cyc   => wb_cyc,
+      wb_stb   => wb_stb,
+      wb_we    => wb_we,
+      wb_adr   => wb_adr,
+      wb_dat_o => wb_to_slave,
+      wb_dat_i => wb_to_master,
+      wb_ack   => wb_ack,
+      wb_err   => wb_err
+    );
+
+  slave : entity work.demo_slave
+    port map (
+      clk      => clk_12mhz,
+      rst      => rst,
+      wb_cyc   => wb_cyc,
+      wb_stb   => wb_stb,
+      wb_we    => wb_we,
+      wb_adr   => wb_adr,
+      wb_dat_i => wb_to_slave,
+      wb_dat_o => wb_to_master,
+      wb_ack   => wb_ack,
+      wb_err   => wb_err,
+      leds     => leds
+    );
+
+end architecture rtl;
