@@ -9,6 +9,7 @@ library ieee;
   use ieee.numeric_std.all;
 
 library work;
+  use work.math_pkg.all;
   use work.unity_link_pkg.all;
 
 entity unity_link is
@@ -31,7 +32,7 @@ entity unity_link is
     block_words               : positive                      := 255;
     -- Publish groups, 0 to 256, and the most addresses in one, 1 to 255.
     groups                    : natural                       := 16;
-    group_words               : positive                      := 32;
+    group_words               : natural                       := 32;
     -- Words that the samples of all groups may wait in until they are sent: a power of two.
     sample_depth              : positive                      := 256;
     -- Frequency of clk in Hz, and of the base tick of periodic groups in mHz.
@@ -97,3 +98,249 @@ entity unity_link is
     wb_stall       : in    std_logic := '0'
   );
 end entity unity_link;
+
+architecture rtl of unity_link is
+
+  -- Whether the medium stops the host when this side is full.
+  constant flow_control : boolean := physical /= "uart" or uart_flow_control;
+
+  signal rx_data        : std_logic_vector(7 downto 0);
+  signal rx_lost        : std_logic;
+  signal rx_valid       : std_logic;
+  signal rx_ready       : std_logic;
+  signal tx_data        : std_logic_vector(7 downto 0);
+  signal tx_valid       : std_logic;
+  signal tx_ready       : std_logic;
+  signal flush          : std_logic;
+
+  signal bus_request    : std_logic;
+  signal bus_write      : std_logic;
+  signal bus_lock       : std_logic;
+  signal bus_address    : std_logic_vector(address_bits - 1 downto 0);
+  signal bus_write_data : std_logic_vector(data_bits - 1 downto 0);
+  signal bus_read_data  : std_logic_vector(data_bits - 1 downto 0);
+  signal bus_done       : std_logic;
+  signal bus_error      : std_logic;
+
+begin
+
+  assert physical = "fifo" or physical = "uart" or physical = "ft245" or physical = "ft245_sync"
+    report "unity_link: physical is """ & physical & """, expected ""fifo"", ""uart"", ""ft245"" or ""ft245_sync"""
+    severity failure;
+
+  core_inst : entity work.unity_link_core
+    generic map (
+      flow_control              => flow_control,
+      data_bits                 => data_bits,
+      address_bits              => address_bits,
+      id_digits                 => id_digits,
+      crc_bits                  => crc_bits,
+      crc_polynomial            => crc_polynomial,
+      block_words               => block_words,
+      groups                    => groups,
+      group_words               => group_words,
+      sample_depth              => sample_depth,
+      clock_hz                  => clock_hz,
+      base_frequency_millihertz => base_frequency_millihertz,
+      rx_fifo_depth             => rx_fifo_depth,
+      tx_fifo_depth             => tx_fifo_depth,
+      bus_timeout               => bus_timeout,
+      masked_write              => masked_write,
+      queue_commands            => queue_commands,
+      timestamps                => timestamps,
+      triggers                  => triggers,
+      send_immediate            => send_immediate,
+      node                      => node,
+      build_id                  => build_id
+    )
+    port map (
+      clk            => clk,
+      rst            => rst,
+      rx_data        => rx_data,
+      rx_lost        => rx_lost,
+      rx_valid       => rx_valid,
+      rx_ready       => rx_ready,
+      tx_data        => tx_data,
+      tx_valid       => tx_valid,
+      tx_ready       => tx_ready,
+      flush          => flush,
+      trigger        => trigger,
+      bus_request    => bus_request,
+      bus_write      => bus_write,
+      bus_lock       => bus_lock,
+      bus_address    => bus_address,
+      bus_write_data => bus_write_data,
+      bus_read_data  => bus_read_data,
+      bus_done       => bus_done,
+      bus_error      => bus_error
+    );
+
+  wishbone_master_inst : entity work.wishbone_master
+    generic map (
+      data_bits    => data_bits,
+      address_bits => address_bits,
+      pipelined    => wb_pipelined
+    )
+    port map (
+      clk            => clk,
+      rst            => rst,
+      bus_request    => bus_request,
+      bus_write      => bus_write,
+      bus_lock       => bus_lock,
+      bus_address    => bus_address,
+      bus_write_data => bus_write_data,
+      bus_read_data  => bus_read_data,
+      bus_done       => bus_done,
+      bus_error      => bus_error,
+      cyc            => wb_cyc,
+      stb            => wb_stb,
+      we             => wb_we,
+      sel            => wb_sel,
+      adr            => wb_adr,
+      dat_o          => wb_dat_o,
+      dat_i          => wb_dat_i,
+      ack            => wb_ack,
+      err            => wb_err,
+      stall          => wb_stall
+    );
+
+  with_fifo : if physical = "fifo" generate
+
+    fifo_port_inst : entity work.fifo_port
+      port map (
+        clk       => clk,
+        rst       => rst,
+        in_data   => in_data,
+        in_lost   => in_lost,
+        in_valid  => in_valid,
+        in_ready  => in_ready,
+        out_data  => out_data,
+        out_valid => out_valid,
+        out_ready => out_ready,
+        out_flush => out_flush,
+        rx_data   => rx_data,
+        rx_lost   => rx_lost,
+        rx_valid  => rx_valid,
+        rx_ready  => rx_ready,
+        tx_data   => tx_data,
+        tx_valid  => tx_valid,
+        tx_ready  => tx_ready,
+        flush     => flush
+      );
+
+  end generate with_fifo;
+
+  without_fifo : if physical /= "fifo" generate
+
+    in_ready  <= '0';
+    out_data  <= (others => '0');
+    out_valid <= '0';
+    out_flush <= '0';
+
+  end generate without_fifo;
+
+  with_uart : if physical = "uart" generate
+
+    uart_inst : entity work.uart
+      generic map (
+        clock_hz     => clock_hz,
+        baud         => baud,
+        flow_control => uart_flow_control
+      )
+      port map (
+        clk      => clk,
+        rst      => rst,
+        rxd      => uart_rxd,
+        txd      => uart_txd,
+        rts_n    => uart_rts_n,
+        cts_n    => uart_cts_n,
+        rx_data  => rx_data,
+        rx_lost  => rx_lost,
+        rx_valid => rx_valid,
+        rx_ready => rx_ready,
+        tx_data  => tx_data,
+        tx_valid => tx_valid,
+        tx_ready => tx_ready,
+        flush    => flush
+      );
+
+  end generate with_uart;
+
+  without_uart : if physical /= "uart" generate
+
+    uart_txd   <= '1';
+    uart_rts_n <= '1';
+
+  end generate without_uart;
+
+  with_ft245 : if physical = "ft245" generate
+
+    ft245_async_inst : entity work.ft245_async
+      generic map (
+        clock_hz => clock_hz
+      )
+      port map (
+        clk      => clk,
+        rst      => rst,
+        data_in  => ft_data_in,
+        data_out => ft_data_out,
+        data_oe  => ft_data_oe,
+        rxf_n    => ft_rxf_n,
+        txe_n    => ft_txe_n,
+        rd_n     => ft_rd_n,
+        wr_n     => ft_wr_n,
+        siwu_n   => ft_siwu_n,
+        rx_data  => rx_data,
+        rx_lost  => rx_lost,
+        rx_valid => rx_valid,
+        rx_ready => rx_ready,
+        tx_data  => tx_data,
+        tx_valid => tx_valid,
+        tx_ready => tx_ready,
+        flush    => flush
+      );
+
+    ft_oe_n <= '1';
+
+  end generate with_ft245;
+
+  with_ft245_sync : if physical = "ft245_sync" generate
+
+    ft245_sync_inst : entity work.ft245_sync
+      port map (
+        clk      => clk,
+        rst      => rst,
+        clkout   => ft_clkout,
+        data_in  => ft_data_in,
+        data_out => ft_data_out,
+        data_oe  => ft_data_oe,
+        rxf_n    => ft_rxf_n,
+        txe_n    => ft_txe_n,
+        rd_n     => ft_rd_n,
+        wr_n     => ft_wr_n,
+        oe_n     => ft_oe_n,
+        siwu_n   => ft_siwu_n,
+        rx_data  => rx_data,
+        rx_lost  => rx_lost,
+        rx_valid => rx_valid,
+        rx_ready => rx_ready,
+        tx_data  => tx_data,
+        tx_valid => tx_valid,
+        tx_ready => tx_ready,
+        flush    => flush
+      );
+
+  end generate with_ft245_sync;
+
+  without_ft245 : if physical /= "ft245" and physical /= "ft245_sync" generate
+
+    ft_data_out <= (others => '0');
+    ft_data_oe  <= '0';
+    ft_rd_n     <= '1';
+    ft_wr_n     <= '1';
+    ft_oe_n     <= '1';
+    ft_siwu_n   <= '1';
+
+  end generate without_ft245;
+
+end architecture rtl;

@@ -17,6 +17,7 @@ library ieee;
   use ieee.numeric_std.all;
 
 library work;
+  use work.math_pkg.all;
   use work.unity_link_pkg.all;
 
 entity unity_link_core is
@@ -34,7 +35,7 @@ entity unity_link_core is
     block_words               : positive                      := 255;
     -- Publish groups, 0 to 256, and the most addresses in one, 1 to 255.
     groups                    : natural                       := 16;
-    group_words               : positive                      := 32;
+    group_words               : natural                       := 32;
     -- Words that the samples of all groups may wait in until they are sent: a power of two.
     sample_depth              : positive                      := 256;
     -- Frequency of clk in Hz, and of the base tick of periodic groups in mHz.
@@ -83,3 +84,604 @@ entity unity_link_core is
     bus_error      : in    std_logic
   );
 end entity unity_link_core;
+
+architecture rtl of unity_link_core is
+
+  constant has_groups    : boolean  := groups > 0;
+  constant address_width : positive := 4 * digits_of(address_bits);
+  constant id_width      : positive := 4 * id_digits;
+  constant memory_width  : positive := maximum(data_bits, address_bits);
+  constant sample_width  : positive := maximum(4 * digits_of(data_bits), 32);
+
+  function words_in_request return positive is
+  begin
+
+    if has_groups then
+      return maximum(block_words, maximum(group_words, 2));
+    end if;
+    return maximum(block_words, 2);
+
+  end function words_in_request;
+
+  constant memory_depth    : positive := 2 ** log2_ceil(words_in_request);
+  constant response_depth  : positive := 2 ** log2_ceil(maximum(block_words, 2));
+  constant response_bits   : positive := log2_ceil(response_depth) + 1;
+  constant room_bits       : positive := log2_ceil(sample_depth) + 1;
+  constant longest         : positive := longest_request(
+                                                         data_bits, address_bits, id_digits, crc_bits, block_words,
+                                                         groups, group_words, masked_write
+                                                        );
+
+  function features return std_logic_vector is
+  begin
+
+    return x"00" & to_std_logic(node >= 0) & to_std_logic(queue_commands) & to_std_logic(masked_write)
+           & to_std_logic(flow_control) & to_std_logic(send_immediate) & to_std_logic(timestamps and has_groups)
+           & to_std_logic(triggers and has_groups) & to_std_logic(has_groups);
+
+  end function features;
+
+  function digits (value, bits : natural) return std_logic_vector is
+  begin
+
+    return std_logic_vector(to_unsigned(value, bits));
+
+  end function digits;
+
+  -- What `Q` answers (protocol section 5).
+  constant q_fields        : std_logic_vector(255 downto 0) :=
+    x"01" & digits(data_bits, 8) & digits(address_bits, 8) & digits(id_digits, 8) & digits(crc_bits, 8) & crc_polynomial
+    & digits(block_words, 8) & digits(groups, 16) & digits(group_words, 8) & digits(base_frequency_millihertz, 40)
+    & digits(clock_hz, 32) & digits(rx_fifo_depth, 16) & digits(tx_fifo_depth, 16) & features & build_id;
+
+  -- Bytes in.
+  signal fifo_in          : std_logic_vector(8 downto 0);
+  signal fifo_out         : std_logic_vector(8 downto 0);
+  signal fifo_out_valid   : std_logic;
+  signal fifo_out_ready   : std_logic;
+
+  -- Bodies in.
+  signal body_data        : std_logic_vector(7 downto 0);
+  signal body_valid       : std_logic;
+  signal body_ready       : std_logic;
+  signal body_last        : std_logic;
+  signal body_plain       : std_logic;
+  signal body_error       : error_t;
+  signal body_silent      : std_logic;
+
+  -- Request.
+  signal request_valid    : std_logic;
+  signal request_accept   : std_logic;
+  signal hold             : std_logic;
+  signal command          : command_t;
+  signal has_id           : std_logic;
+  signal plain            : std_logic;
+  signal silent           : std_logic;
+  signal request_error    : error_t;
+  signal out_of_range     : std_logic;
+  signal id               : std_logic_vector(id_width - 1 downto 0);
+  signal address          : std_logic_vector(address_width - 1 downto 0);
+  signal count            : std_logic_vector(7 downto 0);
+  signal group_number     : std_logic_vector(7 downto 0);
+  signal group_flags      : std_logic_vector(5 downto 0);
+  signal group_divisor    : std_logic_vector(15 downto 0);
+  signal last_word        : std_logic_vector(data_bits - 1 downto 0);
+  signal store            : std_logic;
+  signal store_index      : std_logic_vector(7 downto 0);
+  signal store_word       : std_logic_vector(memory_width - 1 downto 0);
+  signal memory_index     : std_logic_vector(7 downto 0);
+  signal memory_word      : std_logic_vector(memory_width - 1 downto 0);
+
+  -- Response ring.
+  signal response_write   : std_logic;
+  signal response_commit  : std_logic;
+  signal response_undo    : std_logic;
+  signal response_room    : unsigned(response_bits - 1 downto 0);
+  signal response_word    : std_logic_vector(data_bits - 1 downto 0);
+  signal response_pop     : std_logic;
+
+  -- Accesses of requests and of samples.
+  signal access_request   : std_logic;
+  signal access_write     : std_logic;
+  signal access_more      : std_logic;
+  signal access_exclusive : std_logic;
+  signal access_address   : std_logic_vector(address_bits - 1 downto 0);
+  signal access_data      : std_logic_vector(data_bits - 1 downto 0);
+  signal access_granted   : std_logic;
+  signal access_done      : std_logic;
+  signal sample           : std_logic;
+  signal sample_more      : std_logic;
+  signal sample_address   : std_logic_vector(address_bits - 1 downto 0);
+  signal sample_granted   : std_logic;
+  signal sample_done      : std_logic;
+  signal access_failure   : error_t;
+  signal read_data        : std_logic_vector(data_bits - 1 downto 0);
+
+  -- Groups and samples.
+  signal group_is_set     : std_logic;
+  signal group_request    : std_logic;
+  signal group_operation  : group_operation_t;
+  signal group_done       : std_logic;
+  signal list_write       : std_logic;
+  signal list_index       : std_logic_vector(7 downto 0);
+  signal sample_available : std_logic;
+  signal sample_word      : std_logic_vector(sample_width - 1 downto 0);
+  signal sample_pop       : std_logic;
+
+  -- Answer.
+  signal answer_valid     : std_logic;
+  signal answer_taken     : std_logic;
+  signal answer_message   : message_t;
+  signal answer_lower     : std_logic;
+  signal answer_plain     : std_logic;
+  signal answer_mark      : flush_mark_t;
+  signal answer_has_id    : std_logic;
+  signal answer_has_addr  : std_logic;
+  signal answer_has_pair  : std_logic;
+  signal answer_id        : std_logic_vector(id_width - 1 downto 0);
+  signal answer_pair      : std_logic_vector(7 downto 0);
+  signal answer_words     : std_logic_vector(7 downto 0);
+
+  -- Bodies and bytes out.
+  signal writer_data      : std_logic_vector(7 downto 0);
+  signal writer_valid     : std_logic;
+  signal writer_ready     : std_logic;
+  signal writer_last      : std_logic;
+  signal writer_plain     : std_logic;
+  signal writer_mark      : flush_mark_t;
+  signal sent_data        : std_logic_vector(7 downto 0);
+  signal sent_mark        : flush_mark_t;
+  signal sent_valid       : std_logic;
+  signal sent_ready       : std_logic;
+  signal tx_entry         : std_logic_vector(9 downto 0);
+  signal tx_in            : std_logic_vector(9 downto 0);
+  signal tx_waits         : std_logic;
+  signal tx_leaves        : std_logic;
+
+  signal datalink_busy    : std_logic;
+  signal decoder_busy     : std_logic;
+  signal writer_busy      : std_logic;
+  signal sending_busy     : std_logic;
+  signal active           : std_logic;
+
+begin
+
+  assert data_bits >= 8 and data_bits <= 64
+    report "unity_link: data_bits is " & integer'image(data_bits) & ", expected 8 to 64"
+    severity failure;
+
+  assert address_bits >= 8 and address_bits <= 32
+    report "unity_link: address_bits is " & integer'image(address_bits) & ", expected 8 to 32"
+    severity failure;
+
+  assert id_digits = 2 or id_digits = 3
+    report "unity_link: id_digits is " & integer'image(id_digits) & ", expected 2 or 3"
+    severity failure;
+
+  assert block_words <= 255
+    report "unity_link: block_words is " & integer'image(block_words) & ", expected 1 to 255"
+    severity failure;
+
+  assert groups <= 256 and (groups = 0 or (group_words >= 1 and group_words <= 255))
+    report "unity_link: groups is " & integer'image(groups) & " and group_words " & integer'image(group_words)
+           & ", expected 0 to 256 and 1 to 255"
+    severity failure;
+
+  assert groups = 0 or sample_depth >= group_words + 2
+    report "unity_link: sample_depth is " & integer'image(sample_depth)
+           & ", which is less than one sample of the largest group takes (" & integer'image(group_words + 2) & ")"
+    severity failure;
+
+  -- Bytes in.
+
+  fifo_in <= rx_lost & rx_data;
+
+  rx_fifo_inst : entity work.fifo_sync
+    generic map (
+      width => 9,
+      depth => rx_fifo_depth
+    )
+    port map (
+      clk       => clk,
+      rst       => rst,
+      in_data   => fifo_in,
+      in_valid  => rx_valid,
+      in_ready  => rx_ready,
+      out_data  => fifo_out,
+      out_valid => fifo_out_valid,
+      out_ready => fifo_out_ready,
+      level     => open
+    );
+
+  datalink_rx_inst : entity work.datalink_rx
+    generic map (
+      crc_bits       => crc_bits,
+      crc_polynomial => crc_polynomial,
+      longest        => longest,
+      node           => node
+    )
+    port map (
+      clk        => clk,
+      rst        => rst,
+      in_data    => fifo_out(7 downto 0),
+      in_lost    => fifo_out(8),
+      in_valid   => fifo_out_valid,
+      in_ready   => fifo_out_ready,
+      out_data   => body_data,
+      out_valid  => body_valid,
+      out_ready  => body_ready,
+      out_last   => body_last,
+      out_plain  => body_plain,
+      out_error  => body_error,
+      out_silent => body_silent,
+      busy       => datalink_busy
+    );
+
+  -- Requests.
+
+  request_decoder_inst : entity work.request_decoder
+    generic map (
+      data_bits      => data_bits,
+      address_bits   => address_bits,
+      id_digits      => id_digits,
+      block_words    => block_words,
+      groups         => groups,
+      group_words    => group_words,
+      masked_write   => masked_write,
+      queue_commands => queue_commands,
+      timestamps     => timestamps,
+      triggers       => triggers,
+      send_immediate => send_immediate
+    )
+    port map (
+      clk                  => clk,
+      rst                  => rst,
+      in_data              => body_data,
+      in_valid             => body_valid,
+      in_ready             => body_ready,
+      in_last              => body_last,
+      in_plain             => body_plain,
+      in_error             => body_error,
+      in_silent            => body_silent,
+      request_valid        => request_valid,
+      request_accept       => request_accept,
+      hold                 => hold,
+      request_command      => command,
+      request_has_id       => has_id,
+      request_plain        => plain,
+      request_silent       => silent,
+      request_error        => request_error,
+      request_out_of_range => out_of_range,
+      request_id           => id,
+      request_address      => address,
+      request_count        => count,
+      request_group        => group_number,
+      request_flags        => group_flags,
+      request_divisor      => group_divisor,
+      request_word         => last_word,
+      store                => store,
+      store_index          => store_index,
+      store_word           => store_word,
+      busy                 => decoder_busy
+    );
+
+  request_memory_inst : entity work.word_memory
+    generic map (
+      width => memory_width,
+      depth => memory_depth
+    )
+    port map (
+      clk         => clk,
+      write       => store,
+      write_index => unsigned(store_index(log2_ceil(memory_depth) - 1 downto 0)),
+      write_data  => store_word,
+      read_index  => unsigned(memory_index(log2_ceil(memory_depth) - 1 downto 0)),
+      read_data   => memory_word
+    );
+
+  request_executor_inst : entity work.request_executor
+    generic map (
+      data_bits      => data_bits,
+      address_bits   => address_bits,
+      id_digits      => id_digits,
+      groups         => groups,
+      masked_write   => masked_write,
+      send_immediate => send_immediate,
+      room_bits      => response_bits
+    )
+    port map (
+      clk                  => clk,
+      rst                  => rst,
+      request_valid        => request_valid,
+      request_accept       => request_accept,
+      hold                 => hold,
+      request_command      => command,
+      request_has_id       => has_id,
+      request_plain        => plain,
+      request_silent       => silent,
+      request_error        => request_error,
+      request_out_of_range => out_of_range,
+      request_id           => id,
+      request_address      => address,
+      request_count        => count,
+      request_group        => group_number,
+      request_word         => last_word,
+      memory_index         => memory_index,
+      memory_word          => memory_word(data_bits - 1 downto 0),
+      ring_write           => response_write,
+      ring_commit          => response_commit,
+      ring_rollback        => response_undo,
+      ring_room            => response_room,
+      access_request       => access_request,
+      access_write         => access_write,
+      access_more          => access_more,
+      access_exclusive     => access_exclusive,
+      access_address       => access_address,
+      access_data          => access_data,
+      access_granted       => access_granted,
+      access_done          => access_done,
+      access_failure       => access_failure,
+      access_read_data     => read_data,
+      group_is_set         => group_is_set,
+      group_request        => group_request,
+      group_operation      => group_operation,
+      group_done           => group_done,
+      list_write           => list_write,
+      list_index           => list_index,
+      answer_valid         => answer_valid,
+      answer_taken         => answer_taken,
+      answer_message       => answer_message,
+      answer_lower         => answer_lower,
+      answer_plain         => answer_plain,
+      answer_mark          => answer_mark,
+      answer_has_id        => answer_has_id,
+      answer_has_address   => answer_has_addr,
+      answer_has_pair      => answer_has_pair,
+      answer_id            => answer_id,
+      answer_pair          => answer_pair,
+      answer_words         => answer_words
+    );
+
+  response_ring_inst : entity work.word_ring
+    generic map (
+      width => data_bits,
+      depth => response_depth
+    )
+    port map (
+      clk        => clk,
+      rst        => rst,
+      write      => response_write,
+      write_data => read_data,
+      commit     => response_commit,
+      rollback   => response_undo,
+      room       => response_room,
+      available  => open,
+      read_data  => response_word,
+      pop        => response_pop
+    );
+
+  bus_master_inst : entity work.bus_master
+    generic map (
+      data_bits    => data_bits,
+      address_bits => address_bits,
+      timeout      => bus_timeout
+    )
+    port map (
+      clk               => clk,
+      rst               => rst,
+      request           => access_request,
+      request_write     => access_write,
+      request_more      => access_more,
+      request_exclusive => access_exclusive,
+      request_address   => access_address,
+      request_data      => access_data,
+      request_granted   => access_granted,
+      request_done      => access_done,
+      sample            => sample,
+      sample_more       => sample_more,
+      sample_address    => sample_address,
+      sample_granted    => sample_granted,
+      sample_done       => sample_done,
+      failure           => access_failure,
+      read_data         => read_data,
+      bus_request       => bus_request,
+      bus_write         => bus_write,
+      bus_lock          => bus_lock,
+      bus_address       => bus_address,
+      bus_write_data    => bus_write_data,
+      bus_read_data     => bus_read_data,
+      bus_done          => bus_done,
+      bus_error         => bus_error
+    );
+
+  -- Groups.
+
+  with_groups : if has_groups generate
+
+    signal ring_write    : std_logic;
+    signal ring_data     : std_logic_vector(sample_width - 1 downto 0);
+    signal ring_commit   : std_logic;
+    signal ring_rollback : std_logic;
+    signal ring_room     : unsigned(room_bits - 1 downto 0);
+
+  begin
+
+    subscription_manager_inst : entity work.subscription_manager
+      generic map (
+        data_bits                 => data_bits,
+        address_bits              => address_bits,
+        groups                    => groups,
+        group_words               => group_words,
+        clock_hz                  => clock_hz,
+        base_frequency_millihertz => base_frequency_millihertz,
+        timestamps                => timestamps,
+        triggers                  => triggers,
+        room_bits                 => room_bits
+      )
+      port map (
+        clk              => clk,
+        rst              => rst,
+        trigger          => trigger(groups - 1 downto 0),
+        group_request    => group_request,
+        group_operation  => group_operation,
+        group_done       => group_done,
+        group_number     => group_number,
+        group_flags      => group_flags,
+        group_divisor    => group_divisor,
+        group_count      => count,
+        group_is_set     => group_is_set,
+        list_write       => list_write,
+        list_index       => list_index,
+        list_address     => memory_word(address_bits - 1 downto 0),
+        access_request   => sample,
+        access_more      => sample_more,
+        access_address   => sample_address,
+        access_granted   => sample_granted,
+        access_done      => sample_done,
+        access_failure   => access_failure,
+        access_read_data => read_data,
+        ring_write       => ring_write,
+        ring_data        => ring_data,
+        ring_commit      => ring_commit,
+        ring_rollback    => ring_rollback,
+        ring_room        => ring_room
+      );
+
+    sample_ring_inst : entity work.word_ring
+      generic map (
+        width => sample_width,
+        depth => sample_depth
+      )
+      port map (
+        clk        => clk,
+        rst        => rst,
+        write      => ring_write,
+        write_data => ring_data,
+        commit     => ring_commit,
+        rollback   => ring_rollback,
+        room       => ring_room,
+        available  => sample_available,
+        read_data  => sample_word,
+        pop        => sample_pop
+      );
+
+  end generate with_groups;
+
+  without_groups : if not has_groups generate
+
+    group_is_set     <= '0';
+    group_done       <= '0';
+    sample           <= '0';
+    sample_more      <= '0';
+    sample_address   <= (others => '0');
+    sample_available <= '0';
+    sample_word      <= (others => '0');
+
+  end generate without_groups;
+
+  -- Bytes out.
+
+  frame_writer_inst : entity work.frame_writer
+    generic map (
+      data_bits    => data_bits,
+      address_bits => address_bits,
+      id_digits    => id_digits,
+      q_fields     => q_fields
+    )
+    port map (
+      clk                => clk,
+      rst                => rst,
+      answer_valid       => answer_valid,
+      answer_taken       => answer_taken,
+      answer_message     => answer_message,
+      answer_lower       => answer_lower,
+      answer_plain       => answer_plain,
+      answer_mark        => answer_mark,
+      answer_has_id      => answer_has_id,
+      answer_has_address => answer_has_addr,
+      answer_has_pair    => answer_has_pair,
+      answer_id          => answer_id,
+      answer_address     => address,
+      answer_pair        => answer_pair,
+      answer_words       => answer_words,
+      response_word      => response_word,
+      response_pop       => response_pop,
+      sample_available   => sample_available,
+      sample_word        => sample_word,
+      sample_pop         => sample_pop,
+      out_data           => writer_data,
+      out_valid          => writer_valid,
+      out_ready          => writer_ready,
+      out_last           => writer_last,
+      out_plain          => writer_plain,
+      out_mark           => writer_mark,
+      busy               => writer_busy
+    );
+
+  datalink_tx_inst : entity work.datalink_tx
+    generic map (
+      crc_bits       => crc_bits,
+      crc_polynomial => crc_polynomial,
+      node           => node
+    )
+    port map (
+      clk       => clk,
+      rst       => rst,
+      in_data   => writer_data,
+      in_valid  => writer_valid,
+      in_ready  => writer_ready,
+      in_last   => writer_last,
+      in_plain  => writer_plain,
+      in_mark   => writer_mark,
+      out_data  => sent_data,
+      out_mark  => sent_mark,
+      out_valid => sent_valid,
+      out_ready => sent_ready,
+      busy      => sending_busy
+    );
+
+  tx_in <= sent_mark & sent_data;
+
+  tx_fifo_inst : entity work.fifo_sync
+    generic map (
+      width => 10,
+      depth => tx_fifo_depth
+    )
+    port map (
+      clk       => clk,
+      rst       => rst,
+      in_data   => tx_in,
+      in_valid  => sent_valid,
+      in_ready  => sent_ready,
+      out_data  => tx_entry,
+      out_valid => tx_waits,
+      out_ready => tx_ready,
+      level     => open
+    );
+
+  tx_data   <= tx_entry(7 downto 0);
+  tx_valid  <= tx_waits;
+  tx_leaves <= tx_waits and tx_ready;
+  active    <= fifo_out_valid or datalink_busy or decoder_busy or hold or writer_busy or sending_busy or tx_waits;
+
+  with_send_immediate : if send_immediate generate
+
+    send_immediate_inst : entity work.send_immediate
+      port map (
+        clk    => clk,
+        rst    => rst,
+        left   => tx_leaves,
+        mark   => tx_entry(9 downto 8),
+        active => active,
+        flush  => flush
+      );
+
+  end generate with_send_immediate;
+
+  without_send_immediate : if not send_immediate generate
+
+    flush <= '0';
+
+  end generate without_send_immediate;
+
+end architecture rtl;

@@ -24,7 +24,7 @@ entity unity_link_fifo is
     block_words               : positive                      := 255;
     -- Publish groups, 0 to 256, and the most addresses in one, 1 to 255.
     groups                    : natural                       := 16;
-    group_words               : positive                      := 32;
+    group_words               : natural                       := 32;
     -- Words that the samples of all groups may wait in until they are sent: a power of two.
     sample_depth              : positive                      := 256;
     -- Frequency of clk in Hz, and of the base tick of periodic groups in mHz.
@@ -72,3 +72,59 @@ entity unity_link_fifo is
     wb_stall       : in    std_logic := '0'
   );
 end entity unity_link_fifo;
+
+architecture rtl of unity_link_fifo is
+
+begin
+
+  unity_link_inst : entity work.unity_link
+    generic map (
+      physical                  => "fifo",
+      wb_pipelined              => wb_pipelined,
+      data_bits                 => data_bits,
+      address_bits              => address_bits,
+      id_digits                 => id_digits,
+      crc_bits                  => crc_bits,
+      crc_polynomial            => crc_polynomial,
+      block_words               => block_words,
+      groups                    => groups,
+      group_words               => group_words,
+      sample_depth              => sample_depth,
+      clock_hz                  => clock_hz,
+      base_frequency_millihertz => base_frequency_millihertz,
+      rx_fifo_depth             => rx_fifo_depth,
+      tx_fifo_depth             => tx_fifo_depth,
+      bus_timeout               => bus_timeout,
+      masked_write              => masked_write,
+      queue_commands            => queue_commands,
+      timestamps                => timestamps,
+      triggers                  => triggers,
+      send_immediate            => send_immediate,
+      node                      => node,
+      build_id                  => build_id
+    )
+    port map (
+      clk       => clk,
+      rst       => rst,
+      in_data   => in_data,
+      in_lost   => in_lost,
+      in_valid  => in_valid,
+      in_ready  => in_ready,
+      out_data  => out_data,
+      out_valid => out_valid,
+      out_ready => out_ready,
+      out_flush => out_flush,
+      trigger   => trigger,
+      wb_cyc    => wb_cyc,
+      wb_stb    => wb_stb,
+      wb_we     => wb_we,
+      wb_sel    => wb_sel,
+      wb_adr    => wb_adr,
+      wb_dat_o  => wb_dat_o,
+      wb_dat_i  => wb_dat_i,
+      wb_ack    => wb_ack,
+      wb_err    => wb_err,
+      wb_stall  => wb_stall
+    );
+
+end architecture rtl;

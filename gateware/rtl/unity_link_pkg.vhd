@@ -69,6 +69,15 @@ package unity_link_pkg is
   constant flush_when_idle : flush_mark_t := "01";
   constant flush_now       : flush_mark_t := "10";
 
+  -- What the subscription manager is asked to do with a group.
+  subtype group_operation_t is std_logic_vector(2 downto 0);
+
+  constant group_set      : group_operation_t := "000";
+  constant group_start    : group_operation_t := "001";
+  constant group_stop     : group_operation_t := "010";
+  constant group_publish  : group_operation_t := "011";
+  constant group_stop_all : group_operation_t := "100";
+
   -- Hex digits of a field of this many bits.
   function digits_of (bits : positive) return positive;
 
