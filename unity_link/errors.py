@@ -8,6 +8,7 @@ Every error that Unity-Link raises is a `UnityLinkError`. An error's class says 
 from __future__ import annotations
 
 import enum
+from typing import Self
 
 
 class UnityLinkError(Exception):
@@ -49,6 +50,10 @@ class UnansweredError(UnityLinkError):
         super().__init__(reason, outcome)
         self.reason = reason
         self.outcome = outcome
+
+    def about(self, outcome: Outcome) -> Self:
+        """Give the same error about a request of which something else is known."""
+        return type(self)(self.reason, outcome)
 
     def __str__(self) -> str:
         """Give the reason and what is known of the request."""

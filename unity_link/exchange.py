@@ -13,7 +13,7 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from unity_link.errors import LinkLostError, Outcome, UnansweredError, UnityLinkError, UnsupportedError
-from unity_link.requests import BatchRun, Message, Request, Source, gateway_error
+from unity_link.requests import BatchRun, Message, Request, Source, Unawaited, gateway_error
 from unity_link.wire.frames import FrameError
 from unity_link.wire.window import Window
 
@@ -58,7 +58,7 @@ class Exchange:
         self._stream: Stream | None = None
         self._codec: Codec
         self._window: Window[Message] = Window(2)
-        self._closed: str | None = None
+        self._closed: LinkLostError | None = None
 
     # Sessions
 
@@ -76,17 +76,16 @@ class Exchange:
     def suspend(self, reason: str) -> None:
         """End a session, keeping what is known not to be executed for the next one; all else raises."""
         self._stop()
-        again = self._end_sent(reason, keep=True)
+        again = self._end_sent(LinkLostError(reason), keep=True)
         self._waiting.extendleft(reversed(again))
 
     def end(self, error: LinkLostError) -> None:
         """End for good: every call that waits raises."""
         self._stop()
-        self._closed = error.reason
-        self._end_sent(error.reason, keep=False)
-        kind = type(error)
+        self._closed = error
+        self._end_sent(error, keep=False)
         while self._waiting:
-            self._waiting.popleft().fail(kind(error.reason, Outcome.NOT_EXECUTED))
+            self._waiting.popleft().fail(error.about(Outcome.NOT_EXECUTED))
 
     def _stop(self) -> None:
         if self._stream is not None:
@@ -96,7 +95,7 @@ class Exchange:
             self._timer.cancel()
             self._timer = None
 
-    def _end_sent(self, reason: str, *, keep: bool) -> list[Source]:
+    def _end_sent(self, error: LinkLostError, *, keep: bool) -> list[Source]:
         """End the requests that were sent; give what a new session can send again."""
         again = []
         for part in self._window.unanswered():
@@ -104,7 +103,7 @@ class Exchange:
             if source is not None:
                 again.append(source)
             else:
-                part.run.fail(LinkLostError(reason, Outcome.EXECUTED if part.executed else Outcome.UNKNOWN))
+                part.run.fail(error.about(Outcome.EXECUTED if part.executed else Outcome.UNKNOWN))
         self._window = Window(2)
         return again
 
@@ -117,7 +116,7 @@ class Exchange:
             LinkLostError: where the link has ended.
         """
         if self._closed is not None:
-            raise LinkLostError(self._closed, Outcome.NOT_EXECUTED)
+            raise self._closed.about(Outcome.NOT_EXECUTED)
         stream = self._stream
         window = self._window
         idle = window.oldest == window.next
@@ -138,6 +137,11 @@ class Exchange:
         self._waiting.append(source)
         if stream is not None:
             self._admit()
+
+    @property
+    def suspended(self) -> bool:
+        """Whether there is no session at this time."""
+        return self._stream is None
 
     @property
     def in_flight(self) -> int:
@@ -180,7 +184,7 @@ class Exchange:
     def _fence(self) -> None:
         """Confirm posted writes by an ``h`` where it is time."""
         if self._stream is not None and self._window.needs_fence(self._now()):
-            self._stream.send_soon(self._number(Request(self._codec, "H", b"", 0, self._loop)))
+            self._stream.send_soon(self._number(Unawaited(self._codec, "H", b"", 0, self._loop)))
 
     def _repeat(self) -> None:
         """Send all unanswered requests again; an ``h`` in place of those that nobody wants."""
@@ -233,6 +237,8 @@ class Exchange:
             rows = min(run.count - offset, (len(data) - start) // run.reply_size)
             if rows < FEWEST_ROWS:
                 return start
+            # Of those sent again, some may have been answered meanwhile.
+            rows = window.unanswered_from(number, rows)
             taken = run.accept_rows(offset, data[start : start + rows * run.reply_size])
             if not taken:
                 return start

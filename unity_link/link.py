@@ -20,12 +20,13 @@ from unity_link.errors import (
     LinkClosedError,
     LinkLostError,
     Outcome,
+    UnansweredError,
     UnityLinkError,
     UnsupportedError,
 )
 from unity_link.exchange import Exchange
 from unity_link.handshake import Handshake
-from unity_link.requests import Batch, BatchSource, Block, Posted, Request, WordRequest, WordsRequest
+from unity_link.requests import Batch, BatchSource, Block, Posted, Request, WordRequest, WordsRequest, common_outcome
 from unity_link.stream import Stream
 from unity_link.subscription import Groups, Overflow, Sample, Schedule, Subscription, check_addresses
 from unity_link.wire.gateway_info import Feature, GatewayInfo
@@ -103,9 +104,10 @@ class Link:
         self._groups = Groups(self._exchange)
         self._stream: Stream | None = None
         self._reconnection: asyncio.Task[None] | None = None
-        self._reconnections = 0
+        self._sessions = 0
         self._bytes_before = (0, 0)
-        self._posted_errors: list[UnityLinkError] = []
+        self._posted_error: UnityLinkError | None = None
+        self._posted_failures = 0
         self._closed = False
 
     # Life
@@ -142,8 +144,11 @@ class Link:
     def _start(self, stream: Stream, codec: Codec, round_trip: float) -> None:
         """Begin a session on a stream whose gateway has said what it is."""
         info = codec.info
-        if self._reconnections and info != self.gateway:
-            raise ConnectError(f"another gateway answers after the reconnection: {info} instead of {self.gateway}")
+        if stream.closed:
+            raise ConnectError("the connection ended when the gateway had just answered")
+        if self._sessions and info != self.gateway:
+            raise UnsupportedError(f"another gateway answers after the reconnection: {info} instead of {self.gateway}")
+        self._sessions += 1
         self._codec = codec
         self._stream = stream
         self.gateway = info
@@ -155,7 +160,9 @@ class Link:
 
     def _byte_time(self) -> float:
         """Give the seconds that a byte takes on a serial port, 0 on other media: ten bits, with start and stop."""
-        baud = self._target.integer("baud", 0) if isinstance(self._target, DriverUrl) else 0
+        if not isinstance(self._target, DriverUrl):
+            return 0.0
+        baud = self._target.integer("baud", getattr(load_driver(self._target.scheme), "DEFAULT_BAUD", 0))
         return 10 / baud if baud else 0.0
 
     def _lose(self, reason: str) -> None:
@@ -190,9 +197,10 @@ class Link:
         try:
             async for attempt in attempts:
                 with attempt:
-                    self._reconnections += 1
                     await self.open(reconnect.longest_pause)
                     await self._groups.restore()
+                    if self._stream is None:
+                        raise LinkLostError("the connection was lost again")
         except RetryError as error:
             self._end(LinkLostError(f"{reason}, and no reconnection succeeded ({error.last_attempt.exception()})"))
         except UnityLinkError as error:
@@ -243,7 +251,7 @@ class Link:
             bytes_received=received + (self._stream.bytes_received if self._stream else 0),
             samples=self._groups.samples,
             samples_lost=self._groups.samples_lost,
-            reconnections=self._reconnections,
+            reconnections=max(0, self._sessions - 1),
             round_trip=self._exchange.round_trip,
         )
 
@@ -293,7 +301,7 @@ class Link:
         self._check_address(address)
         self._check_word(value)
         codec = self._codec
-        request = Posted(codec, codec.fields("WS", address, value), self._loop, self._posted_errors.append)
+        request = Posted(codec, codec.fields("WS", address, value), self._loop, self._note_posted)
         self._exchange.submit(request)
         await request.future
 
@@ -304,12 +312,17 @@ class Link:
             UnityLinkError: the first error of the writes posted since the last fence.
         """
         await self._ask("H")
-        if self._posted_errors:
-            first, count = self._posted_errors[0], len(self._posted_errors)
-            self._posted_errors.clear()
+        first, count = self._posted_error, self._posted_failures
+        self._posted_error, self._posted_failures = None, 0
+        if first is not None:
             if count > 1:
                 first.add_note(f"{count - 1} more posted writes failed as well")
             raise first
+
+    def _note_posted(self, error: UnityLinkError) -> None:
+        """Keep the first error of the writes posted since the last fence, and count the others."""
+        self._posted_error = self._posted_error or error
+        self._posted_failures += 1
 
     # Blocks
 
@@ -491,6 +504,8 @@ class Link:
         self._exchange.submit(requests[0] if len(requests) == 1 else Block(requests))
         try:
             return [await request.future for request in requests]
+        except UnansweredError as error:
+            raise error.about(common_outcome(requests)) from None
         finally:
             for request in requests:
                 if not request.future.cancel() and not request.future.cancelled():
@@ -551,7 +566,10 @@ class Link:
 
 def _in_range(values: ArrayLike, highest: int, what: str) -> NDArray[Any]:
     """Give whole numbers from 0 to `highest` as an array of one dimension."""
-    array = np.asarray(values)
+    try:
+        array = np.asarray(values)
+    except ValueError as error:
+        raise ArgumentError(f"a sequence of whole numbers was expected for each {what} ({error})") from None
     if array.ndim != 1 or (array.size and array.dtype.kind not in "iub"):
         raise ArgumentError(f"a sequence of whole numbers was expected for each {what}, not {values!r:.80}")
     if array.size:

@@ -17,7 +17,9 @@ from unity_link.errors import (
     BusError,
     BusTimeoutError,
     GatewayError,
+    Outcome,
     OutOfRangeError,
+    UnansweredError,
     UnityLinkError,
 )
 from unity_link.wire.messages import Codec, Words, parse_words
@@ -25,6 +27,7 @@ from unity_link.wire.window import Run
 
 if TYPE_CHECKING:
     import asyncio
+    from collections.abc import Iterable
 
     from numpy.typing import NDArray
 
@@ -265,6 +268,15 @@ class Posted(Request):
             self.future.set_exception(error)
 
 
+class Unawaited(Request):
+    """A request of the link itself that nobody waits for, and that a call's cancellation leaves as it is."""
+
+    __slots__ = ()
+
+    def fail(self, error: UnityLinkError) -> None:
+        """Do nothing: nobody is to be told."""
+
+
 class Block:
     """A source of several requests that are sent in order and answered one by one."""
 
@@ -300,6 +312,19 @@ class Block:
             request.fail(error)
 
 
+def common_outcome(requests: Iterable[Request]) -> Outcome:
+    """Give what is known of requests that were asked for together: `Outcome.UNKNOWN` where they fared differently."""
+    outcomes = {_outcome(request.future) for request in requests}
+    return outcomes.pop() if len(outcomes) == 1 else Outcome.UNKNOWN
+
+
+def _outcome(future: asyncio.Future[Any]) -> Outcome:
+    if not future.done() or future.cancelled():
+        return Outcome.UNKNOWN
+    error = future.exception()
+    return error.outcome if isinstance(error, UnansweredError) else Outcome.EXECUTED
+
+
 class Batch:
     """Many requests of one command: their answers and the future of all.
 
@@ -316,6 +341,8 @@ class Batch:
         self.fields = fields
         self.future: asyncio.Future[Words] = loop.create_future()
         self.reply_digits = codec.info.data_digits if command == "R" else 0
+        self.sent = False
+        """Whether any of the requests was sent."""
         self._answers = np.zeros(len(fields), codec.word_type)
         self._unanswered = len(fields)
 
@@ -327,9 +354,12 @@ class Batch:
             self.future.set_result(self._answers)
 
     def fail(self, error: UnityLinkError) -> None:
-        """Raise `error` in who waits."""
-        if not self.future.done():
-            self.future.set_exception(error)
+        """Raise `error`, which is about a part of the batch, in who waits."""
+        if self.future.done():
+            return
+        if isinstance(error, UnansweredError) and self.sent and len(self.fields) > 1:
+            error = error.about(Outcome.UNKNOWN)
+        self.future.set_exception(error)
 
 
 class BatchSource:
@@ -375,6 +405,7 @@ class BatchRun(Message):
 
     def __init__(self, batch: Batch, offset: int, count: int) -> None:
         super().__init__(batch.codec, batch.command, batch.fields.shape[1], batch.reply_digits, count)
+        batch.sent = True
         self._batch = batch
         self._offset = offset
         self._frames = b""

@@ -7,6 +7,7 @@ stated size; a reader that is too slow loses the oldest, and is told how many, o
 from __future__ import annotations
 
 import asyncio
+import contextlib
 import time
 from collections import deque
 from typing import TYPE_CHECKING, Any, Literal, Self
@@ -14,8 +15,15 @@ from typing import TYPE_CHECKING, Any, Literal, Self
 import msgspec
 import numpy as np
 
-from unity_link.errors import ArgumentError, LinkLostError, SamplesLostError, UnityLinkError, UnsupportedError
-from unity_link.requests import Request
+from unity_link.errors import (
+    ArgumentError,
+    LinkLostError,
+    OutOfRangeError,
+    SamplesLostError,
+    UnityLinkError,
+    UnsupportedError,
+)
+from unity_link.requests import Request, Unawaited
 from unity_link.wire.messages import Codec, GroupFlag, Words, parse_words
 
 if TYPE_CHECKING:
@@ -87,7 +95,7 @@ class Groups:
     def __init__(self, exchange: Exchange) -> None:
         self._exchange = exchange
         self._held: dict[int, Subscription] = {}
-        self._free: deque[int] = deque()
+        self._free: deque[int] | None = None
         self.samples = 0
         self.samples_lost = 0
 
@@ -95,8 +103,8 @@ class Groups:
         """Begin with a new session: all groups are stopped."""
         self.codec = codec
         self.clock = GatewayClock(codec.info.clock_hz)
-        if not self._free and not self._held:
-            self._free.extend(range(codec.info.groups))
+        if self._free is None:
+            self._free = deque(range(codec.info.groups))
 
     async def restore(self) -> None:
         """Set up all subscriptions again in a new session."""
@@ -114,7 +122,7 @@ class Groups:
         Raises:
             UnsupportedError: where no group is free.
         """
-        if not self._free:
+        if self._free is None or not self._free:
             raise UnsupportedError(
                 f"all {self.codec.info.groups} groups of the gateway are in use: end a subscription first, "
                 "or put its addresses into one"
@@ -125,40 +133,49 @@ class Groups:
             await self._set_up(group, subscription)
         except BaseException:
             self._forget(group)
+            self._free.append(group)
+            # Whatever of it was sent may still be executed.
+            with contextlib.suppress(LinkLostError):
+                self._exchange.submit(self._request(Unawaited, "GX", group))
             raise
         return group
 
     async def release(self, group: int) -> None:
         """Stop a group and give it back."""
+        assert self._free is not None
+        self._forget(group)
         try:
-            await self._ask("GX", group)
-        except LinkLostError:
-            pass  # A gateway that is gone, or starts a new session, has stopped it.
+            # A gateway that is gone has stopped it, one that was reset knows it no more.
+            with contextlib.suppress(LinkLostError, OutOfRangeError):
+                if not self._exchange.suspended:
+                    await asyncio.shield(self._submit("GX", group))
         finally:
-            self._forget(group)
+            self._free.append(group)
 
     async def publish(self, group: int) -> None:
         """Have a group published once, now."""
-        await self._ask("GP", group)
+        await self._submit("GP", group)
 
     async def _set_up(self, group: int, subscription: Subscription) -> None:
         schedule = subscription.schedule
         addresses = np.array(schedule.addresses, np.uint64)
-        await self._ask("GS", group, int(schedule.flags), schedule.divisor, len(addresses), addresses)
-        subscription.restart()
-        self._exchange.publishes[b"%02X" % group] = subscription.receive
-        await self._ask("GN", group)
+        await self._submit("GS", group, int(schedule.flags), schedule.divisor, len(addresses), addresses)
+        if self._held.get(group) is subscription:
+            subscription.restart()
+            self._exchange.publishes[b"%02X" % group] = subscription.receive
+            await self._submit("GN", group)
 
-    async def _ask(self, command: str, *values: Any) -> None:
-        fields = self.codec.fields(command, *values)
-        request = Request(self.codec, command, fields, 0, asyncio.get_running_loop())
+    def _submit(self, command: str, *values: Any) -> asyncio.Future[None]:
+        request = self._request(Request, command, *values)
         self._exchange.submit(request)
-        await request.future
+        return request.future
+
+    def _request(self, kind: type[Request], command: str, *values: Any) -> Request:
+        return kind(self.codec, command, self.codec.fields(command, *values), 0, asyncio.get_running_loop())
 
     def _forget(self, group: int) -> None:
         self._exchange.publishes.pop(b"%02X" % group, None)
-        if self._held.pop(group, None) is not None:
-            self._free.append(group)
+        self._held.pop(group, None)
 
 
 class Subscription:

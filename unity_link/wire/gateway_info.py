@@ -13,6 +13,7 @@ import msgspec
 from unity_link.errors import UnsupportedError
 
 PROTOCOL_VERSION = 1
+_HEX_DIGITS = b"0123456789ABCDEFabcdef"
 
 
 class Feature(enum.IntFlag):
@@ -101,7 +102,7 @@ class GatewayInfo(msgspec.Struct, frozen=True, kw_only=True):
         position = 0
         for name, digits in _FIELDS:
             field = text[position : position + digits]
-            if len(field) != digits or not field.isalnum():
+            if len(field) != digits or field.strip(_HEX_DIGITS):
                 raise ValueError(f"an answer to Q of {_TOTAL_DIGITS} hex digits was expected, not {text[:80]!r}")
             values[name] = int(field, 16)
             position += digits

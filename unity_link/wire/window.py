@@ -23,7 +23,8 @@ What comes in, and what the window does:
     ``n i``                         `executed` moves to i; go back
     ``X01`` ``X07`` ``X09``         something arrived damaged: go back
     ``X02`` ``X03``                 the same, and the third time for the same request: give that one up
-    time out, something was heard   go back; after too many for the same request: give that one up
+    time out, something was heard   go back, with twice the time out; after too many for the same request: give that
+                                    one up; after as many for the ``h`` in its place: lost
     time out, nothing was heard     go back, with twice the time out; after too many: lost
     ==============================  ==========================================================================
 
@@ -46,7 +47,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterator
 
 MOST_SILENT_TRIES = 8
-MOST_TRIES = 64
+MOST_TRIES = 32
 MOST_REFUSALS = 3
 FEWEST_IN_FLIGHT = 8
 SHORTEST_TIMEOUT = 0.010
@@ -128,10 +129,11 @@ class Window(Generic[R]):
         self._gone_back = False
         self._refused = False
         self._refusals = 0
+        self._gave_up = False
         self.wants_repetition = False
         """The window has gone back: `repetition` is to be sent."""
         self.lost = False
-        """Too many time outs in silence: the gateway does not answer any more."""
+        """The gateway does not answer any more: too many time outs in silence, or not even an ``h`` comes through."""
         if round_trip is not None:
             self._measure(round_trip)
 
@@ -212,8 +214,16 @@ class Window(Generic[R]):
         """Give the run that an answer names, or None where nothing waits for it (a stale answer)."""
         return self._slots[number]
 
+    def unanswered_from(self, number: int, most: int) -> int:
+        """Give how many IDs from `number` on, of `most`, wait for answers to the same run as `number` does."""
+        run, end = self._slots[number], number + most
+        slots = self._slots[number:end] + self._slots[: max(0, end - self._mask - 1)]
+        if slots.count(run) == most:
+            return most
+        return next(index for index, other in enumerate(slots) if other is not run)
+
     def answered(self, number: int, count: int, now: float) -> None:
-        """Take note of the answers to `count` IDs from `number` on, for all of which `find` has just given one run."""
+        """Take note of the answers to `count` IDs from `number` on, all of which wait for answers to one run."""
         run = self._slots[number]
         if run is None:
             raise ValueError(f"no request with ID {number} waits for an answer")
@@ -225,9 +235,10 @@ class Window(Generic[R]):
         if number == self.executed:
             self._bytes -= run.size * count
             self.executed = after
-        elif self._distance(number) > self._distance(self.executed):
-            self._confirm(number)
-            self._bytes -= run.size * count
+        elif self._distance(after) > self._distance(self.executed):
+            if self._distance(number) > self._distance(self.executed):
+                self._confirm(number)
+            self._bytes -= run.size * (after - self.executed & self._mask)
             self.executed = after
         if count == 1:
             self._slots[number] = None
@@ -286,13 +297,15 @@ class Window(Generic[R]):
             return None
         given_up = None
         self._tries += 1
+        # Also where something was heard: it may be the beginning of a long answer on a slow line.
+        self._timeout = min(2 * self._timeout, LONGEST_TIMEOUT)
         if self.heard:
             self._silent_tries = 0
             if self._tries > MOST_TRIES:
+                self.lost = self._gave_up
                 given_up = self._give_up()
         else:
             self._silent_tries += 1
-            self._timeout = min(2 * self._timeout, LONGEST_TIMEOUT)
             self.lost = self._silent_tries > MOST_SILENT_TRIES
         self.heard = self._gone_back = False
         self._go_back(now)
@@ -327,7 +340,7 @@ class Window(Generic[R]):
             while position != self.executed and slots[position] is None:
                 position = position + 1 & self._mask
             self.oldest = position
-            self._gone_back = self._refused = False
+            self._gone_back = self._refused = self._gave_up = False
             self._refusals = 0
         self._tries = self._silent_tries = 0
         self._since = now
@@ -339,6 +352,7 @@ class Window(Generic[R]):
             given_up.posted = False
         self._tries = self._refusals = 0
         self._gone_back = False
+        self._gave_up = True
         return given_up
 
     def _go_back(self, now: float) -> None:
