@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
 
 _STD = "--std=08"
+_ERROR_LINES = 12
 
 
 class ConversionError(Exception):
@@ -47,7 +48,8 @@ def to_verilog(top: str, generics: Mapping[str, object] | None = None, extra_sou
             arguments = [_STD, f"--workdir={scratch}", "--out=verilog", *options, top]
             text = ghdl.run("synth", *arguments, cwd=Path(scratch))
         except subprocess.CalledProcessError as error:
-            raise ConversionError(f"{top} with {dict(generics or {})}: {error.stderr.strip()}") from error
+            first_lines = "\n".join(error.stderr.strip().splitlines()[:_ERROR_LINES])
+            raise ConversionError(f"{top} with {dict(generics or {})}: {first_lines}") from error
     partial = result.with_suffix(".partial")
     partial.write_text(text)
     partial.replace(result)

