@@ -4,7 +4,8 @@ Built on pyserial-asyncio-fast, the kept fork of pyserial-asyncio: it tries each
 the port to become writable, which is one turn of the event loop less on every request. Its transport is taken over with
 four changes, for what a fast link needs and a terminal does not:
 
-- one system call a write;
+- a write is one system call that takes what fits (pyserial's tries for ever while a port is full, and
+  the loop with it);
 - whole reads of up to 64 KiB, by one system call as well (its own are of 1 KiB, by two);
 - an end to watching for writability when all is written (it never stops, and then fails in every turn of the loop);
 - a port that was unplugged is a lost connection, not a report to the loop's exception handler.
@@ -38,9 +39,7 @@ async def connect(url: DriverUrl, protocol: asyncio.Protocol) -> asyncio.Transpo
     if baud <= 0:
         raise ArgumentError(f"baud={baud} in {url.text} is not positive")
     try:
-        port = serial.Serial(
-            url.path, baudrate=baud, rtscts=url.flag("rtscts"), timeout=0, write_timeout=0, exclusive=True
-        )
+        port = Port(url.path, baudrate=baud, rtscts=url.flag("rtscts"), timeout=0, write_timeout=0, exclusive=True)
     except (serial.SerialException, OSError, ValueError) as error:
         raise ConnectError(_explain(url.path, error)) from error
     transport = PortTransport(asyncio.get_running_loop(), protocol, port)
@@ -60,27 +59,20 @@ def _explain(path: str, error: Exception) -> str:
     return f"{path} is no usable serial port ({error})"
 
 
+class Port(serial.Serial):
+    """A port that says at once how much it took."""
+
+    def write(self, data: bytes | bytearray | memoryview, /) -> int:
+        """Write what fits; raises BlockingIOError where nothing does."""
+        return os.write(self.fd, data)  # type: ignore[arg-type]  # an open port has a descriptor
+
+
 class PortTransport(SerialTransport):
     """The library's transport, with the changes that this module's docstring gives."""
 
     def __init__(self, loop: asyncio.AbstractEventLoop, protocol: asyncio.Protocol, port: serial.Serial) -> None:
         super().__init__(loop, protocol, port)
         self._descriptor = port.fileno()
-
-    def write(self, data: bytes | bytearray | memoryview) -> None:
-        """Write at once what the port takes; the library's buffer has the rest."""
-        if not self._closing and not self._write_buffer:
-            try:
-                sent = os.write(self._descriptor, data)
-            except (BlockingIOError, InterruptedError):
-                sent = 0
-            except OSError as error:
-                self._abort(error)
-                return
-            if sent == len(data):
-                return
-            data = data[sent:]
-        super().write(data)
 
     def _read_ready(self) -> None:
         try:
