@@ -12,7 +12,7 @@ from unity_link.virtual import VirtualGateway
 from unity_link.virtual.line import SlowLine
 from unity_link.virtual.pump import MOST_LAG
 from unity_link.virtual.serving import connect_gateway
-from unity_link.virtual.transport import HIGH_WATER, MOST_DELIVERED, MOST_TAKEN, GatewayTransport
+from unity_link.virtual.transport import HIGH_WATER, MOST_DELIVERED, MOST_TAKEN, PIECE, GatewayTransport
 
 if TYPE_CHECKING:
     from unity_link.virtual import Gateway
@@ -98,7 +98,7 @@ async def test_a_protocol_that_does_not_read_is_asked_to_stop_writing_and_nothin
         sent += 100
         await turns(5)
     assert transport.get_write_buffer_size() <= HIGH_WATER + 700
-    most_answers = MOST_TAKEN // 7 * 2050
+    most_answers = PIECE // 7 * 2050
     assert len(transport._to_protocol) <= HIGH_WATER + most_answers
     assert protocol.received == []
     transport.resume_reading()

@@ -31,6 +31,8 @@ if TYPE_CHECKING:
     from unity_link.virtual.gateway import Gateway
 
 BUSY = b"this gateway serves another client; try again when that has gone\r\n"
+GRACE = 0.1
+"""Seconds that a new client waits for the one before to go: hanging up may be heard later than calling again."""
 LOOPBACK = "127.0.0.1"
 _LONGEST_REST = 65536
 _OWNER_ONLY = 0o177
@@ -91,11 +93,24 @@ class _Client(asyncio.Protocol):
     def connection_made(self, transport: asyncio.BaseTransport) -> None:
         assert isinstance(transport, asyncio.Transport)
         if self._counter.taken:
-            transport.write(BUSY)
-            transport.close()
-            return
+            transport.pause_reading()
+            asyncio.get_running_loop().call_later(GRACE, self._serve_or_refuse, transport)
+        else:
+            self._serve(transport)
+
+    def _serve(self, transport: asyncio.Transport) -> None:
         self._served = True
         self._counter.sender = self._counter.reader = transport
+
+    def _serve_or_refuse(self, transport: asyncio.Transport) -> None:
+        if transport.is_closing():
+            return
+        if self._counter.taken:
+            transport.write(BUSY)
+            transport.close()
+        else:
+            self._serve(transport)
+            transport.resume_reading()
 
     def data_received(self, data: bytes) -> None:
         if self._served:

@@ -1,8 +1,8 @@
 """A gateway in this process, behind an `asyncio` transport: what ``sim:`` opens.
 
 It behaves as a serial port does: `write` returns at once, what is written in one turn of the loop is looked at in the
-next, and answers arrive in whole reads. It has no task; each turn takes at most `MOST_TAKEN` bytes in and delivers at
-most `MOST_DELIVERED`, so many requests in flight leave room for everything else on the loop. A protocol that pauses
+next, and answers arrive in whole reads. It has no task. Each turn takes in at most `MOST_TAKEN` bytes, in pieces of
+which none has too many answers, and delivers at most `MOST_DELIVERED`, so the loop stays alive. A protocol that pauses
 reading stops the gateway from sending, and so from looking at requests, and so, when `HIGH_WATER` bytes wait, is itself
 asked to pause writing: no more than that is ever kept.
 """
@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from unity_link.virtual.gateway import Gateway
 
 MOST_TAKEN = 16384
+PIECE = 2048
 MOST_DELIVERED = 65536
 HIGH_WATER = 65536
 LOW_WATER = 16384
@@ -121,10 +122,12 @@ class GatewayTransport(asyncio.Transport):
         self._turn_planned = False
         if self._closing:
             return
-        if self._can_take():
-            taken = bytes(self._to_gateway[:MOST_TAKEN])
-            del self._to_gateway[:MOST_TAKEN]
-            self._pump.feed(taken)
+        for _ in range(MOST_TAKEN // PIECE):
+            if not self._can_take():
+                break
+            piece = bytes(self._to_gateway[:PIECE])
+            del self._to_gateway[:PIECE]
+            self._pump.feed(piece)
         if self._writing_paused and len(self._to_gateway) <= LOW_WATER:
             self._writing_paused = False
             self._protocol.resume_writing()

@@ -1,0 +1,300 @@
+"""Served gateways, over real terminals and sockets."""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+import os
+import socket
+import stat
+import tracemalloc
+from typing import TYPE_CHECKING, Any
+
+import pytest
+
+from unity_link.errors import ConnectError
+from unity_link.virtual import VirtualGateway
+from unity_link.virtual.serving import BUSY, serve_pty, serve_tcp, serve_udp, serve_unix
+
+if TYPE_CHECKING:
+    from collections.abc import AsyncIterator
+    from pathlib import Path
+
+Stream = tuple[asyncio.StreamReader, asyncio.StreamWriter]
+
+
+def port_of(url: str) -> int:
+    return int(url.rpartition(":")[2])
+
+
+@contextlib.asynccontextmanager
+async def tcp_client(url: str) -> AsyncIterator[Stream]:
+    reader, writer = await asyncio.open_connection("127.0.0.1", port_of(url))
+    yield reader, writer
+    writer.close()
+    await writer.wait_closed()
+
+
+@contextlib.asynccontextmanager
+async def unix_client(url: str) -> AsyncIterator[Stream]:
+    reader, writer = await asyncio.open_unix_connection(url.removeprefix("unix:"))
+    yield reader, writer
+    writer.close()
+    await writer.wait_closed()
+
+
+async def ask(stream: Stream, request: bytes) -> bytes:
+    stream[1].write(request)
+    return await asyncio.wait_for(stream[0].readuntil(b"\n"), 10)
+
+
+class Port:
+    """A client of a serial port."""
+
+    def __init__(self, url: str) -> None:
+        self.descriptor = os.open(url.removeprefix("serial:"), os.O_RDWR | os.O_NOCTTY)
+
+    async def ask(self, request: bytes) -> bytes:
+        os.write(self.descriptor, request)
+        answer = b""
+        while not answer.endswith(b"\n"):
+            answer += await asyncio.wait_for(asyncio.to_thread(os.read, self.descriptor, 4096), 10)
+        return answer
+
+    def close(self) -> None:
+        os.close(self.descriptor)
+
+
+class Datagrams(asyncio.DatagramProtocol):
+    """A client of a datagram socket."""
+
+    def __init__(self) -> None:
+        self.received: asyncio.Queue[bytes] = asyncio.Queue()
+
+    def connection_made(self, transport: Any) -> None:
+        self.transport = transport
+
+    def datagram_received(self, data: bytes, addr: Any) -> None:
+        self.received.put_nowait(data)
+
+    async def next(self) -> bytes:
+        return await asyncio.wait_for(self.received.get(), 10)
+
+
+async def datagram_client(url: str) -> Datagrams:
+    loop = asyncio.get_running_loop()
+    _, client = await loop.create_datagram_endpoint(Datagrams, remote_addr=("127.0.0.1", port_of(url)))
+    return client
+
+
+@pytest.mark.asyncio
+async def test_a_gateway_answers_over_tcp_and_keeps_its_memory_between_clients() -> None:
+    async with serve_tcp(VirtualGateway()) as url:
+        async with tcp_client(url) as stream:
+            assert await ask(stream, b"W1007\r") == b"W10\r\n"
+        async with tcp_client(url) as stream:
+            assert await ask(stream, b"R10\r") == b"R1000000007\r\n"
+
+
+@pytest.mark.asyncio
+async def test_a_second_client_is_told_that_the_gateway_is_busy_and_the_first_goes_on() -> None:
+    async with serve_tcp(VirtualGateway()) as url, tcp_client(url) as first:
+        assert await ask(first, b"H\r") == b"H\r\n"
+        async with tcp_client(url) as second:
+            assert await second[0].read() == BUSY
+        assert await ask(first, b"H\r") == b"H\r\n"
+
+
+@pytest.mark.asyncio
+async def test_the_end_of_serving_hangs_up() -> None:
+    async with serve_tcp(VirtualGateway()) as url:
+        stream = await asyncio.open_connection("127.0.0.1", port_of(url))
+        await ask(stream, b"H\r")
+    with contextlib.suppress(ConnectionResetError):
+        assert await stream[0].read() == b""
+    stream[1].close()
+    with pytest.raises(OSError, match="refused|Connect call failed"):
+        await asyncio.open_connection("127.0.0.1", port_of(url))
+
+
+@pytest.mark.asyncio
+async def test_a_client_that_reads_slowly_gets_everything_and_takes_no_memory() -> None:
+    requests = 3000
+    async with serve_tcp(VirtualGateway()) as url, tcp_client(url) as (reader, writer):
+        tracemalloc.start()
+        try:
+            writer.write(b"RM00FF\r" * requests)
+            expected = b"RM00FF" + b"0" * 2040 + b"\r\n"
+            for _ in range(requests):
+                assert await reader.readexactly(len(expected)) == expected
+            # Over 6 MB have passed.
+            assert tracemalloc.get_traced_memory()[1] < 4_000_000
+        finally:
+            tracemalloc.stop()
+
+
+@pytest.mark.asyncio
+async def test_a_busy_tcp_port_is_one_clear_error() -> None:
+    with socket.create_server(("127.0.0.1", 0)) as other:
+        port = other.getsockname()[1]
+        with pytest.raises(ConnectError, match=rf"TCP port {port} of .* is in use: choose another"):
+            async with serve_tcp(VirtualGateway(), port):
+                pass
+
+
+@pytest.mark.asyncio
+async def test_a_port_that_is_none_is_one_clear_error() -> None:
+    for serve in (serve_tcp, serve_udp):
+        with pytest.raises(ConnectError, match="port 70000"):
+            async with serve(VirtualGateway(), 70000):
+                pass
+
+
+@pytest.mark.asyncio
+async def test_a_unix_socket_is_for_its_owner_alone_and_removed_at_the_end(tmp_path: Path) -> None:
+    place = tmp_path / "gateway"
+    async with serve_unix(VirtualGateway(), place) as url:
+        assert url == f"unix:{place}"
+        assert stat.S_IMODE(place.stat().st_mode) == 0o600
+        async with unix_client(url) as stream:
+            assert await ask(stream, b"R10\r") == b"R1000000000\r\n"
+    assert not place.exists()
+
+
+@pytest.mark.asyncio
+async def test_a_socket_left_behind_is_replaced_and_a_served_one_is_not(tmp_path: Path) -> None:
+    place = tmp_path / "gateway"
+    with socket.socket(socket.AF_UNIX) as left_behind:
+        left_behind.bind(str(place))
+    async with serve_unix(VirtualGateway(), place) as url:
+        with pytest.raises(ConnectError, match="already served"):
+            async with serve_unix(VirtualGateway(), place):
+                pass
+        async with unix_client(url) as stream:
+            assert await ask(stream, b"H\r") == b"H\r\n"
+
+
+@pytest.mark.asyncio
+async def test_what_is_no_socket_is_left_alone(tmp_path: Path) -> None:
+    place = tmp_path / "notes"
+    place.write_text("mine")
+    with pytest.raises(ConnectError, match="no socket: remove it"):
+        async with serve_unix(VirtualGateway(), place):
+            pass
+    assert place.read_text() == "mine"
+    with pytest.raises(ConnectError, match="choose another path"):
+        async with serve_unix(VirtualGateway(), tmp_path / "nowhere" / "socket"):
+            pass
+
+
+@pytest.mark.asyncio
+async def test_a_serial_port_may_be_closed_and_opened_again() -> None:
+    async with serve_pty(VirtualGateway()) as url:
+        for word in (b"00000001", b"00000002"):
+            port = Port(url)
+            assert await port.ask(b"W10" + word + b"\r") == b"W10\r\n"
+            port.close()
+        port = Port(url)
+        assert await port.ask(b"R10\r") == b"R1000000002\r\n"
+        port.close()
+
+
+@pytest.mark.asyncio
+async def test_a_serial_port_is_raw() -> None:
+    async with serve_pty(VirtualGateway()) as url:
+        port = Port(url)
+        gateway_hears = bytes(byte for byte in range(256) if byte not in b"\r\n")
+        assert await port.ask(gateway_hears + b"\r") == b"X02\r\n"
+        assert await port.ask(b"R0ACB\n") == b"R0A0000000037\n"
+        port.close()
+
+
+@pytest.mark.asyncio
+async def test_a_serial_port_survives_a_client_that_left_with_samples_running() -> None:
+    gateway = VirtualGateway()
+    async with serve_pty(gateway) as url:
+        port = Port(url)
+        os.write(port.descriptor, b"GS000100010110\rGN00\r")
+        now = asyncio.get_running_loop().time
+        # A gateway of which nothing is read comes to a stand, and its next sample falls behind the time.
+        while (due := gateway.next_due) is None or due > now() - 0.1:  # noqa: ASYNC110  (nothing tells of it)
+            await asyncio.sleep(0.001)
+        port.close()
+        port = Port(url)
+        os.write(port.descriptor, b"K00\rH\r")
+        answer = b""
+        while not answer.endswith(b"H\r\n"):
+            answer = answer[-3:] + await asyncio.wait_for(asyncio.to_thread(os.read, port.descriptor, 65536), 10)
+        port.close()
+
+
+@pytest.mark.asyncio
+async def test_a_link_to_a_serial_port_leads_there_and_is_removed_at_the_end(tmp_path: Path) -> None:
+    link = tmp_path / "port"
+    async with serve_pty(VirtualGateway(), link) as url:
+        assert url == f"serial:{link}"
+        port = Port(url)
+        assert await port.ask(b"H\r") == b"H\r\n"
+        port.close()
+    assert not link.is_symlink()
+
+
+@pytest.mark.asyncio
+async def test_a_link_replaces_only_one_that_leads_nowhere(tmp_path: Path) -> None:
+    link = tmp_path / "port"
+    link.symlink_to("/dev/pts/gone")
+    async with serve_pty(VirtualGateway(), link):
+        with pytest.raises(ConnectError, match="remove it, or choose another"):
+            async with serve_pty(VirtualGateway(), link):
+                pass
+        assert link.exists()
+
+
+@pytest.mark.asyncio
+async def test_datagrams_hold_whole_frames() -> None:
+    async with serve_udp(VirtualGateway()) as url:
+        client = await datagram_client(url)
+        client.transport.sendto(b"RM00FF\r" + b"H\r" * 1000)
+        received = b""
+        while received.count(b"\n") < 1001:
+            datagram = await client.next()
+            assert datagram.endswith(b"\r\n")
+            assert len(datagram) <= 1400 or datagram.count(b"\n") == 1
+            received += datagram
+        assert received == b"RM00FF" + b"0" * 2040 + b"\r\n" + b"H\r\n" * 1000
+        client.transport.close()
+
+
+@pytest.mark.asyncio
+async def test_a_datagram_that_was_cut_does_not_spoil_the_next() -> None:
+    async with serve_udp(VirtualGateway()) as url:
+        client = await datagram_client(url)
+        client.transport.sendto(b"W10000")
+        assert await client.next() == b"X011B\n"
+        client.transport.sendto(b"H\r")
+        assert await client.next() == b"H\r\n"
+        client.transport.close()
+
+
+@pytest.mark.asyncio
+async def test_samples_go_to_the_client_that_spoke_last() -> None:
+    gateway = VirtualGateway()
+    async with serve_udp(gateway) as url:
+        first, second = await datagram_client(url), await datagram_client(url)
+        first.transport.sendto(b"GS000200010110\rGN00\r")
+        assert await first.next() == b"GS00\r\nGN00\r\n"
+        second.transport.sendto(b"H\r")
+        assert await second.next() == b"H\r\n"
+        gateway.trigger(asyncio.get_running_loop().time())
+        assert (await second.next()).startswith(b"P0000")
+        assert first.received.empty()
+        first.transport.close()
+        second.transport.close()
+
+
+@pytest.mark.asyncio
+async def test_a_busy_udp_port_is_one_clear_error() -> None:
+    async with serve_udp(VirtualGateway()) as url:
+        with pytest.raises(ConnectError, match=rf"UDP port {port_of(url)} of .* is in use"):
+            async with serve_udp(VirtualGateway(), port_of(url)):
+                pass
