@@ -1,0 +1,162 @@
+"""UL-spec: a robot's signals declared once, for every program, language and gateway that deals with them.
+
+The way of a spec, one file for each step:
+
+- `tokens`, `grammar.lark`, `parser`, `comments`: text to syntax tree; `recovery` finds the other faults after the first
+- `syntax`: that tree; `printer`: back to text
+- `loading`: the file and what it imports
+- `elaborate` with `expressions`, `arguments`, `signals`, `modules`, `interface`: syntax tree to model, and all checks
+- `model`, `kinds`: the checked model, and what the bits of a signal mean
+- `diagnostics`: what the author is told
+- `systemrdl`: the neighbour, in and out
+
+What others use is here::
+
+    spec = compile_file("robot.ul")
+    for signal in spec.interface().signals.values():
+        print(signal.path, hex(signal.address), signal.kind)
+"""
+
+from __future__ import annotations
+
+import gc
+from contextlib import contextmanager
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from unity_link.spec.diagnostics import Diagnostic, Reporter, Source, Span, SpecError
+from unity_link.spec.kinds import Enumeration, EnumValue, Kind, KindName, Value
+from unity_link.spec.model import (
+    Access,
+    Component,
+    ComponentArray,
+    Group,
+    Interface,
+    Joint,
+    Module,
+    Parameter,
+    ParameterReference,
+    Signal,
+    SourceFile,
+    Spec,
+)
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+__all__ = [
+    "Access",
+    "Component",
+    "ComponentArray",
+    "Diagnostic",
+    "EnumValue",
+    "Enumeration",
+    "Group",
+    "Interface",
+    "Joint",
+    "Kind",
+    "KindName",
+    "Module",
+    "Parameter",
+    "ParameterReference",
+    "Signal",
+    "SourceFile",
+    "Span",
+    "Spec",
+    "SpecError",
+    "Value",
+    "compile_file",
+    "compile_text",
+    "format_text",
+]
+
+
+def compile_file(path: str | Path, *, address_bits: int | None = None, data_bits: int | None = None) -> Spec:
+    """Read, check and compute a spec.
+
+    Args:
+        path: the file.
+        address_bits: width of the gateway's addresses, if it is known; the spec must not tell another one.
+        data_bits: width of its words, likewise.
+
+    Raises:
+        SpecError: with everything that is wrong with it, or with why it cannot be read.
+    """
+    from unity_link.spec.loading import read_text
+
+    try:
+        text = read_text(Path(path))
+    except ValueError as error:
+        place = Span(str(path), 1, 1, 1, 1)
+        raise SpecError([Diagnostic("error", "unreadable", str(error), place)]) from None
+    return compile_text(text, str(path), path=Path(path), address_bits=address_bits, data_bits=data_bits)
+
+
+def compile_text(
+    text: str,
+    name: str = "<text>",
+    *,
+    path: Path | None = None,
+    address_bits: int | None = None,
+    data_bits: int | None = None,
+) -> Spec:
+    """Check and compute a spec that is at hand as text.
+
+    Args:
+        text: the spec.
+        name: what messages call it.
+        path: the file that it is the text of; its imports are looked for from there, else from the working directory.
+        address_bits: as for `compile_file`.
+        data_bits: as for `compile_file`.
+
+    Raises:
+        SpecError: with everything that is wrong with it.
+    """
+    from unity_link.spec.elaborate import Elaborator
+    from unity_link.spec.loading import Loader
+
+    reporter = Reporter()
+    with _no_garbage_collection():
+        loader = Loader(reporter)
+        loader.load(name, text, path)
+        # What a file with a wrong syntax declares is not known, and every use of it would be a fault.
+        interfaces = () if reporter.failed else Elaborator(
+            loader.declarations, reporter, address_bits, data_bits
+        ).run()
+    if not interfaces and not reporter.failed:
+        first = loader.declarations.sources[0]
+        advice = "mark the outermost component with 'public'"
+        reporter.warning(first, (0, 0), "no-interface", "nothing in this file is public", help=advice)
+    if reporter.failed:
+        raise SpecError(reporter.diagnostics)
+    sources = tuple(SourceFile(source.name, source.sha256) for source in loader.declarations.sources)
+    return Spec(interfaces=interfaces, sources=sources, warnings=reporter.diagnostics)
+
+
+def format_text(text: str, name: str = "<text>") -> str:
+    """Give the text of a spec in its canonical layout, comments included.
+
+    Raises:
+        SpecError: where it cannot be parsed; other faults don't matter here.
+    """
+    from unity_link.spec.parser import parse
+    from unity_link.spec.printer import print_file
+
+    reporter = Reporter()
+    with _no_garbage_collection():
+        file = parse(Source(name, text), reporter)
+    if file is None:
+        raise SpecError(reporter.diagnostics)
+    return print_file(file)
+
+
+@contextmanager
+def _no_garbage_collection() -> Iterator[None]:
+    """Keep the collector from searching trees that are still growing: a quarter of the time of a large spec."""
+    enabled = gc.isenabled()
+    gc.disable()
+    try:
+        yield
+    finally:
+        if enabled:
+            gc.enable()

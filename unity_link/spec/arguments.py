@@ -1,0 +1,227 @@
+"""Arguments: which ones a word of the language takes, and how those that are given find their places.
+
+`ACCESS`, `GROUP` and `GATEWAY` are the tables of the language's own words; those of hardware modules stand in `modules`.
+A new argument is a new row.
+"""
+
+from __future__ import annotations
+
+import enum
+from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
+
+from unity_link.spec.diagnostics import did_you_mean, listed
+from unity_link.spec.expressions import Evaluator, GroupReference, Result, describe
+from unity_link.spec.model import ParameterReference
+from unity_link.spec.syntax import Argument, Call, Expression, Name
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping, Sequence
+
+
+class Shape(enum.Enum):
+    """What an argument is."""
+
+    WHOLE = "a whole number"
+    NUMBER = "a number"
+    TEXT = "a string"
+    GROUP = "a group's number or name"
+    HANDLE = "a parameter of the interface, or an address"
+    SIGNAL = "the name of a signal"
+    FLAG = "a flag"
+    CLAUSE = "a clause"
+
+
+class Slot(NamedTuple):
+    """One argument that a word takes: its name, what it is, and the numbers that it may be."""
+
+    name: str
+    shape: Shape
+    low: float | None = None
+    high: float | None = None
+    required: bool = False
+    clause: tuple[Slot, ...] = ()
+    """The arguments that a clause takes by itself, all of them by place or by name."""
+
+
+ADDRESS = (0, (1 << 32) - 1)
+DIVISOR = (1, 0xFFFF)
+GROUP_NUMBER = (0, 255)
+HIGHEST_RATE = 1e9
+
+ACCESS = (
+    Slot("ID", Shape.TEXT),
+    Slot(
+        "PUBLISH",
+        Shape.CLAUSE,
+        clause=(Slot("GROUP", Shape.GROUP, *GROUP_NUMBER, required=True), Slot("DIVISOR", Shape.WHOLE, *DIVISOR)),
+    ),
+    Slot("POLL", Shape.CLAUSE, clause=(Slot("RATE", Shape.NUMBER, 1e-6, HIGHEST_RATE, required=True),)),
+    Slot("GROUP", Shape.CLAUSE, clause=(Slot("GROUP", Shape.GROUP, *GROUP_NUMBER, required=True),)),
+    Slot("FIFO", Shape.CLAUSE, clause=(Slot("WORDS", Shape.WHOLE, 1, 1 << 32),)),
+    Slot("SCALE", Shape.NUMBER),
+    Slot("OFFSET", Shape.NUMBER),
+    Slot("UNIT", Shape.TEXT),
+    Slot("MIN", Shape.NUMBER),
+    Slot("MAX", Shape.NUMBER),
+)
+GROUP = (
+    Slot("NUMBER", Shape.WHOLE, *GROUP_NUMBER),
+    Slot("DIVISOR", Shape.WHOLE, *DIVISOR),
+    Slot("RATE", Shape.NUMBER, 1e-6, HIGHEST_RATE),
+    Slot("TRIGGER", Shape.FLAG),
+    Slot("ON_CHANGE", Shape.FLAG),
+    Slot("IMMEDIATE", Shape.FLAG),
+    Slot("TIMESTAMPS", Shape.FLAG),
+    Slot(
+        "JOINTS",
+        Shape.CLAUSE,
+        clause=tuple(Slot(name, Shape.SIGNAL) for name in ("POSITION", "VELOCITY", "EFFORT")),
+    ),
+)
+GATEWAY = (Slot("ADDRESS_BITS", Shape.WHOLE, 8, 32), Slot("DATA_BITS", Shape.WHOLE, 8, 64))
+
+_NOT_NEEDED = {"CRC": "leave it out: every message of a program is checked", "INDEX": "the index of an array is 'i'"}
+
+Bound: TypeAlias = dict[str, Any]
+"""Values by the names of the arguments; those of a clause are a `Bound` again."""
+
+
+class Binder:
+    """Finds the arguments of one word."""
+
+    def __init__(self, evaluator: Evaluator, scope: Mapping[str, Result]) -> None:
+        self._evaluator = evaluator
+        self._scope = scope
+        self.places: dict[str, tuple[int, int]] = {}
+        """Where each argument stands; those of clauses under ``CLAUSE.NAME``."""
+
+    def bind(
+        self, word: str, place: tuple[int, int], arguments: Sequence[Argument], slots: tuple[Slot, ...], by_place: int = 0
+    ) -> Bound:
+        """Give the values of `arguments`; what is wrong with them is reported.
+
+        Args:
+            word: whose arguments these are.
+            place: where that stands.
+            arguments: what is given.
+            slots: what it takes.
+            by_place: how many of the slots, from the first one, can be given without their names.
+        """
+        return self._bind(word, place, arguments, slots, by_place, "")
+
+    def _bind(  # noqa: PLR0913, PLR0917
+        self,
+        word: str,
+        place: tuple[int, int],
+        arguments: Sequence[Argument],
+        slots: tuple[Slot, ...],
+        by_place: int,
+        prefix: str,
+    ) -> Bound:
+        known = {slot.name: slot for slot in slots}
+        bound: Bound = {}
+        seen: set[str] = set()
+        free = list(slots[:by_place])
+        for argument in arguments:
+            slot = self._slot(word, argument, known, free)
+            if slot is None:
+                continue
+            if slot.name in seen:
+                self._evaluator.fault(argument.place, "argument-twice", f"{slot.name} is given twice")
+                continue
+            seen.add(slot.name)
+            self.places[prefix + slot.name] = argument.place
+            value = self._value(argument, slot)
+            if value is not None:
+                bound[slot.name] = value
+        for slot in slots:
+            if slot.required and slot.name not in seen:
+                message = f"{word} needs {slot.name}, {slot.shape.value}"
+                self._evaluator.fault(place, "argument-missing", message)
+        return bound
+
+    def _slot(self, word: str, argument: Argument, known: Mapping[str, Slot], free: list[Slot]) -> Slot | None:
+        """Find the slot of an argument."""
+        name = argument.name
+        if name is None and isinstance(argument.value, Call | Name) and argument.value.name in known:
+            slot = known[argument.value.name]
+            if slot.shape in {Shape.CLAUSE, Shape.FLAG}:
+                return slot
+        if name is None and isinstance(argument.value, Call):
+            name = argument.value.name
+        if name is None and free:
+            return free.pop(0)
+        if name is None:
+            self._report_unnamed(word, argument, known)
+            return None
+        if name not in known:
+            place = name.place
+            advice = did_you_mean(name, known) or _NOT_NEEDED.get(name.upper(), "")
+            advice = advice or (f"it takes {listed(known, 'and')}" if known else "it takes none")
+            self._evaluator.fault(place, "unknown-argument", f"{word} has no argument '{name}'", advice)
+            return None
+        if known[name] in free:
+            free.remove(known[name])
+        return known[name]
+
+    def _report_unnamed(self, word: str, argument: Argument, known: Mapping[str, Slot]) -> None:
+        if isinstance(argument.value, Name):
+            name = argument.value.name
+            advice = did_you_mean(name, known) or _NOT_NEEDED.get(name.upper(), "")
+            if advice:
+                message = f"{word} has no argument '{name}'"
+                self._evaluator.fault(argument.place, "unknown-argument", message, advice)
+                return
+        names = [slot.name for slot in known.values() if slot.shape not in {Shape.FLAG, Shape.CLAUSE}]
+        advice = f"name it, as in {names[0]}=..." if names else ""
+        self._evaluator.fault(argument.place, "too-many-arguments", f"{word} has no place for this argument", advice)
+
+    def _value(self, argument: Argument, slot: Slot) -> Any:
+        if slot.shape is Shape.CLAUSE:
+            return self._clause(argument, slot)
+        if slot.shape is Shape.FLAG:
+            if argument.name is None and isinstance(argument.value, Name):
+                return True
+            self._evaluator.fault(argument.place, "bad-argument", f"{slot.name} stands by itself, without a value")
+            return None
+        if slot.shape is Shape.SIGNAL:
+            if isinstance(argument.value, Name):
+                return str(argument.value.name)
+            self._evaluator.fault(argument.value.place, "bad-argument", f"{slot.name} is {slot.shape.value}")
+            return None
+        return self._checked(slot, argument.value, self._evaluator.evaluate(argument.value, self._scope))
+
+    def _clause(self, argument: Argument, slot: Slot) -> Bound | None:
+        value = argument.value
+        if argument.name is not None:
+            names = ", ".join(inner.name.lower() for inner in slot.clause)
+            self._evaluator.fault(argument.place, "bad-argument", f"{slot.name} takes parentheses: {slot.name}({names})")
+            return None
+        given = value.arguments if isinstance(value, Call) else []
+        # The joints' signals are told apart only by their names.
+        by_place = 0 if slot.name == "JOINTS" else len(slot.clause)
+        return self._bind(slot.name, value.place, given, slot.clause, by_place, f"{slot.name}.")
+
+    def _checked(self, slot: Slot, expression: Expression, value: Result) -> Result:
+        if value is None:
+            return None
+        is_number = isinstance(value, int | float) and not isinstance(value, bool)
+        is_whole = is_number and isinstance(value, int)
+        fits = {
+            Shape.WHOLE: is_whole,
+            Shape.NUMBER: is_number,
+            Shape.TEXT: isinstance(value, str),
+            Shape.GROUP: is_whole or isinstance(value, GroupReference),
+            Shape.HANDLE: is_whole or isinstance(value, ParameterReference),
+        }
+        if not fits[slot.shape]:
+            message = f"{slot.name} is {slot.shape.value}, not {describe(value)}"
+            self._evaluator.fault(expression.place, "bad-argument", message)
+            return None
+        if isinstance(value, int | float) and (
+            (slot.low is not None and value < slot.low) or (slot.high is not None and value > slot.high)
+        ):
+            message = f"{slot.name} is {value:.12g}, and {slot.low:.12g} to {slot.high:.12g} is expected"
+            self._evaluator.fault(expression.place, "out-of-range", message)
+            return None
+        return value

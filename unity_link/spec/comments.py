@@ -1,0 +1,91 @@
+"""Which statement a comment belongs to.
+
+The grammar knows no comments. This room hangs each on the tree, so that `fmt` loses none:
+
+- ``///`` before a statement is its doc string;
+- a comment on the line that a statement ends on, behind it, trails it;
+- any other one leads the statement that it stands before or in;
+- what stands behind the last statement of a block dangles from the block.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from unity_link.spec.syntax import Block, Comment, File, Statement
+from unity_link.spec.tokens import SPACE, Place, find_comments
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from unity_link.spec.diagnostics import Source
+
+def attach_comments(file: File, source: Source) -> None:
+    """Hang every comment of a source on its tree, and mark where empty lines stand."""
+    _Attacher(source, find_comments(source.text)).fill(file.items, file.dangling, len(source.text))
+
+
+class _Attacher:
+    def __init__(self, source: Source, found: list[Place]) -> None:
+        self._source = source
+        self._found = found
+        self._next = 0
+
+    def _take(self, end: int) -> list[Place]:
+        """Take the comments that begin before `end`."""
+        first = self._next
+        while self._next < len(self._found) and self._found[self._next].start < end:
+            self._next += 1
+        return self._found[first : self._next]
+
+    def fill(self, statements: Sequence[Statement], dangling: list[Comment], end: int) -> None:
+        """Attach the comments of one block, which ends at `end`."""
+        for statement, following in zip(statements, [*statements[1:], None], strict=True):
+            before = self._take(statement.start)
+            self._lead(statement, before)
+            if isinstance(statement, Block) and statement.open:
+                self._lead(statement, self._take(statement.open))
+                self.fill(statement.members, statement.dangling, statement.end)  # type: ignore[attr-defined]
+            else:
+                self._lead(statement, self._take(statement.end))
+            self._trail(statement, end if following is None else following.start)
+        dangling += [self._comment(found) for found in self._take(end)]
+
+    def _lead(self, statement: Statement, before: list[Place]) -> None:
+        first = min([statement.start, *(found.start for found in before)])
+        statement.blank_before = statement.blank_before or self._blank_before(first)
+        for found in before:
+            is_doc = found.text.startswith("///") and not found.text.startswith("////")
+            if is_doc:
+                statement.doc.append(found.text[3:].removeprefix(" "))
+            else:
+                statement.leading.append(self._comment(found))
+
+    def _trail(self, statement: Statement, end: int) -> None:
+        line = self._source.line_of(max(statement.start, statement.end - 1))
+        while self._next < len(self._found) and self._found[self._next].start < end:
+            found = self._found[self._next]
+            if self._is_alone(found) or self._source.line_of(found.start) != line:
+                return
+            # Another statement may follow on the same line: then the comment between is the next one's.
+            rest = self._source.text[found.end : end].partition("\n")
+            if not rest[1] and end < len(self._source.text) and not rest[0].strip(SPACE) and self._same_line(found, end):
+                return
+            statement.trailing.append(self._comment(found))
+            self._next += 1
+
+    def _is_alone(self, found: Place) -> bool:
+        """Say whether nothing stands before a comment on its line."""
+        line_start = self._source.text.rfind("\n", 0, found.start) + 1
+        return not self._source.text[line_start : found.start].strip(SPACE)
+
+    def _same_line(self, found: Place, end: int) -> bool:
+        return self._source.line_of(found.end - 1) == self._source.line_of(end) and self._source.text[end] != "}"
+
+    def _comment(self, found: Place) -> Comment:
+        return Comment(found.text, self._blank_before(found.start))
+
+    def _blank_before(self, offset: int) -> bool:
+        before = self._source.text[:offset] if offset < 1000 else self._source.text[offset - 1000 : offset]
+        space = before[len(before.rstrip(SPACE)) :]
+        return space.count("\n") > 1

@@ -1,0 +1,217 @@
+"""Messages to the author of a spec: where, what, and what to do, as a good compiler gives them.
+
+Nothing stops at the first fault. `Reporter` collects what every stage finds; at the end there is either a model or a
+`SpecError` with all of it, in the order of the source. A fault inside a component shows once, however often the
+component is used, and a fault that only follows from another one is not shown.
+"""
+
+from __future__ import annotations
+
+import bisect
+import difflib
+import hashlib
+from typing import TYPE_CHECKING, Literal
+
+import msgspec
+
+from unity_link.errors import UnityLinkError
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable
+
+Severity = Literal["error", "warning"]
+MOST_SHOWN = 100
+"""Diagnostics beyond this many are counted, not shown."""
+_MOST_COLUMNS = 160
+"""A longer line is cut around the place."""
+
+
+class Span(msgspec.Struct, frozen=True):
+    """A place in a source. Lines and columns count from 1; `end_column` is the one after the last character."""
+
+    file: str
+    line: int
+    column: int
+    end_line: int
+    end_column: int
+
+    def __str__(self) -> str:
+        """Give ``file:line:column``, which editors and terminals make a link of."""
+        return f"{self.file}:{self.line}:{self.column}"
+
+
+class Note(msgspec.Struct, frozen=True):
+    """Another place that a diagnostic is about."""
+
+    span: Span
+    message: str
+    text: str = ""
+    """The line of the source at that place."""
+
+
+class Diagnostic(msgspec.Struct, frozen=True):
+    """One message about one place."""
+
+    severity: Severity
+    code: str
+    """A short name of the rule, the same in every version: ``unknown-name``."""
+    message: str
+    span: Span
+    text: str = ""
+    """The line of the source at that place."""
+    help: str = ""
+    """What the author can do; may be empty where the message says it."""
+    notes: tuple[Note, ...] = ()
+
+    def render(self) -> str:
+        """Give the message with the line and what is meant in it underlined, without a line end."""
+        parts = [f"{self.span}: {self.severity}: {self.message}", *underlined(self.text, self.span)]
+        if self.help:
+            parts.append(f"  help: {self.help}")
+        for note in self.notes:
+            parts += [f"{note.span}: note: {note.message}", *underlined(note.text, note.span)]
+        return "\n".join(parts)
+
+
+class SpecError(UnityLinkError):
+    """A spec that has faults; `diagnostics` are all of them, in the order of the source."""
+
+    def __init__(self, diagnostics: Iterable[Diagnostic]) -> None:
+        self.diagnostics = tuple(diagnostics)
+        super().__init__(self.diagnostics)
+
+    def __str__(self) -> str:
+        """Give all diagnostics and how many they are."""
+        shown = [diagnostic.render() for diagnostic in self.diagnostics[:MOST_SHOWN]]
+        return "\n".join([*shown, summary(self.diagnostics)])
+
+
+def summary(diagnostics: Iterable[Diagnostic]) -> str:
+    """Count errors and warnings in words, and say if not all of them were shown."""
+    found = list(diagnostics)
+    counts = [
+        f"{number} {name}{'s' * (number > 1)}"
+        for name in ("error", "warning")
+        if (number := sum(diagnostic.severity == name for diagnostic in found))
+    ]
+    rest = f", the first {MOST_SHOWN} of which are shown" if len(found) > MOST_SHOWN else ""
+    return (" and ".join(counts) or "no errors") + rest
+
+
+def underlined(text: str, span: Span) -> list[str]:
+    """Give the lines that show a place: the line of the source, and carets under what is meant."""
+    start = min(span.column - 1, len(text))
+    end = span.end_column - 1 if span.end_line == span.line else len(text)
+    end = max(min(end, len(text)), start + 1)
+    cut = max(0, start - _MOST_COLUMNS // 2)
+    shown = text[cut : cut + _MOST_COLUMNS]
+    printable = "".join(character if character.isprintable() or character == "\t" else "\N{REPLACEMENT CHARACTER}"
+                        for character in shown)
+    indent = "".join("\t" if character == "\t" else " " for character in printable[: start - cut])
+    carets = "^" * max(1, min(end - start, _MOST_COLUMNS - (start - cut)))
+    number = str(span.line)
+    return [f"{number:>5} | {printable}", f"{'':>5} | {indent}{carets}"]
+
+
+class Source:
+    """One file of a spec: its text, and the places in it."""
+
+    def __init__(self, name: str, text: str) -> None:
+        self.name = name
+        self.text = text
+        self._starts = [0]
+        self._starts += [index + 1 for index, character in enumerate(text) if character == "\n"]
+
+    @property
+    def sha256(self) -> str:
+        """Hash of the text, for what is generated from it."""
+        return hashlib.sha256(self.text.encode("utf-8", "surrogatepass")).hexdigest()
+
+    def line_of(self, offset: int) -> int:
+        """Give the number of the line, from 1, that a character stands in."""
+        return bisect.bisect_right(self._starts, offset)
+
+    def line(self, number: int) -> str:
+        """Give a line of the text without its end."""
+        end = self._starts[number] - 1 if number < len(self._starts) else len(self.text)
+        return self.text[self._starts[number - 1] : end].rstrip("\r")
+
+    def span(self, start: int, end: int) -> Span:
+        """Give the place of the characters from `start` to before `end`."""
+        line, end_line = self.line_of(start), self.line_of(max(start, end - 1))
+        return Span(
+            self.name, line, start - self._starts[line - 1] + 1, end_line, end - self._starts[end_line - 1] + 1
+        )
+
+
+class Reporter:
+    """Collects the diagnostics of one compilation."""
+
+    def __init__(self) -> None:
+        self._found: dict[tuple[str, Span], Diagnostic] = {}
+
+    def error(
+        self,
+        source: Source,
+        place: tuple[int, int],
+        code: str,
+        message: str,
+        *,
+        help: str = "",  # noqa: A002  (it is the word of the message)
+        notes: Iterable[tuple[Span, str, str]] = (),
+    ) -> None:
+        """Report an error at the characters `place` of a source; notes are place, message and line of the source."""
+        self._report("error", source, place, code, message, help, notes)
+
+    def warning(
+        self, source: Source, place: tuple[int, int], code: str, message: str, *, help: str = ""  # noqa: A002
+    ) -> None:
+        """Report what is valid and perhaps not what the author meant."""
+        self._report("warning", source, place, code, message, help, ())
+
+    def _report(  # noqa: PLR0913, PLR0917
+        self,
+        severity: Severity,
+        source: Source,
+        place: tuple[int, int],
+        code: str,
+        message: str,
+        help: str,  # noqa: A002
+        notes: Iterable[tuple[Span, str, str]],
+    ) -> None:
+        span = source.span(*place)
+        if (code, span) in self._found:
+            return
+        self._found[code, span] = Diagnostic(
+            severity, code, message, span, source.line(span.line), help, tuple(Note(*note) for note in notes)
+        )
+
+    @property
+    def failed(self) -> bool:
+        """Whether there is an error among what was reported."""
+        return any(diagnostic.severity == "error" for diagnostic in self._found.values())
+
+    @property
+    def diagnostics(self) -> tuple[Diagnostic, ...]:
+        """What was reported, in the order of the sources."""
+        files = {span.file: index for index, (_, span) in reversed(list(enumerate(self._found)))}
+        return tuple(
+            sorted(
+                self._found.values(),
+                key=lambda found: (files[found.span.file], found.span.line, found.span.column, found.code),
+            )
+        )
+
+
+def did_you_mean(name: str, known: Iterable[str]) -> str:
+    """Suggest the known names that look like `name`; empty where none does."""
+    names = sorted(set(known))
+    folded = [other for other in names if other.lower() == name.lower()]
+    close = folded or difflib.get_close_matches(name[:100], names, n=2, cutoff=0.6)
+    return f"did you mean {' or '.join(repr(other) for other in close)}?" if close else ""
+
+
+def listed(names: Iterable[str], word: str = "or") -> str:
+    """Join names for a sentence: ``a, b or c``."""
+    *first, last = names
+    return f"{', '.join(first)} {word} {last}" if first else last

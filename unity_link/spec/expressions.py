@@ -1,0 +1,213 @@
+"""Computes the expressions of a spec.
+
+Values are whole numbers, floats, strings, truths, and references to what has no value yet: a group, or a parameter that is
+given when an interface is opened. None stands for what could not be computed; why has been reported, and whoever meets
+it says nothing more about it.
+"""
+
+from __future__ import annotations
+
+import functools
+import math
+import operator
+from typing import TYPE_CHECKING, NamedTuple, TypeAlias
+
+from unity_link.spec.diagnostics import Reporter, Source, did_you_mean
+from unity_link.spec.model import ParameterReference
+from unity_link.spec.syntax import Call, Chain, Expression, Name, Number, Parenthesis, Prefixed, Text
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Mapping
+
+
+class GroupReference(NamedTuple):
+    """A group that is declared under a name."""
+
+    name: str
+
+
+Result: TypeAlias = int | float | str | bool | GroupReference | ParameterReference | None
+CONSTANTS: dict[str, Result] = {"true": True, "false": False, "pi": math.pi}
+MOST_BITS = 128
+"""Of a whole number. An address has at most 32 bits, a value 64; a mistyped shift would fill the memory."""
+MOST_TEXT = 1000
+_PRECEDENCE = {"|": 0, "^": 1, "&": 2, "<<": 3, ">>": 3, "+": 4, "-": 4, "*": 5, "/": 5, "%": 5}
+_WHOLE_ONLY = {"|", "^", "&", "<<", ">>"}
+
+
+class _FaultError(Exception):
+    """An operation that has no result; the text says why."""
+
+
+@functools.lru_cache(maxsize=65536)
+def parse_number(text: str) -> int | float | None:
+    """Give the number that a text writes, None if it writes none."""
+    try:
+        if text[:2] in {"0x", "0X", "0b", "0B"}:
+            number: int | float = int(text, 0)
+        elif text.replace("_", "").isdigit():
+            number = int(text)
+        else:
+            number = float(text)
+    except ValueError:
+        return None
+    return number if math.isfinite(number) else None
+
+
+def describe(value: Result) -> str:
+    """Name a value in a message."""
+    match value:
+        case bool():
+            return "true" if value else "false"
+        case int() | float():
+            return f"the number {value:.12g}" if isinstance(value, float) else f"the number {value}"
+        case str():
+            return f'the string "{value[:40]}"'
+        case GroupReference():
+            return f"the group '{value.name}'"
+        case ParameterReference():
+            return f"the parameter '{value.name}', whose value is given only when the interface is opened"
+    return "nothing"
+
+
+class Evaluator:
+    """Computes the expressions of one source."""
+
+    def __init__(self, source: Source, reporter: Reporter) -> None:
+        self.source = source
+        self.reporter = reporter
+
+    def fault(self, place: tuple[int, int], code: str, message: str, help: str = "") -> None:  # noqa: A002
+        """Report an error in this source."""
+        self.reporter.error(self.source, place, code, message, help=help)
+
+    def evaluate(self, expression: Expression, scope: Mapping[str, Result]) -> Result:  # noqa: PLR0911
+        """Give the value of an expression, None where it has none."""
+        match expression:
+            case Number():
+                return self._number(expression)
+            case Text():
+                return expression.value
+            case Name():
+                return self._name(expression, scope)
+            case Chain():
+                return self._chain(expression, scope)
+            case Parenthesis():
+                return self.evaluate(expression.inner, scope)
+            case Prefixed():
+                return self._prefixed(expression, scope)
+            case Call():
+                message = f"'{expression.name}(...)' has no value"
+                self.fault(expression.name.place, "no-value", message)
+                return None
+
+    def _number(self, number: Number) -> Result:
+        value = parse_number(number.text)
+        if value is None or (isinstance(value, int) and value.bit_length() > MOST_BITS):
+            message = f"'{number.text[:40]}' is no number" if value is None else "this number is too large"
+            self.fault(number.place, "bad-number", message, "numbers look like 12, 0x80, 0b101 or 1.5e-3")
+            return None
+        return value
+
+    def _name(self, name: Name, scope: Mapping[str, Result]) -> Result:
+        try:
+            return scope[name.name]
+        except KeyError:
+            message = f"nothing is called '{name.name}' here"
+            self.fault(name.place, "unknown-name", message, did_you_mean(name.name, scope))
+            return None
+
+    def _prefixed(self, expression: Prefixed, scope: Mapping[str, Result]) -> Result:
+        value = self.evaluate(expression.operand, scope)
+        if value is None:
+            return None
+        for prefix in reversed(expression.prefixes):
+            whole = isinstance(value, int) and not isinstance(value, bool)
+            if not whole and not (prefix == "-" and isinstance(value, float)):
+                message = f"'{prefix}' before {describe(value)} has no meaning"
+                self.fault(expression.place, "bad-operand", message)
+                return None
+            value = -value if prefix == "-" else ~value  # type: ignore[operator]
+        return value
+
+    def _chain(self, chain: Chain, scope: Mapping[str, Result]) -> Result:
+        """Compute operands and operators by the precedence of the operators, from the left among equals."""
+        values = [self.evaluate(operand, scope) for operand in chain.operands]
+        if None in values:
+            return None
+        try:
+            return _fold(values, chain.operators)
+        except _FaultError as fault:
+            self.fault(chain.place, "bad-operand", str(fault))
+            return None
+
+
+def _fold(values: list[Result], operators: list[str]) -> Result:
+    left, waiting = [values[0]], list[str]()
+    for symbol, value in zip(operators, values[1:], strict=True):
+        while waiting and _PRECEDENCE[waiting[-1]] >= _PRECEDENCE[symbol]:
+            second = left.pop()
+            left.append(_apply(waiting.pop(), left.pop(), second))
+        waiting.append(symbol)
+        left.append(value)
+    while waiting:
+        second = left.pop()
+        left.append(_apply(waiting.pop(), left.pop(), second))
+    return left[0]
+
+
+def _apply(symbol: str, first: Result, second: Result) -> Result:
+    if symbol == "+" and (isinstance(first, str) or isinstance(second, str)):
+        return _joined(first, second)
+    for value in (first, second):
+        if isinstance(value, bool) or not isinstance(value, int | float):
+            raise _FaultError(f"'{symbol}' takes numbers, not {describe(value)}")
+    assert isinstance(first, int | float)
+    assert isinstance(second, int | float)
+    if symbol in _WHOLE_ONLY and not (isinstance(first, int) and isinstance(second, int)):
+        raise _FaultError(f"'{symbol}' takes whole numbers, not {first:g} and {second:g}")
+    if symbol in {"<<", ">>"} and not 0 <= second <= MOST_BITS:
+        raise _FaultError(f"a shift by {second} was asked for, 0 to {MOST_BITS} is expected")
+    if symbol in {"/", "%"} and second == 0:
+        raise _FaultError("a division by 0")
+    try:
+        result = _OPERATIONS[symbol](first, second)
+    except OverflowError:
+        raise _FaultError("the result is too large") from None
+    too_large = result.bit_length() > MOST_BITS if isinstance(result, int) else not math.isfinite(result)
+    if too_large:
+        raise _FaultError("the result is too large")
+    return result
+
+
+def _divide(first: float, second: float) -> float:
+    """Divide; whole numbers that divide without a rest stay whole."""
+    if isinstance(first, int) and isinstance(second, int) and first % second == 0:
+        return first // second
+    return first / second
+
+
+_OPERATIONS: dict[str, Callable[[float, float], float]] = {
+    "+": operator.add,
+    "-": operator.sub,
+    "*": operator.mul,
+    "/": _divide,
+    "%": operator.mod,
+    "<<": operator.lshift,
+    ">>": operator.rshift,
+    "&": operator.and_,
+    "|": operator.or_,
+    "^": operator.xor,
+}
+
+
+def _joined(first: Result, second: Result) -> str:
+    """Join strings, and numbers to strings."""
+    parts = []
+    for value in (first, second):
+        if isinstance(value, bool) or not isinstance(value, int | float | str):
+            raise _FaultError(f"{describe(value)} cannot be joined to a string")
+        parts.append(value if isinstance(value, str) else str(value))
+    if sum(len(part) for part in parts) > MOST_TEXT:
+        raise _FaultError(f"a string of more than {MOST_TEXT} characters")
+    return "".join(parts)

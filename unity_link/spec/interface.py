@@ -1,0 +1,288 @@
+"""What is gathered while an interface is built, and the rules that hold for it as a whole.
+
+Components are checked where they stand; here is what no part can know alone: whether addresses are the gateway's,
+whether signals or modules lie over each other, whether an ID is used twice, and what the groups come to.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, NamedTuple
+
+import msgspec
+
+from unity_link.spec.model import Group, Joint, Module, Signal
+
+if TYPE_CHECKING:
+    from unity_link.spec.arguments import Bound
+    from unity_link.spec.diagnostics import Reporter, Source, Span
+
+GROUP_WORDS = 255
+GROUPS = 256
+
+
+class Place(NamedTuple):
+    """A place in a source."""
+
+    source: Source
+    bounds: tuple[int, int]
+
+    @property
+    def span(self) -> Span:
+        """The same with line and column."""
+        return self.source.span(*self.bounds)
+
+    def note(self, message: str) -> tuple[Span, str, str]:
+        """Give a note about it."""
+        span = self.span
+        return span, message, self.source.line(span.line)
+
+
+class GroupDraft:
+    """A group while its signals are being found."""
+
+    def __init__(self, name: str, place: Place, bound: Bound, doc: str = "") -> None:
+        self.name = name
+        self.place = place
+        self.bound = bound
+        self.doc = doc
+        self.number: int | None = bound.get("NUMBER")
+        self.divisor: int | None = bound.get("DIVISOR")
+        self.divisor_place = place
+        self.signals: list[tuple[Signal, Place]] = []
+        self.published = self.number is not None or any(
+            name in bound for name in ("DIVISOR", "RATE", "TRIGGER", "ON_CHANGE", "IMMEDIATE", "TIMESTAMPS")
+        )
+
+
+class Placed(NamedTuple):
+    """A signal of an interface, and where its address and its ID were given."""
+
+    signal: Signal
+    address: Place
+    id: Place
+
+
+class InterfaceDraft:
+    """Everything found of one interface so far."""
+
+    def __init__(self, reporter: Reporter, address_bits: int, data_bits: int) -> None:
+        self.reporter = reporter
+        self.address_bits = address_bits
+        self.data_bits = data_bits
+        self.signals: list[Placed] = []
+        self.modules: list[tuple[Module, Place]] = []
+        self.groups: dict[str, GroupDraft] = {}
+        self.parts = 0
+        """Signals, components and modules so far."""
+
+    def check(self) -> tuple[Group, ...]:
+        """Apply the rules for the whole; give the groups."""
+        self._check_modules()
+        self._check_addresses()
+        self._check_overlaps()
+        self._check_ids()
+        self._number_groups()
+        return tuple(self._group(draft) for draft in self.groups.values() if draft.signals)
+
+    def _error(self, place: Place, code: str, message: str, help: str = "", other: tuple[Place, str] | None = None) -> None:  # noqa: A002
+        notes = [other[0].note(other[1])] if other is not None and other[0] != place else []
+        self.reporter.error(place.source, place.bounds, code, message, help=help, notes=notes)
+
+    # Addresses
+
+    def _check_modules(self) -> None:
+        spans = ((module.base, module.base + (module.words or 0), index) for index, (module, _) in enumerate(self.modules))
+        known = sorted(spans, key=lambda span: (span[0], -span[1], span[2]))
+        highest = 0
+        owner: int | None = None
+        for base, end, index in known:
+            module, place = self.modules[index]
+            if module.words is None:
+                continue
+            if end > 1 << self.address_bits:
+                message = f"{module.type} takes the addresses {base:#x} to {end - 1:#x}, and the gateway has {self._space()}"
+                self._error(place, "address-range", message)
+            if owner is not None and base < highest and not self._is_inside(index, owner):
+                other, other_place = self.modules[owner]
+                message = f"{module.type} at {base:#x} lies in {other.type} at {other.base:#x} to {highest - 1:#x}"
+                self._error(place, "overlap", message, other=(other_place, "which stands here"))
+            if end > highest and not (owner is not None and self._is_inside(index, owner)):
+                highest, owner = end, index
+
+    def _is_inside(self, index: int | None, owner: int) -> bool:
+        while index is not None:
+            if index == owner:
+                return True
+            index = self.modules[index][0].parent
+        return False
+
+    def _space(self) -> str:
+        return f"0x0 to {(1 << self.address_bits) - 1:#x} ({self.address_bits} address bits)"
+
+    def _check_addresses(self) -> None:
+        most = 1 << self.address_bits
+        for signal, place, _ in self.signals:
+            last = signal.address + signal.words - 1
+            if signal.address < 0 or last >= most:
+                message = f"the address {_hex(last)} of {signal.path} is not the gateway's, which has {self._space()}"
+                self._error(place, "address-range", message, "GATEWAY(ADDRESS_BITS=...) tells its width")
+                continue
+            if signal.module is None:
+                continue
+            module = self.modules[signal.module][0]
+            relative, end = signal.address - module.base, last - module.base
+            if module.words is not None and not (relative >= 0 and end < module.words):
+                message = f"the address {_hex(end)} of {signal.path} is outside of {module.type}, which has {module.words} words"
+                self._error(place, "address-range", message)
+
+    def _check_overlaps(self) -> None:
+        words: dict[int, list[Placed]] = {}
+        for placed in self.signals:
+            for address in placed.signal.addresses:
+                words.setdefault(address, []).append(placed)
+        for address, sharing in words.items():
+            if len(sharing) > 1:
+                self._check_word(address, sharing)
+
+    def _check_word(self, address: int, sharing: list[Placed]) -> None:
+        """Check one address at which several signals stand."""
+        writers = [placed.signal for placed in sharing if placed.signal.access.writes]
+        taken = {True: list[Placed](), False: list[Placed]()}
+        for placed in sharing:
+            signal = placed.signal
+            mask = _mask_at(signal, address)
+            for writes in (False, True):
+                if not (signal.access.writes if writes else signal.access.reads):
+                    continue
+                clash = next((one for one in taken[writes] if _mask_at(one.signal, address) & mask), None)
+                taken[writes].append(placed)
+                if clash is not None:
+                    self._report_overlap(address, clash, placed)
+                    break
+            else:
+                self._check_sharing(address, placed, sharing, writers)
+            if signal.access.writes and len(writers) > 1:
+                # Only now, with all signals known, can this be told; the model is not handed out yet.
+                msgspec.structs.force_setattr(signal, "is_field", True)
+
+    def _report_overlap(self, address: int, first: Placed, second: Placed) -> None:
+        message = (
+            f"{second.signal.path} takes {_bits(second.signal)} at address {address:#x}, "
+            f"which {first.signal.path} has ({_bits(first.signal)})"
+        )
+        self._error(second.address, "overlap", message, other=(first.address, f"{first.signal.path} stands here"))
+
+    def _check_sharing(self, address: int, placed: Placed, sharing: list[Placed], writers: list[Signal]) -> None:
+        signal = placed.signal
+        if signal.fifo and any(one.signal is not signal and one.signal.access is signal.access for one in sharing):
+            message = f"{signal.path} is a FIFO port and cannot share address {address:#x}"
+            self._error(placed.address, "overlap", message)
+        if signal.words > 1 and signal.access.writes and len(writers) > 1:
+            message = f"{signal.path} has several words, so that no other signal can be written at address {address:#x}"
+            self._error(placed.address, "overlap", message)
+        # A masked write reads the word first, and must read what was written.
+        masks = _mask_at(signal, address)
+        if signal.access.writes and len(writers) > 1:
+            other = next(
+                (
+                    one
+                    for one in sharing
+                    if not one.signal.access.writes and _mask_at(one.signal, address) & masks
+                ),
+                None,
+            )
+            if other is not None:
+                message = (
+                    f"{signal.path} is one of several fields written at address {address:#x}, where reading gives "
+                    f"{other.signal.path} instead"
+                )
+                advice = "fields of one word are written by reading it first: make the field READWRITE, or move it"
+                self._error(placed.address, "overlap", message, advice)
+
+    def _check_ids(self) -> None:
+        ids: dict[str, Placed] = {}
+        for placed in self.signals:
+            first = ids.setdefault(placed.signal.id, placed)
+            if first is not placed:
+                message = f"the ID '{placed.signal.id}' is that of {first.signal.path} and of {placed.signal.path}"
+                self._error(placed.id, "id-twice", message, other=(first.id, f"{first.signal.path} has it here"))
+
+    # Groups
+
+    def _number_groups(self) -> None:
+        used: dict[int, GroupDraft] = {}
+        for draft in self.groups.values():
+            if draft.number is None:
+                continue
+            first = used.setdefault(draft.number, draft)
+            if first is not draft:
+                message = f"the groups {first.name} and {draft.name} both have number {draft.number}"
+                self._error(draft.place, "group-number", message, other=(first.place, f"{first.name} is declared here"))
+        free = (number for number in range(GROUPS) if number not in used)
+        for draft in self.groups.values():
+            if draft.number is None and draft.published and draft.signals:
+                draft.number = next(free, None)
+                if draft.number is None:
+                    message = f"a gateway has {GROUPS} groups, and this interface needs more"
+                    self._error(draft.place, "group-number", message)
+
+    def _group(self, draft: GroupDraft) -> Group:
+        bound = draft.bound
+        addresses = list(dict.fromkeys(address for signal, _ in draft.signals for address in signal.addresses))
+        if draft.published:
+            if len(addresses) > GROUP_WORDS:
+                message = f"the group {draft.name} has {len(addresses)} words, and a gateway publishes at most {GROUP_WORDS}"
+                self._error(draft.signals[0][1], "group-size", message, "divide it into several groups")
+            if draft.divisor is None and not {"RATE", "TRIGGER"} & set(bound):
+                message = f"nothing says when the group {draft.name} is published"
+                self._error(draft.signals[0][1], "group-rate", message, "give a divisor, as in PUBLISH(1, 10)")
+        return Group(
+            name=draft.name,
+            number=draft.number,
+            divisor=draft.divisor,
+            rate_hz=bound.get("RATE"),
+            trigger=bound.get("TRIGGER", False),
+            on_change=bound.get("ON_CHANGE", False),
+            immediate=bound.get("IMMEDIATE", False),
+            timestamps=bound.get("TIMESTAMPS", False),
+            signals=tuple(signal.path for signal, _ in draft.signals),
+            addresses=tuple(addresses),
+            joints=self._joints(draft),
+            doc=draft.doc,
+            span=draft.place.span,
+        )
+
+    def _joints(self, draft: GroupDraft) -> tuple[Joint, ...]:
+        """Give the joints of a group: the components of which a signal has one of the names that JOINTS tells."""
+        clause: dict[str, str] | None = draft.bound.get("JOINTS")
+        if clause is None:
+            return ()
+        if not clause:
+            message = "JOINTS needs the name of a signal"
+            self._error(draft.place, "joints", message, "as in JOINTS(POSITION=cpos, VELOCITY=spd)")
+        parts: dict[str, str] = {name: part.lower() for part, name in clause.items()}
+        found: dict[str, dict[str, str]] = {}
+        for signal, _ in draft.signals:
+            if signal.name in parts:
+                component = signal.path.rpartition(".")[0]
+                found.setdefault(component, {})[parts[signal.name]] = signal.path
+        missing = [name for name, part in parts.items() if not any(part in joint for joint in found.values())]
+        for name in missing:
+            message = f"no signal of the group {draft.name} is called '{name}'"
+            self._error(draft.place, "joints", message)
+        return tuple(Joint(name=name, **signals) for name, signals in found.items())
+
+
+def _hex(address: int) -> str:
+    return f"{address:#x}" if address >= 0 else str(address)
+
+
+def _mask_at(signal: Signal, address: int) -> int:
+    """Give the bits that a signal takes of the word at an address."""
+    return signal.mask >> (address - signal.address) * signal.word_bits & (1 << signal.word_bits) - 1
+
+
+def _bits(signal: Signal) -> str:
+    high = signal.lowest_bit + signal.width - 1
+    return f"bit {high}" if signal.width == 1 else f"bits {high}:{signal.lowest_bit}"
+

@@ -1,0 +1,290 @@
+"""Kinds: what the bits of a signal mean, and how to get from bits to a value and back.
+
+A `Kind` knows nothing of addresses. Its *raw* is the unsigned number that stands in the signal's bits; its *value* is
+what a program sees, in the signal's unit. `decode` and `encode` are exact: every raw survives to a value and back, which
+the checker makes sure of (`is_exact`) where a scale could make two raws into one float. A value between two raws goes to
+the nearer one.
+"""
+
+from __future__ import annotations
+
+import enum
+import functools
+import math
+import operator
+import struct
+from typing import Any, TypeAlias
+
+import msgspec
+import numpy as np
+from numpy.typing import NDArray
+
+from unity_link.errors import ArgumentError
+from unity_link.spec.diagnostics import Span  # noqa: TC001  (msgspec reads the annotations)
+
+Value: TypeAlias = bool | int | float
+"""What a program sees of a signal; an enumeration's value is a member of its `IntEnum`, or the bare number if unknown."""
+
+MOST_BITS = 64
+FLOAT_BITS = {16: "<e", 32: "<f", 64: "<d"}
+"""Widths of IEEE 754 numbers, with their `struct` formats."""
+_FLOAT_MARGIN = 2.0**-50
+"""A step must be this much of the largest number it is added to: eight roundings of 2**-53 then stay below half a step."""
+
+
+class KindName(enum.StrEnum):
+    """The words for kinds; an enumeration's own name is the word for that."""
+
+    BOOL = "bool"
+    UNSIGNED = "unsigned"
+    SIGNED = "signed"
+    FLOAT = "float"
+    FIXED = "fixed"
+    UFIXED = "ufixed"
+    ENUM = "enum"
+
+
+class EnumValue(msgspec.Struct, frozen=True):
+    """One name of an enumeration."""
+
+    name: str
+    value: int
+    doc: str = ""
+
+
+class Enumeration(msgspec.Struct, frozen=True):
+    """Names for numbers, not negative, each number once."""
+
+    name: str
+    values: tuple[EnumValue, ...]
+    doc: str = ""
+    span: Span | None = None
+
+    @property
+    def largest(self) -> int:
+        """The largest number that has a name."""
+        return max(value.value for value in self.values)
+
+    @property
+    def python_type(self) -> type[enum.IntEnum]:
+        """The same as a Python class, made once."""
+        return _python_type(self)
+
+
+@functools.lru_cache
+def _python_type(enumeration: Enumeration) -> type[enum.IntEnum]:
+    members = {value.name: value.value for value in enumeration.values}
+    made: type[enum.IntEnum] = enum.IntEnum(enumeration.name, members)  # type: ignore[misc, assignment]
+    return made
+
+
+class Kind(msgspec.Struct, frozen=True):
+    """What the bits of a signal mean.
+
+    A value is ``number * scale + offset``, where `number` is what the bits say by themselves.
+    """
+
+    name: KindName
+    width: int
+    """Bits, 1 to 64."""
+    fraction: int = 0
+    """Bits after the binary point, for `FIXED` and `UFIXED`."""
+    scale: float = 1
+    offset: float = 0
+    enumeration: Enumeration | None = None
+
+    def __str__(self) -> str:
+        """Write the kind as a spec does."""
+        if self.name is KindName.BOOL:
+            return "bool"
+        if self.enumeration is not None:
+            return f"{self.enumeration.name} {self.width}"
+        if self.name in {KindName.FIXED, KindName.UFIXED}:
+            return f"{self.name} {self.width - self.fraction}.{self.fraction}"
+        return f"{self.name} {self.width}"
+
+    @property
+    def is_signed(self) -> bool:
+        """Whether the raw is in two's complement."""
+        return self.name in {KindName.SIGNED, KindName.FIXED}
+
+    @property
+    def is_scaled(self) -> bool:
+        """Whether the value is the raw times something, a float."""
+        return self.scale != 1 or self.offset != 0 or self.name in {KindName.FIXED, KindName.UFIXED}
+
+    @property
+    def is_float(self) -> bool:
+        """Whether the value is a float."""
+        return self.is_scaled or self.name is KindName.FLOAT
+
+    @property
+    def step(self) -> float:
+        """How much the value changes where the raw changes by one; of a float it has no meaning."""
+        return math.ldexp(self.scale, -self.fraction)
+
+    @property
+    def raw_range(self) -> tuple[int, int]:
+        """Smallest and largest whole number that the bits say, sign included."""
+        if self.is_signed:
+            return -1 << self.width - 1, (1 << self.width - 1) - 1
+        return 0, (1 << self.width) - 1
+
+    @property
+    def range(self) -> tuple[float, float]:
+        """Smallest and largest value; for floats the infinities, which they can say."""
+        if self.name is KindName.FLOAT:
+            return -math.inf, math.inf
+        low, high = (self._scaled(number) for number in self.raw_range)
+        return min(low, high), max(low, high)
+
+    @property
+    def dtype(self) -> np.dtype[Any]:
+        """The type of an array of values."""
+        if self.name is KindName.FLOAT:
+            return np.dtype(f"f{self.width // 8}")
+        if self.is_scaled:
+            return np.dtype(np.float64)
+        if self.name is KindName.BOOL:
+            return np.dtype(np.bool_)
+        size = next(bytes_ for bytes_ in (1, 2, 4, 8) if self.width <= 8 * bytes_)
+        return np.dtype(f"{'i' if self.is_signed else 'u'}{size}")
+
+    def is_exact(self) -> bool:
+        """Say whether every raw has a value of its own: a double has 53 bits for value and offset together."""
+        if not self.is_scaled:
+            return True
+        step = abs(self.step)
+        if not 1e-290 < step < 1e290 or not math.isfinite(self.offset):
+            return False
+        most = max(max(abs(number) for number in self.raw_range) * step, abs(self.offset))
+        return most * _FLOAT_MARGIN <= step
+
+    # One value
+
+    def _scaled(self, number: int) -> float:
+        return number * self.step + self.offset if self.is_scaled else number
+
+    def decode(self, raw: int) -> Value:
+        """Give the value of a raw of `width` bits."""
+        if self.name is KindName.FLOAT:
+            value: float = struct.unpack(FLOAT_BITS[self.width], raw.to_bytes(self.width // 8, "little"))[0]
+            return value
+        if self.name is KindName.BOOL:
+            return raw != 0
+        if self.enumeration is not None:
+            known = self.enumeration.python_type
+            return known(raw) if raw in known.__members__.values() else raw
+        number = raw - (1 << self.width) if self.is_signed and raw >> (self.width - 1) else raw
+        return self._scaled(number)
+
+    def encode(self, value: Value | str) -> int:
+        """Give the raw of a value; an enumeration takes its names too.
+
+        Raises:
+            ArgumentError: for a value that the kind cannot say.
+        """
+        if isinstance(value, str):
+            return self._encode_name(value)
+        if self.name is KindName.FLOAT:
+            return self._encode_float(value)
+        number = self._nearest(value) if self.is_scaled else self._whole(value)
+        low, high = self.raw_range
+        if not low <= number <= high:
+            first, last = self.range
+            raise ArgumentError(f"{value} is outside of {first:.12g} to {last:.12g}, the range of {self}")
+        return number & ((1 << self.width) - 1)
+
+    def _encode_name(self, name: str) -> int:
+        if self.enumeration is None:
+            raise ArgumentError(f"{name!r} is no value of {self}: a number was expected")
+        members = self.enumeration.python_type.__members__
+        if name not in members:
+            raise ArgumentError(f"{name!r} is no value of {self.enumeration.name}: {', '.join(members)} are")
+        return int(members[name])
+
+    def _encode_float(self, value: float) -> int:
+        try:
+            packed = struct.pack(FLOAT_BITS[self.width], value)
+        except OverflowError:
+            raise ArgumentError(f"{value} is too large for {self}") from None
+        except struct.error:
+            raise ArgumentError(f"{value!r} is no value of {self}: a number was expected") from None
+        return int.from_bytes(packed, "little")
+
+    def _nearest(self, value: float) -> int:
+        try:
+            number = float(value)
+        except (TypeError, ValueError, OverflowError):
+            raise ArgumentError(f"{value!r} is no value of {self}: a number was expected") from None
+        if not math.isfinite(number):
+            raise ArgumentError(f"{value} is no value of {self}: a finite number was expected")
+        steps = (number - self.offset) / self.step
+        return round(steps) if math.isfinite(steps) else 1 << MOST_BITS
+
+    def _whole(self, value: float) -> int:
+        if isinstance(value, float) and value.is_integer():
+            return int(value)
+        try:
+            return operator.index(value)  # type: ignore[arg-type]
+        except TypeError:
+            raise ArgumentError(f"{value!r} is no value of {self}: a whole number was expected") from None
+
+    # Many values
+
+    def decode_array(self, raw: NDArray[np.unsignedinteger[Any]]) -> NDArray[Any]:
+        """Give the values of many raws of any shape, as `dtype`; those of an enumeration as numbers."""
+        raw = raw.astype(np.uint64, copy=False)
+        if self.name is KindName.FLOAT:
+            return raw.astype(f"u{self.width // 8}").view(self.dtype)
+        if self.name is KindName.BOOL:
+            return raw != 0
+        if self.is_signed:
+            # The sign bit is moved to the top and back down again, which copies it.
+            unused = np.uint64(MOST_BITS - self.width)
+            numbers: NDArray[Any] = (raw << unused).view(np.int64) >> unused.astype(np.int64)
+        else:
+            numbers = raw
+        if self.is_scaled:
+            return numbers * self.step + self.offset
+        return numbers.astype(self.dtype)
+
+    def encode_array(self, values: NDArray[Any]) -> NDArray[np.uint64]:
+        """Give the raws of many values of any shape.
+
+        Raises:
+            ArgumentError: for a value that the kind cannot say.
+        """
+        values = np.asarray(values)
+        if self.name is KindName.FLOAT:
+            return self._encode_floats(values)
+        if self.is_scaled:
+            with np.errstate(invalid="ignore", over="ignore"):
+                numbers = np.rint((values.astype(np.float64) - self.offset) / self.step)
+        elif values.dtype.kind == "f" and np.array_equal(values, np.rint(values)):
+            numbers = values
+        elif values.dtype.kind in "iub":
+            numbers = values
+        else:
+            raise ArgumentError(f"values of {self} are whole numbers, not {values.dtype}")
+        low, high = self.raw_range
+        # Comparisons of Python's whole numbers with arrays of any type are exact in numpy 2; the limits of 64 bits
+        # are no floats, so those compare against the power of two itself.
+        good = (numbers >= float(low)) & (numbers < float(high + 1)) if numbers.dtype.kind == "f" else (
+            (numbers >= low) & (numbers <= high)
+        )
+        if not good.all():
+            first, last = self.range
+            wrong = np.ravel(values)[np.flatnonzero(~np.ravel(good))[0]]
+            raise ArgumentError(f"{wrong} is outside of {first:.12g} to {last:.12g}, the range of {self}")
+        whole = numbers.astype(np.int64) if self.is_signed else numbers.astype(np.uint64)
+        mask = np.uint64((1 << self.width) - 1)
+        return np.ascontiguousarray(whole).view(np.uint64) & mask
+
+    def _encode_floats(self, values: NDArray[Any]) -> NDArray[np.uint64]:
+        with np.errstate(over="ignore"):
+            floats = np.ascontiguousarray(values.astype(self.dtype))
+        lost = np.isinf(floats) & ~np.isinf(values.astype(np.float64))
+        if lost.any():
+            raise ArgumentError(f"{np.ravel(values)[np.flatnonzero(np.ravel(lost))[0]]} is too large for {self}")
+        return floats.view(f"u{self.width // 8}").astype(np.uint64)

@@ -1,0 +1,150 @@
+"""Reads a spec and what it imports, and gathers what they declare.
+
+All declarations of all files are in one room: a name means the same wherever it is used, whoever imported it.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path, PurePath
+from typing import TYPE_CHECKING, Generic, NamedTuple, TypeVar
+
+from unity_link.spec.diagnostics import Reporter, Source, Span
+from unity_link.spec.parser import parse
+from unity_link.spec.syntax import ComponentDeclaration, EnumDeclaration, File, GroupDeclaration, Import
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from unity_link.spec.syntax import Word
+
+DeclarationT = TypeVar("DeclarationT", ComponentDeclaration, EnumDeclaration, GroupDeclaration)
+MOST_FILES = 200
+
+
+class Declared(NamedTuple, Generic[DeclarationT]):
+    """A declaration, and the source that it stands in."""
+
+    source: Source
+    node: DeclarationT
+
+    @property
+    def span(self) -> Span:
+        """Where its name stands."""
+        return self.source.span(*self.node.name.place)
+
+
+class Declarations:
+    """What all files of a spec declare."""
+
+    def __init__(self) -> None:
+        self.sources: list[Source] = []
+        self.components: dict[str, Declared[ComponentDeclaration]] = {}
+        self.enumerations: dict[str, Declared[EnumDeclaration]] = {}
+        self.groups: dict[str, Declared[GroupDeclaration]] = {}
+        self.interfaces: list[Declared[ComponentDeclaration]] = []
+        """The public ones of the first file."""
+
+
+def read_text(path: Path) -> str:
+    """Read a file.
+
+    Raises:
+        ValueError: where it cannot be read as text; the message says why.
+    """
+    try:
+        return path.read_bytes().decode("utf-8-sig").replace("\r\n", "\n")
+    except UnicodeDecodeError as error:
+        raise ValueError(f"{path} is no UTF-8 text: byte {error.start} is 0x{error.object[error.start]:02X}") from None
+    except OSError as error:
+        raise ValueError(f"{path} cannot be read: {error.strerror or error}") from None
+
+
+class Loader:
+    """Loads files, each once."""
+
+    def __init__(self, reporter: Reporter, read: Callable[[Path], str] = read_text) -> None:
+        self.declarations = Declarations()
+        self._reporter = reporter
+        self._read = read
+        self._loading: list[Path] = []
+        self._loaded: set[Path] = set()
+        self._names: dict[str, Declared[ComponentDeclaration] | Declared[EnumDeclaration] | Declared[GroupDeclaration]] = {}
+
+    def load(self, name: str, text: str, path: Path | None) -> None:
+        """Load the first file, whose text is at hand; `path` is where its imports are looked for."""
+        self._load(Source(name, text), path)
+
+    def _load(self, source: Source, path: Path | None) -> None:
+        self.declarations.sources.append(source)
+        is_first = len(self.declarations.sources) == 1
+        file = parse(source, self._reporter)
+        if file is None:
+            return
+        resolved = None if path is None else path.resolve()
+        if resolved is not None:
+            self._loading.append(resolved)
+        for item in file.items:
+            if isinstance(item, Import):
+                self._import(source, path, item)
+        self._declare(source, file, is_first=is_first)
+        if resolved is not None:
+            self._loading.pop()
+            self._loaded.add(resolved)
+
+    def _import(self, source: Source, path: Path | None, item: Import) -> None:
+        wanted = item.path.value
+        place = item.path.place
+        folder = Path() if path is None else path.parent
+        target = folder / wanted
+        try:
+            resolved = target.resolve()
+            if resolved in self._loaded:
+                return
+            if resolved in self._loading:
+                around = [one.name for one in [*self._loading[self._loading.index(resolved) :], resolved]]
+                message = f"files import each other in a circle: {' -> '.join(around)}"
+                self._reporter.error(source, place, "import-cycle", message)
+                return
+            if len(self.declarations.sources) >= MOST_FILES:
+                message = f"more than {MOST_FILES} files are imported"
+                self._reporter.error(source, place, "import", message)
+                return
+            text = self._read(target)
+        except (ValueError, OSError, RuntimeError) as error:
+            advice = "imports are looked for from the folder of the file that they stand in"
+            self._reporter.error(source, place, "import", str(error).replace("\0", "\\0"), help=advice)
+            return
+        # Named as seen from where the first file was named, so that messages lead to it.
+        name = str(PurePath(source.name).parent / wanted)
+        self._load(Source(name, text), target)
+
+    def _declare(self, source: Source, file: File, *, is_first: bool) -> None:
+        rooms = self.declarations
+        for item in file.items:
+            if isinstance(item, ComponentDeclaration):
+                if self._is_new(source, item.name, declared := Declared(source, item)):
+                    rooms.components[item.name] = declared
+                    if item.public and is_first:
+                        rooms.interfaces.append(declared)
+            elif isinstance(item, EnumDeclaration):
+                if self._is_new(source, item.name, enumeration := Declared(source, item)):
+                    rooms.enumerations[item.name] = enumeration
+            elif isinstance(item, GroupDeclaration) and self._is_new(
+                source, item.name, group := Declared(source, item)
+            ):
+                rooms.groups[item.name] = group
+
+    def _is_new(
+        self,
+        source: Source,
+        name: Word,
+        declared: Declared[ComponentDeclaration] | Declared[EnumDeclaration] | Declared[GroupDeclaration],
+    ) -> bool:
+        other = self._names.setdefault(name, declared)
+        if other is declared:
+            return True
+        span = other.span
+        note = (span, "it is declared here for the first time", other.source.line(span.line))
+        message = f"the name '{name}' is declared twice"
+        self._reporter.error(source, name.place, "name-twice", message, notes=[note])
+        return False

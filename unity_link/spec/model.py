@@ -1,0 +1,293 @@
+"""The checked model: what a spec means, with every expression computed, every name resolved and every rule kept.
+
+This is what proxies, generators and bridges build on; none of them looks at the text again. All of it is immutable, and
+`msgspec` writes it as JSON.
+
+    Spec -> Interface -> Component (a tree) -> Signal
+                      -> Module, Group, Enumeration, by which signals are reached, read together and named
+
+A *path* is how a program gets to a thing from the interface, as Python writes it: ``legs[2].joints[0].cpos``. An *ID* is
+the text that the author gave it. Addresses are word addresses on the gateway's bus, with the base of the module in them.
+"""
+
+from __future__ import annotations
+
+import enum
+import functools
+from collections.abc import Iterator, Sequence  # noqa: TC003  (msgspec reads the annotations)
+
+import msgspec
+
+from unity_link.errors import ArgumentError
+from unity_link.spec.diagnostics import Diagnostic, Span  # noqa: TC001
+from unity_link.spec.kinds import Enumeration, Kind, Value  # noqa: TC001
+
+
+class Access(enum.StrEnum):
+    """What may be done with a signal."""
+
+    READ = "READ"
+    WRITE = "WRITE"
+    READWRITE = "READWRITE"
+
+    @property
+    def reads(self) -> bool:
+        """Whether it can be read."""
+        return self is not Access.WRITE
+
+    @property
+    def writes(self) -> bool:
+        """Whether it can be written."""
+        return self is not Access.READ
+
+
+class ParameterReference(msgspec.Struct, frozen=True, tag="parameter"):
+    """An argument that is given when the interface is opened: the interface's parameter of that name."""
+
+    name: str
+
+
+ModuleArgument = int | float | str | bool | ParameterReference
+
+
+class Signal(msgspec.Struct, frozen=True, kw_only=True):
+    """A named value: some bits of a word, a word, or several words in a row of which the first has the lowest bits."""
+
+    name: str
+    path: str
+    id: str
+    address: int
+    """Of the word, or of the first one."""
+    word_bits: int
+    """Width of a word of the gateway."""
+    lowest_bit: int = 0
+    kind: Kind
+    access: Access
+    fifo: bool = False
+    """Whether the address is the port of a queue: each read takes a word from it, each write appends one."""
+    fifo_words: int | None = None
+    """Depth of that queue, where the spec tells it."""
+    is_field: bool = False
+    """Whether other signals are written in the same word, so that this one needs a masked write."""
+    unit: str = ""
+    minimum: float | None = None
+    maximum: float | None = None
+    """Limits that a write must keep, in the unit of the value."""
+    group: str | None = None
+    """The group that publishes it."""
+    groups: tuple[str, ...] = ()
+    """All groups that it belongs to, the one that publishes it first."""
+    poll_hz: float | None = None
+    """How often a host is to read it by itself."""
+    module: int | None = None
+    """Index in `Interface.modules` of the module that it stands in."""
+    doc: str = ""
+    span: Span
+
+    @property
+    def width(self) -> int:
+        """Bits."""
+        return self.kind.width
+
+    @property
+    def words(self) -> int:
+        """Number of words that it takes."""
+        return -(-(self.lowest_bit + self.width) // self.word_bits)
+
+    @property
+    def addresses(self) -> range:
+        """The addresses of its words."""
+        return range(self.address, self.address + self.words)
+
+    @property
+    def mask(self) -> int:
+        """The bits of its word that are its own; of several words, those of all as one number."""
+        return ((1 << self.width) - 1) << self.lowest_bit
+
+    @property
+    def limits(self) -> tuple[float, float]:
+        """Smallest and largest value that a write may have."""
+        low, high = self.kind.range
+        return (low if self.minimum is None else self.minimum, high if self.maximum is None else self.maximum)
+
+    def decode(self, words: int | Sequence[int]) -> Value:
+        """Give the value that stands in its word, or in its words in the order of their addresses."""
+        whole = words if isinstance(words, int) else self._join(words)
+        return self.kind.decode((whole & self.mask) >> self.lowest_bit)
+
+    def _join(self, words: Sequence[int]) -> int:
+        if len(words) != self.words:
+            raise ArgumentError(f"{self.path} has {self.words} words, and {len(words)} were given")
+        return sum(int(word) << (index * self.word_bits) for index, word in enumerate(words))
+
+    def encode(self, value: Value | str) -> tuple[int, ...]:
+        """Give the words of a value, one for each address; bits that are not its own are 0.
+
+        Raises:
+            ArgumentError: for a value that the kind cannot say, or outside of the limits.
+        """
+        try:
+            raw = self.kind.encode(value)
+        except ArgumentError as error:
+            raise ArgumentError(f"{self.path}: {error}") from None
+        self._check_limits(value)
+        whole = raw << self.lowest_bit
+        word_mask = (1 << self.word_bits) - 1
+        return tuple(whole >> (index * self.word_bits) & word_mask for index in range(self.words))
+
+    def _check_limits(self, value: Value | str) -> None:
+        if isinstance(value, str) or (self.minimum is None and self.maximum is None):
+            return
+        low, high = self.limits
+        if not low <= value <= high:
+            unit = f" {self.unit}" if self.unit else ""
+            raise ArgumentError(f"{self.path}: {value} is outside of its limits, {low:.12g} to {high:.12g}{unit}")
+
+
+class Component(msgspec.Struct, frozen=True, kw_only=True):
+    """A part of an interface: its signals, and the parts that it is made of. The root is the interface itself."""
+
+    name: str
+    path: str
+    """Empty for the root."""
+    type: str
+    """Name of the declaration that it is made from."""
+    index: int | None = None
+    """Its place in an array."""
+    arguments: dict[str, int | float | str | bool] = {}
+    """What it was declared with, by the names of the parameters: ``{"name": "joint 1"}``."""
+    signals: tuple[Signal, ...] = ()
+    parts: tuple[Component | ComponentArray, ...] = ()
+    modules: tuple[int, ...] = ()
+    """Indices in `Interface.modules` of the modules that stand in it under a name of their own."""
+    doc: str = ""
+    span: Span
+
+    def walk(self) -> Iterator[Component]:
+        """Give this component and all in it, in the order of the spec."""
+        yield self
+        for part in self.parts:
+            for item in part.items if isinstance(part, ComponentArray) else (part,):
+                yield from item.walk()
+
+
+class ComponentArray(msgspec.Struct, frozen=True, kw_only=True, tag="array"):
+    """Components of one declaration in a row."""
+
+    name: str
+    path: str
+    items: tuple[Component, ...]
+    doc: str = ""
+    span: Span
+
+
+class Module(msgspec.Struct, frozen=True, kw_only=True):
+    """A hardware module on the bus."""
+
+    type: str
+    """The word of the spec: ``TOSNET``, ``MEMORY``."""
+    name: str | None
+    path: str | None
+    """None for a module that only holds what stands in it."""
+    base: int
+    """Address of its first word on the gateway's bus."""
+    words: int | None
+    """How many addresses it takes; None where the spec does not say."""
+    parent: int | None
+    """Index of the module that it stands in."""
+    arguments: dict[str, ModuleArgument]
+    """What it was declared with, without BASE and SIZE; flags are True."""
+    doc: str = ""
+    span: Span
+
+
+class Joint(msgspec.Struct, frozen=True, kw_only=True):
+    """One joint of a group that is declared as joints: paths of its signals."""
+
+    name: str
+    """Path of the component whose signals these are."""
+    position: str | None = None
+    velocity: str | None = None
+    effort: str | None = None
+
+
+class Group(msgspec.Struct, frozen=True, kw_only=True):
+    """Signals that are read together; published by the gateway where `number` is not None."""
+
+    name: str
+    number: int | None = None
+    """Its number in the gateway."""
+    divisor: int | None = None
+    """Published at the gateway's base frequency divided by this."""
+    rate_hz: float | None = None
+    """Published at the nearest rate that the gateway has."""
+    trigger: bool = False
+    """Published on the group's external trigger."""
+    on_change: bool = False
+    immediate: bool = False
+    timestamps: bool = False
+    signals: tuple[str, ...] = ()
+    """Paths of its signals, in the order of the spec."""
+    addresses: tuple[int, ...] = ()
+    """The words of a sample, each address once, in the order of the signals."""
+    joints: tuple[Joint, ...] = ()
+    doc: str = ""
+    span: Span
+
+
+class Parameter(msgspec.Struct, frozen=True):
+    """A parameter of an interface. Without a value, it is given when the interface is opened."""
+
+    name: str
+    value: int | float | str | bool | None = None
+
+
+class Interface(msgspec.Struct, frozen=True, kw_only=True, dict=True):
+    """A public interface: everything behind one gateway."""
+
+    name: str
+    parameters: tuple[Parameter, ...] = ()
+    address_bits: int
+    data_bits: int
+    root: Component
+    modules: tuple[Module, ...] = ()
+    groups: tuple[Group, ...] = ()
+    enumerations: tuple[Enumeration, ...] = ()
+    """Those that its signals use."""
+    doc: str = ""
+    span: Span
+
+    @functools.cached_property
+    def signals(self) -> dict[str, Signal]:
+        """All signals by their paths, in the order of the spec."""
+        return {signal.path: signal for part in self.root.walk() for signal in part.signals}
+
+
+class SourceFile(msgspec.Struct, frozen=True):
+    """A file that a spec was read from."""
+
+    name: str
+    sha256: str
+
+
+class Spec(msgspec.Struct, frozen=True, kw_only=True):
+    """A whole spec: the public interfaces of one file."""
+
+    interfaces: tuple[Interface, ...]
+    sources: tuple[SourceFile, ...]
+    """The file itself, and then what it imports."""
+    warnings: tuple[Diagnostic, ...] = ()
+
+    def interface(self, name: str | None = None) -> Interface:
+        """Give an interface by its name, or the only one there is.
+
+        Raises:
+            ArgumentError: where there is none of that name, or the name is needed.
+        """
+        names = ", ".join(interface.name for interface in self.interfaces)
+        if name is None and len(self.interfaces) != 1:
+            raise ArgumentError(f"the spec has {len(self.interfaces)} public interfaces: name one of {names}")
+        for interface in self.interfaces:
+            if name in {None, interface.name}:
+                return interface
+        raise ArgumentError(f"the spec has no public interface {name!r}: {names} was expected")

@@ -1,0 +1,63 @@
+"""The hardware modules that a spec can name, and their parameters. A new one is a new row of `MODULES`.
+
+What a module's registers mean is the business of the hardware proxies; here stand only the words that an author writes
+and how many addresses they take, for the checks. Each module has `BASE`, relative to the module around it (0 if it is
+left out), and `SIZE`, which overrides the number of addresses that follows from the other parameters.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from unity_link.spec.arguments import ADDRESS, Shape, Slot
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Mapping
+
+TOSNET_NODES = 16
+TOSNET_NODE_WORDS = 64
+"""Words of shared memory of one TosNet node; node n has those from 64 n on."""
+
+
+def _unknown(_: Mapping[str, Any]) -> int | None:
+    return None
+
+
+class ModuleType(NamedTuple):
+    """A word for a module."""
+
+    doc: str
+    slots: tuple[Slot, ...]
+    words: Callable[[Mapping[str, Any]], int | None] = _unknown
+    """Number of addresses that it takes, by its arguments; None if that is open."""
+    offset: Callable[[Mapping[str, Any]], int] = lambda _: 0
+    """Where it begins by itself, before BASE is added."""
+
+
+COMMON = (Slot("BASE", Shape.WHOLE, *ADDRESS), Slot("SIZE", Shape.WHOLE, 1, ADDRESS[1] + 1))
+_WIDTH = Slot("WIDTH", Shape.WHOLE, 1, 64)
+_CHANNELS = Slot("CHANNELS", Shape.WHOLE, 1, 256)
+_HANDLES = (Slot("CTRL", Shape.HANDLE, *ADDRESS), Slot("COMM", Shape.HANDLE, *ADDRESS))
+
+MODULES: dict[str, ModuleType] = {
+    "TOSNET": ModuleType(
+        "a TosNet network: the shared memory of all its nodes",
+        (*_HANDLES, Slot("NODES", Shape.WHOLE, 1, TOSNET_NODES)),
+        lambda arguments: TOSNET_NODE_WORDS * arguments["NODES"] if "NODES" in arguments else None,
+    ),
+    "TOSNET_NODE": ModuleType(
+        "the shared memory of one node of a TosNet network",
+        (Slot("NODE", Shape.WHOLE, 0, TOSNET_NODES - 1, required=True),),
+        lambda _: TOSNET_NODE_WORDS,
+        lambda arguments: TOSNET_NODE_WORDS * arguments.get("NODE", 0),
+    ),
+    "MEMORY": ModuleType("plain memory, or any registers", ()),
+    "FIFO": ModuleType(
+        "a queue behind one address",
+        (Slot("WORDS", Shape.WHOLE, 1, 1 << 32),),
+    ),
+    "GPIO": ModuleType("pins", (_WIDTH,)),
+    "PWM": ModuleType("pulse-width modulated outputs", (_CHANNELS, _WIDTH)),
+    "COUNTER": ModuleType("counters of events", (_CHANNELS, _WIDTH)),
+    "QUADRATURE": ModuleType("decoders of incremental encoders", (_CHANNELS, _WIDTH)),
+}

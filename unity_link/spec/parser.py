@@ -1,0 +1,237 @@
+"""From text to the syntax tree.
+
+A text without faults takes the quick way through lark. At the first fault the text is parsed again, token by token, by
+`recovery`, which finds the other ones too. lark's own errors never leave this room.
+"""
+
+from __future__ import annotations
+
+import functools
+import re
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from lark import Lark, Token, Transformer, v_args
+from lark.exceptions import UnexpectedInput
+
+from unity_link.spec.comments import attach_comments
+from unity_link.spec.recovery import report_faults
+from unity_link.spec.tokens import TokenLexer
+from unity_link.spec.syntax import (
+    Argument,
+    Bits,
+    Call,
+    Chain,
+    ComponentDeclaration,
+    EnumDeclaration,
+    EnumValue,
+    Expression,
+    File,
+    GroupDeclaration,
+    Import,
+    Item,
+    KindName,
+    Member,
+    Name,
+    Number,
+    Parameter,
+    Parenthesis,
+    Placement,
+    Prefixed,
+    SignalDeclaration,
+    Text,
+    Word,
+)
+
+if TYPE_CHECKING:
+    from unity_link.spec.diagnostics import Reporter, Source
+
+ESCAPES = {"n": "\n", "t": "\t", '"': '"', "\\": "\\"}
+MOST_NESTED = 40
+"""Brackets within brackets. No robot needs more, and each level is a level of recursion from here on."""
+MOST_CHARACTERS = 16 << 20
+_BRACKETS = re.compile(r'"(?:\\[^\n]|[^"\\\n])*"|//[^\n]*|/\*.*?\*/|[(\[{}\])]', re.DOTALL)
+
+
+def parse(source: Source, reporter: Reporter) -> File | None:
+    """Parse a source; None where it has faults, which are reported."""
+    if not _is_sane(source, reporter):
+        return None
+    try:
+        items: list[Item] = _parser().parse(source.text)  # type: ignore[assignment]
+    except UnexpectedInput:
+        report_faults(_parser(), source, reporter)
+        return None
+    file = File(items)
+    attach_comments(file, source)
+    return file
+
+
+def _is_sane(source: Source, reporter: Reporter) -> bool:
+    """Report what is too large or too deep to be a spec."""
+    if len(source.text) > MOST_CHARACTERS:
+        message = f"a spec of {len(source.text):,} characters is too long: {MOST_CHARACTERS:,} are the most"
+        reporter.error(source, (0, 1), "too-long", message)
+        return False
+    depth = 0
+    for match in _BRACKETS.finditer(source.text):
+        if match[0] in "([{":
+            depth += 1
+        elif match[0] in ")]}":
+            depth -= 1
+        if depth > MOST_NESTED:
+            message = f"more than {MOST_NESTED} brackets stand in each other here"
+            reporter.error(source, match.span(), "too-deep", message, help="close some, or name a part of it")
+            return False
+    return True
+
+
+@functools.cache
+def _parser() -> Lark:
+    grammar = Path(__file__).with_name("grammar.lark").read_text(encoding="utf-8")
+    return Lark(grammar, parser="lalr", lexer=TokenLexer, transformer=_Builder(), maybe_placeholders=True)
+
+
+def word(token: Token) -> Word:
+    """Give a token as a name with its place."""
+    return Word(token, token.start_pos or 0, token.end_pos or 0)
+
+
+def _unescaped(token: Token) -> str:
+    inside = token[1:-1]
+    if "\\" not in inside:
+        return inside
+    return re.sub(r"\\(.)", lambda match: ESCAPES.get(match[1], match[0]), inside)
+
+
+def _bounds(first: Any, last: Any) -> dict[str, Any]:
+    """Give the place from one token or node to another."""
+    start = first.start_pos if isinstance(first, Token) else first.start
+    end = last.end_pos if isinstance(last, Token) else last.end
+    return {"start": start, "end": end}
+
+
+@v_args(inline=True)
+class _Builder(Transformer[Token, Any]):
+    """Makes a node of what lark has found for a rule; the methods are named after the rules of the grammar."""
+
+    def start(self, *items: Item) -> list[Item]:
+        return list(items)
+
+    def number(self, token: Token) -> Number:
+        return Number(str(token), start=token.start_pos or 0, end=token.end_pos or 0)
+
+    def string(self, token: Token) -> Text:
+        return Text(_unescaped(token), start=token.start_pos or 0, end=token.end_pos or 0)
+
+    def name(self, token: Token) -> Name:
+        return Name(word(token), start=token.start_pos or 0, end=token.end_pos or 0)
+
+    def call(self, name: Token, arguments: list[Argument], close: Token) -> Call:
+        return Call(word(name), arguments, **_bounds(name, close))
+
+    def parenthesis(self, opening: Token, inner: Expression, close: Token) -> Parenthesis:
+        return Parenthesis(inner, **_bounds(opening, close))
+
+    def prefixed(self, *parts: Any) -> Prefixed:
+        *prefixes, operand = parts
+        return Prefixed("".join(prefixes), operand, **_bounds(prefixes[0], operand))
+
+    def expression(self, first: Expression, *rest: Any) -> Expression:
+        if not rest:
+            return first
+        operators = [str(operator) for operator in rest[::2]]
+        return Chain([first, *rest[1::2]], operators, **_bounds(first, rest[-1]))
+
+    def argument(self, value: Expression) -> Argument:
+        return Argument(None, value, start=value.start, end=value.end)
+
+    def named_argument(self, name: Token, value: Expression) -> Argument:
+        return Argument(word(name), value, **_bounds(name, value))
+
+    def arguments(self, *arguments: Argument) -> list[Argument]:
+        return list(arguments)
+
+    def parameter(self, name: Token, default: Expression | None) -> Parameter:
+        return Parameter(word(name), default, **_bounds(name, default or name))
+
+    def parameters(self, *parameters: Parameter) -> list[Parameter]:
+        return list(parameters)
+
+    def bits(self, high: Expression, low: Expression | None) -> Bits:
+        return Bits(high, low)
+
+    def kind(self, name: Token, width: Token | None) -> KindName:
+        return KindName(word(name), None if width is None else self.number(width))
+
+    def label(self, name: Token, count: Expression | None) -> tuple[Token, Expression | None]:
+        return name, count
+
+    def signal(  # noqa: PLR0913, PLR0917  (one for each part of the rule)
+        self,
+        at: Token,
+        name: Token,
+        address: Expression | None,
+        bits: Bits | None,
+        kind: KindName | None,
+        access: Token,
+        arguments: list[Argument],
+        end: Token,
+    ) -> SignalDeclaration:
+        return SignalDeclaration(word(name), address, bits, kind, word(access), arguments, **_bounds(at, end))
+
+    def placement(
+        self,
+        label: tuple[Token, Expression | None] | None,
+        type_: Token,
+        arguments: list[Argument],
+        addresses: list[Argument] | None,
+        end: Token,
+    ) -> Placement:
+        name, count = label or (None, None)
+        bounds = _bounds(type_ if name is None else name, end)
+        return Placement(None if name is None else word(name), count, word(type_), arguments, addresses, **bounds)
+
+    def block(  # noqa: PLR0913, PLR0917
+        self,
+        label: tuple[Token, Expression | None] | None,
+        type_: Token,
+        arguments: list[Argument],
+        addresses: list[Argument] | None,
+        opening: Token,
+        *members: Any,
+    ) -> Placement:
+        *inside, close = members
+        placement = self.placement(label, type_, arguments, addresses, close)
+        placement.open = opening.end_pos or 0
+        placement.members = inside
+        return placement
+
+    def component(  # noqa: PLR0913, PLR0917
+        self,
+        public: Token | None,
+        name: Token,
+        parameters: list[Parameter],
+        addresses: list[Parameter] | None,
+        opening: Token,
+        *members: Any,
+    ) -> ComponentDeclaration:
+        inside: list[Member]
+        *inside, close = members
+        bounds = _bounds(name if public is None else public, close)
+        return ComponentDeclaration(
+            public is not None, word(name), parameters, addresses, inside, open=opening.end_pos or 0, **bounds
+        )
+
+    def import_(self, keyword: Token, path: Token, end: Token) -> Import:
+        return Import(self.string(path), **_bounds(keyword, end))
+
+    def enum_value(self, name: Token, value: Expression | None) -> EnumValue:
+        return EnumValue(word(name), value, **_bounds(name, value or name))
+
+    def enum(self, keyword: Token, name: Token, opening: Token, *values: Any) -> EnumDeclaration:
+        *inside, close = values
+        return EnumDeclaration(word(name), inside, open=opening.end_pos or 0, **_bounds(keyword, close))
+
+    def group(self, keyword: Token, name: Token, arguments: list[Argument] | None, end: Token) -> GroupDeclaration:
+        return GroupDeclaration(word(name), arguments or [], **_bounds(keyword, end))

@@ -1,0 +1,189 @@
+"""Finds all faults of a text that is no spec, after the first one too.
+
+The parser is driven token by token. Where it cannot go on, a semicolon is supposed if one fits and the line has ended;
+otherwise the statement is given up: the parser goes back to where the statement began, and the tokens are skipped up to
+its end. The tree of such a text is worth nothing; what counts is what is reported.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from lark import Token
+from lark.exceptions import UnexpectedInput, UnexpectedToken
+
+from unity_link.spec.diagnostics import listed
+from unity_link.spec.tokens import KEYWORDS, SIGNS, tokenize
+
+if TYPE_CHECKING:
+    from lark import Lark
+    from lark.parsers.lalr_interactive_parser import InteractiveParser
+
+    from unity_link.spec.diagnostics import Reporter, Source
+
+MOST_FAULTS = 50
+_WORDS = {
+    "NAME": "a name",
+    "NUMBER": "a number",
+    "STRING": "a string",
+    "OPERATOR": "an operator",
+    "$END": "the end of the file",
+}
+_SIGNS = {name: sign for sign, name in (SIGNS | KEYWORDS).items()}
+_STARTS = {"IMPORT", "ENUM", "GROUP", "PUBLIC"}
+_OPERATORS = {"OPERATOR", "MINUS", "TILDE"}
+_HINTS = {"'": "strings stand in double quotes", "#": "a comment begins with //"}
+
+
+def report_faults(parser: Lark, source: Source, reporter: Reporter) -> None:
+    """Parse a source that has a fault, and report all that are found."""
+    _Recovery(parser, source, reporter).run()
+
+
+class _Recovery:
+    def __init__(self, parser: Lark, source: Source, reporter: Reporter) -> None:
+        self._source = source
+        self._reporter = reporter
+        self._parser = parser.parse_interactive(source.text)
+        self._tokens = list(tokenize(source.text))
+        self._faults = 0
+
+    def run(self) -> None:
+        """Go through the tokens to the end of the text."""
+        parser, index = self._parser, 0
+        # A checkpoint is the parser at the beginning of a statement, and how many braces are open there.
+        checkpoints = [parser.copy()]
+        braces: list[Token] = []
+        while index < len(self._tokens) and self._faults < MOST_FAULTS:
+            token = self._tokens[index]
+            try:
+                parser.feed_token(token)
+            except UnexpectedToken:
+                parser, index = self._recover(parser, index, checkpoints, braces)
+                continue
+            index += 1
+            if token.type == "LBRACE":
+                braces.append(token)
+                checkpoints.append(parser.copy())
+            elif token.type == "RBRACE":
+                braces.pop()
+                checkpoints.pop()
+                checkpoints[-1] = parser.copy()
+            elif token.type == "SEMICOLON":
+                checkpoints[-1] = parser.copy()
+        if self._faults < MOST_FAULTS:
+            self._end(parser, braces)
+
+    def _end(self, parser: InteractiveParser, braces: list[Token]) -> None:
+        try:
+            parser.feed_eof()
+        except UnexpectedInput:
+            if braces:
+                place = (braces[-1].start_pos or 0, braces[-1].end_pos or 0)
+                message = "this block has no end"
+                self._reporter.error(self._source, place, "syntax", message, help="close it with '}'")
+                return
+            end = len(self._source.text.rstrip())
+            message = f"the file ends where {self._expected(parser)} was expected"
+            self._reporter.error(self._source, (max(0, end - 1), end), "syntax", message)
+
+    def _recover(
+        self, parser: InteractiveParser, index: int, checkpoints: list[InteractiveParser], braces: list[Token]
+    ) -> tuple[InteractiveParser, int]:
+        """Report the token that does not fit; give the parser to go on with, and the token to go on at."""
+        token = self._tokens[index]
+        self._faults += 1
+        accepted = parser.accepts()
+        previous = self._tokens[index - 1] if index else None
+        if previous is not None and "SEMICOLON" in accepted and self._is_later_line(previous, token):
+            place = (max(0, (previous.end_pos or 0) - 1), previous.end_pos or 0)
+            self._reporter.error(self._source, place, "syntax", "a ';' is missing behind this")
+            parser.feed_token(Token("SEMICOLON", ";", start_pos=previous.end_pos, end_pos=previous.end_pos))
+            checkpoints[-1] = parser.copy()
+            return parser, index
+        self._report(token, parser)
+        return self._give_up(index, checkpoints, braces)
+
+    def _report(self, token: Token, parser: InteractiveParser) -> None:
+        place = (token.start_pos or 0, token.end_pos or 0)
+        hint = ""
+        if token.type == "BAD_STRING":
+            message, hint = "this string has no end", "close it with '\"' on the same line"
+        elif token.type == "BAD_COMMENT":
+            message, hint = "this comment has no end", "close it with '*/'"
+        elif token.type == "BAD":
+            shown = repr(str(token)) if token.isprintable() else f"U+{ord(token):04X}"
+            message, hint = f"the character {shown} has no meaning here", _HINTS.get(token, "")
+        else:
+            message = f"{self._expected(parser)} was expected, not {self._shown(token)}"
+        self._reporter.error(self._source, place, "syntax", message, help=hint)
+
+    def _give_up(
+        self, index: int, checkpoints: list[InteractiveParser], braces: list[Token]
+    ) -> tuple[InteractiveParser, int]:
+        """Skip to the end of the statement that has the fault."""
+        depth = 0
+        in_enum = self._is_in_enum(index)
+        while index < len(self._tokens):
+            token = self._tokens[index]
+            index += 1
+            if token.type in _STARTS and depth == 0:
+                # Only a file has these: all blocks are over.
+                del checkpoints[1:]
+                braces.clear()
+                index -= 1
+                break
+            if token.type == "LBRACE":
+                if depth == 0 and not in_enum:
+                    # The fault is in the head of a block; what is inside may be sound.
+                    self._parser_in_block(checkpoints, braces, token)
+                    break
+                depth += 1
+            elif token.type == "RBRACE" and depth == 0:
+                if braces:
+                    index -= 1
+                break
+            elif token.type == "RBRACE":
+                depth -= 1
+                if depth == 0:
+                    break
+            elif token.type == "SEMICOLON" and depth == 0:
+                break
+        return checkpoints[-1].copy(), index
+
+    def _is_in_enum(self, index: int) -> bool:
+        for token in reversed(self._tokens[: index + 1]):
+            if token.type in {"SEMICOLON", "RBRACE"} | _STARTS:
+                return token.type == "ENUM"
+        return False
+
+    def _parser_in_block(self, checkpoints: list[InteractiveParser], braces: list[Token], opening: Token) -> None:
+        """Go on inside of a block as if its head were a sound one."""
+        parser = checkpoints[-1].copy()
+        head = (("NAME", "head"), ("LPAR", "("), ("RPAR", ")"))
+        for name, text in head:
+            parser.feed_token(Token(name, text, start_pos=opening.start_pos, end_pos=opening.start_pos))
+        parser.feed_token(opening)
+        braces.append(opening)
+        checkpoints.append(parser)
+
+    def _is_later_line(self, previous: Token, token: Token) -> bool:
+        return "\n" in self._source.text[previous.end_pos : token.start_pos]
+
+    def _expected(self, parser: InteractiveParser) -> str:
+        """Say in words what could stand at the place that the parser is at."""
+        accepted = parser.accepts()
+        # An operator may follow any operand; to say so each time would hide what is missing.
+        accepted = accepted - _OPERATORS or accepted
+        if {"NAME", "NUMBER", "STRING"} <= accepted:
+            accepted -= {"LPAR", "NAME", "NUMBER", "STRING"}
+            names = ["a value"]
+        else:
+            names = []
+        names += [f"'{_SIGNS[name]}'" if name in _SIGNS else _WORDS.get(name, name) for name in sorted(accepted)]
+        return listed(names) if names else "nothing more"
+
+    def _shown(self, token: Token) -> str:
+        if token.type in {"NAME", "NUMBER", "STRING"}:
+            return f"{_WORDS[token.type]} ({token[:40]})" if token.type != "STRING" else f"the string {token[:40]}"
+        return f"'{token}'"

@@ -1,0 +1,249 @@
+"""From the declaration of a signal to a `Signal`: bits, kind, access, limits, publishing, and the rules for each."""
+
+from __future__ import annotations
+
+import math
+import re
+from typing import TYPE_CHECKING, NamedTuple
+
+from unity_link.spec.arguments import ACCESS, Binder, Bound
+from unity_link.spec.diagnostics import did_you_mean, listed
+from unity_link.spec.expressions import Evaluator, GroupReference, Result, describe, parse_number
+from unity_link.spec.kinds import FLOAT_BITS, MOST_BITS, Enumeration, Kind, KindName
+from unity_link.spec.model import Access
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+    from unity_link.spec.syntax import SignalDeclaration
+
+PLAIN_KINDS = [name.value for name in KindName if name is not KindName.ENUM]
+_FIXED = re.compile(r"(\d+)\.(\d+)")
+_WITHOUT_SCALE = {KindName.BOOL, KindName.ENUM, KindName.FLOAT}
+
+
+class BitRange(NamedTuple):
+    """Where a signal stands in its word."""
+
+    lowest: int
+    width: int
+
+
+class Publishing(NamedTuple):
+    """What a signal says of how it is published."""
+
+    group: int | str
+    divisor: int | None
+
+
+class SignalParts(NamedTuple):
+    """What a declaration says, without address and name."""
+
+    kind: Kind
+    lowest_bit: int
+    access: Access
+    arguments: Bound
+    publishing: Publishing | None
+    places: Mapping[str, tuple[int, int]]
+
+
+class SignalReader:
+    """Reads the declarations of signals in one source."""
+
+    def __init__(self, evaluator: Evaluator, enumerations: Mapping[str, Enumeration], data_bits: int) -> None:
+        self._evaluator = evaluator
+        self._fault = evaluator.fault
+        self._enumerations = enumerations
+        self._data_bits = data_bits
+
+    def read(self, node: SignalDeclaration, scope: Mapping[str, Result]) -> SignalParts | None:
+        """Give what a declaration says; None if its kind or access cannot be told."""
+        bits = self._bits(node, scope)
+        kind = self._kind(node, bits)
+        access = self._access(node)
+        binder = Binder(self._evaluator, scope)
+        arguments = binder.bind(node.access, node.access.place, node.arguments, ACCESS) if access is not None else {}
+        if kind is None or access is None:
+            return None
+        kind = self._scaled(kind, arguments, binder, node)
+        publishing = self._publishing(access, arguments, binder)
+        self._check_limits(kind, access, arguments, binder)
+        self._check_fifo(kind, bits, arguments, binder)
+        lowest = bits.lowest if bits is not None else 0
+        return SignalParts(kind, lowest, access, arguments, publishing, binder.places)
+
+    def _bits(self, node: SignalDeclaration, scope: Mapping[str, Result]) -> BitRange | None:
+        if node.bits is None:
+            return None
+        numbers: list[int] = []
+        for expression in (node.bits.high, node.bits.low or node.bits.high):
+            value = self._evaluator.evaluate(expression, scope)
+            if value is None:
+                return None
+            if isinstance(value, bool) or not isinstance(value, int):
+                self._fault(expression.place, "bad-bits", f"a bit is a whole number, not {describe(value)}")
+                return None
+            if not 0 <= value < self._data_bits:
+                message = f"bit {value} is not in a word of {self._data_bits} bits"
+                self._fault(expression.place, "bad-bits", message, f"bits are 0 to {self._data_bits - 1}")
+                return None
+            numbers.append(value)
+        high, low = numbers
+        if high < low:
+            place = (node.bits.high.start, (node.bits.low or node.bits.high).end)
+            self._fault(place, "bad-bits", f"bits {high}:{low} run upwards", f"write [{low}:{high}], the highest first")
+            return None
+        return BitRange(low, high - low + 1)
+
+    def _kind(self, node: SignalDeclaration, bits: BitRange | None) -> Kind | None:
+        if node.kind is None:
+            return self._sized(node, KindName.UNSIGNED, None, bits)
+        word, width = node.kind.name, node.kind.width
+        if word in {KindName.FIXED, KindName.UFIXED}:
+            return self._fixed(node, bits)
+        number: int | None = None
+        if width is not None:
+            parsed = parse_number(width.text)
+            if not isinstance(parsed, int) or not 1 <= parsed <= MOST_BITS:
+                message = f"a width is 1 to {MOST_BITS} bits, not {width.text[:40]}"
+                self._fault(width.place, "bad-width", message)
+                return None
+            number = parsed
+        if word in self._enumerations:
+            kind = self._sized(node, KindName.ENUM, number, bits)
+            return None if kind is None else self._enumerated(node, kind, self._enumerations[word])
+        if word not in PLAIN_KINDS:
+            known = [*PLAIN_KINDS, *self._enumerations]
+            advice = did_you_mean(word, known) or f"kinds are {listed(PLAIN_KINDS, 'and')}, and enumerations"
+            self._fault(word.place, "unknown-kind", f"there is no kind '{word}'", advice)
+            return None
+        return self._sized(node, KindName(word), number, bits)
+
+    def _fixed(self, node: SignalDeclaration, bits: BitRange | None) -> Kind | None:
+        assert node.kind is not None
+        word, width = node.kind.name, node.kind.width
+        match = _FIXED.fullmatch(width.text) if width is not None else None
+        if match is None:
+            place = word.place if width is None else width.place
+            message = f"{word} needs the bits before and behind the point"
+            self._fault(place, "bad-width", message, f"as in {word} 16.16")
+            return None
+        before, behind = (min(int(digits[:9]), 999) for digits in match.groups())
+        if not 1 <= before + behind <= MOST_BITS:
+            assert width is not None
+            self._fault(width.place, "bad-width", f"a {word} has 1 to {MOST_BITS} bits, not {before + behind}")
+            return None
+        kind = self._sized(node, KindName(word), before + behind, bits)
+        return None if kind is None else Kind(kind.name, kind.width, behind)
+
+    def _sized(
+        self, node: SignalDeclaration, name: KindName, width: int | None, bits: BitRange | None
+    ) -> Kind | None:
+        """Give a kind its width: the one that is written, that of its bits, or its own."""
+        place = node.name.place if node.kind is None else node.kind.name.place
+        if name is KindName.BOOL:
+            width = 1 if width is None else width
+            if width != 1:
+                self._fault(place, "bad-width", f"a bool is 1 bit, not {width}", "use unsigned or an enumeration")
+                return None
+        if width is None:
+            width = bits.width if bits is not None else 32 if name is KindName.FLOAT else self._data_bits
+        if name is KindName.FLOAT and width not in FLOAT_BITS:
+            message = f"a float has {listed([str(one) for one in FLOAT_BITS])} bits, not {width}"
+            self._fault(place, "bad-width", message)
+            return None
+        if bits is not None and bits.width != width:
+            message = f"{name} {width} does not fit into the {bits.width} bits that '{node.name}' has"
+            if name is KindName.BOOL:
+                message = f"a bool is 1 bit, and '{node.name}' has {bits.width}"
+            high = bits.lowest + width - 1
+            advice = f"{width} bits from bit {bits.lowest} on are [{high}:{bits.lowest}]"
+            self._fault(place, "bad-width", message, advice if high < self._data_bits else "")
+            return None
+        return Kind(name, width)
+
+    def _enumerated(self, node: SignalDeclaration, kind: Kind, enumeration: Enumeration) -> Kind | None:
+        assert node.kind is not None
+        if enumeration.largest >> kind.width:
+            needed = enumeration.largest.bit_length()
+            message = f"{enumeration.name} has values up to {enumeration.largest}, which need {needed} bits, not {kind.width}"
+            self._fault(node.kind.name.place, "enum-too-wide", message)
+            return None
+        return Kind(KindName.ENUM, kind.width, enumeration=enumeration)
+
+    def _access(self, node: SignalDeclaration) -> Access | None:
+        if node.access in Access.__members__:
+            return Access[node.access]
+        advice = did_you_mean(node.access, Access.__members__) or f"it is {listed(Access.__members__)}"
+        self._fault(node.access.place, "unknown-access", f"there is no access '{node.access}'", advice)
+        return None
+
+    def _scaled(self, kind: Kind, arguments: Bound, binder: Binder, node: SignalDeclaration) -> Kind:
+        scale, offset = arguments.get("SCALE", 1), arguments.get("OFFSET", 0)
+        given = next((name for name in ("SCALE", "OFFSET") if name in arguments), None)
+        if given is not None and kind.name in _WITHOUT_SCALE:
+            message = f"a {kind.name} has no {given}"
+            self._fault(binder.places[given], "bad-scale", message, "signed, unsigned and fixed have one")
+            return kind
+        if scale == 0:
+            self._fault(binder.places["SCALE"], "bad-scale", "SCALE is 0, so that every value would be the same")
+            return kind
+        scaled = Kind(kind.name, kind.width, kind.fraction, scale, offset)
+        if kind.name not in _WITHOUT_SCALE and not scaled.is_exact():
+            place = binder.places[given] if given is not None else node.name.place
+            message = f"a float cannot tell all values of {scaled} apart"
+            advice = "it has 53 bits: take fewer bits, or read the whole number and scale it yourself"
+            self._fault(place, "inexact", message, advice)
+            return kind
+        return kind if kind.name in _WITHOUT_SCALE else scaled
+
+    def _publishing(self, access: Access, arguments: Bound, binder: Binder) -> Publishing | None:
+        for name in ("PUBLISH", "POLL"):
+            if name in arguments and not access.reads:
+                self._fault(binder.places[name], "not-readable", f"{name} needs a signal that can be read, not {access}")
+        if "PUBLISH" in arguments and "POLL" in arguments:
+            message = "a signal is either published by the gateway or polled by the host"
+            self._fault(binder.places["POLL"], "publish-and-poll", message, "leave out PUBLISH or POLL")
+        clause = arguments.get("PUBLISH", {})
+        group = clause.get("GROUP")
+        if group is None:
+            return None
+        return Publishing(group.name if isinstance(group, GroupReference) else group, clause.get("DIVISOR"))
+
+    def _check_limits(self, kind: Kind, access: Access, arguments: Bound, binder: Binder) -> None:
+        low, high = arguments.get("MIN"), arguments.get("MAX")
+        for name in ("MIN", "MAX"):
+            if name not in arguments:
+                continue
+            place, limit = binder.places[name], arguments[name]
+            if kind.name in {KindName.BOOL, KindName.ENUM}:
+                self._fault(place, "bad-limit", f"a {kind.name} has no {name}")
+                return
+            if not access.writes:
+                message = f"{name} limits what is written, and this signal is only read"
+                self._fault(place, "bad-limit", message, "leave it out, or use WRITE or READWRITE")
+                return
+            first, last = kind.range
+            if kind.name is KindName.FLOAT:
+                most = {16: 65504.0, 32: math.ldexp(2 - 2**-23, 127)}.get(kind.width, math.inf)
+                first, last = -most, most
+            if not first <= limit <= last:
+                message = f"{name}={limit:.12g} is outside of {first:.12g} to {last:.12g}, the range of {kind}"
+                self._fault(place, "bad-limit", message)
+                return
+        if low is not None and high is not None and low > high:
+            message = f"MIN={low:.12g} is more than MAX={high:.12g}"
+            self._fault(binder.places["MIN"], "bad-limit", message, "exchange them")
+
+    def _check_fifo(self, kind: Kind, bits: BitRange | None, arguments: Bound, binder: Binder) -> None:
+        if "FIFO" not in arguments:
+            return
+        place = binder.places["FIFO"]
+        if bits is not None and bits.width != self._data_bits:
+            self._fault(place, "bad-fifo", "a FIFO hands out whole words, so its signal cannot be some bits of one")
+        elif kind.width > self._data_bits:
+            message = f"a FIFO hands out words of {self._data_bits} bits, and {kind} has {kind.width}"
+            self._fault(place, "bad-fifo", message)
+        elif "PUBLISH" in arguments:
+            message = "publishing would take words from the FIFO that a lost sample loses for good"
+            self._fault(binder.places["PUBLISH"], "bad-fifo", message, "use POLL, or read it when it has data")

@@ -1,0 +1,93 @@
+"""From text to tokens: the groups of one regular expression are the terminals of `grammar.lark`.
+
+lark asks for its lexer here. What begins no token becomes one of its own (`BAD_STRING`, `BAD_COMMENT`, `BAD`), which no
+rule of the grammar takes: so text that is no spec is a fault of the grammar, found at its place like any other one.
+"""
+
+from __future__ import annotations
+
+import re
+from typing import TYPE_CHECKING, NamedTuple
+
+from lark import Token
+from lark.lexer import Lexer
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+KEYWORDS = {word: word.upper() for word in ("import", "enum", "group", "public")}
+SIGNS = {
+    ";": "SEMICOLON",
+    "{": "LBRACE",
+    "}": "RBRACE",
+    "(": "LPAR",
+    ")": "RPAR",
+    "[": "LSQB",
+    "]": "RSQB",
+    ",": "COMMA",
+    ":": "COLON",
+    "=": "EQUAL",
+    "@": "AT",
+    "-": "MINUS",
+    "~": "TILDE",
+}
+SPACE = " \t\r\n\f\ufeff"
+# Whatever begins like a number is one token, so that 0x1G and 12bit are named as what they are.
+_TOKEN = re.compile(
+    r"""
+    (?P<SPACE>[ \t\r\n\f\ufeff]+)
+    |(?P<COMMENT>//[^\n]*|/\*.*?\*/)
+    |(?P<NAME>[A-Za-z_][A-Za-z0-9_]*)
+    |(?P<SIGN>[;{}()\[\],:=@~-])
+    |(?P<NUMBER>0[xXbB][0-9A-Za-z_]*|[0-9][0-9_]*(?:\.[0-9][0-9_]*)?(?:[eE][+-]?[0-9]+)?[0-9A-Za-z_]*)
+    |(?P<STRING>"(?:\\[^\n]|[^"\\\n])*")
+    |(?P<BAD_COMMENT>/\*)
+    |(?P<OPERATOR><<|>>|[+*/%&|^])
+    |(?P<BAD_STRING>"[^\n]*)
+    |(?P<BAD>.)
+    """,
+    re.VERBOSE | re.DOTALL,
+)
+
+
+_COMMENT = re.compile(r'"(?:\\[^\n]|[^"\\\n])*"|//[^\n]*|/\*.*?\*/', re.DOTALL)
+
+
+class Place(NamedTuple):
+    """A comment and where it stands."""
+
+    text: str
+    start: int
+    end: int
+
+
+def find_comments(text: str) -> list[Place]:
+    """Give the comments of a text that has no faults."""
+    return [Place(match[0].rstrip(), *match.span()) for match in _COMMENT.finditer(text) if match[0][0] == "/"]
+
+
+class TokenLexer(Lexer):
+    """The lexer of a text, as lark wants it."""
+
+    def __init__(self, lexer_conf: object) -> None:
+        """Take lark's configuration, which has nothing to configure here."""
+
+    def lex(self, text: str) -> Iterator[Token]:  # type: ignore[override]  # lark's own lexers take a state instead
+        """Give the tokens of a text."""
+        return tokenize(text)
+
+
+def tokenize(text: str) -> Iterator[Token]:
+    """Give the tokens of a text, without space and comments."""
+    keyword, sign = KEYWORDS.get, SIGNS
+    for match in _TOKEN.finditer(text):
+        kind = match.lastgroup
+        if kind in {"SPACE", "COMMENT"}:
+            continue
+        found, (start, end) = match[0], match.span()
+        if kind == "SIGN":
+            kind = sign[found]
+        elif kind == "NAME":
+            kind = keyword(found, kind)
+        assert kind is not None
+        yield Token(kind, found, start, None, None, None, None, end)
