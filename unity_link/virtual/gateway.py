@@ -137,6 +137,15 @@ class VirtualGateway:
         return self._commands.send_immediate
 
     @property
+    def flush_wanted(self) -> bool:
+        """Whether a sample was sent that is to be flushed (group flag bit 2); whoever flushes clears it."""
+        return self.groups.flush_wanted
+
+    @flush_wanted.setter
+    def flush_wanted(self, wanted: bool) -> None:
+        self.groups.flush_wanted = wanted
+
+    @property
     def waiting(self) -> int:
         """Bytes not looked at yet: always 0."""
         return 0

@@ -100,6 +100,8 @@ class Groups:
         self.clock = Clock(info)
         self.overruns = 0
         """Samples that were due and had no room, all groups together."""
+        self.flush_wanted = False
+        """A sample of a group with flag bit 2 was published; cleared by whoever flushes."""
         self._word_form = b"%%0%dX" % info.data_digits
         self._bus = bus
         self._frame = frame
@@ -247,5 +249,7 @@ class Groups:
                 return b""
             group.last = words
         group.sequence = sequence + 1 & _SEQUENCE_MASK
+        if flags & 4:
+            self.flush_wanted = True
         body = group.form % ((sequence, stamp, *words) if flags & 8 else (sequence, *words))
         return self._frame(body, flags & 32 != 0)
