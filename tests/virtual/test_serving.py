@@ -113,7 +113,7 @@ async def test_the_end_of_serving_hangs_up() -> None:
     with contextlib.suppress(ConnectionResetError):
         assert await stream[0].read() == b""
     stream[1].close()
-    with pytest.raises(OSError, match="refused|Connect call failed"):
+    with pytest.raises(OSError, match=r"refused|Connect call failed"):
         await asyncio.open_connection("127.0.0.1", port_of(url))
 
 

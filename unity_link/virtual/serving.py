@@ -49,7 +49,7 @@ class Counter(asyncio.Protocol):
     """Where a gateway meets its client of the moment."""
 
     def __init__(self, gateway: Gateway) -> None:
-        self.gateway = GatewayTransport(gateway, self)
+        self.gateway = GatewayTransport(gateway, self, at_once=True)
         self.sender: asyncio.WriteTransport | None = None
         """Where bytes for the client go."""
         self.reader: asyncio.ReadTransport | None = None
