@@ -218,6 +218,8 @@ class Exchange:
             if end != start:
                 self._receive_line(data[start:end], now)
             start = end + 1
+            if start == len(data):
+                break
         if self._stream is not None:
             if self._window.wants_repetition:
                 self._repeat()

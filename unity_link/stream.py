@@ -95,8 +95,7 @@ class Stream(asyncio.Protocol):
             return
         if self._rest:
             data = self._rest + data
-        used = self.receiver.receive(data)
-        rest = data[used:]
+        rest = data[self.receiver.receive(data) :]
         # Noise without a line end is no frame; what is kept of it must not grow.
         self._rest = rest if len(rest) <= LONGEST_FRAME else b""
 

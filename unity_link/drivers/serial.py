@@ -16,7 +16,7 @@ from __future__ import annotations
 import asyncio
 import errno
 import os
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import serial
 from serial_asyncio_fast import SerialTransport
@@ -62,9 +62,10 @@ def _explain(path: str, error: Exception) -> str:
 class Port(serial.Serial):
     """A port that says at once how much it took."""
 
-    def write(self, data: bytes | bytearray | memoryview, /) -> int:
+    def write(self, data: Any, /) -> int:
         """Write what fits; raises BlockingIOError where nothing does."""
-        return os.write(self.fd, data)  # type: ignore[arg-type]  # an open port has a descriptor
+        assert self.fd is not None
+        return os.write(self.fd, data)
 
 
 class PortTransport(SerialTransport):

@@ -47,14 +47,15 @@ class Crc:
         self.polynomial = polynomial
         self.digits = bits // 4
         self.of: Callable[[bytes], int] = _COMPILED.get((bits, polynomial), self._by_table)
-        self._format = b"%%0%dX" % self.digits
-        self._hex8 = [b"%02X" % value for value in range(256)] if bits == 8 else None
+        self.text = self._text()
+        """Gives the CRC of bytes as it stands in a frame: upper-case hex digits."""
 
-    def text(self, data: bytes) -> bytes:
-        """Give the CRC of `data` as it stands in a frame: upper-case hex digits."""
-        if self._hex8 is not None:
-            return self._hex8[self.of(data)]
-        return self._format % self.of(data)
+    def _text(self) -> Callable[[bytes], bytes]:
+        of, layout = self.of, b"%%0%dX" % self.digits
+        if self.bits != 8:
+            return lambda data: layout % of(data)
+        texts = [layout % value for value in range(256)]
+        return lambda data: texts[of(data)]
 
     def of_rows(self, rows: NDArray[np.uint8]) -> NDArray[np.uint8]:
         """Give the CRC of each row of bytes, shape (n, length), as hex digits, shape (n, digits)."""

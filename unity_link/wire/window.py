@@ -231,21 +231,23 @@ class Window(Generic[R]):
             self._measure(now - self._timed[1])
             self._timed = None
             self._next_measurement = now + MEASUREMENT_PAUSE
-        after = number + count & self._mask
-        if number == self.executed:
-            self._bytes -= run.size * count
-            self.executed = after
-        elif self._distance(after) > self._distance(self.executed):
-            if self._distance(number) > self._distance(self.executed):
-                self._confirm(number)
-            self._bytes -= run.size * (after - self.executed & self._mask)
-            self.executed = after
         if count == 1:
             self._slots[number] = None
         else:
             self._fill(number, count, None)
         if self._allowed < self._half:
             self._allowed = min(self._half, self._allowed + count)
+        after = number + count & self._mask
+        if number == self.oldest == self.executed:
+            self._bytes -= run.size * count
+            self.oldest = self.executed = after
+            self._moved(now)
+            return
+        if self._distance(after) > self._distance(self.executed):
+            if self._distance(number) > self._distance(self.executed):
+                self._confirm(number)
+            self._bytes -= run.size * (after - self.executed & self._mask)
+            self.executed = after
         self._news(now)
         if self.oldest != self.executed:
             self._go_back(now)
@@ -340,9 +342,14 @@ class Window(Generic[R]):
             while position != self.executed and slots[position] is None:
                 position = position + 1 & self._mask
             self.oldest = position
-            self._gone_back = self._refused = self._gave_up = False
-            self._refusals = 0
+            self._moved(now)
         self._tries = self._silent_tries = 0
+        self._since = now
+
+    def _moved(self, now: float) -> None:
+        """Begin anew with another `oldest`."""
+        self._gone_back = self._refused = self._gave_up = False
+        self._refusals = self._tries = self._silent_tries = 0
         self._since = now
 
     def _give_up(self) -> R | None:
