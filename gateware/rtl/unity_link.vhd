@@ -16,9 +16,10 @@ entity unity_link is
   generic (
     -- "fifo", "uart", "ft245" (asynchronous) or "ft245_sync".
     physical                  : string                        := "uart";
-    -- UART: bits a second, and whether RTS# and CTS# are used.
+    -- "uart": bits a second.
     baud                      : positive                      := 1_000_000;
-    uart_flow_control         : boolean                       := false;
+    -- "uart": whether RTS# and CTS# are used. "fifo": whether the source of bytes waits for in_ready. FT245 always waits.
+    flow_control              : boolean                       := false;
     -- Wishbone B4 pipelined instead of classic.
     wb_pipelined              : boolean                       := false;
     -- Widths: 8 to 64 bits a word, 8 to 32 bits an address (which counts words), 2 or 3 digits an ID.
@@ -102,7 +103,7 @@ end entity unity_link;
 architecture rtl of unity_link is
 
   -- Whether the medium stops the host when this side is full.
-  constant flow_control : boolean := physical /= "uart" or uart_flow_control;
+  constant medium_waits : boolean := flow_control or physical = "ft245" or physical = "ft245_sync";
 
   signal rx_data        : std_logic_vector(7 downto 0);
   signal rx_lost        : std_logic;
@@ -130,7 +131,7 @@ begin
 
   core_inst : entity work.unity_link_core
     generic map (
-      flow_control              => flow_control,
+      flow_control              => medium_waits,
       data_bits                 => data_bits,
       address_bits              => address_bits,
       id_digits                 => id_digits,
@@ -245,7 +246,7 @@ begin
       generic map (
         clock_hz     => clock_hz,
         baud         => baud,
-        flow_control => uart_flow_control
+        flow_control => flow_control
       )
       port map (
         clk      => clk,

@@ -11,6 +11,8 @@ library work;
 
 entity unity_link_fifo is
   generic (
+    -- Whether the source of bytes waits for in_ready.
+    flow_control              : boolean                       := true;
     -- Wishbone B4 pipelined instead of classic.
     wb_pipelined              : boolean                       := false;
     -- Widths: 8 to 64 bits a word, 8 to 32 bits an address (which counts words), 2 or 3 digits an ID.
@@ -80,6 +82,7 @@ begin
   unity_link_inst : entity work.unity_link
     generic map (
       physical                  => "fifo",
+      flow_control              => flow_control,
       wb_pipelined              => wb_pipelined,
       data_bits                 => data_bits,
       address_bits              => address_bits,

@@ -373,7 +373,6 @@ begin
       v.id           := request_id;
       v.address      := unsigned(request_address(address_bits - 1 downto 0));
       v.left         := unsigned(request_count);
-      v.index        := (others => '0');
       v.modifying    := '0';
       v.error        := error_none;
       v.out_of_order := '0';
@@ -446,6 +445,8 @@ begin
       case r.state is
 
         when state_idle =>
+          -- The first word of the next request comes out of the memory in time if it was asked for all along.
+          v.index := (others => '0');
           if request_valid = '1' then
             accept_request;
           end if;

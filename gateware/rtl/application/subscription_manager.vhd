@@ -90,8 +90,8 @@ architecture rtl of subscription_manager is
   -- Nothing of a group is used before it was set: the initial values only keep simulations quiet.
   signal settings_memory : settings_memory_t := (others => (others => '0'));
   signal state_memory    : state_memory_t    := (others => (others => '0'));
-  signal list            : list_t            := (others => (others => '0'));
-  signal last            : last_t            := (others => (others => '0'));
+  signal list            : list_t;
+  signal last            : last_t;
 
   type state_t is (
     state_idle, state_fetch, state_prepare, state_sample, state_finish, state_wait_timer, state_told

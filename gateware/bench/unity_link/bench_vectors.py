@@ -1,0 +1,39 @@
+"""Inside the simulator: the gateware answers a file of vectors (tests/vectors) byte for byte."""
+
+from __future__ import annotations
+
+import json
+import os
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import cocotb
+
+from gateware.bench.unity_link.gateway import Gateway
+
+if TYPE_CHECKING:
+    from cocotb.handle import SimHandleBase
+
+
+@cocotb.test
+async def it_answers_the_vectors(dut: SimHandleBase) -> None:
+    lines = Path(os.environ["VECTORS"]).read_text().splitlines()
+    header, *steps = (json.loads(line) for line in lines)
+    prefix = b"" if header["node"] is None else b"Z%02X" % header["node"]
+    pause = float(os.environ["PAUSE"])
+    gateway = Gateway(dut, pause_in=pause, pause_out=pause)
+    await gateway.begin()
+    for step in steps:
+        gateway.send(step["send"].encode("latin-1"))
+    await gateway.quiet(1000)
+    frames = gateway.take().splitlines(keepends=True)
+    is_publish = [frame.startswith(prefix + b"P") for frame in frames]
+    answers = [frame for frame, publish in zip(frames, is_publish, strict=True) if not publish]
+    publishes = [frame for frame, publish in zip(frames, is_publish, strict=True) if publish]
+    for step in steps:
+        for name, got in (("answers", answers), ("publishes", publishes)):
+            expected = step.get(name, "").encode("latin-1").splitlines(keepends=True)
+            assert got[: len(expected)] == expected, f"{step}: {got[: len(expected) + 1]}"
+            del got[: len(expected)]
+    assert not answers
+    assert not publishes

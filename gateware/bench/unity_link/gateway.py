@@ -1,0 +1,146 @@
+"""Handles the gateway in a simulation: sends frames, takes bytes apart into frames, and knows which cycle it is.
+
+One task does everything that happens at a clock edge, because the cost of a cycle is the cost of its tasks.
+"""
+
+from __future__ import annotations
+
+import random
+from typing import TYPE_CHECKING
+
+import cocotb
+from cocotb.triggers import ReadOnly, RisingEdge
+
+from gateware.bench.streams import start
+from unity_link.wire.crc import Crc
+
+if TYPE_CHECKING:
+    from cocotb.handle import SimHandleBase
+
+QUIET_CYCLES = 400
+"""More than the gateway is ever silent while it works on a request of the benches, copying a list of 255 included."""
+
+
+def checked(body: bytes, crc: Crc | None = None) -> bytes:
+    """Give the checked frame of a body."""
+    return body + (crc or Crc()).text(body) + b"\n"
+
+
+class Gateway:
+    """The gateway behind its FIFO port.
+
+    Args:
+        dut: `unity_link_bench`.
+        pause_in: probability of no byte in a cycle, where one waits to be sent.
+        pause_out: probability of a cycle in which no byte is taken.
+    """
+
+    def __init__(self, dut: SimHandleBase, *, pause_in: float = 0.0, pause_out: float = 0.0, seed: int = 1) -> None:
+        self.dut = dut
+        self.pause_in = pause_in
+        self.pause_out = pause_out
+        self.cycle = 0
+        self.received = bytearray()
+        self.sent_at: list[int] = []
+        """The cycle at whose end each byte was taken by the gateway."""
+        self.received_at: list[int] = []
+        """The cycle at whose end each byte was taken from the gateway."""
+        self.flushed_after: list[int] = []
+        """Bytes that had been received when each flush came."""
+        self.flushed_at: list[int] = []
+        self._waiting: list[tuple[int, int]] = []
+        self._next = 0
+        self._rng = random.Random(seed)
+        self._quiet = 0
+
+    async def begin(self) -> None:
+        """Reset, and start to move bytes."""
+        dut = self.dut
+        dut.in_valid.value = 0
+        dut.in_data.value = 0
+        dut.in_lost.value = 0
+        dut.out_ready.value = 0
+        dut.trigger.value = 0
+        dut.wait_states.value = 0
+        await start(dut.clk, dut.rst)
+        cocotb.start_soon(self._run())
+
+    async def _run(self) -> None:
+        dut, rng = self.dut, self._rng
+        clk, in_valid, in_ready = dut.clk, dut.in_valid, dut.in_ready
+        in_data, in_lost = dut.in_data, dut.in_lost
+        out_valid, out_ready, out_data, out_flush = dut.out_valid, dut.out_ready, dut.out_data, dut.out_flush
+        edge = RisingEdge(clk)
+        offering = takes = False
+        offered: tuple[int, int] | None = None
+        while True:
+            if not offering:
+                offering = self._next < len(self._waiting) and not (self.pause_in and rng.random() < self.pause_in)
+                if offering and self._waiting[self._next] != offered:
+                    offered = self._waiting[self._next]
+                    in_data.value, in_lost.value = offered
+                in_valid.value = offering
+            takes_now = not (self.pause_out and rng.random() < self.pause_out)
+            if takes_now != takes:
+                takes = takes_now
+                out_ready.value = takes
+            await edge
+            self.cycle += 1
+            self._quiet += 1
+            if offering and in_ready.value == 1:
+                offering = False
+                self._next += 1
+                self.sent_at.append(self.cycle)
+                self._quiet = 0
+            if out_valid.value == 1:
+                self._quiet = 0
+                if takes:
+                    self.received.append(int(out_data.value))
+                    self.received_at.append(self.cycle)
+            if out_flush.value == 1:
+                self.flushed_after.append(len(self.received))
+                self.flushed_at.append(self.cycle)
+
+    def send(self, data: bytes, *, lost_before: int | None = None) -> None:
+        """Have bytes sent after those that wait; `lost_before`: index of a byte before which others were lost."""
+        self._waiting += [(byte, int(index == lost_before)) for index, byte in enumerate(data)]
+
+    async def quiet(self, cycles: int = QUIET_CYCLES) -> None:
+        """Wait until everything was sent and nothing has come for so many cycles."""
+        self._quiet = 0
+        while self._quiet < cycles or self._next < len(self._waiting):
+            await RisingEdge(self.dut.clk)
+
+    async def cycles(self, count: int) -> None:
+        """Let clock cycles pass."""
+        for _ in range(count):
+            await RisingEdge(self.dut.clk)
+
+    def take(self) -> bytes:
+        """Give what was received since the last call."""
+        data = bytes(self.received)
+        del self.received[:]
+        return data
+
+    async def answer(self, data: bytes, *, count: int = 1, most_cycles: int = 20_000) -> bytes:
+        """Send bytes and give the next `count` frames.
+
+        Raises:
+            AssertionError: if they do not come.
+        """
+        self.send(data)
+        for _ in range(most_cycles):
+            if self.received.count(b"\n") >= count and self._next == len(self._waiting):
+                return self.take()
+            await RisingEdge(self.dut.clk)
+        raise AssertionError(f"{data!r} was answered by {bytes(self.received)!r} in {most_cycles} cycles")
+
+    async def ask(self, body: bytes) -> bytes:
+        """Send a body in a checked frame and give the body of the answer, whose check must be right."""
+        frame = await self.answer(checked(body))
+        assert frame == checked(frame[:-3]), frame
+        return frame[:-3]
+
+    async def settled(self) -> None:
+        """Wait for the moment in this cycle at which all signals stand."""
+        await ReadOnly()

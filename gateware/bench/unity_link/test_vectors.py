@@ -1,0 +1,55 @@
+"""The shared vectors on the gateware, with and without back-pressure."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from gateware.bench.runner import GATEWARE, run_bench
+from unity_link.wire.gateway_info import Feature
+
+HERE = Path(__file__).resolve().parent
+VECTORS = GATEWARE.parent / "tests" / "vectors"
+
+
+def generics_of(configuration: dict[str, Any], node: int | None) -> dict[str, object]:
+    """Give the generics that make a gateway of this configuration (the fields of `Q`)."""
+    features = Feature(configuration["features"])
+    same = ("data_bits", "address_bits", "id_digits", "crc_bits", "crc_polynomial", "block_words", "groups")
+    longest_sample = max(configuration["group_words"], 1) + 2
+    return {
+        **{name: configuration[name] for name in same},
+        "group_words": configuration["group_words"],
+        "base_frequency_millihertz": configuration["base_frequency_millihertz"],
+        "clock_hz": configuration["clock_hz"],
+        "rx_fifo_depth": configuration["receive_fifo_bytes"],
+        "tx_fifo_depth": configuration["transmit_fifo_bytes"],
+        "build_id": configuration["build_id"],
+        "sample_depth": 1 << (longest_sample - 1).bit_length(),
+        "masked_write": Feature.MASKED_WRITE in features,
+        "queue_commands": Feature.QUEUE_COMMANDS in features,
+        "timestamps": Feature.TIMESTAMPS in features,
+        "triggers": Feature.EXTERNAL_TRIGGERS in features,
+        "send_immediate": Feature.SEND_IMMEDIATE in features,
+        "flow_control": Feature.FLOW_CONTROL in features,
+        "node": -1 if node is None else node,
+    }
+
+
+@pytest.mark.parametrize("pause", [0.0, 0.3])
+@pytest.mark.parametrize("path", sorted(VECTORS.glob("*.ndjson")), ids=lambda path: path.stem)
+def test_the_gateware_answers_the_shared_vectors(path: Path, pause: float) -> None:
+    with path.open() as lines:
+        header = json.loads(lines.readline())
+    generics = generics_of(header["configuration"], header["node"])
+    (error_at,), (silent_at,) = header["bus_error"], header["bus_timeout"]
+    run_bench(
+        "unity_link_bench",
+        "gateware.bench.unity_link.bench_vectors",
+        generics={**generics, "error_at": error_at, "silent_at": silent_at},
+        extra_sources=[HERE / "unity_link_bench.vhd"],
+        extra_env={"VECTORS": str(path), "PAUSE": str(pause)},
+    )
