@@ -97,6 +97,31 @@ def test_no_bytes_do_harm_and_no_cut_matters(data: bytes, cuts: list[int]) -> No
     assert whole.receive(b"\nH\r", 0.0).endswith(b"H\r\n")
 
 
+@given(
+    requests=st.lists(
+        st.tuples(
+            st.sampled_from(["R", "W", "WS", "H"]),
+            st.integers(-2, 2),
+            st.integers(0, 0x3FF),
+            st.integers(0, 0x7FFF),
+            st.sampled_from([bytes, bytes.lower, bytes.swapcase, lambda text: text[:-2] + b"0\n"]),
+        )
+    )
+)
+def test_the_short_way_of_single_words_answers_as_the_long_way(requests: list[tuple[Any, ...]]) -> None:
+    info = GatewayInfo(address_bits=9, data_bits=14)
+    codec = Codec(info)
+    quick, slow = VirtualGateway(info), VirtualGateway(info)
+    for gateway in (quick, slow):
+        gateway.attach(Failing(), [7])
+    slow._quick_sizes = (-1, -1, -1)
+    for command, offset, address, word, spelling in requests:
+        values = {"R": (address,), "W": (address, word), "WS": (address, word), "H": ()}[command]
+        data = spelling(codec.request(command, (quick.expected + offset) % RING, codec.fields(command, *values)))
+        assert quick.receive(data, 0.0) == slow.receive(data, 0.0)
+        assert (quick.expected, quick.memory) == (slow.expected, slow.memory)
+
+
 def test_a_repeated_read_is_read_again_and_a_repeated_queue_read_is_not() -> None:
     gateway, device = VirtualGateway(), Counting()
     gateway.attach(device, [0x10])

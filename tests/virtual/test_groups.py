@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.faults import Failing
-from unity_link.wire.gateway_info import GatewayInfo
+from unity_link.wire.gateway_info import Feature, GatewayInfo
 
 PERIODIC, TRIGGER, STAMPED, ON_CHANGE, PLAIN = 1, 2, 8, 16, 32
 
@@ -209,6 +209,17 @@ def test_a_sample_whose_bus_read_fails_is_not_sent_and_counts() -> None:
     assert gateway.advance(0.000_031) == b""
     gateway.detach([0x11])
     assert sequences(gateway.advance(0.000_041)) == [3]
+
+
+@pytest.mark.parametrize(
+    ("flag", "feature"),
+    [(TRIGGER, Feature.EXTERNAL_TRIGGERS), (4, Feature.SEND_IMMEDIATE), (STAMPED, Feature.TIMESTAMPS)],
+)
+def test_flags_that_the_gateway_was_not_built_for_are_refused(flag: int, feature: Feature) -> None:
+    assert send(VirtualGateway(), setting(0, flag, 1, 0x10)) == b"GS00\r\n"
+    without = VirtualGateway(GatewayInfo(features=Feature(0x7F) & ~feature))
+    assert send(without, setting(0, flag, 1, 0x10)) == b"X06\r\n"
+    assert send(without, setting(0, PERIODIC | ON_CHANGE | PLAIN, 1, 0x10)) == b"GS00\r\n"
 
 
 def test_plain_groups_publish_plain_frames() -> None:

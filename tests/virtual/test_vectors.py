@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from unity_link.virtual import VirtualGateway
@@ -70,6 +70,7 @@ def test_bytes_may_arrive_one_at_a_time(path: Path) -> None:
 
 
 @pytest.mark.parametrize("path", FILES, ids=lambda path: path.stem)
+@settings(max_examples=20)  # each goes through a whole file
 @given(sizes=st.lists(st.integers(1, 5000), min_size=1, max_size=40))
 def test_bytes_may_arrive_in_pieces_of_any_size(path: Path, sizes: list[int]) -> None:
     gateway, steps = load(path)

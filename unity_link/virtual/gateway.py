@@ -186,14 +186,16 @@ class VirtualGateway:
 
     def _take_checked(self, lines: list[bytes], now: float, replies: list[bytes]) -> None:
         """Take frames that all end in LF."""
-        read_size, write_size = self._quick_sizes
+        read_size, write_size, posted_size = self._quick_sizes
         for line in lines:
             size = len(line)
             reply: bytes | None = None
             if size == read_size and line[0] == _LOWER_R:
                 reply = self._quick_read(line)
             elif size == write_size and line[0] == _LOWER_W:
-                reply = self._quick_write(line)
+                reply = self._quick_write(line, 1)
+            elif size == posted_size and line[:2] == b"ws":
+                reply = self._quick_write(line, 2)
             if reply is None:
                 reply = self._answer(line, now, plain=False)
             replies.append(reply)
@@ -297,7 +299,8 @@ class VirtualGateway:
     def _prepare_quick_ways(self) -> None:
         info, overhead = self.info, self._framing.crc.digits + self.info.id_digits + self.info.address_digits + 1
         quick = self._node is None
-        self._quick_sizes = (overhead, overhead + info.data_digits) if quick else (-1, -1)
+        write_size = overhead + info.data_digits
+        self._quick_sizes = (overhead, write_size, write_size + 1) if quick else (-1, -1, -1)
         self._crc_text = self._framing.crc.text
         self._crc_digits = self._framing.crc.digits
         self._address_shift = 4 * info.address_digits
@@ -325,13 +328,13 @@ class VirtualGateway:
         body = self._word_form % (self._codec.id_text[number], self.bus.memory[address])
         return b"%b%b\n" % (body, text(body))
 
-    def _quick_write(self, line: bytes) -> bytes | None:
-        """Answer `w` to plain memory with the expected ID, or give up."""
+    def _quick_write(self, line: bytes, head: int) -> bytes | None:
+        """Answer `w` or `ws`, of `head` letters, to plain memory with the expected ID, or give up."""
         digits, text = self._crc_digits, self._crc_text
         if text(line[:-digits]) != line[-digits:] or not line.isalnum():
             return None
         try:
-            fields = int(line[1:-digits], 16)
+            fields = int(line[head:-digits], 16)
         except ValueError:
             return None
         rest, word = fields >> self._data_shift, fields & self._data_field
@@ -343,6 +346,8 @@ class VirtualGateway:
         self.expected = number + 1 & self._ring_mask
         self._gap_told = False
         dict.__setitem__(self.bus.memory, address, word)
+        if head > 1:
+            return b""
         body = b"w" + self._codec.id_text[number]
         return b"%b%b\n" % (body, text(body))
 
