@@ -139,6 +139,14 @@ def test_a_block_write_stops_at_the_word_that_fails_and_keeps_what_was_written()
     assert [gateway.memory[address] for address in range(0x10, 0x14)] == [1, 2, 0, 0]
 
 
+def test_a_block_is_written_and_read_word_for_word_and_wraps() -> None:
+    gateway = VirtualGateway()
+    assert gateway.receive(frame("WM", 0, 0xFE, [1, 2, 3]), 0.0) == CODEC.framing.checked(b"wm00")
+    assert [gateway.memory[address] for address in (0xFE, 0xFF, 0x00)] == [1, 2, 3]
+    answer = b"rm01000000010000000200000003"
+    assert gateway.receive(frame("RM", 1, 0xFE, 3), 0.0) == CODEC.framing.checked(answer)
+
+
 def test_a_masked_write_whose_read_fails_writes_nothing() -> None:
     class Unreadable(Counting):
         def read(self, offset: int, now: float) -> int:
