@@ -1,0 +1,225 @@
+"""What is at the chip's pins: a gateway with its FIFOs, moved along in modelled time.
+
+Bytes pass the pins in small steps (`STEP`), each done when its last byte would be: a request that comes alone is timed
+to the byte, and a stream costs the computer one event for a step. What the gateware does with a byte takes no time
+here; the gateware itself, in a simulator, takes this file's place where that counts.
+
+With a FIFO at its pins nothing is ever lost: the receive FIFO stops RD# when it is full, the chip's TXE# stops WR#, and
+a full transmit FIFO stops the gateway. With a UART there is neither: what comes too fast is lost, on either side.
+"""
+
+from __future__ import annotations
+
+from collections import deque
+from typing import TYPE_CHECKING, Protocol, runtime_checkable
+
+from unity_link.virtual.ft232h.chip import Mode
+from unity_link.virtual.gateway import VirtualGateway
+
+if TYPE_CHECKING:
+    from unity_link.virtual.ft232h.chip import Chip
+    from unity_link.virtual.gateway import Gateway
+
+STEP = 64
+"""Bytes that pass the pins in one event: 8 us at 8 MB/s."""
+_BITS_PER_BYTE = 10
+"""On a UART, with start and stop bit."""
+_OFF, _ALWAYS = 0, 1
+
+
+class Board(Protocol):
+    """What can be connected to the pins."""
+
+    @property
+    def next_due(self) -> float | None:
+        """When it does something next, if nothing changes at the chip."""
+
+    def advance(self, chip: Chip, now: float) -> None:
+        """Do what is due at `now`, or has become possible by what changed at the chip."""
+
+
+@runtime_checkable
+class SendsImmediately(Protocol):
+    """A gateway that says when SIWU# is to be pulsed."""
+
+    @property
+    def send_immediate(self) -> int:
+        """Mode of responses: 0 off, 1 always, 2 adaptive."""
+
+    flush_wanted: bool
+    """Set when a sample was sent that is to be flushed; whoever acts on it clears it."""
+
+
+class GatewayBoard:
+    """A gateway at the pins.
+
+    Args:
+        gateway: what answers. The sizes of its FIFOs are in its `info`.
+        mode: what its gateware was built for; where the chip's pins are something else, no byte passes.
+        step: most bytes that pass the pins in one event.
+    """
+
+    def __init__(self, gateway: Gateway, mode: Mode = Mode.FIFO, *, step: int = STEP) -> None:
+        self.gateway = gateway
+        self.mode = mode
+        self._step = step
+        self._received = bytearray()
+        """The receive FIFO."""
+        self._sent = bytearray()
+        """The transmit FIFO, and behind it what the gateway still has to put into it."""
+        self._pulses: deque[tuple[int, bool]] = deque()
+        """Behind how many of the bytes written since the start SIWU# is wanted, and whether only when all is idle."""
+        self._written = 0
+        self._pulse_when_idle = False
+        self._reading: tuple[float, int] | None = None
+        """When a step at RD# is done, and of how many bytes."""
+        self._writing: tuple[float, bytes] | None = None
+        self._wrote_last = False
+        self._skipping = False
+        """Samples that become due have no room."""
+        gateway.wake = lambda: None
+
+    # Time
+
+    @property
+    def next_due(self) -> float | None:
+        """When something happens next, if nothing changes at the chip."""
+        due: float | None = None
+        if self._reading is not None:
+            due = self._reading[0]
+        if self._writing is not None and (due is None or self._writing[0] < due):
+            due = self._writing[0]
+        if not self._skipping:
+            publish = self.gateway.next_due
+            if publish is not None and (due is None or publish < due):
+                due = publish
+        return due
+
+    def advance(self, chip: Chip, now: float) -> None:
+        """End the steps that are done, let the gateway work, begin the next steps."""
+        if chip.mode is not self.mode:
+            self._reading = self._writing = None
+            self.gateway.advance(now, room=0)
+            return
+        if self._reading is not None and self._reading[0] <= now:
+            self._end_read(chip)
+        if self._writing is not None and self._writing[0] <= now:
+            self._end_write(chip)
+        self._publish(now)
+        if self._received:
+            self._answer(now)
+        if self._pulses or self._pulse_when_idle:
+            self._pulse(chip)
+        self._begin(chip, now)
+
+    # The gateway
+
+    @property
+    def _room(self) -> int:
+        """Bytes that the receive FIFO takes."""
+        return self.gateway.info.receive_fifo_bytes - len(self._received)
+
+    def _publish(self, now: float) -> None:
+        """Have samples taken that are due; those for which there is no room are overruns."""
+        gateway = self.gateway
+        room = gateway.info.transmit_fifo_bytes - len(self._sent)
+        if room <= 0:
+            self._skipping = True
+            return
+        if self._skipping:
+            gateway.advance(now, room=0)
+            self._skipping = False
+        due = gateway.next_due
+        if due is not None and due <= now:
+            self._sent += gateway.advance(now, room)
+            if isinstance(gateway, SendsImmediately) and gateway.flush_wanted:
+                gateway.flush_wanted = False
+                self._pulses.append((self._written + len(self._sent), True))
+
+    def _answer(self, now: float) -> None:
+        """Hand on requests, until a response fills the transmit FIFO."""
+        gateway, received = self.gateway, self._received
+        size = gateway.info.transmit_fifo_bytes
+        mode = gateway.send_immediate if isinstance(gateway, SendsImmediately) else _OFF
+        while received and len(self._sent) <= size:
+            end = received.find(b"\n") + 1
+            plain_end = received.find(b"\r", 0, end or None) + 1
+            count = plain_end or end or len(received)
+            answer = gateway.receive(bytes(received[:count]), now)
+            del received[:count]
+            if answer:
+                self._sent += answer
+                if mode != _OFF:
+                    self._pulses.append((self._written + len(self._sent), mode != _ALWAYS))
+
+    # The pins
+
+    def _begin(self, chip: Chip, now: float) -> None:
+        """Begin what can be; on the bus of the synchronous FIFO, in turns."""
+        if self.mode is Mode.UART:
+            rate = chip.baud / _BITS_PER_BYTE
+        elif self.mode is Mode.FIFO:
+            rate = chip.timing.fifo_bytes_per_second
+        else:
+            rate = chip.timing.synchronous_bytes_per_second
+            if self._reading is not None or self._writing is not None:
+                return
+            if self._wrote_last and self._begin_read(chip, now, rate):
+                return
+            if self._begin_write(chip, now, rate):
+                return
+        if self._reading is None:
+            self._begin_read(chip, now, rate)
+        if self._writing is None and self.mode is not Mode.SYNC_FIFO:
+            self._begin_write(chip, now, rate)
+
+    def _begin_read(self, chip: Chip, now: float, rate: float) -> bool:
+        # A UART has nothing that would stop the chip.
+        room = self._step if self.mode is Mode.UART else self._room
+        count = min(self._step, chip.readable, room)
+        if count <= 0:
+            return False
+        self._reading = (now + count / rate, count)
+        return True
+
+    def _begin_write(self, chip: Chip, now: float, rate: float) -> bool:
+        limit = self._step if self.mode is Mode.UART else min(self._step, chip.room)
+        if self._pulses:
+            limit = min(limit, self._pulses[0][0] - self._written)
+        data = bytes(self._sent[:limit])
+        if not data:
+            return False
+        self._writing = (now + len(data) / rate, data)
+        return True
+
+    def _end_read(self, chip: Chip) -> None:
+        assert self._reading is not None
+        self._received += chip.read(self._reading[1])
+        self._reading = None
+        self._wrote_last = False
+        surplus = -self._room
+        if surplus > 0:
+            del self._received[-surplus:]
+            if isinstance(self.gateway, VirtualGateway):
+                self.gateway.overflow()
+
+    def _end_write(self, chip: Chip) -> None:
+        assert self._writing is not None
+        data = self._writing[1]
+        self._writing = None
+        self._wrote_last = True
+        chip.write(data)
+        del self._sent[: len(data)]
+        self._written += len(data)
+
+    def _pulse(self, chip: Chip) -> None:
+        """Pulse SIWU# where it is wanted behind the last byte written, or everything has become idle since."""
+        while self._pulses and self._pulses[0][0] == self._written:
+            if self._pulses.popleft()[1]:
+                self._pulse_when_idle = True
+            else:
+                chip.send_immediate()
+        busy = self._sent or self._received or chip.readable or self._reading is not None
+        if self._pulse_when_idle and not busy:
+            self._pulse_when_idle = False
+            chip.send_immediate()

@@ -1,0 +1,243 @@
+"""Virtual chips on a bus, for programs: a clock, a lock, and what can be done to a chip from outside.
+
+Any thread may use a chip; one at a time moves the model along. A thread that waits for a transfer sleeps until the next
+instant at which something can end, and is woken when another one has submitted something.
+"""
+
+from __future__ import annotations
+
+import threading
+import time
+from typing import TYPE_CHECKING, Protocol
+
+from unity_link.virtual.ft232h.chip import Chip
+from unity_link.virtual.ft232h.eeprom import build_eeprom
+from unity_link.virtual.ft232h.host import UsbHost
+from unity_link.virtual.ft232h.timing import Timing
+
+if TYPE_CHECKING:
+    from unity_link.virtual.ft232h.board import Board
+    from unity_link.virtual.ft232h.host import Transfer
+
+BUS_NUMBER = 7
+DEFAULT_SERIAL = "UL000001"
+
+
+class Clock(Protocol):
+    """Modelled time, in seconds."""
+
+    def now(self) -> float:
+        """Give the time."""
+
+    def wait(self, changed: threading.Condition, until: float) -> None:
+        """Wait until a time, or until `changed` is notified; `changed` is held."""
+
+    def stand_still(self, seconds: float) -> None:
+        """Take note that the model itself has computed for so long, which is no modelled time."""
+
+
+class RealClock:
+    """Modelled time passes as real time does, but for what the model itself computes."""
+
+    def __init__(self) -> None:
+        self._offset = time.monotonic()
+
+    def now(self) -> float:
+        """Give the time."""
+        return time.monotonic() - self._offset
+
+    def wait(self, changed: threading.Condition, until: float) -> None:
+        """Sleep."""
+        pause = until - self.now()
+        if pause > 0:
+            changed.wait(pause)
+
+    def stand_still(self, seconds: float) -> None:
+        """Go back."""
+        self._offset += seconds
+
+
+class SimulatedClock:
+    """Time passes only where somebody waits: for programs of one thread, of which then every run is the same."""
+
+    def __init__(self) -> None:
+        self._now = 0.0
+
+    def now(self) -> float:
+        """Give the time."""
+        return self._now
+
+    def wait(self, changed: threading.Condition, until: float) -> None:  # noqa: ARG002  (nobody else can notify it)
+        """Jump."""
+        self._now = max(self._now, until)
+
+    def stand_still(self, seconds: float) -> None:
+        """Ignore it."""
+
+
+class HostTimeClock:
+    """Modelled time while the program waits, real time while it works: what a round trip takes on a modelled USB.
+
+    For programs of one thread.
+    """
+
+    def __init__(self) -> None:
+        self._skipped = 0.0
+
+    def now(self) -> float:
+        """Give the time."""
+        return time.perf_counter() + self._skipped
+
+    def wait(self, changed: threading.Condition, until: float) -> None:  # noqa: ARG002  (nobody else can notify it)
+        """Jump."""
+        self._skipped += max(0.0, until - self.now())
+
+    def stand_still(self, seconds: float) -> None:
+        """Go back."""
+        self._skipped -= seconds
+
+
+class VirtualFt232h:
+    """One chip on the bus, with its clock.
+
+    Args:
+        board: what is at the chip's pins.
+        image: content of the EEPROM; by default that of a FIFO.
+        timing: the numbers of the model.
+        clock: what time it is; real time by default.
+    """
+
+    def __init__(
+        self,
+        board: Board,
+        *,
+        image: bytes | None = None,
+        timing: Timing | None = None,
+        clock: Clock | None = None,
+    ) -> None:
+        if image is None:
+            image = build_eeprom("FIFO", DEFAULT_SERIAL)
+        self.clock = RealClock() if clock is None else clock
+        self.chip = Chip(image, Timing() if timing is None else timing)
+        self.host = UsbHost(self.chip, board)
+        self.address = 0
+        """Number on its bus, given when it is plugged in."""
+        self.denied = False
+        """Whether the operating system lets nobody open it."""
+        self.claimed_by: object | None = None
+        """Who has its interface; another program, where it is a stranger."""
+        self.changed = threading.Condition()
+
+    def now(self) -> float:
+        """Let the model catch up with the clock, which stands still meanwhile; gives the time. Hold `changed`."""
+        now = self.clock.now()
+        began = time.perf_counter()
+        self.host.advance(now)
+        self.clock.stand_still(time.perf_counter() - began)
+        return now
+
+    # For programs that wait
+
+    def run(self, transfer: Transfer, timeout: float | None) -> None:
+        """Submit a transfer and wait for its end; after `timeout` seconds it is cancelled.
+
+        Raises:
+            ConnectionError: where the device is gone.
+        """
+        with self.changed:
+            self.host.submit(transfer, self.now())
+            self.changed.notify_all()
+            deadline = None if timeout is None else self.clock.now() + timeout
+            while True:
+                now = self.now()
+                if transfer.status is not None and transfer.ends_at <= now:
+                    return
+                if deadline is not None and now >= deadline:
+                    self.host.cancel(transfer, now)
+                    return
+                self._wait(self._next_end(transfer), deadline)
+
+    def _next_end(self, transfer: Transfer) -> float | None:
+        """Give when the transfer may have ended."""
+        if transfer.status is not None:
+            return transfer.ends_at
+        due = self.host.next_due
+        return None if due is None else max(due, self.chip.timing.boundary_after(due))
+
+    def _wait(self, until: float | None, deadline: float | None) -> None:
+        times = [instant for instant in (until, deadline) if instant is not None]
+        # Where nothing will ever happen, somebody else has to do something.
+        self.clock.wait(self.changed, min(times, default=self.clock.now() + 1.0))
+
+    def control_out(self, kind: int, request: int, value: int, index: int) -> None:
+        """Do a control request, and wait for its end.
+
+        Raises:
+            StallError: where the chip refuses it.
+            ConnectionError: where the device is gone.
+        """
+        with self.changed:
+            end = self.host.control_out(kind, request, value, index, self.now())
+            self.changed.notify_all()
+            self._pass(end)
+
+    def control_in(self, kind: int, request: int, value: int, index: int) -> bytes:
+        """Do a control request, and wait for its answer.
+
+        Raises:
+            StallError: where the chip refuses it.
+            ConnectionError: where the device is gone.
+        """
+        with self.changed:
+            answer, end = self.host.control_in(kind, request, value, index, self.now())
+            self._pass(end)
+            return answer
+
+    def _pass(self, until: float) -> None:
+        while self.clock.now() < until:
+            self.clock.wait(self.changed, until)
+
+    # What can happen to it
+
+    def unplug(self) -> None:
+        """Take it away."""
+        with self.changed:
+            self.host.unplug(self.now())
+            self.claimed_by = None
+            self.changed.notify_all()
+
+    def plug_in(self) -> None:
+        """Put it back: only then does the chip look at its EEPROM."""
+        with self.changed:
+            self.host.plug_in(self.clock.now())
+
+    def halt(self, endpoint: int) -> None:
+        """Have an endpoint answer STALL until the host clears that."""
+        with self.changed:
+            self.host.halt(endpoint, self.now())
+            self.changed.notify_all()
+
+    def report_error(self, bits: int) -> None:
+        """Set error bits in the status of the next packet."""
+        with self.changed:
+            self.now()
+            self.chip.report_error(bits)
+
+
+class VirtualBus:
+    """Chips that a program can find."""
+
+    def __init__(self, *devices: VirtualFt232h) -> None:
+        self._devices: list[VirtualFt232h] = []
+        for device in devices:
+            self.attach(device)
+
+    def attach(self, device: VirtualFt232h) -> None:
+        """Connect a chip to the bus, where it has a number of its own."""
+        device.address = 1 + max((other.address for other in self._devices), default=0)
+        self._devices.append(device)
+
+    @property
+    def devices(self) -> list[VirtualFt232h]:
+        """Those that are plugged in."""
+        return [device for device in self._devices if device.host.plugged]

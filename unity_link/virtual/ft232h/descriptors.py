@@ -1,0 +1,119 @@
+"""What an FT232H tells the USB of itself (USB 2.0, section 9.6): one configuration, one interface, two bulk endpoints.
+
+The field names are those of the standard, which pyusb asks for as attributes.
+"""
+# ruff: noqa: N815
+
+from __future__ import annotations
+
+import struct
+from typing import ClassVar
+
+import msgspec
+
+VENDOR, PRODUCT, RELEASE = 0x0403, 0x6014, 0x0900
+IN_ENDPOINT, OUT_ENDPOINT = 0x81, 0x02
+PACKET_SIZE = 512
+HIGH_SPEED = 3
+DEVICE, CONFIGURATION, STRING, INTERFACE, ENDPOINT, QUALIFIER = 1, 2, 3, 4, 5, 6
+ENGLISH = 0x0409
+
+
+class Descriptor(msgspec.Struct, frozen=True, kw_only=True):
+    """A descriptor, its fields in the order of the wire."""
+
+    LAYOUT: ClassVar[str]
+    extra_descriptors: ClassVar[list[int]] = []
+
+    def encode(self) -> bytes:
+        """Give the bytes of the wire."""
+        return struct.pack(self.LAYOUT, *(getattr(self, name) for name in self.__struct_fields__))
+
+
+class DeviceDescriptor(Descriptor, frozen=True, kw_only=True):
+    """The device."""
+
+    LAYOUT: ClassVar[str] = "<BBHBBBBHHHBBBB"
+    bLength: int = 18
+    bDescriptorType: int = DEVICE
+    bcdUSB: int = 0x0200
+    bDeviceClass: int = 0
+    bDeviceSubClass: int = 0
+    bDeviceProtocol: int = 0
+    bMaxPacketSize0: int = 64
+    idVendor: int = VENDOR
+    idProduct: int = PRODUCT
+    bcdDevice: int = RELEASE
+    iManufacturer: int = 1
+    iProduct: int = 2
+    iSerialNumber: int = 3
+    bNumConfigurations: int = 1
+
+
+class ConfigurationDescriptor(Descriptor, frozen=True, kw_only=True):
+    """Its one configuration."""
+
+    LAYOUT: ClassVar[str] = "<BBHBBBBB"
+    bLength: int = 9
+    bDescriptorType: int = CONFIGURATION
+    wTotalLength: int = 32
+    bNumInterfaces: int = 1
+    bConfigurationValue: int = 1
+    iConfiguration: int = 0
+    bmAttributes: int = 0x80
+    bMaxPower: int = 45
+
+
+class InterfaceDescriptor(Descriptor, frozen=True, kw_only=True):
+    """Its one interface."""
+
+    LAYOUT: ClassVar[str] = "<BBBBBBBBB"
+    bLength: int = 9
+    bDescriptorType: int = INTERFACE
+    bInterfaceNumber: int = 0
+    bAlternateSetting: int = 0
+    bNumEndpoints: int = 2
+    bInterfaceClass: int = 0xFF
+    bInterfaceSubClass: int = 0xFF
+    bInterfaceProtocol: int = 0xFF
+    iInterface: int = 2
+
+
+class EndpointDescriptor(Descriptor, frozen=True, kw_only=True):
+    """A bulk endpoint."""
+
+    LAYOUT: ClassVar[str] = "<BBBBHB"
+    bRefresh: ClassVar[int] = 0
+    bSynchAddress: ClassVar[int] = 0
+    bLength: int = 7
+    bDescriptorType: int = ENDPOINT
+    bEndpointAddress: int
+    bmAttributes: int = 2
+    wMaxPacketSize: int = PACKET_SIZE
+    bInterval: int = 0
+
+
+CONFIGURATIONS = (ConfigurationDescriptor(),)
+INTERFACES = (InterfaceDescriptor(),)
+ENDPOINTS = (EndpointDescriptor(bEndpointAddress=IN_ENDPOINT), EndpointDescriptor(bEndpointAddress=OUT_ENDPOINT))
+
+
+def encode_configuration() -> bytes:
+    """Give the configuration with all that belongs to it."""
+    return b"".join(descriptor.encode() for descriptor in (*CONFIGURATIONS, *INTERFACES, *ENDPOINTS))
+
+
+def encode_qualifier() -> bytes:
+    """Give what the device would be at full speed."""
+    return struct.pack("<BBHBBBBBB", 10, QUALIFIER, 0x0200, 0, 0, 0, 64, 1, 0)
+
+
+def encode_string(text: str) -> bytes:
+    """Give a string descriptor."""
+    encoded = text.encode("utf-16-le")
+    return bytes([len(encoded) + 2, STRING]) + encoded
+
+
+def encode_languages() -> bytes:
+    """Give string descriptor 0: the languages that there are strings in."""
+    return struct.pack("<BBH", 4, STRING, ENGLISH)

@@ -1,0 +1,243 @@
+"""The virtual bus as a backend of pyusb, so that an unmodified pyftdi opens a virtual chip as it does a real one.
+
+`installed` puts a bus in the place of the machine's USB for a while: for tests, and whatever is to find the chip by its
+usual URL. Without it, `find` gives pyusb's device for a chip, and the rest of the program keeps the real USB.
+"""
+
+from __future__ import annotations
+
+import errno
+from contextlib import contextmanager
+from typing import TYPE_CHECKING, Any
+
+import usb.core
+from usb.backend import IBackend
+
+from unity_link.virtual.ft232h import descriptors
+from unity_link.virtual.ft232h.bus import BUS_NUMBER, VirtualBus, VirtualFt232h
+from unity_link.virtual.ft232h.chip import StallError
+from unity_link.virtual.ft232h.host import Status, Transfer
+
+if TYPE_CHECKING:
+    from array import array
+    from collections.abc import Iterator
+
+_LIBUSB_ERROR_IO, _LIBUSB_ERROR_ACCESS, _LIBUSB_ERROR_NO_DEVICE = -1, -3, -4
+_LIBUSB_ERROR_BUSY, _LIBUSB_ERROR_TIMEOUT, _LIBUSB_ERROR_OVERFLOW, _LIBUSB_ERROR_PIPE = -6, -7, -8, -9
+_ERRORS = {
+    _LIBUSB_ERROR_ACCESS: ("Access denied (insufficient permissions)", errno.EACCES),
+    _LIBUSB_ERROR_NO_DEVICE: ("No such device (it may have been disconnected)", errno.ENODEV),
+    _LIBUSB_ERROR_BUSY: ("Resource busy", errno.EBUSY),
+    _LIBUSB_ERROR_OVERFLOW: ("Overflow", errno.EOVERFLOW),
+    _LIBUSB_ERROR_PIPE: ("Pipe error", errno.EPIPE),
+}
+_DIRECTION_IN = 0x80
+
+
+class Handle:
+    """An open device."""
+
+    def __init__(self, device: VirtualFt232h) -> None:
+        self.device = device
+
+
+class Backend(IBackend):  # type: ignore[misc]  # pyusb has no types
+    """pyusb's way to one bus; the methods are pyusb's, and so are their names and arguments."""
+
+    def __init__(self, bus: VirtualBus) -> None:
+        super().__init__()
+        self._bus = bus
+
+    # Descriptors
+
+    def enumerate_devices(self) -> Iterator[VirtualFt232h]:
+        """Give the devices."""
+        yield from self._bus.devices
+
+    def get_parent(self, dev: VirtualFt232h) -> None:
+        """Say that there is no hub."""
+
+    def get_device_descriptor(self, dev: VirtualFt232h) -> _Device:
+        """Give the device descriptor, and where the device is."""
+        return _Device(dev)
+
+    def get_configuration_descriptor(self, dev: VirtualFt232h, config: int) -> descriptors.ConfigurationDescriptor:  # noqa: ARG002
+        """Give a configuration; IndexError past the end."""
+        return descriptors.CONFIGURATIONS[config]
+
+    def get_interface_descriptor(
+        self, dev: VirtualFt232h, intf: int, alt: int, config: int
+    ) -> descriptors.InterfaceDescriptor:
+        """Give an interface; IndexError past the end."""
+        if alt:
+            raise IndexError(alt)
+        self.get_configuration_descriptor(dev, config)
+        return descriptors.INTERFACES[intf]
+
+    def get_endpoint_descriptor(
+        self, dev: VirtualFt232h, ep: int, intf: int, alt: int, config: int
+    ) -> descriptors.EndpointDescriptor:
+        """Give an endpoint; IndexError past the end."""
+        self.get_interface_descriptor(dev, intf, alt, config)
+        return descriptors.ENDPOINTS[ep]
+
+    # Life
+
+    def open_device(self, dev: VirtualFt232h) -> Handle:
+        """Open."""
+        if dev.denied:
+            raise _error(_LIBUSB_ERROR_ACCESS)
+        if not dev.host.plugged:
+            raise _error(_LIBUSB_ERROR_NO_DEVICE)
+        return Handle(dev)
+
+    def close_device(self, dev_handle: Handle) -> None:
+        """Close."""
+        if dev_handle.device.claimed_by is dev_handle:
+            dev_handle.device.claimed_by = None
+
+    def get_configuration(self, dev_handle: Handle) -> int:
+        """Give the configuration; a host sets the only one by itself when a device is plugged in."""
+        return dev_handle.device.chip.configuration or 1
+
+    def set_configuration(self, dev_handle: Handle, config_value: int) -> None:
+        """Set the configuration."""
+        if dev_handle.device.claimed_by not in (None, dev_handle):
+            raise _error(_LIBUSB_ERROR_BUSY)
+        self.ctrl_transfer(dev_handle, 0x00, 0x09, config_value, 0, None, 0)
+
+    def claim_interface(self, dev_handle: Handle, intf: int) -> None:  # noqa: ARG002
+        """Take the interface for this handle."""
+        if dev_handle.device.claimed_by not in (None, dev_handle):
+            raise _error(_LIBUSB_ERROR_BUSY)
+        dev_handle.device.claimed_by = dev_handle
+
+    def release_interface(self, dev_handle: Handle, intf: int) -> None:  # noqa: ARG002
+        """Let go of the interface."""
+        if dev_handle.device.claimed_by is dev_handle:
+            dev_handle.device.claimed_by = None
+
+    def is_kernel_driver_active(self, dev_handle: Handle, intf: int) -> bool:  # noqa: ARG002
+        """Say that no other driver has it."""
+        return False
+
+    def reset_device(self, dev_handle: Handle) -> None:
+        """Reset the device."""
+        self.ctrl_transfer(dev_handle, 0x40, 0, 0, 0, None, 0)
+
+    def clear_halt(self, dev_handle: Handle, ep: int) -> None:
+        """Have a halted endpoint work again."""
+        self.ctrl_transfer(dev_handle, 0x02, 0x01, 0, ep, None, 0)
+
+    # Transfers
+
+    def ctrl_transfer(
+        self,
+        dev_handle: Handle,
+        bmRequestType: int,  # noqa: N803
+        bRequest: int,  # noqa: N803
+        wValue: int,  # noqa: N803
+        wIndex: int,  # noqa: N803
+        data: array[int] | None,
+        timeout: int,  # noqa: ARG002  (the chip answers at once)
+    ) -> int:
+        """Do a control request; gives how many bytes were moved."""
+        device = dev_handle.device
+        try:
+            if not bmRequestType & _DIRECTION_IN:
+                device.control_out(bmRequestType, bRequest, wValue, wIndex)
+                return 0 if data is None else len(data)
+            answer = device.control_in(bmRequestType, bRequest, wValue, wIndex)
+        except StallError:
+            raise _error(_LIBUSB_ERROR_PIPE) from None
+        except ConnectionError:
+            raise _error(_LIBUSB_ERROR_NO_DEVICE) from None
+        return _fill(data, answer)
+
+    def bulk_read(self, dev_handle: Handle, ep: int, intf: int, buff: array[int], timeout: int) -> int:  # noqa: ARG002
+        """Read into `buff`; gives how many bytes came. `timeout` is in ms, 0 for none."""
+        transfer = Transfer(ep, size=len(buff))
+        self._run(dev_handle, transfer, timeout)
+        return _fill(buff, transfer.data)
+
+    def bulk_write(self, dev_handle: Handle, ep: int, intf: int, data: array[int], timeout: int) -> int:  # noqa: ARG002
+        """Write; gives how many bytes went. `timeout` is in ms, 0 for none."""
+        transfer = Transfer(ep, data=data.tobytes())
+        self._run(dev_handle, transfer, timeout)
+        return transfer.sent
+
+    def _run(self, handle: Handle, transfer: Transfer, timeout: int) -> None:
+        if handle.device.claimed_by is not handle:
+            raise _error(_LIBUSB_ERROR_BUSY)
+        try:
+            handle.device.run(transfer, timeout / 1000 if timeout else None)
+        except ConnectionError:
+            raise _error(_LIBUSB_ERROR_NO_DEVICE) from None
+        status = transfer.status
+        if status is Status.CANCELLED and not transfer.moved:
+            raise usb.core.USBTimeoutError("Operation timed out", _LIBUSB_ERROR_TIMEOUT, errno.ETIMEDOUT)
+        if status is Status.STALLED:
+            raise _error(_LIBUSB_ERROR_PIPE)
+        if status is Status.OVERFLOW:
+            raise _error(_LIBUSB_ERROR_OVERFLOW)
+        if status is Status.GONE:
+            raise _error(_LIBUSB_ERROR_NO_DEVICE)
+
+
+class _Device:
+    """The device descriptor with what pyusb wants to know besides."""
+
+    def __init__(self, device: VirtualFt232h) -> None:
+        self._descriptor = device.chip.device_descriptor
+        self.bus = BUS_NUMBER
+        self.address = device.address
+        self.port_number = device.address
+        self.port_numbers = (device.address,)
+        self.speed = descriptors.HIGH_SPEED
+
+    def __getattr__(self, name: str) -> Any:
+        return getattr(self._descriptor, name)
+
+
+def _fill(buffer: array[int] | None, data: bytes | bytearray) -> int:
+    if buffer is None:
+        return 0
+    count = min(len(buffer), len(data))
+    memoryview(buffer)[:count] = data[:count]
+    return count
+
+
+def _error(code: int) -> usb.core.USBError:
+    text, number = _ERRORS[code]
+    return usb.core.USBError(text, code, number)
+
+
+def find(device: VirtualFt232h) -> usb.core.Device:
+    """Give pyusb's device for a chip that is on no other bus."""
+    return usb.core.Device(device, Backend(VirtualBus(device)))
+
+
+_installed: list[Backend] = []
+
+
+def get_backend() -> Backend | None:
+    """Give the backend of the bus that is installed; pyftdi asks the module for it."""
+    return _installed[-1] if _installed else None
+
+
+@contextmanager
+def installed(bus: VirtualBus) -> Iterator[VirtualBus]:
+    """Have pyftdi find the chips of `bus` and nothing else."""
+    from pyftdi.usbtools import UsbTools
+
+    before = UsbTools.BACKENDS
+    _installed.append(Backend(bus))
+    UsbTools.BACKENDS = (__name__,)
+    UsbTools.flush_cache()
+    try:
+        yield bus
+    finally:
+        UsbTools.release_all_devices()
+        UsbTools.flush_cache()
+        UsbTools.BACKENDS = before
+        _installed.pop()
