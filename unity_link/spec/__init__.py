@@ -120,9 +120,7 @@ def compile_text(
         loader = Loader(reporter)
         loader.load(name, text, path)
         # What a file with a wrong syntax declares is not known, and every use of it would be a fault.
-        interfaces = () if reporter.failed else Elaborator(
-            loader.declarations, reporter, address_bits, data_bits
-        ).run()
+        interfaces = () if reporter.failed else Elaborator(loader.declarations, reporter, address_bits, data_bits).run()
     if not interfaces and not reporter.failed:
         first = loader.declarations.sources[0]
         advice = "mark the outermost component with 'public'"

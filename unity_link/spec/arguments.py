@@ -1,7 +1,7 @@
 """Arguments: which ones a word of the language takes, and how those that are given find their places.
 
-`ACCESS`, `GROUP` and `GATEWAY` are the tables of the language's own words; those of hardware modules stand in `modules`.
-A new argument is a new row.
+`ACCESS`, `GROUP` and `GATEWAY` are the tables of the language's own words; those of hardware modules stand in
+`modules`. A new argument is a new row.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
 
 
-class Shape(enum.Enum):
+class Shape(enum.StrEnum):
     """What an argument is."""
 
     WHOLE = "a whole number"
@@ -82,6 +82,14 @@ GATEWAY = (Slot("ADDRESS_BITS", Shape.WHOLE, 8, 32), Slot("DATA_BITS", Shape.WHO
 
 _NOT_NEEDED = {"CRC": "leave it out: every message of a program is checked", "INDEX": "the index of an array is 'i'"}
 
+_TYPES: dict[Shape, tuple[type, ...]] = {
+    Shape.WHOLE: (int,),
+    Shape.NUMBER: (int, float),
+    Shape.TEXT: (str,),
+    Shape.GROUP: (int, GroupReference),
+    Shape.HANDLE: (int, ParameterReference),
+}
+
 Bound: TypeAlias = dict[str, Any]
 """Values by the names of the arguments; those of a clause are a `Bound` again."""
 
@@ -96,7 +104,12 @@ class Binder:
         """Where each argument stands; those of clauses under ``CLAUSE.NAME``."""
 
     def bind(
-        self, word: str, place: tuple[int, int], arguments: Sequence[Argument], slots: tuple[Slot, ...], by_place: int = 0
+        self,
+        word: str,
+        place: tuple[int, int],
+        arguments: Sequence[Argument],
+        slots: tuple[Slot, ...],
+        by_place: int = 0,
     ) -> Bound:
         """Give the values of `arguments`; what is wrong with them is reported.
 
@@ -109,7 +122,7 @@ class Binder:
         """
         return self._bind(word, place, arguments, slots, by_place, "")
 
-    def _bind(  # noqa: PLR0913, PLR0917
+    def _bind(
         self,
         word: str,
         place: tuple[int, int],
@@ -195,7 +208,9 @@ class Binder:
         value = argument.value
         if argument.name is not None:
             names = ", ".join(inner.name.lower() for inner in slot.clause)
-            self._evaluator.fault(argument.place, "bad-argument", f"{slot.name} takes parentheses: {slot.name}({names})")
+            self._evaluator.fault(
+                argument.place, "bad-argument", f"{slot.name} takes parentheses: {slot.name}({names})"
+            )
             return None
         given = value.arguments if isinstance(value, Call) else []
         # The joints' signals are told apart only by their names.
@@ -205,20 +220,12 @@ class Binder:
     def _checked(self, slot: Slot, expression: Expression, value: Result) -> Result:
         if value is None:
             return None
-        is_number = isinstance(value, int | float) and not isinstance(value, bool)
-        is_whole = is_number and isinstance(value, int)
-        fits = {
-            Shape.WHOLE: is_whole,
-            Shape.NUMBER: is_number,
-            Shape.TEXT: isinstance(value, str),
-            Shape.GROUP: is_whole or isinstance(value, GroupReference),
-            Shape.HANDLE: is_whole or isinstance(value, ParameterReference),
-        }
-        if not fits[slot.shape]:
+        # The types are compared as they are, since a bool is an int to isinstance.
+        if type(value) not in _TYPES[slot.shape]:
             message = f"{slot.name} is {slot.shape.value}, not {describe(value)}"
             self._evaluator.fault(expression.place, "bad-argument", message)
             return None
-        if isinstance(value, int | float) and (
+        if isinstance(value, (int, float)) and (
             (slot.low is not None and value < slot.low) or (slot.high is not None and value > slot.high)
         ):
             message = f"{slot.name} is {value:.12g}, and {slot.low:.12g} to {slot.high:.12g} is expected"

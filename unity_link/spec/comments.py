@@ -10,6 +10,7 @@ The grammar knows no comments. This room hangs each on the tree, so that `fmt` l
 
 from __future__ import annotations
 
+from itertools import zip_longest
 from typing import TYPE_CHECKING
 
 from unity_link.spec.syntax import Block, Comment, File, Statement
@@ -19,6 +20,7 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from unity_link.spec.diagnostics import Source
+
 
 def attach_comments(file: File, source: Source) -> None:
     """Hang every comment of a source on its tree, and mark where empty lines stand."""
@@ -40,7 +42,7 @@ class _Attacher:
 
     def fill(self, statements: Sequence[Statement], dangling: list[Comment], end: int) -> None:
         """Attach the comments of one block, which ends at `end`."""
-        for statement, following in zip(statements, [*statements[1:], None], strict=True):
+        for statement, following in zip_longest(statements, statements[1:]):
             before = self._take(statement.start)
             self._lead(statement, before)
             if isinstance(statement, Block) and statement.open:
@@ -69,7 +71,12 @@ class _Attacher:
                 return
             # Another statement may follow on the same line: then the comment between is the next one's.
             rest = self._source.text[found.end : end].partition("\n")
-            if not rest[1] and end < len(self._source.text) and not rest[0].strip(SPACE) and self._same_line(found, end):
+            if (
+                not rest[1]
+                and end < len(self._source.text)
+                and not rest[0].strip(SPACE)
+                and self._same_line(found, end)
+            ):
                 return
             statement.trailing.append(self._comment(found))
             self._next += 1

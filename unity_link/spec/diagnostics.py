@@ -10,6 +10,7 @@ from __future__ import annotations
 import bisect
 import difflib
 import hashlib
+import re
 from typing import TYPE_CHECKING, Literal
 
 import msgspec
@@ -105,8 +106,10 @@ def underlined(text: str, span: Span) -> list[str]:
     end = max(min(end, len(text)), start + 1)
     cut = max(0, start - _MOST_COLUMNS // 2)
     shown = text[cut : cut + _MOST_COLUMNS]
-    printable = "".join(character if character.isprintable() or character == "\t" else "\N{REPLACEMENT CHARACTER}"
-                        for character in shown)
+    printable = "".join(
+        character if character.isprintable() or character == "\t" else "\N{REPLACEMENT CHARACTER}"
+        for character in shown
+    )
     indent = "".join("\t" if character == "\t" else " " for character in printable[: start - cut])
     carets = "^" * max(1, min(end - start, _MOST_COLUMNS - (start - cut)))
     number = str(span.line)
@@ -119,8 +122,7 @@ class Source:
     def __init__(self, name: str, text: str) -> None:
         self.name = name
         self.text = text
-        self._starts = [0]
-        self._starts += [index + 1 for index, character in enumerate(text) if character == "\n"]
+        self._starts = [0, *(match.end() for match in re.finditer("\n", text))]
 
     @property
     def sha256(self) -> str:
@@ -139,9 +141,7 @@ class Source:
     def span(self, start: int, end: int) -> Span:
         """Give the place of the characters from `start` to before `end`."""
         line, end_line = self.line_of(start), self.line_of(max(start, end - 1))
-        return Span(
-            self.name, line, start - self._starts[line - 1] + 1, end_line, end - self._starts[end_line - 1] + 1
-        )
+        return Span(self.name, line, start - self._starts[line - 1] + 1, end_line, end - self._starts[end_line - 1] + 1)
 
 
 class Reporter:
@@ -164,12 +164,18 @@ class Reporter:
         self._report("error", source, place, code, message, help, notes)
 
     def warning(
-        self, source: Source, place: tuple[int, int], code: str, message: str, *, help: str = ""  # noqa: A002
+        self,
+        source: Source,
+        place: tuple[int, int],
+        code: str,
+        message: str,
+        *,
+        help: str = "",  # noqa: A002
     ) -> None:
         """Report what is valid and perhaps not what the author meant."""
         self._report("warning", source, place, code, message, help, ())
 
-    def _report(  # noqa: PLR0913, PLR0917
+    def _report(
         self,
         severity: Severity,
         source: Source,

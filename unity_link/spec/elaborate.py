@@ -1,20 +1,21 @@
 """From declarations to the checked model: components are put into each other, and every signal gets its address.
 
-`Elaborator` goes down from each public interface. A component is elaborated once for each place that it is put, with the
-values it is given there. Components that nothing uses are elaborated too, with parameters that have no value, so that
-their faults are found as well.
+`Elaborator` goes down from each public interface. A component is elaborated once for each place that it is put, with
+the values it is given there. Components that nothing uses are elaborated too, with parameters that have no value, so
+that their faults are found as well.
 """
 
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, NamedTuple
 
+import msgspec
+
 from unity_link.spec.arguments import GATEWAY, GROUP, Binder, Bound
 from unity_link.spec.diagnostics import Reporter, Source, Span, did_you_mean, listed
 from unity_link.spec.expressions import CONSTANTS, Evaluator, GroupReference, Result, describe
 from unity_link.spec.interface import GroupDraft, InterfaceDraft, Place, Placed
 from unity_link.spec.kinds import MOST_BITS, Enumeration, EnumValue
-from unity_link.spec.loading import Declarations, Declared
 from unity_link.spec.model import (
     Component,
     ComponentArray,
@@ -39,6 +40,8 @@ from unity_link.spec.syntax import Parameter as ParameterNode
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
+
+    from unity_link.spec.loading import Declarations, Declared
 
 DEFAULT_ADDRESS_BITS = 8
 DEFAULT_DATA_BITS = 32
@@ -111,8 +114,10 @@ class Elaborator:
                 evaluator.fault(item.place, "bad-enum", message)
                 continue
             if item.name in values or item.name == "mro" or item.name.startswith("_"):
-                message = f"'{item.name}' stands twice in {node.name}" if item.name in values else (
-                    f"'{item.name}' cannot be the name of a value"
+                message = (
+                    f"'{item.name}' stands twice in {node.name}"
+                    if item.name in values
+                    else (f"'{item.name}' cannot be the name of a value")
                 )
                 evaluator.fault(item.name.place, "bad-enum", message)
             elif number in numbers:
@@ -182,9 +187,7 @@ class Elaborator:
             span=self.span(source, node),
         )
 
-    def _widths(
-        self, evaluator: Evaluator, node: ComponentDeclaration, scope: Mapping[str, Result]
-    ) -> tuple[int, int]:
+    def _widths(self, evaluator: Evaluator, node: ComponentDeclaration, scope: Mapping[str, Result]) -> tuple[int, int]:
         """Give the gateway's widths: those that the caller knows, else those that the spec tells."""
         bound: Bound = {}
         found: Placement | None = None
@@ -332,7 +335,9 @@ class _Builder:
 
     # Signals
 
-    def signal(self, source: Source, node: SignalDeclaration, where: Where, module: int | None, base: int) -> Signal | None:
+    def signal(
+        self, source: Source, node: SignalDeclaration, where: Where, module: int | None, base: int
+    ) -> Signal | None:
         """Build a signal; None where it has no address or no kind."""
         evaluator, reader = self._tools(source)
         address = self._address(evaluator, node, where)
@@ -389,9 +394,7 @@ class _Builder:
         value = evaluator.evaluate(node.address, where.scope)
         return Address(whole_address(evaluator, node.address.place, value), place)
 
-    def _groups(
-        self, evaluator: Evaluator, bound: Bound, places: Mapping[str, tuple[int, int]]
-    ) -> list[GroupDraft]:
+    def _groups(self, evaluator: Evaluator, bound: Bound, places: Mapping[str, tuple[int, int]]) -> list[GroupDraft]:
         """Find the groups of a signal, the one that publishes it first."""
         found: list[GroupDraft] = []
         for word in ("PUBLISH", "GROUP"):
@@ -464,7 +467,7 @@ class _Builder:
             found = self.module(source, member, scope, None, 0, None)
         return found
 
-    def module(  # noqa: PLR0913, PLR0917
+    def module(
         self,
         source: Source,
         node: Placement,
@@ -477,7 +480,9 @@ class _Builder:
         evaluator, _ = self._tools(source)
         kind = MODULES[node.type]
         if node.addresses is not None:
-            evaluator.fault(node.type.place, "module-address", f"the address of {node.type} is its BASE", "as in BASE=0x40")
+            evaluator.fault(
+                node.type.place, "module-address", f"the address of {node.type} is its BASE", "as in BASE=0x40"
+            )
         binder = Binder(evaluator, scope)
         bound = binder.bind(node.type, node.type.place, node.arguments, (*COMMON, *kind.slots))
         start = base + bound.pop("BASE", 0) + kind.offset(bound)
@@ -544,7 +549,7 @@ class _Contents:
         self._elaborator.reporter.error(source, member.name.place, "name-twice", message, notes=[note])
 
     def _path(self, name: str, index: int | None) -> str:
-        item = name if index is None else f"{name}[{index}]"
+        item = str(name) if index is None else f"{name}[{index}]"
         return f"{self._where.path}.{item}" if self._where.path else item
 
     def _count(self, member: Placement) -> range | None:
@@ -660,7 +665,7 @@ class _Contents:
             return None
         return declared
 
-    def _component(  # noqa: PLR0913, PLR0917
+    def _component(
         self,
         member: Placement,
         declared: Declared[ComponentDeclaration],
@@ -754,8 +759,6 @@ class _Contents:
 
 
 def _documented(component: Component, member: Placement) -> Component:
-    import msgspec
-
     return msgspec.structs.replace(component, doc="\n".join(member.doc))
 
 

@@ -1,8 +1,8 @@
 """Computes the expressions of a spec.
 
-Values are whole numbers, floats, strings, truths, and references to what has no value yet: a group, or a parameter that is
-given when an interface is opened. None stands for what could not be computed; why has been reported, and whoever meets
-it says nothing more about it.
+Values are whole numbers, floats, strings, truths, and references to what has no value yet: a group, or a parameter that
+is given when an interface is opened. None stands for what could not be computed; why has been reported, and whoever
+meets it says nothing more about it.
 """
 
 from __future__ import annotations

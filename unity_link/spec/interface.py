@@ -84,14 +84,18 @@ class InterfaceDraft:
         self._number_groups()
         return tuple(self._group(draft) for draft in self.groups.values() if draft.signals)
 
-    def _error(self, place: Place, code: str, message: str, help: str = "", other: tuple[Place, str] | None = None) -> None:  # noqa: A002
+    def _error(
+        self, place: Place, code: str, message: str, advice: str = "", other: tuple[Place, str] | None = None
+    ) -> None:
         notes = [other[0].note(other[1])] if other is not None and other[0] != place else []
-        self.reporter.error(place.source, place.bounds, code, message, help=help, notes=notes)
+        self.reporter.error(place.source, place.bounds, code, message, help=advice, notes=notes)
 
     # Addresses
 
     def _check_modules(self) -> None:
-        spans = ((module.base, module.base + (module.words or 0), index) for index, (module, _) in enumerate(self.modules))
+        spans = (
+            (module.base, module.base + (module.words or 0), index) for index, (module, _) in enumerate(self.modules)
+        )
         known = sorted(spans, key=lambda span: (span[0], -span[1], span[2]))
         highest = 0
         owner: int | None = None
@@ -100,7 +104,9 @@ class InterfaceDraft:
             if module.words is None:
                 continue
             if end > 1 << self.address_bits:
-                message = f"{module.type} takes the addresses {base:#x} to {end - 1:#x}, and the gateway has {self._space()}"
+                message = (
+                    f"{module.type} takes the addresses {base:#x} to {end - 1:#x}, and the gateway has {self._space()}"
+                )
                 self._error(place, "address-range", message)
             if owner is not None and base < highest and not self._is_inside(index, owner):
                 other, other_place = self.modules[owner]
@@ -132,7 +138,8 @@ class InterfaceDraft:
             module = self.modules[signal.module][0]
             relative, end = signal.address - module.base, last - module.base
             if module.words is not None and not (relative >= 0 and end < module.words):
-                message = f"the address {_hex(end)} of {signal.path} is outside of {module.type}, which has {module.words} words"
+                where = f"{module.type}, which has {module.words} words"
+                message = f"the address {_hex(end)} of {signal.path} is outside of {where}"
                 self._error(place, "address-range", message)
 
     def _check_overlaps(self) -> None:
@@ -147,15 +154,15 @@ class InterfaceDraft:
     def _check_word(self, address: int, sharing: list[Placed]) -> None:
         """Check one address at which several signals stand."""
         writers = [placed.signal for placed in sharing if placed.signal.access.writes]
-        taken = {True: list[Placed](), False: list[Placed]()}
+        taken: dict[str, list[Placed]] = {"reads": [], "writes": []}
         for placed in sharing:
             signal = placed.signal
             mask = _mask_at(signal, address)
-            for writes in (False, True):
-                if not (signal.access.writes if writes else signal.access.reads):
+            for way, allowed in (("reads", signal.access.reads), ("writes", signal.access.writes)):
+                if not allowed:
                     continue
-                clash = next((one for one in taken[writes] if _mask_at(one.signal, address) & mask), None)
-                taken[writes].append(placed)
+                clash = next((one for one in taken[way] if _mask_at(one.signal, address) & mask), None)
+                taken[way].append(placed)
                 if clash is not None:
                     self._report_overlap(address, clash, placed)
                     break
@@ -163,7 +170,7 @@ class InterfaceDraft:
                 self._check_sharing(address, placed, sharing, writers)
             if signal.access.writes and len(writers) > 1:
                 # Only now, with all signals known, can this be told; the model is not handed out yet.
-                msgspec.structs.force_setattr(signal, "is_field", True)
+                msgspec.structs.force_setattr(signal, "is_field", True)  # noqa: FBT003
 
     def _report_overlap(self, address: int, first: Placed, second: Placed) -> None:
         message = (
@@ -184,11 +191,7 @@ class InterfaceDraft:
         masks = _mask_at(signal, address)
         if signal.access.writes and len(writers) > 1:
             other = next(
-                (
-                    one
-                    for one in sharing
-                    if not one.signal.access.writes and _mask_at(one.signal, address) & masks
-                ),
+                (one for one in sharing if not one.signal.access.writes and _mask_at(one.signal, address) & masks),
                 None,
             )
             if other is not None:
@@ -231,7 +234,9 @@ class InterfaceDraft:
         addresses = list(dict.fromkeys(address for signal, _ in draft.signals for address in signal.addresses))
         if draft.published:
             if len(addresses) > GROUP_WORDS:
-                message = f"the group {draft.name} has {len(addresses)} words, and a gateway publishes at most {GROUP_WORDS}"
+                message = (
+                    f"the group {draft.name} has {len(addresses)} words, and a gateway publishes at most {GROUP_WORDS}"
+                )
                 self._error(draft.signals[0][1], "group-size", message, "divide it into several groups")
             if draft.divisor is None and not {"RATE", "TRIGGER"} & set(bound):
                 message = f"nothing says when the group {draft.name} is published"
@@ -285,4 +290,3 @@ def _mask_at(signal: Signal, address: int) -> int:
 def _bits(signal: Signal) -> str:
     high = signal.lowest_bit + signal.width - 1
     return f"bit {high}" if signal.width == 1 else f"bits {high}:{signal.lowest_bit}"
-

@@ -1,9 +1,9 @@
 """Kinds: what the bits of a signal mean, and how to get from bits to a value and back.
 
 A `Kind` knows nothing of addresses. Its *raw* is the unsigned number that stands in the signal's bits; its *value* is
-what a program sees, in the signal's unit. `decode` and `encode` are exact: every raw survives to a value and back, which
-the checker makes sure of (`is_exact`) where a scale could make two raws into one float. A value between two raws goes to
-the nearer one.
+what a program sees, in the signal's unit. `decode` and `encode` are exact: every raw survives to a value and back,
+which the checker makes sure of (`is_exact`) where a scale could make two raws into one float. A value between two raws
+goes to the nearer one.
 """
 
 from __future__ import annotations
@@ -13,23 +13,25 @@ import functools
 import math
 import operator
 import struct
-from typing import Any, TypeAlias
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 import msgspec
 import numpy as np
-from numpy.typing import NDArray
 
 from unity_link.errors import ArgumentError
 from unity_link.spec.diagnostics import Span  # noqa: TC001  (msgspec reads the annotations)
 
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
 Value: TypeAlias = bool | int | float
-"""What a program sees of a signal; an enumeration's value is a member of its `IntEnum`, or the bare number if unknown."""
+"""What a program sees of a signal; of an enumeration a member of its `IntEnum`, or a number without name."""
 
 MOST_BITS = 64
 FLOAT_BITS = {16: "<e", 32: "<f", 64: "<d"}
 """Widths of IEEE 754 numbers, with their `struct` formats."""
 _FLOAT_MARGIN = 2.0**-50
-"""A step must be this much of the largest number it is added to: eight roundings of 2**-53 then stay below half a step."""
+"""A step must be this much of the largest number it is added to: eight roundings of 2**-53 stay below half a step."""
 
 
 class KindName(enum.StrEnum):
@@ -74,7 +76,7 @@ class Enumeration(msgspec.Struct, frozen=True):
 @functools.lru_cache
 def _python_type(enumeration: Enumeration) -> type[enum.IntEnum]:
     members = {value.name: value.value for value in enumeration.values}
-    made: type[enum.IntEnum] = enum.IntEnum(enumeration.name, members)  # type: ignore[misc, assignment]
+    made: type[enum.IntEnum] = enum.IntEnum(enumeration.name, members)  # type: ignore[misc]
     return made
 
 
@@ -223,10 +225,10 @@ class Kind(msgspec.Struct, frozen=True):
         return round(steps) if math.isfinite(steps) else 1 << MOST_BITS
 
     def _whole(self, value: float) -> int:
-        if isinstance(value, float) and value.is_integer():
-            return int(value)
+        # A float that is whole is taken too: arithmetic with numpy or in a notebook gives many of them.
+        whole: Any = int(value) if getattr(value, "is_integer", bool)() else value
         try:
-            return operator.index(value)  # type: ignore[arg-type]
+            return operator.index(whole)
         except TypeError:
             raise ArgumentError(f"{value!r} is no value of {self}: a whole number was expected") from None
 
@@ -238,7 +240,8 @@ class Kind(msgspec.Struct, frozen=True):
         if self.name is KindName.FLOAT:
             return raw.astype(f"u{self.width // 8}").view(self.dtype)
         if self.name is KindName.BOOL:
-            return raw != 0
+            truths: NDArray[np.bool_] = raw != 0
+            return truths
         if self.is_signed:
             # The sign bit is moved to the top and back down again, which copies it.
             unused = np.uint64(MOST_BITS - self.width)
@@ -261,17 +264,17 @@ class Kind(msgspec.Struct, frozen=True):
         if self.is_scaled:
             with np.errstate(invalid="ignore", over="ignore"):
                 numbers = np.rint((values.astype(np.float64) - self.offset) / self.step)
-        elif values.dtype.kind == "f" and np.array_equal(values, np.rint(values)):
-            numbers = values
-        elif values.dtype.kind in "iub":
+        elif (values.dtype.kind == "f" and np.array_equal(values, np.rint(values))) or values.dtype.kind in "iub":
             numbers = values
         else:
             raise ArgumentError(f"values of {self} are whole numbers, not {values.dtype}")
         low, high = self.raw_range
         # Comparisons of Python's whole numbers with arrays of any type are exact in numpy 2; the limits of 64 bits
         # are no floats, so those compare against the power of two itself.
-        good = (numbers >= float(low)) & (numbers < float(high + 1)) if numbers.dtype.kind == "f" else (
-            (numbers >= low) & (numbers <= high)
+        good = (
+            (numbers >= float(low)) & (numbers < float(high + 1))
+            if numbers.dtype.kind == "f"
+            else ((numbers >= low) & (numbers <= high))
         )
         if not good.all():
             first, last = self.range

@@ -68,7 +68,9 @@ class Loader:
         self._read = read
         self._loading: list[Path] = []
         self._loaded: set[Path] = set()
-        self._names: dict[str, Declared[ComponentDeclaration] | Declared[EnumDeclaration] | Declared[GroupDeclaration]] = {}
+        self._names: dict[
+            str, Declared[ComponentDeclaration] | Declared[EnumDeclaration] | Declared[GroupDeclaration]
+        ] = {}
 
     def load(self, name: str, text: str, path: Path | None) -> None:
         """Load the first file, whose text is at hand; `path` is where its imports are looked for."""
@@ -123,16 +125,16 @@ class Loader:
         for item in file.items:
             if isinstance(item, ComponentDeclaration):
                 if self._is_new(source, item.name, declared := Declared(source, item)):
-                    rooms.components[item.name] = declared
+                    rooms.components[str(item.name)] = declared
                     if item.public and is_first:
                         rooms.interfaces.append(declared)
             elif isinstance(item, EnumDeclaration):
                 if self._is_new(source, item.name, enumeration := Declared(source, item)):
-                    rooms.enumerations[item.name] = enumeration
+                    rooms.enumerations[str(item.name)] = enumeration
             elif isinstance(item, GroupDeclaration) and self._is_new(
                 source, item.name, group := Declared(source, item)
             ):
-                rooms.groups[item.name] = group
+                rooms.groups[str(item.name)] = group
 
     def _is_new(
         self,

@@ -6,8 +6,9 @@ This is what proxies, generators and bridges build on; none of them looks at the
     Spec -> Interface -> Component (a tree) -> Signal
                       -> Module, Group, Enumeration, by which signals are reached, read together and named
 
-A *path* is how a program gets to a thing from the interface, as Python writes it: ``legs[2].joints[0].cpos``. An *ID* is
-the text that the author gave it. Addresses are word addresses on the gateway's bus, with the base of the module in them.
+A *path* is how a program gets to a thing from the interface, as Python writes it: ``legs[2].joints[0].cpos``. An *ID*
+is the text that the author gave it. Addresses are word addresses on the gateway's bus, with the base of the module in
+them.
 """
 
 from __future__ import annotations

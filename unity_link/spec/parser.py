@@ -16,7 +16,6 @@ from lark.exceptions import UnexpectedInput
 
 from unity_link.spec.comments import attach_comments
 from unity_link.spec.recovery import report_faults
-from unity_link.spec.tokens import TokenLexer
 from unity_link.spec.syntax import (
     Argument,
     Bits,
@@ -42,6 +41,7 @@ from unity_link.spec.syntax import (
     Text,
     Word,
 )
+from unity_link.spec.tokens import TokenLexer
 
 if TYPE_CHECKING:
     from unity_link.spec.diagnostics import Reporter, Source
@@ -58,9 +58,9 @@ def parse(source: Source, reporter: Reporter) -> File | None:
     if not _is_sane(source, reporter):
         return None
     try:
-        items: list[Item] = _parser().parse(source.text)  # type: ignore[assignment]
+        items: list[Item] = _parser(builds=True).parse(source.text)  # type: ignore[assignment]
     except UnexpectedInput:
-        report_faults(_parser(), source, reporter)
+        report_faults(_parser(builds=False), source, reporter)
         return None
     file = File(items)
     attach_comments(file, source)
@@ -87,9 +87,12 @@ def _is_sane(source: Source, reporter: Reporter) -> bool:
 
 
 @functools.cache
-def _parser() -> Lark:
+def _parser(*, builds: bool) -> Lark:
+    """Give the parser; one that does not build takes any text in pieces, of which no tree can be made."""
     grammar = Path(__file__).with_name("grammar.lark").read_text(encoding="utf-8")
-    return Lark(grammar, parser="lalr", lexer=TokenLexer, transformer=_Builder(), maybe_placeholders=True)
+    return Lark(
+        grammar, parser="lalr", lexer=TokenLexer, transformer=_Builder() if builds else None, maybe_placeholders=True
+    )
 
 
 def word(token: Token) -> Word:
@@ -167,7 +170,7 @@ class _Builder(Transformer[Token, Any]):
     def label(self, name: Token, count: Expression | None) -> tuple[Token, Expression | None]:
         return name, count
 
-    def signal(  # noqa: PLR0913, PLR0917  (one for each part of the rule)
+    def signal(
         self,
         at: Token,
         name: Token,
@@ -192,7 +195,7 @@ class _Builder(Transformer[Token, Any]):
         bounds = _bounds(type_ if name is None else name, end)
         return Placement(None if name is None else word(name), count, word(type_), arguments, addresses, **bounds)
 
-    def block(  # noqa: PLR0913, PLR0917
+    def block(
         self,
         label: tuple[Token, Expression | None] | None,
         type_: Token,
@@ -207,7 +210,7 @@ class _Builder(Transformer[Token, Any]):
         placement.members = inside
         return placement
 
-    def component(  # noqa: PLR0913, PLR0917
+    def component(
         self,
         public: Token | None,
         name: Token,

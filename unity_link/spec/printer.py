@@ -1,7 +1,7 @@
 """From the syntax tree to text: the one way that a spec is laid out, which `unity-link fmt` puts it into.
 
-Two spaces for a level, one statement a line, a line of at most 100 characters where its arguments can be broken; numbers
-and parentheses stay as they were written. What is printed parses to the same tree, and prints the same again.
+Two spaces for a level, one statement a line, a line of at most 120 characters where its arguments can be broken;
+numbers and parentheses stay as they were written. What is printed parses to the same tree, and prints the same again.
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ from unity_link.spec.syntax import (
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-LINE_LENGTH = 100
+LINE_LENGTH = 120
 _INDENT = "  "
 _ESCAPES = str.maketrans({"\\": "\\\\", '"': '\\"', "\n": "\\n", "\t": "\\t"})
 
@@ -78,9 +78,11 @@ def _bare(statement: Statement, indent: str) -> list[str]:  # noqa: PLR0911  (on
         case Import():
             return [f"{indent}import {_expression(statement.path)};"]
         case GroupDeclaration():
-            return _wrapped(f"{indent}group {statement.name}", [statement.arguments], ";") if (
-                statement.arguments
-            ) else [f"{indent}group {statement.name};"]
+            return (
+                _wrapped(f"{indent}group {statement.name}", [statement.arguments], ";")
+                if (statement.arguments)
+                else [f"{indent}group {statement.name};"]
+            )
         case EnumValue():
             value = "" if statement.value is None else f" = {_expression(statement.value)}"
             return [f"{indent}{statement.name}{value}"]
@@ -97,7 +99,10 @@ def _bare(statement: Statement, indent: str) -> list[str]:  # noqa: PLR0911  (on
 
 
 def _block(
-    head: str, block: EnumDeclaration | ComponentDeclaration | Placement, members: Sequence[Statement], indent: str,
+    head: str,
+    block: EnumDeclaration | ComponentDeclaration | Placement,
+    members: Sequence[Statement],
+    indent: str,
     ending: str = "",
 ) -> list[str]:
     inside: list[str] = []

@@ -52,7 +52,7 @@ class _Recovery:
         """Go through the tokens to the end of the text."""
         parser, index = self._parser, 0
         # A checkpoint is the parser at the beginning of a statement, and how many braces are open there.
-        checkpoints = [parser.copy()]
+        checkpoints = [_copy(parser)]
         braces: list[Token] = []
         while index < len(self._tokens) and self._faults < MOST_FAULTS:
             token = self._tokens[index]
@@ -64,19 +64,19 @@ class _Recovery:
             index += 1
             if token.type == "LBRACE":
                 braces.append(token)
-                checkpoints.append(parser.copy())
+                checkpoints.append(_copy(parser))
             elif token.type == "RBRACE":
                 braces.pop()
                 checkpoints.pop()
-                checkpoints[-1] = parser.copy()
+                checkpoints[-1] = _copy(parser)
             elif token.type == "SEMICOLON":
-                checkpoints[-1] = parser.copy()
+                checkpoints[-1] = _copy(parser)
         if self._faults < MOST_FAULTS:
             self._end(parser, braces)
 
     def _end(self, parser: InteractiveParser, braces: list[Token]) -> None:
         try:
-            parser.feed_eof()
+            parser.feed_eof()  # type: ignore[no-untyped-call]
         except UnexpectedInput:
             if braces:
                 place = (braces[-1].start_pos or 0, braces[-1].end_pos or 0)
@@ -93,13 +93,13 @@ class _Recovery:
         """Report the token that does not fit; give the parser to go on with, and the token to go on at."""
         token = self._tokens[index]
         self._faults += 1
-        accepted = parser.accepts()
+        accepted = _accepted(parser)
         previous = self._tokens[index - 1] if index else None
         if previous is not None and "SEMICOLON" in accepted and self._is_later_line(previous, token):
             place = (max(0, (previous.end_pos or 0) - 1), previous.end_pos or 0)
             self._reporter.error(self._source, place, "syntax", "a ';' is missing behind this")
             parser.feed_token(Token("SEMICOLON", ";", start_pos=previous.end_pos, end_pos=previous.end_pos))
-            checkpoints[-1] = parser.copy()
+            checkpoints[-1] = _copy(parser)
             return parser, index
         self._report(token, parser)
         return self._give_up(index, checkpoints, braces)
@@ -147,9 +147,10 @@ class _Recovery:
                 depth -= 1
                 if depth == 0:
                     break
-            elif token.type == "SEMICOLON" and depth == 0:
+            elif depth == 0 and token.type in {"SEMICOLON", "BAD_STRING"}:
+                # A string without an end has taken the semicolon of its line.
                 break
-        return checkpoints[-1].copy(), index
+        return _copy(checkpoints[-1]), index
 
     def _is_in_enum(self, index: int) -> bool:
         for token in reversed(self._tokens[: index + 1]):
@@ -159,7 +160,7 @@ class _Recovery:
 
     def _parser_in_block(self, checkpoints: list[InteractiveParser], braces: list[Token], opening: Token) -> None:
         """Go on inside of a block as if its head were a sound one."""
-        parser = checkpoints[-1].copy()
+        parser = _copy(checkpoints[-1])
         head = (("NAME", "head"), ("LPAR", "("), ("RPAR", ")"))
         for name, text in head:
             parser.feed_token(Token(name, text, start_pos=opening.start_pos, end_pos=opening.start_pos))
@@ -172,7 +173,7 @@ class _Recovery:
 
     def _expected(self, parser: InteractiveParser) -> str:
         """Say in words what could stand at the place that the parser is at."""
-        accepted = parser.accepts()
+        accepted = _accepted(parser)
         # An operator may follow any operand; to say so each time would hide what is missing.
         accepted = accepted - _OPERATORS or accepted
         if {"NAME", "NUMBER", "STRING"} <= accepted:
@@ -187,3 +188,13 @@ class _Recovery:
         if token.type in {"NAME", "NUMBER", "STRING"}:
             return f"{_WORDS[token.type]} ({token[:40]})" if token.type != "STRING" else f"the string {token[:40]}"
         return f"'{token}'"
+
+
+def _copy(parser: InteractiveParser) -> InteractiveParser:
+    copied: InteractiveParser = parser.copy(deepcopy_values=False)  # type: ignore[no-untyped-call]
+    return copied
+
+
+def _accepted(parser: InteractiveParser) -> set[str]:
+    accepted: set[str] = parser.accepts()  # type: ignore[no-untyped-call]
+    return accepted

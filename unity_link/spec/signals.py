@@ -99,7 +99,7 @@ class SignalReader:
         if node.kind is None:
             return self._sized(node, KindName.UNSIGNED, None, bits)
         word, width = node.kind.name, node.kind.width
-        if word in {KindName.FIXED, KindName.UFIXED}:
+        if str(word) in {KindName.FIXED.value, KindName.UFIXED.value}:
             return self._fixed(node, bits)
         number: int | None = None
         if width is not None:
@@ -136,9 +136,7 @@ class SignalReader:
         kind = self._sized(node, KindName(word), before + behind, bits)
         return None if kind is None else Kind(kind.name, kind.width, behind)
 
-    def _sized(
-        self, node: SignalDeclaration, name: KindName, width: int | None, bits: BitRange | None
-    ) -> Kind | None:
+    def _sized(self, node: SignalDeclaration, name: KindName, width: int | None, bits: BitRange | None) -> Kind | None:
         """Give a kind its width: the one that is written, that of its bits, or its own."""
         place = node.name.place if node.kind is None else node.kind.name.place
         if name is KindName.BOOL:
@@ -166,7 +164,9 @@ class SignalReader:
         assert node.kind is not None
         if enumeration.largest >> kind.width:
             needed = enumeration.largest.bit_length()
-            message = f"{enumeration.name} has values up to {enumeration.largest}, which need {needed} bits, not {kind.width}"
+            message = (
+                f"{enumeration.name} has values up to {enumeration.largest}, which need {needed} bits, not {kind.width}"
+            )
             self._fault(node.kind.name.place, "enum-too-wide", message)
             return None
         return Kind(KindName.ENUM, kind.width, enumeration=enumeration)
@@ -200,7 +200,9 @@ class SignalReader:
     def _publishing(self, access: Access, arguments: Bound, binder: Binder) -> Publishing | None:
         for name in ("PUBLISH", "POLL"):
             if name in arguments and not access.reads:
-                self._fault(binder.places[name], "not-readable", f"{name} needs a signal that can be read, not {access}")
+                self._fault(
+                    binder.places[name], "not-readable", f"{name} needs a signal that can be read, not {access}"
+                )
         if "PUBLISH" in arguments and "POLL" in arguments:
             message = "a signal is either published by the gateway or polled by the host"
             self._fault(binder.places["POLL"], "publish-and-poll", message, "leave out PUBLISH or POLL")

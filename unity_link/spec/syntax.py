@@ -1,13 +1,13 @@
 """The syntax tree: what the author wrote, comments included, and where.
 
-Nothing is computed or resolved here. `parser` makes it of text, `printer` makes text of it, the checker makes a model of
-it. Two trees are equal if they say the same, wherever it stands. Offsets count characters of the source.
+Nothing is computed or resolved here. `parser` makes it of text, `printer` makes text of it, the checker makes a model
+of it. Two trees are equal if they say the same, wherever it stands. Offsets count characters of the source.
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import TypeAlias
+from typing import Self, TypeAlias
 
 INDEX_NAME = "i"
 """Name of the index in the arguments of an array of components."""
@@ -20,7 +20,7 @@ class Word(str):
     start: int
     end: int
 
-    def __new__(cls, text: str, start: int = 0, end: int = 0) -> Word:
+    def __new__(cls, text: str, start: int = 0, end: int = 0) -> Self:
         """Make a name; without a place if it was not read from a text."""
         word = super().__new__(cls, text)
         word.start = start

@@ -1,0 +1,338 @@
+"""`unity-link check`, `fmt`, `show`: specs, without a gateway. `import rdl`, `export rdl`: their neighbour, SystemRDL.
+
+What is wrong with a spec goes to stderr, as a compiler's messages do; under ``--json`` to stdout, as data.
+"""
+
+from __future__ import annotations
+
+import os
+import sys
+import tempfile
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+
+from unity_link.cli.arguments import Json  # noqa: TC001  (typer reads the annotations)
+from unity_link.cli.output import out, print_json, print_line, print_note
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable
+
+    from unity_link.spec import Component, ComponentArray, Diagnostic, Interface, Module, Signal, Spec
+
+STDIN = "-"
+FAILED = 1
+_MOST_COLUMNS = 1000
+
+SpecFile = Annotated[
+    Path, typer.Argument(metavar="SPEC", help="A spec, such as robot.ul; - is stdin.", show_default=False)
+]
+SpecFiles = Annotated[
+    list[Path], typer.Argument(metavar="SPEC...", help="Specs, such as robot.ul; - is stdin.", show_default=False)
+]
+AddressBits = Annotated[
+    int | None, typer.Option("--address-bits", min=8, max=32, help="Width of the gateway's addresses.")
+]
+DataBits = Annotated[int | None, typer.Option("--data-bits", min=8, max=64, help="Width of the gateway's words.")]
+Output = Annotated[Path | None, typer.Option("--output", "-o", metavar="FILE", help="Where to write; stdout without.")]
+Name = Annotated[str | None, typer.Option("--interface", help="Which public interface, where there are several.")]
+
+
+def add_to(app: typer.Typer) -> None:
+    """Add the commands of this file."""
+    app.command()(check)
+    app.command()(fmt)
+    app.command()(show)
+    importing = typer.Typer(help="Make a spec of another description of registers.", no_args_is_help=True)
+    importing.command("rdl")(import_rdl)
+    app.add_typer(importing, name="import")
+    exporting = typer.Typer(help="Make another description of registers of a spec.", no_args_is_help=True)
+    exporting.command("rdl")(export_rdl)
+    app.add_typer(exporting, name="export")
+
+
+def check(spec: SpecFile, *, json: Json = False, address_bits: AddressBits = None, data_bits: DataBits = None) -> None:
+    """Check a spec, and say everything that is wrong with it."""
+    from unity_link.spec import SpecError
+
+    compiled: Spec | None = None
+    diagnostics: Iterable[Diagnostic]
+    try:
+        compiled = _compile(spec, address_bits, data_bits)
+        diagnostics = compiled.warnings
+    except SpecError as error:
+        diagnostics = error.diagnostics
+    if json:
+        print_json({"spec": str(spec), "valid": compiled is not None, "diagnostics": diagnostics})
+    else:
+        print_diagnostics(diagnostics)
+        if compiled is not None:
+            print_line(f"{spec}: {_described(compiled)}")
+    if compiled is None:
+        raise typer.Exit(FAILED)
+
+
+def fmt(
+    specs: SpecFiles,
+    *,
+    check: Annotated[bool, typer.Option("--check", help="Change nothing; fail if a file would change.")] = False,
+    diff: Annotated[bool, typer.Option("--diff", help="Change nothing; print what would change.")] = False,
+) -> None:
+    """Put specs into the canonical layout. Comments stay."""
+    from unity_link.spec import SpecError, format_text
+
+    failed = changed = False
+    for spec in specs:
+        try:
+            text = _read(spec)
+            formatted = format_text(text, str(spec))
+        except SpecError as error:
+            print_diagnostics(error.diagnostics)
+            failed = True
+            continue
+        if diff:
+            _print_diff(str(spec), text, formatted)
+        elif str(spec) == STDIN and not check:
+            sys.stdout.write(formatted)
+        elif text != formatted and not check:
+            _replace(spec, formatted)
+        if text != formatted:
+            changed = True
+            if not diff and str(spec) != STDIN:
+                print_note(f"{'would change' if check else 'changed'} {spec}")
+    if failed or (check and changed):
+        raise typer.Exit(FAILED)
+
+
+def show(
+    spec: SpecFile,
+    *,
+    interface: Name = None,
+    json: Json = False,
+    address_bits: AddressBits = None,
+    data_bits: DataBits = None,
+) -> None:
+    """Show what a spec comes to: all signals in a tree, with their addresses."""
+    compiled = compile_or_exit(spec, address_bits, data_bits)
+    chosen = compiled.interfaces if interface is None else (compiled.interface(interface),)
+    if json:
+        for one in chosen:
+            print_json(one)
+        return
+    console = out()
+    # A pipe gets whole lines; a tree would be cut at the width of the console.
+    width = None if console.is_terminal else _MOST_COLUMNS
+    for one in chosen:
+        console.print(_tree(one), width=width)
+
+
+def import_rdl(
+    file: Annotated[Path, typer.Argument(metavar="FILE", help="A SystemRDL file.", show_default=False)],
+    *,
+    output: Output = None,
+    top: Annotated[str | None, typer.Option("--top", help="The address map; the last one of the file without.")] = None,
+) -> None:
+    """Make a spec of a SystemRDL description."""
+    from unity_link.spec import SpecError
+    from unity_link.spec.systemrdl import import_file
+
+    try:
+        text = import_file(file, top)
+    except SpecError as error:
+        print_diagnostics(error.diagnostics)
+        raise typer.Exit(FAILED) from None
+    _write(output, text)
+
+
+def export_rdl(spec: SpecFile, *, interface: Name = None, output: Output = None) -> None:
+    """Make a SystemRDL description of a spec."""
+    from unity_link.spec.systemrdl import export_text
+
+    compiled = compile_or_exit(spec)
+    _write(output, export_text(compiled.interface(interface)))
+
+
+# For commands that need a spec
+
+
+def compile_or_exit(spec: Path, address_bits: int | None = None, data_bits: int | None = None) -> Spec:
+    """Compile a spec for a command; if it is wrong say so and end the command.
+
+    Raises:
+        typer.Exit: where it has errors, with code 1.
+    """
+    from unity_link.spec import SpecError
+
+    try:
+        compiled = _compile(spec, address_bits, data_bits)
+    except SpecError as error:
+        print_diagnostics(error.diagnostics)
+        raise typer.Exit(FAILED) from None
+    print_diagnostics(compiled.warnings)
+    return compiled
+
+
+def print_diagnostics(diagnostics: Iterable[Diagnostic]) -> None:
+    """Print diagnostics on stderr, and how many they are; nothing if there are none."""
+    from rich.console import Console
+    from rich.text import Text
+
+    from unity_link.spec.diagnostics import MOST_SHOWN, summary
+
+    found = list(diagnostics)
+    if not found:
+        return
+    console = Console(stderr=True, highlight=False, soft_wrap=True)
+    for diagnostic in found[:MOST_SHOWN]:
+        text = Text(diagnostic.render())
+        colour = "red" if diagnostic.severity == "error" else "yellow"
+        text.highlight_regex(rf"(?<=: ){diagnostic.severity}: .*", f"bold {colour}")
+        text.highlight_regex(r"(?m)^ +\| [\t ]*\^+$", colour)
+        text.highlight_regex(r"(?m)^  help: ", "bold cyan")
+        text.highlight_regex(r"(?<=: )note: ", "bold")
+        console.print(text)
+    console.print(Text(summary(found)))
+
+
+# The inside
+
+
+def _read(spec: Path) -> str:
+    from unity_link.spec import Diagnostic, Span, SpecError
+    from unity_link.spec.loading import read_text
+
+    try:
+        if str(spec) == STDIN:
+            return sys.stdin.buffer.read().decode("utf-8-sig").replace("\r\n", "\n")
+        return read_text(spec)
+    except ValueError as error:
+        message = "stdin is no UTF-8 text" if isinstance(error, UnicodeDecodeError) else str(error)
+        raise SpecError([Diagnostic("error", "unreadable", message, Span(str(spec), 1, 1, 1, 1))]) from None
+
+
+def _compile(spec: Path, address_bits: int | None, data_bits: int | None) -> Spec:
+    from unity_link.spec import compile_text
+
+    path = None if str(spec) == STDIN else spec
+    return compile_text(_read(spec), str(spec), path=path, address_bits=address_bits, data_bits=data_bits)
+
+
+def _described(spec: Spec) -> str:
+    parts = [f"{one.name} with {len(one.signals)} signal{'s' * (len(one.signals) != 1)}" for one in spec.interfaces]
+    return f"no errors; {', '.join(parts) or 'no public interface'}"
+
+
+def _print_diff(name: str, before: str, after: str) -> None:
+    import difflib
+
+    lines = difflib.unified_diff(
+        before.splitlines(keepends=True), after.splitlines(keepends=True), f"{name} as it is", f"{name} formatted"
+    )
+    for line in lines:
+        sys.stdout.write(line if line.endswith("\n") else f"{line}\n\\ No newline at end of file\n")
+    sys.stdout.flush()
+
+
+def _replace(path: Path, text: str) -> None:
+    """Replace a file in one step, so that no moment has half of it."""
+    from unity_link.errors import ArgumentError
+
+    target = path.resolve()
+    try:
+        with tempfile.NamedTemporaryFile("w", dir=target.parent, delete=False, encoding="utf-8", newline="\n") as file:
+            file.write(text)
+        temporary = Path(file.name)
+        temporary.chmod(target.stat().st_mode)
+        os.replace(temporary, target)  # noqa: PTH105  (the name says what it does)
+    except OSError as error:
+        raise ArgumentError(f"{path} cannot be written: {error.strerror or error}") from None
+
+
+def _write(output: Path | None, text: str) -> None:
+    from unity_link.errors import ArgumentError
+
+    if output is None or str(output) == STDIN:
+        sys.stdout.write(text)
+        sys.stdout.flush()
+        return
+    try:
+        output.write_text(text, encoding="utf-8")
+    except OSError as error:
+        raise ArgumentError(f"{output} cannot be written: {error.strerror or error}") from None
+
+
+def _tree(interface: Interface) -> Any:
+    from rich.text import Text
+    from rich.tree import Tree
+
+    digits = -(-interface.address_bits // 4)
+    head = f"  {interface.address_bits} address bits, {interface.data_bits} data bits"
+    tree = Tree(Text.assemble((interface.name, "bold"), (head, "dim")))
+    for module in interface.modules:
+        if module.path is None:
+            tree.add(Text.assemble((module.type, "magenta"), (f"  {_module(module, digits)}", "dim")))
+    for group in interface.groups:
+        when = [
+            f"base frequency / {group.divisor}" if group.divisor is not None else "",
+            f"{group.rate_hz:g} Hz" if group.rate_hz is not None else "",
+            "on its trigger" if group.trigger else "",
+            f"{len(group.signals)} signals in {len(group.addresses)} words",
+        ]
+        number = "" if group.number is None else f" {group.number}"
+        text = ", ".join(filter(None, when))
+        tree.add(Text.assemble(("group ", "magenta"), (group.name, "bold"), (f"{number}: {text}", "dim")))
+    _add_component(tree, interface, interface.root, digits)
+    return tree
+
+
+def _add_component(tree: Any, interface: Interface, component: Component, digits: int) -> None:
+    from rich.text import Text
+
+    for number in component.modules:
+        module = interface.modules[number]
+        name = (module.path or "").rpartition(".")[2]
+        tree.add(Text.assemble((name, "bold cyan"), f": {module.type}", (f"  {_module(module, digits)}", "dim")))
+    for signal in component.signals:
+        tree.add(_signal(signal, digits))
+    for part in component.parts:
+        for item in _items(part):
+            index = "" if item.index is None else f"[{item.index}]"
+            branch = tree.add(Text.assemble((item.name + index, "bold cyan"), f": {item.type}"))
+            _add_component(branch, interface, item, digits)
+
+
+def _items(part: Component | ComponentArray) -> tuple[Component, ...]:
+    items: tuple[Component, ...] | None = getattr(part, "items", None)
+    return (part,) if items is None else items  # type: ignore[return-value]
+
+
+def _module(module: Module, digits: int) -> str:
+    size = f", {module.words} words" if module.words is not None else ""
+    return f"at 0x{module.base:0{digits}X}{size}"
+
+
+def _signal(signal: Signal, digits: int) -> Any:
+    from rich.text import Text
+
+    high = signal.lowest_bit + signal.width - 1
+    whole = signal.lowest_bit == 0 and signal.width == signal.word_bits * signal.words
+    bits = "" if whole else f"[{high}]" if signal.width == 1 else f"[{high}:{signal.lowest_bit}]"
+    low, high_value = signal.minimum, signal.maximum
+    details = [
+        f"x {signal.kind.scale:.6g}" if signal.kind.scale != 1 else "",
+        f"+ {signal.kind.offset:.6g}" if signal.kind.offset else "",
+        signal.unit,
+        f"{'' if low is None else f'{low:g}'}..{'' if high_value is None else f'{high_value:g}'}"
+        if (low, high_value) != (None, None)
+        else "",
+        "FIFO" if signal.fifo else "",
+        f"published by {signal.group}" if signal.group else "",
+        f"polled at {signal.poll_hz:g} Hz" if signal.poll_hz else "",
+        f'"{signal.id}"' if signal.id != signal.path else "",
+    ]
+    return Text.assemble(
+        (f"0x{signal.address:0{digits}X}{bits}", "green"),
+        f" {signal.name}: {signal.kind} {signal.access}",
+        (f"  {' '.join(filter(None, details))}", "dim"),
+    )

@@ -1,0 +1,467 @@
+"""SystemRDL, the register language of the field: a spec out of it, and out of a spec.
+
+Out of an interface goes one flat address map, a register for each word. What SystemRDL has no word for (IDs, units,
+scales, publishing) goes along in properties of our own, `ul_...`, which other tools pass over and which `import_file`
+reads again. Such a map comes back with all its signals, paths and groups; arrays come back as single components,
+``legs[2]`` as ``legs_2``, and modules do not.
+
+Any other SystemRDL comes in with its own tree: address maps and register files become components, arrays arrays, a
+register of several fields a component, memories `MEMORY`. Addresses become word addresses.
+
+The extra ``rdl`` installs the compiler, which is imported only here.
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any
+
+from unity_link.errors import UnsupportedError
+from unity_link.spec.diagnostics import Diagnostic, Span, SpecError
+from unity_link.spec.kinds import KindName
+from unity_link.spec.model import Access, Group, Interface, Signal
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+    from pathlib import Path
+
+_FIELD_PROPERTIES = ("path", "id", "kind", "unit", "arguments")
+_SW = {Access.READ: ("r", "w"), Access.WRITE: ("w", "r"), Access.READWRITE: ("rw", "r")}
+_RESERVED = {"import", "enum", "group", "public"}
+
+
+# Out
+
+
+def export_text(interface: Interface) -> str:
+    """Write an interface as SystemRDL.
+
+    Raises:
+        UnsupportedError: where its words have a width that SystemRDL does not know.
+    """
+    bits = interface.data_bits
+    if bits & (bits - 1):
+        raise UnsupportedError(f"SystemRDL knows registers of 8, 16, 32 or 64 bits, and {interface.name} has {bits}")
+    words: dict[int, list[Signal]] = {}
+    for signal in interface.signals.values():
+        for address in signal.addresses:
+            words.setdefault(address, []).append(signal)
+    lines = [
+        f"// The interface {interface.name} of a UL-spec.",
+        *(f"property ul_{name} {{ component = field; type = string; }};" for name in _FIELD_PROPERTIES),
+        "property ul_groups { component = addrmap; type = string; };",
+        "",
+    ]
+    for enumeration in interface.enumerations:
+        lines.append(f"enum {_identifier(enumeration.name)}_e {{")
+        for value in enumeration.values:
+            desc = f" {{ desc = {_string(value.doc)}; }}" if value.doc else ""
+            lines.append(f"  {_identifier(value.name)} = {value.value}{desc};")
+        lines += ["};", ""]
+    lines.append(f"addrmap {_identifier(interface.name)} {{")
+    lines += [f"  desc = {_string(interface.doc)};"] if interface.doc else []
+    lines += [f"  default regwidth = {bits};", f"  default accesswidth = {bits};"]
+    groups = " ".join(_group(group) for group in interface.groups)
+    lines += [f"  ul_groups = {_string(groups)};"] if groups else []
+    for address in sorted(words):
+        lines += _register(address, words[address], bits)
+    return "\n".join([*lines, "};", ""])
+
+
+def _register(address: int, signals: list[Signal], bits: int) -> Iterator[str]:
+    yield "  reg {"
+    for signal in signals:
+        part = address - signal.address
+        low = signal.lowest_bit if part == 0 else 0
+        high = min(signal.lowest_bit + signal.width - part * bits, bits) - 1
+        software, hardware = _SW[signal.access]
+        yield "    field {"
+        yield f"      sw = {software}; hw = {hardware};"
+        yield from (f"      {name} = {value};" for name, value in _properties(signal, part))
+        suffix = f"_part{part}" if part else ""
+        yield f"    }} {_identifier(signal.path)}{suffix}[{high}:{low}];"
+    name = _identifier(signals[0].path) if len(signals) == 1 and signals[0].words == 1 else f"word_{address:x}"
+    yield f"  }} {name} @ {address * bits // 8:#x};"
+
+
+def _properties(signal: Signal, part: int) -> Iterator[tuple[str, str]]:
+    if signal.doc:
+        yield "desc", _string(signal.doc)
+    if part:
+        return
+    if signal.kind.enumeration is not None:
+        yield "encode", f"{_identifier(signal.kind.enumeration.name)}_e"
+    yield "ul_path", _string(signal.path)
+    yield "ul_id", _string(signal.id)
+    yield "ul_kind", _string(str(signal.kind))
+    if signal.unit:
+        yield "ul_unit", _string(signal.unit)
+    arguments = ", ".join(_arguments(signal))
+    if arguments:
+        yield "ul_arguments", _string(arguments)
+
+
+def _arguments(signal: Signal) -> Iterator[str]:
+    """Write the arguments of a signal that are no strings."""
+    if signal.kind.scale != 1:
+        yield f"SCALE={_number(signal.kind.scale)}"
+    if signal.kind.offset != 0:
+        yield f"OFFSET={_number(signal.kind.offset)}"
+    if signal.minimum is not None:
+        yield f"MIN={_number(signal.minimum)}"
+    if signal.maximum is not None:
+        yield f"MAX={_number(signal.maximum)}"
+    if signal.fifo:
+        yield "FIFO" if signal.fifo_words is None else f"FIFO({signal.fifo_words})"
+    if signal.poll_hz is not None:
+        yield f"POLL({_number(signal.poll_hz)})"
+    if signal.group is not None:
+        yield f"PUBLISH({signal.group})"
+    yield from (f"GROUP({group})" for group in signal.groups if group != signal.group)
+
+
+def _group(group: Group) -> str:
+    joints: dict[str, str] = {}
+    for joint in group.joints:
+        for part in ("position", "velocity", "effort"):
+            path: str | None = getattr(joint, part)
+            if path is not None:
+                joints[part.upper()] = path.rpartition(".")[2]
+    arguments = [
+        f"NUMBER={group.number}" if group.number is not None else "",
+        f"DIVISOR={group.divisor}" if group.divisor is not None else "",
+        f"RATE={_number(group.rate_hz)}" if group.rate_hz is not None else "",
+        *(name.upper() for name in ("trigger", "on_change", "immediate", "timestamps") if getattr(group, name)),
+        f"JOINTS({', '.join(f'{part}={name}' for part, name in joints.items())})" if joints else "",
+    ]
+    return f"group {group.name}({', '.join(filter(None, arguments))});"
+
+
+def _number(value: float) -> str:
+    """Write a number so that it reads as the same one."""
+    return repr(value)
+
+
+def _identifier(path: str) -> str:
+    return re.sub(r"\W+", "_", path).strip("_")
+
+
+def _string(text: str) -> str:
+    # SystemRDL escapes only the quote; a backslash is itself, except in front of one.
+    return '"' + text.replace("\\", "\\\\").replace('"', '\\"') + '"'
+
+
+# In
+
+
+@dataclass
+class _Field:
+    name: str
+    address: int
+    """Relative to the part that it stands in."""
+    bits: str
+    kind: str
+    access: Access
+    arguments: list[str]
+    doc: str = ""
+
+
+@dataclass
+class _Part:
+    """A component to be."""
+
+    type_name: str
+    fields: list[_Field] = field(default_factory=list)
+    parts: list[_Placed] = field(default_factory=list)
+    memories: list[str] = field(default_factory=list)
+    doc: str = ""
+
+
+@dataclass
+class _Placed:
+    name: str
+    part: _Part
+    address: int
+    count: int | None = None
+    stride: int = 0
+
+
+def import_file(path: Path, top: str | None = None) -> str:
+    """Write a SystemRDL description as a spec.
+
+    Args:
+        path: the file.
+        top: name of the address map to take; None takes the last one of the file.
+
+    Raises:
+        SpecError: where the file is no SystemRDL, with what its compiler says.
+        UnsupportedError: where it has what no gateway has, or the extra ``rdl`` is not installed.
+    """
+    root = _compiled(path, top)
+    return _Importer(root.top).text()
+
+
+def _compiled(path: Path, top: str | None) -> Any:
+    try:
+        from systemrdl import RDLCompileError, RDLCompiler
+        from systemrdl.messages import MessagePrinter, Severity
+    except ImportError:
+        raise UnsupportedError("SystemRDL needs its compiler: pip install 'unity-link[rdl]'") from None
+    found: list[Diagnostic] = []
+
+    class Collector(MessagePrinter):
+        def print_message(self, severity: Severity, text: str, src_ref: Any) -> None:
+            if severity < Severity.ERROR:
+                return
+            line, (first, last) = getattr(src_ref, "line", 1), getattr(src_ref, "line_selection", (0, 0))
+            span = Span(str(getattr(src_ref, "path", path)), line, first + 1, line, last + 2)
+            found.append(Diagnostic("error", "systemrdl", text, span, getattr(src_ref, "line_text", "").rstrip()))
+
+    compiler = RDLCompiler(message_printer=Collector())
+    try:
+        compiler.compile_file(str(path))
+        return compiler.elaborate(top_def_name=top)
+    except (RDLCompileError, OSError, UnicodeDecodeError, ValueError) as error:
+        if not found:
+            message = getattr(error, "strerror", None) or str(error)
+            found.append(Diagnostic("error", "systemrdl", message, Span(str(path), 1, 1, 1, 1)))
+        raise SpecError(found) from None
+
+
+class _Importer:
+    """Makes a spec of one address map."""
+
+    def __init__(self, top: Any) -> None:
+        self._top = top
+        registers = [node for node in top.descendants() if type(node).__name__ == "RegNode"]
+        self._bits = min((node.get_property("regwidth") for node in registers), default=32)
+        self._enumerations: dict[str, list[str]] = {}
+        self._components: dict[str, str] = {}
+        """Names of components by what stands in them."""
+        self._docs: dict[str, str] = {}
+        self._names: set[str] = set()
+        self._is_ours = any(self._ours(node, "path") for register in registers for node in register.fields())
+
+    def text(self) -> str:
+        """Give the spec, in its canonical layout."""
+        from unity_link.spec import format_text
+
+        top = self._top
+        if self._is_ours:
+            part = self._part_of_paths()
+        else:
+            part = self._part(top)
+        name = self._unique(_identifier(top.inst_name))
+        body = self._body(part, "")
+        highest = max(top.size * 8 // self._bits - 1, 1)
+        bits = max(8, highest.bit_length())
+        public = f"public {name}() {{\nGATEWAY(ADDRESS_BITS={bits}, DATA_BITS={self._bits});\n{body}}}\n"
+        groups = self._ours(top, "groups") or ""
+        enumerations = [f"enum {name} {{ {', '.join(values)} }}\n" for name, values in self._enumerations.items()]
+        components = [f"{_doc(self._docs[name])}{name}(){body}" for body, name in self._components.items()]
+        pieces = [_doc(part.doc) + public, groups, *enumerations, *components]
+        return format_text("\n".join(piece for piece in pieces if piece))
+
+    # From SystemRDL's own tree
+
+    def _part(self, node: Any) -> _Part:
+        part = _Part(_identifier(node.type_name or node.inst_name), doc=node.get_property("desc") or "")
+        for child in node.children(unroll=False):
+            kind = type(child).__name__
+            if kind == "RegNode":
+                self._add_register(part, child)
+            elif kind == "MemNode":
+                self._add_memory(part, child)
+            elif kind in {"RegfileNode", "AddrmapNode"}:
+                part.parts.append(self._placed(child, self._part(child)))
+        return part
+
+    def _placed(self, node: Any, part: _Part) -> _Placed:
+        address = self._word(node.raw_address_offset, node)
+        if not node.is_array:
+            return _Placed(node.inst_name, part, address)
+        count = node.n_elements
+        return _Placed(node.inst_name, part, address, count, self._word(node.array_stride, node))
+
+    def _word(self, byte_address: int, node: Any) -> int:
+        """Give the word address of a byte address."""
+        address, rest = divmod(byte_address, self._bits // 8)
+        if rest:
+            raise UnsupportedError(
+                f"{node.get_path()} is at byte {byte_address:#x}, which is not at the beginning of a word of {self._bits} bits"
+            )
+        return address
+
+    def _add_memory(self, part: _Part, node: Any) -> None:
+        address = self._word(node.raw_address_offset, node)
+        size = max(1, node.total_size * 8 // self._bits)
+        part.memories.append(f"{_doc(_desc(node))}{_name(node.inst_name)}: MEMORY(BASE={address:#x}, SIZE={size});\n")
+
+    def _add_register(self, part: _Part, node: Any) -> None:
+        fields = [found for one in node.fields() if (found := self._field(one)) is not None]
+        if node.is_array or len(fields) > 1:
+            inner = _Part(_identifier(node.type_name or node.inst_name), fields, doc=_desc(node))
+            part.parts.append(self._placed(node, inner))
+        elif fields:
+            (only,) = fields
+            only.name = node.inst_name
+            only.address += self._word(node.raw_address_offset, node)
+            only.doc = "\n".join(filter(None, (_desc(node), only.doc)))
+            part.fields.append(only)
+
+    def _field(self, node: Any) -> _Field | None:
+        reads, writes = node.is_sw_readable, node.is_sw_writable
+        if not reads and not writes:
+            return None
+        access = Access.READWRITE if reads and writes else Access.READ if reads else Access.WRITE
+        address, low = divmod(node.lsb, self._bits)
+        if low + node.width > self._bits and low:
+            raise UnsupportedError(f"{node.get_path()} goes over the end of a word of {self._bits} bits")
+        whole = low == 0 and node.width >= self._bits
+        bits = "" if whole else f"[{low}]" if node.width == 1 else f"[{low + node.width - 1}:{low}]"
+        doc = "\n".join(filter(None, (_desc(node), *_effects(node))))
+        return _Field(node.inst_name, address, bits, self._kind(node), access, [], doc)
+
+    def _kind(self, node: Any) -> str:
+        encode = node.get_property("encode")
+        if encode is not None:
+            return f"{self._enumeration(encode)} {node.width}"
+        properties = node.list_properties(list_all=True)
+        signed = "is_signed" in properties and node.get_property("is_signed")
+        fraction = node.get_property("fracwidth") if "fracwidth" in properties else None
+        if fraction is not None and 0 <= fraction <= node.width:
+            return f"{'fixed' if signed else 'ufixed'} {node.width - fraction}.{fraction}"
+        if signed:
+            return f"signed {node.width}"
+        return "bool" if node.width == 1 else f"unsigned {node.width}"
+
+    def _enumeration(self, encode: Any) -> str:
+        values = []
+        for member in encode:
+            doc = _doc(member.rdl_desc or "")
+            values.append(f"{doc}{_name(member.name)} = {member.value}")
+        name = _name(encode.type_name.removesuffix("_e") or encode.type_name)
+        while self._enumerations.setdefault(name, values) != values:
+            name += "_"
+        self._names.add(name)
+        return name
+
+    # From the paths of our own export
+
+    def _part_of_paths(self) -> _Part:
+        whole = _Part("top", doc=_desc(self._top))
+        registers = [node for node in self._top.descendants() if type(node).__name__ == "RegNode"]
+        for register in registers:
+            for node in register.fields():
+                path = self._ours(node, "path")
+                found = self._field(node) if path else None
+                if path is None or found is None:
+                    continue
+                *components, found.name = re.sub(r"\[(\d+)\]", r"_\1", path).split(".")
+                part = whole
+                for name in components:
+                    placed = next((one for one in part.parts if one.name == name), None)
+                    if placed is None:
+                        placed = _Placed(name, _Part(name), 0)
+                        part.parts.append(placed)
+                    part = placed.part
+                self._complete(found, node, path)
+                found.address += self._word(register.absolute_address, register)
+                part.fields.append(found)
+        _rebase(whole)
+        return whole
+
+    def _complete(self, found: _Field, node: Any, path: str) -> None:
+        """Add to a field what our own properties tell of it."""
+        kind = self._ours(node, "kind")
+        if kind is not None and node.get_property("encode") is None:
+            found.kind = kind
+            width = sum(int(part) for part in re.findall(r"\d+", kind)) or 1
+            # A signal of several words is as wide as its kind; its field is only the first of them.
+            if width > self._bits:
+                found.bits = ""
+        identity, unit = self._ours(node, "id"), self._ours(node, "unit")
+        if identity is not None and identity != path:
+            found.arguments.append(f"ID={_quoted(identity)}")
+        found.arguments += filter(None, [self._ours(node, "arguments")])
+        if unit is not None:
+            found.arguments.append(f"UNIT={_quoted(unit)}")
+        found.doc = _desc(node)
+
+    def _ours(self, node: Any, name: str) -> str | None:
+        name = f"ul_{name}"
+        value = node.get_property(name) if name in node.list_properties(list_all=True) else None
+        return None if value is None else value.replace("\\\\", "\\")
+
+    # Writing
+
+    def _body(self, part: _Part, base: str) -> str:
+        lines = list(part.memories)
+        for one in part.fields:
+            address = (
+                f"{base}{one.address:#x}" if base and one.address else base.removesuffix(" + ") or f"{one.address:#x}"
+            )
+            arguments = ", ".join(one.arguments)
+            lines.append(
+                f"{_doc(one.doc)}@{_name(one.name)} = {address}{one.bits}: {one.kind} {one.access}({arguments});\n"
+            )
+        for placed in part.parts:
+            type_name = self._component(placed.part)
+            address = f"{base}{placed.address:#x}"
+            count = "" if placed.count is None else f"[{placed.count}]"
+            step = "" if placed.count is None else f" + {placed.stride:#x} * i"
+            lines.append(f"{_name(placed.name)}{count}: {type_name}() @({address}{step});\n")
+        return "".join(lines)
+
+    def _component(self, part: _Part) -> str:
+        body = f": @(base) {{\n{self._body(part, 'base + ')}}}\n"
+        found = self._components.get(body)
+        if found is None:
+            found = self._components[body] = self._unique(_name(part.type_name))
+            self._docs[found] = part.doc
+        return found
+
+    def _unique(self, name: str) -> str:
+        number, unique = 1, name
+        while unique in self._names:
+            number += 1
+            unique = f"{name}_{number}"
+        self._names.add(unique)
+        return unique
+
+
+def _rebase(part: _Part) -> None:
+    """Make the absolute addresses in a part's parts relative to the lowest one of each."""
+    for placed in part.parts:
+        _rebase(placed.part)
+        inner = [*placed.part.fields, *placed.part.parts]
+        placed.address = min(one.address for one in inner)
+        for one in inner:
+            one.address -= placed.address
+
+
+def _effects(node: Any) -> Iterator[str]:
+    """Say what reading or writing does besides, which UL-spec has no word for."""
+    for word, name in (("Reading", "onread"), ("Writing", "onwrite")):
+        effect = node.get_property(name)
+        if effect is not None:
+            yield f"{word} it has an effect: {effect.name}."
+
+
+def _desc(node: Any) -> str:
+    desc: str = node.get_property("desc") or ""
+    return desc.replace("\\\\", "\\")
+
+
+def _doc(text: str) -> str:
+    return "".join(f"/// {line}\n" for line in text.splitlines())
+
+
+def _name(name: str) -> str:
+    return f"{name}_" if name in _RESERVED or name in {kind.value for kind in KindName} else name
+
+
+def _quoted(text: str) -> str:
+    escaped = text.replace("\\", "\\\\").replace('"', '\\"').replace("\n", "\\n").replace("\t", "\\t")
+    return f'"{escaped}"'
