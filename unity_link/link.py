@@ -8,7 +8,9 @@ means.
 from __future__ import annotations
 
 import asyncio
-from typing import TYPE_CHECKING, Any, Literal, Self
+from collections.abc import Sequence
+from operator import index
+from typing import TYPE_CHECKING, Any, Literal, Self, cast
 
 import msgspec
 import numpy as np
@@ -402,7 +404,7 @@ class Link:
         on_change: bool = False,
         immediate: bool = False,
         timestamps: bool | None = None,
-        buffer: int = 1024,
+        buffer: int = 16_384,
         overflow: Overflow = "drop_oldest",
         callback: Callable[[Sample], object] | None = None,
     ) -> Subscription:
@@ -416,7 +418,7 @@ class Link:
             on_change: publish only samples in which a word has changed.
             immediate: have the gateway send each sample at once instead of filling packets.
             timestamps: have the instant of sampling sent along; None: where the gateway can.
-            buffer: most samples that wait for the reader.
+            buffer: most samples that wait for the reader. The default holds all that one read of a socket can bring.
             overflow: what happens when they are more: ``"drop_oldest"`` and count, or ``"fail"``.
             callback: is called with each sample as it arrives, in place of iteration.
 
@@ -568,9 +570,12 @@ def _in_range(values: ArrayLike, highest: int, what: str) -> NDArray[Any]:
     """Give whole numbers from 0 to `highest` as an array of one dimension."""
     try:
         array = np.asarray(values)
-    except ValueError as error:
-        raise ArgumentError(f"a sequence of whole numbers was expected for each {what} ({error})") from None
-    if array.ndim != 1 or (array.size and array.dtype.kind not in "iub"):
+        if array.dtype.kind not in "iub" and isinstance(values, Sequence):
+            # numpy makes fractions of words from 2**63 on that stand beside smaller ones.
+            array = np.array([index(cast("int", value)) for value in values], object)
+    except (TypeError, ValueError):
+        array = np.array(None)
+    if array.ndim != 1 or (array.size and array.dtype.kind not in "iubO"):
         raise ArgumentError(f"a sequence of whole numbers was expected for each {what}, not {values!r:.80}")
     if array.size:
         low, high = int(array.min()), int(array.max())
