@@ -396,6 +396,7 @@ def test_a_request_that_was_sent_twice_is_not_timed() -> None:
 def test_a_longer_time_out_stays_until_a_round_trip_is_measured() -> None:
     window: Window[Named] = Window(RING, round_trip=0.1)
     sent(window, "a", now=0.0)
+    assert window.deadline is not None
     assert window.deadline == pytest.approx(0.3)
     window.heard = True
     window.expire(window.deadline)

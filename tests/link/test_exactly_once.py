@@ -1,0 +1,211 @@
+"""Exactly once, in order: the whole host against the gateway model, over lines that lose, damage and double bytes.
+
+Everything runs on simulated time, so a seed takes milliseconds. The bus behind the gateway remembers each access, and
+each write carries a word of its own. Most seeds use a CRC of 32 bits: one of 8 bits lets one damaged frame of 256
+pass, so over thousands of seeds some damage must go unnoticed, whatever the host does. The seeds that run with the
+usual CRC of 8 bits are fixed ones, in which that does not happen.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import random
+from typing import TYPE_CHECKING, Any
+
+import msgspec
+import pytest
+
+import unity_link
+from recorded_bus import RecordedBus
+from simulated_time import run_simulated
+from unity_link.errors import AnswerLostError
+from unity_link.virtual import VirtualGateway
+from unity_link.virtual.faults import Noise, NoisyLine
+from unity_link.virtual.line import SlowLine
+from unity_link.wire.gateway_info import Feature, GatewayInfo
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Coroutine
+
+    from unity_link import Link
+    from unity_link.virtual import Gateway
+
+CRC_32 = GatewayInfo(crc_bits=32, crc_polynomial=0x04C11DB7)
+CALLS = 40
+BATCH = 40
+ADDRESSES = 16
+
+
+class Program:
+    """A seeded program of calls on one link, and what the bus must have seen of it."""
+
+    def __init__(self, link: Link, seed: int) -> None:
+        self._link = link
+        self._random = random.Random(seed)
+        self._value = 0
+        self.expected: list[tuple[int, int]] = []
+        """Writes in the order of the calls, without those of batches, which take turns with other calls."""
+        self.batches: list[list[tuple[int, int]]] = []
+        self.answers_lost = 0
+        self._calls: list[Callable[[], Coroutine[Any, Any, None]]] = [
+            self._write,
+            self._write,
+            self._post,
+            self._post,
+            self._write_block,
+            self._write_queue,
+            self._write_masked,
+            self._read,
+            self._read_block,
+            self._write_many,
+            self._fence,
+        ]
+
+    async def run(self) -> None:
+        """Make the calls one after the other, now and then waiting for all that are under way."""
+        tasks: list[asyncio.Task[None]] = []
+        for _ in range(CALLS):
+            tasks.append(asyncio.create_task(self._random.choice(self._calls)()))
+            if self._random.random() < 0.3:
+                await asyncio.gather(*tasks)
+                tasks.clear()
+        await asyncio.gather(*tasks)
+        await self._link.fence()
+
+    def _unique(self, address: int) -> int:
+        self._value += 1
+        self.expected.append((address, self._value))
+        return self._value
+
+    async def _write(self) -> None:
+        address = self._random.randrange(ADDRESSES)
+        await self._link.write(address, self._unique(address))
+
+    async def _post(self) -> None:
+        address = self._random.randrange(ADDRESSES)
+        await self._link.post(address, self._unique(address))
+
+    async def _write_block(self) -> None:
+        count = self._random.randint(1, 6)
+        address = self._random.randrange(ADDRESSES - count)
+        await self._link.write_block(address, [self._unique(address + index) for index in range(count)])
+
+    async def _write_queue(self) -> None:
+        address = self._random.randrange(ADDRESSES)
+        await self._link.write_queue(address, [self._unique(address) for _ in range(self._random.randint(1, 4))])
+
+    async def _write_masked(self) -> None:
+        address = self._random.randrange(ADDRESSES)
+        try:
+            await self._link.write_masked(address, self._unique(address), 0xFFFFFFFF)
+        except AnswerLostError:
+            self.answers_lost += 1
+
+    async def _read(self) -> None:
+        assert await self._link.read(self._random.randrange(ADDRESSES)) <= self._value
+
+    async def _read_block(self) -> None:
+        words = await self._link.read_block(0, self._random.randint(1, ADDRESSES))
+        assert words.max() <= self._value
+
+    async def _write_many(self) -> None:
+        addresses = [ADDRESSES + self._random.randrange(ADDRESSES) for _ in range(self._random.randint(1, BATCH))]
+        batch = [(address, self._unique(address)) for address in addresses]
+        del self.expected[-len(batch) :]
+        self.batches.append(batch)
+        await self._link.write_many([address for address, _ in batch], [value for _, value in batch])
+
+    async def _fence(self) -> None:
+        await self._link.fence()
+
+
+def wait_for_nobody(gateway: Gateway) -> Gateway:
+    return gateway
+
+
+async def run_program(
+    seed: int, info: GatewayInfo, chances: dict[str, float], line: Callable[[VirtualGateway], Gateway] = wait_for_nobody
+) -> Program:
+    """Run the program of a seed, and compare what the bus saw with what was called."""
+    model = VirtualGateway(info)
+    bus = RecordedBus(model)
+    noisy = NoisyLine(line(model), Noise(2 * seed, **chances), Noise(2 * seed + 1, **chances))
+    async with unity_link.connect(noisy, timeout=3600) as link:
+        program = Program(link, seed)
+        await program.run()
+    assert [write for write in bus.writes if write[0] < ADDRESSES] == program.expected
+    batched = [write for write in bus.writes if write[0] >= ADDRESSES]
+    assert sorted(batched, key=lambda write: write[1]) == [write for batch in program.batches for write in batch]
+    position = {value: index for index, (_, value) in enumerate(batched)}
+    for batch in program.batches:
+        places = [position[value] for _, value in batch]
+        assert places == sorted(places)
+    return program
+
+
+def spread(total: float) -> dict[str, float]:
+    """Give the chances of a byte to be lost, damaged or doubled, `total` together."""
+    return {"loss": total / 3, "flip": total / 3, "double": total / 3}
+
+
+def small_fifo(model: VirtualGateway) -> Gateway:
+    """Put a slow line before a gateway, whose receive FIFO overflows unless the host counts."""
+    return SlowLine(model, bytes_per_second=100_000)
+
+
+WITHOUT_FLOW_CONTROL = msgspec.structs.replace(
+    CRC_32, features=CRC_32.features & ~Feature.FLOW_CONTROL, receive_fifo_bytes=64, transmit_fifo_bytes=64
+)
+LONG_IDS = msgspec.structs.replace(CRC_32, id_digits=3)
+RATES = pytest.mark.parametrize("total", [0.0, 0.003, 0.01], ids="{:.1%}".format)
+
+
+@RATES
+@pytest.mark.parametrize("info", [CRC_32, LONG_IDS], ids=["short IDs", "long IDs"])
+def test_each_write_is_executed_exactly_once_and_in_order(info: GatewayInfo, total: float) -> None:
+    for seed in range(50):
+        run_simulated(run_program(seed, info, spread(total)))
+
+
+@RATES
+def test_so_it_is_where_the_receive_fifo_is_small_and_nothing_stops_the_host(total: float) -> None:
+    for seed in range(50):
+        run_simulated(run_program(seed, WITHOUT_FLOW_CONTROL, spread(total), small_fifo))
+
+
+@RATES
+def test_so_it_is_with_the_usual_crc_of_8_bits_where_it_finds_the_damage(total: float) -> None:
+    for seed in range(25):
+        run_simulated(run_program(seed, GatewayInfo(), spread(total)))
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("kind", ["loss", "flip", "double", "all"])
+def test_thousands_of_seeds_are_executed_exactly_once_and_in_order(kind: str) -> None:
+    for seed in range(1000, 1750):
+        chances = spread(0.01) if kind == "all" else {kind: 0.006}
+        run_simulated(run_program(seed, CRC_32, chances))
+        if seed % 4 == 0:
+            run_simulated(run_program(seed, WITHOUT_FLOW_CONTROL, chances, small_fifo))
+
+
+def test_the_proof_can_fail() -> None:
+    """A gateway that forgets which request it expects executes twice, and that is seen."""
+
+    class Forgetful(VirtualGateway):
+        def receive(self, data: bytes, now: float) -> bytes:
+            if b"h" in data:
+                self.expected = self.expected - 1 & 0xFF
+            return super().receive(data, now)
+
+    def forgetful(model: VirtualGateway) -> Gateway:
+        other = Forgetful(CRC_32)
+        other.bus = model.bus
+        return other
+
+    async def all_seeds() -> None:
+        for seed in range(20):
+            await run_program(seed, CRC_32, spread(0.003), forgetful)
+
+    with pytest.raises((AssertionError, unity_link.UnityLinkError)):
+        run_simulated(all_seeds())

@@ -1,0 +1,42 @@
+"""A bus that remembers every access in the order in which the gateway made it: what "exactly once" is judged by."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from unity_link.virtual.bus import AccessError
+from unity_link.wire.messages import ErrorCode
+
+if TYPE_CHECKING:
+    from unity_link.virtual import VirtualGateway
+
+
+class RecordedBus:
+    """Memory behind a range of addresses of a gateway, from 0 on.
+
+    Args:
+        gateway: is given this device at all these addresses.
+        size: number of addresses.
+        failing: addresses of which every access ends in a bus error; the attempt is recorded all the same.
+    """
+
+    def __init__(self, gateway: VirtualGateway, size: int = 256, failing: frozenset[int] = frozenset()) -> None:
+        self.words: dict[int, int] = {}
+        self.writes: list[tuple[int, int]] = []
+        """Address and word of every write, in order."""
+        self.reads: list[int] = []
+        """Address of every read, in order."""
+        self._failing = failing
+        gateway.attach(self, range(size))
+
+    def read(self, offset: int, now: float) -> int:
+        self.reads.append(offset)
+        if offset in self._failing:
+            raise AccessError(ErrorCode.BUS_ERROR)
+        return self.words.get(offset, 0)
+
+    def write(self, offset: int, value: int, now: float) -> None:
+        self.writes.append((offset, value))
+        if offset in self._failing:
+            raise AccessError(ErrorCode.BUS_ERROR)
+        self.words[offset] = value
