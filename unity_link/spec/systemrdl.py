@@ -204,8 +204,8 @@ def import_file(path: Path, top: str | None = None) -> str:
 
 def _compiled(path: Path, top: str | None) -> Any:
     try:
-        from systemrdl import RDLCompileError, RDLCompiler
-        from systemrdl.messages import MessagePrinter, Severity
+        from systemrdl.compiler import RDLCompiler
+        from systemrdl.messages import MessagePrinter, RDLCompileError, Severity
     except ImportError:
         raise UnsupportedError("SystemRDL needs its compiler: pip install 'unity-link[rdl]'") from None
     found: list[Diagnostic] = []
@@ -248,10 +248,7 @@ class _Importer:
         from unity_link.spec import format_text
 
         top = self._top
-        if self._is_ours:
-            part = self._part_of_paths()
-        else:
-            part = self._part(top)
+        part = self._part_of_paths() if self._is_ours else self._part(top)
         name = self._unique(_identifier(top.inst_name))
         body = self._body(part, "")
         highest = max(top.size * 8 // self._bits - 1, 1)
@@ -435,7 +432,7 @@ def _rebase(part: _Part) -> None:
     """Make the absolute addresses in a part's parts relative to the lowest one of each."""
     for placed in part.parts:
         _rebase(placed.part)
-        inner = [*placed.part.fields, *placed.part.parts]
+        inner: list[_Field | _Placed] = [*placed.part.fields, *placed.part.parts]
         placed.address = min(one.address for one in inner)
         for one in inner:
             one.address -= placed.address
