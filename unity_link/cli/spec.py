@@ -121,10 +121,11 @@ def show(
             print_json(one)
         return
     console = out()
-    # A pipe gets whole lines; a tree would be cut at the width of the console.
-    width = None if console.is_terminal else _MOST_COLUMNS
+    if not console.is_terminal:
+        # A pipe gets whole lines; a tree would be cut at the width of the console.
+        console.width = _MOST_COLUMNS
     for one in chosen:
-        console.print(_tree(one), width=width)
+        console.print(_tree(one))
 
 
 def import_rdl(

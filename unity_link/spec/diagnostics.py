@@ -66,7 +66,12 @@ class Diagnostic(msgspec.Struct, frozen=True):
 
     def render(self) -> str:
         """Give the message with the line and what is meant in it underlined, without a line end."""
-        parts = [f"{self.span}: {self.severity}: {self.message}", *underlined(self.text, self.span)]
+        # A file as a whole has no line to show.
+        is_place = self.span.end_column > self.span.column or self.span.end_line > self.span.line
+        where = str(self.span) if is_place else self.span.file
+        parts = [f"{where}: {self.severity}: {self.message}"]
+        if is_place:
+            parts += underlined(self.text, self.span)
         if self.help:
             parts.append(f"  help: {self.help}")
         for note in self.notes:

@@ -47,6 +47,7 @@ class _Recovery:
         self._parser = parser.parse_interactive(source.text)
         self._tokens = list(tokenize(source.text))
         self._faults = 0
+        self._last_line = 0
 
     def run(self) -> None:
         """Go through the tokens to the end of the text."""
@@ -106,6 +107,11 @@ class _Recovery:
 
     def _report(self, token: Token, parser: InteractiveParser) -> None:
         place = (token.start_pos or 0, token.end_pos or 0)
+        line = self._source.line_of(place[0])
+        if line == self._last_line:
+            # Most likely it only follows from the fault before.
+            return
+        self._last_line = line
         hint = ""
         if token.type == "BAD_STRING":
             message, hint = "this string has no end", "close it with '\"' on the same line"

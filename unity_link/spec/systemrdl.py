@@ -285,9 +285,8 @@ class _Importer:
         """Give the word address of a byte address."""
         address, rest = divmod(byte_address, self._bits // 8)
         if rest:
-            raise UnsupportedError(
-                f"{node.get_path()} is at byte {byte_address:#x}, which is not at the beginning of a word of {self._bits} bits"
-            )
+            where = f"byte {byte_address:#x}, which is not at the beginning of a word of {self._bits} bits"
+            raise UnsupportedError(f"{node.get_path()} is at {where}")
         return address
 
     def _add_memory(self, part: _Part, node: Any) -> None:
@@ -396,13 +395,9 @@ class _Importer:
     def _body(self, part: _Part, base: str) -> str:
         lines = list(part.memories)
         for one in part.fields:
-            address = (
-                f"{base}{one.address:#x}" if base and one.address else base.removesuffix(" + ") or f"{one.address:#x}"
-            )
-            arguments = ", ".join(one.arguments)
-            lines.append(
-                f"{_doc(one.doc)}@{_name(one.name)} = {address}{one.bits}: {one.kind} {one.access}({arguments});\n"
-            )
+            address = f"{base}{one.address:#x}" if not base or one.address else "base"
+            declaration = f"{one.kind} {one.access}({', '.join(one.arguments)})"
+            lines.append(f"{_doc(one.doc)}@{_name(one.name)} = {address}{one.bits}: {declaration};\n")
         for placed in part.parts:
             type_name = self._component(placed.part)
             address = f"{base}{placed.address:#x}"
