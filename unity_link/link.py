@@ -449,7 +449,8 @@ class Link:
             (on_change, GroupFlag.ON_CHANGE),
         ):
             flags |= flag if wanted else GroupFlag(0)
-        where = check_addresses(self._addresses(np.atleast_1d(np.asarray(addresses))), self.gateway.group_words)
+        several: ArrayLike = [int(addresses)] if isinstance(addresses, int | np.integer) else addresses
+        where = check_addresses(self._addresses(several), self.gateway.group_words)
         schedule = Schedule(where, self._divisor(rate_hz, divisor), flags)
         return Subscription(self._groups, schedule, buffer=buffer, overflow=overflow, callback=callback)
 
