@@ -1,0 +1,509 @@
+"""Samples that a gateway takes by itself, in every form. Where time matters it is simulated."""
+
+from __future__ import annotations
+
+import asyncio
+import gc
+from typing import TYPE_CHECKING, Any
+
+import anyio
+import msgspec
+import numpy as np
+import pytest
+
+import unity_link
+from simulated_time import on_simulated_time
+from unity_link import ArgumentError, Feature, GatewayInfo, LinkLostError, Sample, SamplesLostError, UnsupportedError
+from unity_link.subscription import GatewayClock
+from unity_link.virtual import VirtualGateway
+from unity_link.virtual.faults import Noise, NoisyLine
+
+if TYPE_CHECKING:
+    from collections.abc import AsyncIterator
+
+    from unity_link import Link, Subscription
+    from unity_link.virtual import Gateway
+
+INFO = GatewayInfo(base_frequency_millihertz=1_000_000)
+
+
+class Counter:
+    """A device that counts its reads, so that no two samples are the same."""
+
+    def __init__(self) -> None:
+        self.count = 0
+
+    def read(self, offset: int, now: float) -> int:
+        self.count += 1
+        return self.count
+
+    def write(self, offset: int, value: int, now: float) -> None:
+        self.count = value
+
+
+async def take(samples: Subscription, count: int) -> list[Sample]:
+    return [await anext(samples) for _ in range(count)]
+
+
+# On any gateway
+
+
+@pytest.mark.asyncio
+async def test_a_subscription_gives_the_words_of_its_addresses(link: Link, gateway: Gateway) -> None:
+    await link.write_block(0x10, [1, 2, 3])
+    async with link.subscribe([0x12, 0x10], rate_hz=200) as samples:
+        first, second = await take(samples, 2)
+    assert first.values.tolist() == second.values.tolist() == [3, 1]
+    assert first.values.dtype == np.uint32
+    assert (first.sequence, second.sequence) == (0, 1)
+    assert (first.lost, second.lost) == (0, 0)
+    assert first.arrived <= second.arrived
+    assert first.time is not None
+    assert second.time is not None
+    assert second.time - first.time == pytest.approx(1 / 200)
+
+
+@pytest.mark.asyncio
+async def test_a_sample_can_be_asked_for(link: Link) -> None:
+    async with link.subscribe(0x10) as samples:
+        assert samples.rate_hz is None
+        for value in range(600):
+            await link.write(0x10, value)
+            await samples.publish()
+        taken = await take(samples, 600)
+    assert [sample.values.tolist() for sample in taken] == [[value] for value in range(600)]
+    assert [sample.sequence for sample in taken] == list(range(600))
+    assert (samples.lost, samples.received) == (0, 600)
+
+
+@pytest.mark.asyncio
+async def test_samples_and_batches_go_on_side_by_side(link: Link) -> None:
+    async with link.subscribe([1, 2, 3], rate_hz=5000) as samples:
+        await link.write_many(range(0x80), range(0x80))
+        for _ in range(5):
+            assert (await link.read_many(list(range(0x80)) * 20)).tolist() == list(range(0x80)) * 20
+        assert (await anext(samples)).values.size == 3
+
+
+@pytest.mark.asyncio
+async def test_without_timestamps_there_is_no_time(link: Link) -> None:
+    async with link.subscribe([0], timestamps=False, immediate=True) as samples:
+        await samples.publish()
+        assert (await anext(samples)).time is None
+
+
+@pytest.mark.asyncio
+async def test_a_callback_is_called_with_each_sample(link: Link) -> None:
+    seen: list[Sample] = []
+    async with link.subscribe([0x10], callback=seen.append) as samples:
+        for _ in range(3):
+            await samples.publish()
+    assert [sample.sequence for sample in seen] == [0, 1, 2]
+
+
+@pytest.mark.asyncio
+async def test_a_callback_that_raises_is_reported_and_stops_nothing(link: Link) -> None:
+    reports: list[dict[str, Any]] = []
+    asyncio.get_running_loop().set_exception_handler(lambda _, context: reports.append(context))
+
+    def fail(sample: Sample) -> None:
+        raise ZeroDivisionError(sample.sequence)
+
+    async with link.subscribe([0x10], callback=fail) as samples:
+        await samples.publish()
+        await samples.publish()
+    assert [str(report["exception"]) for report in reports] == ["0", "1"]
+    assert await link.read(0) == 0
+
+
+@pytest.mark.asyncio
+async def test_two_subscriptions_do_not_mix(link: Link) -> None:
+    await link.write_block(0, [10, 11])
+    async with link.subscribe([0]) as one, link.subscribe([1]) as other:
+        await other.publish()
+        await one.publish()
+        assert (await anext(one)).values.tolist() == [10]
+        assert (await anext(other)).values.tolist() == [11]
+
+
+@pytest.mark.asyncio
+async def test_iteration_ends_with_the_block(link: Link) -> None:
+    async with link.subscribe([0]) as samples:
+        await samples.publish()
+    assert [sample.sequence async for sample in samples] == [0]
+
+
+@pytest.mark.asyncio
+async def test_a_waiting_reader_is_let_go_when_the_block_ends(link: Link) -> None:
+    async def read(samples: Subscription) -> list[Sample]:
+        return [sample async for sample in samples]
+
+    async with link.subscribe([0]) as samples:
+        reader = asyncio.create_task(read(samples))
+        await samples.publish()
+    assert len(await reader) == 1
+
+
+@pytest.mark.asyncio
+async def test_only_one_task_reads_a_subscription(link: Link) -> None:
+    async with link.subscribe([0]) as samples:
+        reader = asyncio.ensure_future(anext(samples))
+        await asyncio.sleep(0)
+        with pytest.raises(ArgumentError, match="another task is already waiting"):
+            await anext(samples)
+        await samples.publish()
+        assert (await reader).sequence == 0
+
+
+@pytest.mark.asyncio
+async def test_a_reader_that_was_cancelled_loses_no_sample(link: Link) -> None:
+    async with link.subscribe([0]) as samples:
+        with anyio.move_on_after(0.001):
+            await anext(samples)
+        await samples.publish()
+        assert (await anext(samples)).sequence == 0
+
+
+@pytest.mark.asyncio
+async def test_a_closed_subscription_publishes_nothing(link: Link) -> None:
+    samples = link.subscribe([0])
+    with pytest.raises(ArgumentError, match="not open"):
+        await samples.publish()
+
+
+@pytest.mark.asyncio
+async def test_all_groups_can_be_in_use_and_are_free_again_afterwards(make_gateway: Any) -> None:
+    async with unity_link.connect(make_gateway(GatewayInfo(groups=3))) as link:
+        for _ in range(4):
+            async with link.subscribe([0]), link.subscribe([1]), link.subscribe([2]) as last:
+                with pytest.raises(UnsupportedError, match="all 3 groups of the gateway are in use"):
+                    await link.subscribe([3]).__aenter__()
+                await last.publish()
+                assert (await anext(last)).sequence == 0
+
+
+@pytest.mark.asyncio
+async def test_a_reused_group_starts_anew(make_gateway: Any) -> None:
+    async with unity_link.connect(make_gateway(GatewayInfo(groups=1))) as link:
+        for address in range(20):
+            await link.write(address, address)
+            async with link.subscribe([address]) as samples:
+                for sequence in range(3):
+                    await samples.publish()
+                    sample = await anext(samples)
+                    assert (sample.sequence, sample.values.tolist()) == (sequence, [address])
+                assert samples.lost == 0
+
+
+@pytest.mark.asyncio
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        ({"addresses": []}, "0 addresses .* expected 1 to 255"),
+        ({"addresses": range(256)}, "256 addresses"),
+        ({"addresses": [0x100]}, "is not from 0 to 0xff"),
+        ({"addresses": [-1]}, "address -0x1 is not from 0 to 0xff"),
+        ({"addresses": [0.5]}, "whole numbers"),
+        ({"addresses": [[1], [2, 3]]}, "whole numbers"),
+        ({"addresses": 0, "rate_hz": 1.0}, r"1 Hz was asked for, expected 1\.53 to 100000 Hz"),
+        ({"addresses": 0, "rate_hz": 100_001}, "expected 1.53 to 100000"),
+        ({"addresses": 0, "rate_hz": float("nan")}, "nan Hz"),
+        ({"addresses": 0, "rate_hz": -5}, "-5 Hz"),
+        ({"addresses": 0, "divisor": 0}, "divisor of 0"),
+        ({"addresses": 0, "divisor": 65536}, "expected 1 to 65535"),
+        ({"addresses": 0, "divisor": 1, "rate_hz": 100}, "a rate and a divisor"),
+        ({"addresses": 0, "buffer": 0}, "at least 1"),
+        ({"addresses": 0, "overflow": "explode"}, '"drop_oldest" or "fail", not \'explode\''),
+    ],
+    ids=lambda value: str(value)[:50],
+)
+async def test_a_wrong_subscription_raises_before_anything_is_sent(
+    link: Link, arguments: dict[str, Any], message: str
+) -> None:
+    sent = link.statistics.bytes_sent
+    with pytest.raises(ArgumentError, match=message):
+        link.subscribe(**arguments)
+    assert link.statistics.bytes_sent == sent
+
+
+@pytest.mark.asyncio
+@pytest.mark.parametrize(
+    ("features", "arguments", "name"),
+    [
+        (Feature(0), {}, "groups"),
+        (Feature.GROUPS, {"trigger": True}, "external triggers"),
+        (Feature.GROUPS, {"timestamps": True}, "timestamps"),
+    ],
+)
+async def test_a_gateway_without_the_feature_is_told_by_name(
+    make_gateway: Any, features: Feature, arguments: dict[str, Any], name: str
+) -> None:
+    async with unity_link.connect(make_gateway(GatewayInfo(features=features | Feature.FLOW_CONTROL))) as link:
+        with pytest.raises(UnsupportedError, match=f"built without {name}"):
+            link.subscribe([0], **arguments)
+
+
+@pytest.mark.asyncio
+async def test_timestamps_and_immediate_are_used_where_the_gateway_can(make_gateway: Any) -> None:
+    info = GatewayInfo(features=Feature.GROUPS | Feature.FLOW_CONTROL)
+    async with (
+        unity_link.connect(make_gateway(info)) as link,
+        link.subscribe([0], immediate=True) as samples,
+    ):
+        await samples.publish()
+        assert (await anext(samples)).time is None
+
+
+# On simulated time
+
+
+@on_simulated_time
+async def test_samples_come_at_the_rate_that_was_asked_for() -> None:
+    async with unity_link.connect(VirtualGateway(INFO)) as link:
+        async with link.subscribe([0], rate_hz=300) as samples:
+            assert samples.rate_hz == pytest.approx(1000 / 3)
+            taken = await take(samples, 100)
+        times = [sample.time for sample in taken if sample.time is not None]
+        assert np.diff(times) == pytest.approx(0.003)
+        async with link.subscribe([0], divisor=10) as samples:
+            assert samples.rate_hz == 100
+
+
+@on_simulated_time
+async def test_an_external_trigger_takes_samples() -> None:
+    gateway = VirtualGateway(INFO)
+    async with unity_link.connect(gateway) as link, link.subscribe([0], trigger=True) as samples:
+        for value in range(3):
+            await link.write(0, value)
+            gateway.trigger(asyncio.get_running_loop().time())
+            assert (await anext(samples)).values.tolist() == [value]
+
+
+@on_simulated_time
+async def test_on_change_only_changes_come_and_nothing_counts_as_lost() -> None:
+    async with (
+        unity_link.connect(VirtualGateway(INFO)) as link,
+        link.subscribe([0, 1], rate_hz=1000, on_change=True) as samples,
+    ):
+        seen = [(await anext(samples)).values.tolist()]
+        for value in range(1, 6):
+            await asyncio.sleep(10)
+            await link.write(1, value)
+            seen.append((await anext(samples)).values.tolist())
+        await asyncio.sleep(10)
+        assert seen == [[0, value] for value in range(6)]
+        assert (samples.received, samples.lost) == (6, 0)
+
+
+@on_simulated_time
+async def test_time_goes_on_over_the_wrap_of_timestamps_and_long_silence() -> None:
+    info = msgspec.structs.replace(INFO, clock_hz=100_000_000)
+    async with unity_link.connect(VirtualGateway(info)) as link, link.subscribe([0]) as samples:
+        times: list[float] = []
+        for pause in [1, 40, 3, 43, 500, 3600, 0.5, 86_400]:
+            await samples.publish()
+            sample = await anext(samples)
+            assert sample.time is not None
+            times.append(sample.time)
+            await asyncio.sleep(pause)
+    assert np.diff(times) == pytest.approx([1, 40, 3, 43, 500, 3600, 0.5], abs=1e-6)
+
+
+def test_a_clock_of_the_gateway_that_is_a_little_off_is_followed() -> None:
+    clock, start = GatewayClock(50_000_000), 12345
+    for step in range(100):
+        here = step * 60.0
+        ticks = start + int(here * 50_000_000 * 1.0001)
+        assert clock.seconds(ticks & 0xFFFFFFFF, here) == pytest.approx(ticks / 50_000_000)
+
+
+def test_a_sample_that_overtakes_another_goes_back_in_time() -> None:
+    clock = GatewayClock(1000)
+    assert clock.seconds(0x10, 0.0) == 0.016
+    assert clock.seconds(0x05, 0.0) == 0.005
+    assert clock.seconds(0xFFFFFFFF, 0.0) == -0.001
+
+
+class Dropping:
+    """A gateway that keeps chosen samples to itself."""
+
+    def __init__(self, gateway: VirtualGateway) -> None:
+        self.info, self.wake = gateway.info, gateway.wake
+        self.gateway = gateway
+        self.dropping = False
+
+    def __getattr__(self, name: str) -> Any:
+        return getattr(self.gateway, name)
+
+    def _filtered(self, data: bytes) -> bytes:
+        frames = data.splitlines(keepends=True)
+        return b"".join(frame for frame in frames if not (self.dropping and frame.startswith(b"P")))
+
+    def receive(self, data: bytes, now: float) -> bytes:
+        return self._filtered(self.gateway.receive(data, now))
+
+    def advance(self, now: float, room: int | None = None) -> bytes:
+        return self._filtered(self.gateway.advance(now, room))
+
+
+@pytest.mark.parametrize("lost", [1, 7, 100, 255, 256, 300, 1000])
+@on_simulated_time
+async def test_lost_samples_are_counted_however_many_when_they_have_timestamps(lost: int) -> None:
+    gateway = Dropping(VirtualGateway(INFO))
+    async with unity_link.connect(gateway) as link, link.subscribe([0], rate_hz=1000) as samples:
+        before = (await take(samples, 10))[-1]
+        gateway.dropping = True
+        await asyncio.sleep(lost / 1000)
+        gateway.dropping = False
+        after = (await take(samples, 1))[0]
+        assert after.lost == after.sequence - before.sequence - 1
+        assert abs(after.lost - lost) <= 1
+        assert samples.lost == after.lost == link.statistics.samples_lost
+        assert (await anext(samples)).lost == 0
+
+
+@pytest.mark.parametrize("lost", [1, 7, 100, 250])
+@on_simulated_time
+async def test_without_timestamps_up_to_255_lost_samples_are_counted(lost: int) -> None:
+    gateway = Dropping(VirtualGateway(INFO))
+    async with unity_link.connect(gateway) as link, link.subscribe([0], timestamps=False) as samples:
+        await samples.publish()
+        gateway.dropping = True
+        for _ in range(lost):
+            await samples.publish()
+        gateway.dropping = False
+        await samples.publish()
+        first, after = await take(samples, 2)
+        assert (first.lost, after.lost, after.sequence) == (0, lost, lost + 1)
+
+
+@on_simulated_time
+async def test_a_slow_reader_loses_the_oldest_and_is_told_how_many() -> None:
+    async with unity_link.connect(VirtualGateway(INFO)) as link, link.subscribe([0], buffer=4) as samples:
+        for _ in range(10):
+            await samples.publish()
+        taken = await take(samples, 4)
+        assert [sample.sequence for sample in taken] == [6, 7, 8, 9]
+        assert [sample.lost for sample in taken] == [6, 0, 0, 0]
+        assert (samples.lost, samples.received, link.statistics.samples_lost) == (6, 10, 6)
+
+
+@on_simulated_time
+async def test_samples_lost_on_the_way_and_in_the_buffer_add_up() -> None:
+    gateway = Dropping(VirtualGateway(INFO))
+    async with unity_link.connect(gateway) as link, link.subscribe([0], buffer=2) as samples:
+        for number in range(12):
+            gateway.dropping = number % 3 == 1
+            await samples.publish()
+        taken = await take(samples, 2)
+        assert [sample.sequence for sample in taken] == [9, 11]
+        assert [sample.lost for sample in taken] == [9, 1]
+        assert samples.lost == 10
+
+
+@on_simulated_time
+async def test_a_slow_reader_may_choose_to_fail_behind_the_samples_that_wait() -> None:
+    async with (
+        unity_link.connect(VirtualGateway(INFO)) as link,
+        link.subscribe([0], buffer=3, overflow="fail") as samples,
+    ):
+        for _ in range(5):
+            await samples.publish()
+        assert [sample.sequence for sample in await take(samples, 3)] == [0, 1, 2]
+        for _ in range(2):
+            with pytest.raises(SamplesLostError, match="too slow: 3 samples"):
+                await anext(samples)
+
+
+@on_simulated_time
+async def test_samples_are_right_or_counted_as_lost_on_a_bad_line() -> None:
+    gateway = VirtualGateway(GatewayInfo(crc_bits=32, crc_polynomial=0x04C11DB7, base_frequency_millihertz=1_000_000))
+    gateway.attach(Counter(), [0])
+    line = NoisyLine(gateway, Noise(1, loss=0.003, flip=0.003), Noise(2, loss=0.003, flip=0.003))
+    async with unity_link.connect(line) as link, link.subscribe([0], rate_hz=1000) as samples:
+        offset = None
+        for _ in range(2000):
+            sample = await anext(samples)
+            here = int(sample.values[0]) - sample.sequence
+            offset = here if offset is None else offset
+            assert here == offset
+        assert 0 < samples.lost < 1000
+
+
+@on_simulated_time
+async def test_what_is_no_sample_of_the_subscription_is_dropped() -> None:
+    async with unity_link.connect(VirtualGateway(INFO)) as link, link.subscribe([0]) as samples:
+        samples.receive(b"P0000", 0.0)
+        samples.receive(b"P00000000000G00000000", 0.0)
+        samples.receive(b"P00G00000000000000000", 0.0)
+        assert samples.received == 0
+
+
+# Groups that nobody wants any more
+
+
+async def running_groups(gateway: VirtualGateway) -> int:
+    await asyncio.sleep(1)
+    return sum(group.running for group in gateway.groups._groups.values())
+
+
+@on_simulated_time
+async def test_a_subscription_that_is_cancelled_leaves_no_group_running_on_a_bad_line() -> None:
+    for seed in range(50):
+        gateway = VirtualGateway(msgspec.structs.replace(INFO, groups=2))
+        noise = {"loss": 0.02}
+        line = NoisyLine(gateway, Noise(seed, **noise), Noise(seed + 1, **noise))
+        async with unity_link.connect(line, timeout=3600) as link:
+            for _ in range(4):
+                with anyio.move_on_after(0.0105):
+                    async with link.subscribe([0], rate_hz=1000) as samples:
+                        async for _ in samples:
+                            pass
+            assert await running_groups(gateway) == 0
+            async with link.subscribe([0]), link.subscribe([0]):
+                pass
+
+
+@on_simulated_time
+async def test_a_subscription_that_is_cancelled_while_it_is_set_up_leaves_no_group_running() -> None:
+    for delay in range(12):
+        gateway = VirtualGateway(msgspec.structs.replace(INFO, groups=1))
+        async with unity_link.connect(gateway) as link:
+            task = asyncio.create_task(link.subscribe([0], rate_hz=1000).__aenter__())
+            for _ in range(delay):
+                await asyncio.sleep(0)
+            if not task.cancel():
+                continue
+            await asyncio.wait([task])
+            if not task.cancelled():
+                continue
+            assert await running_groups(gateway) == 0
+            async with link.subscribe([0]) as samples:
+                await samples.publish()
+                assert (await anext(samples)).sequence == 0
+
+
+@on_simulated_time
+async def test_a_subscription_ends_with_the_link_behind_its_samples() -> None:
+    async with unity_link.connect(VirtualGateway(INFO)) as link, link.subscribe([0]) as samples:
+        await samples.publish()
+        await link.aclose()
+        assert (await anext(samples)).sequence == 0
+        with pytest.raises(LinkLostError, match="closed"):
+            await anext(samples)
+
+
+@on_simulated_time
+async def test_a_reader_that_does_not_read_takes_bounded_memory() -> None:
+    async def generate() -> AsyncIterator[int]:
+        async with (
+            unity_link.connect(VirtualGateway(INFO)) as link,
+            link.subscribe([0], rate_hz=1000, buffer=10) as samples,
+        ):
+            for _ in range(3):
+                await asyncio.sleep(20)
+                gc.collect()
+                yield sum(isinstance(thing, type(samples)) for thing in gc.get_objects())
+                assert len(samples._buffer) == 10
+
+    assert [count async for count in generate()] == [1, 1, 1]
