@@ -23,7 +23,12 @@ _MODULES = {
     "unix": "unix",
     "udp": "udp",
     "sim": "virtual",
+    "ftdi": "ft232h",
+    "ftdi-async": "ft232h_async",
 }
+_DEVICE_NAMES = frozenset({"ftdi", "ftdi-async"})
+"""Schemes whose URLs have a device in a form of its own, such as ``ftdi:232h:SERIAL``, where others have host and port.
+"""
 COMMON_OPTIONS = frozenset({"node"})
 
 
@@ -33,6 +38,7 @@ class DriverUrl(msgspec.Struct, frozen=True):
     text: str
     scheme: str
     host: str
+    """A computer; or a device, as it stands in the URL."""
     port: int | None
     path: str
     options: dict[str, str]
@@ -50,6 +56,18 @@ class DriverUrl(msgspec.Struct, frozen=True):
             return int(text, 0)
         except ValueError:
             raise ArgumentError(f"{option}={text} in {self.text} is not a whole number") from None
+
+    def number(self, option: str) -> float:
+        """Give an option that is a number, and is there.
+
+        Raises:
+            ArgumentError: where it is none.
+        """
+        text = self.options[option]
+        try:
+            return float(text)
+        except ValueError:
+            raise ArgumentError(f"{option}={text} in {self.text} is not a number") from None
 
     def flag(self, option: str) -> bool:
         """Give an option that is 0 or 1; 0 where it is not given.
@@ -95,7 +113,10 @@ def parse_url(url: str) -> DriverUrl:
     try:
         parts = urlsplit(url)
         options = dict(parse_qsl(parts.query, keep_blank_values=True, strict_parsing=bool(parts.query)))
-        parsed = DriverUrl(url, scheme, parts.hostname or "", parts.port, parts.path, options)
+        if scheme in _DEVICE_NAMES:
+            parsed = DriverUrl(url, scheme, parts.netloc, None, parts.path, options)
+        else:
+            parsed = DriverUrl(url, scheme, parts.hostname or "", parts.port, parts.path, options)
     except ValueError as error:
         raise ArgumentError(f"{url!r} is malformed: {error}") from None
     allowed = load_driver(scheme).OPTIONS | COMMON_OPTIONS

@@ -33,15 +33,8 @@ async def connect(url: DriverUrl, protocol: asyncio.Protocol) -> asyncio.Transpo
         url.path,
         {name: url.integer(name, 0) for name in CONFIGURATION if name in url.options},
         node=url.node,
-        chances={name: _number(url, name) for name in CHANCES if name in url.options},
+        chances={name: url.number(name) for name in CHANCES if name in url.options},
         seed=url.integer("seed", 0),
-        bytes_per_second=_number(url, "bytes_per_second") if "bytes_per_second" in url.options else None,
+        bytes_per_second=url.number("bytes_per_second") if "bytes_per_second" in url.options else None,
     )
     return await connect_gateway(gateway, protocol)
-
-
-def _number(url: DriverUrl, name: str) -> float:
-    try:
-        return float(url.options[name])
-    except ValueError:
-        raise ArgumentError(f"{name}={url.options[name]} in {url.text} is not a number") from None

@@ -1,0 +1,306 @@
+"""What a program sees of the chip, in modelled time: round trips, streams, faults."""
+
+from __future__ import annotations
+
+import random
+from typing import TYPE_CHECKING
+
+import pytest
+
+from unity_link.virtual import VirtualGateway
+from unity_link.virtual.ft232h.board import Board, GatewayBoard
+from unity_link.virtual.ft232h.chip import Chip, Mode
+from unity_link.virtual.ft232h.eeprom import build_eeprom
+from unity_link.virtual.ft232h.host import Status, Transfer, UsbHost
+from unity_link.virtual.ft232h.timing import Timing
+from unity_link.wire.gateway_info import GatewayInfo
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, MutableMapping
+
+IN, OUT = 0x81, 0x02
+MICROFRAME = 125e-6
+READ = b"R0ACB\n"
+ANSWER = b"R0A0000000037\n"
+
+
+def payload(ended: Transfer) -> bytes:
+    """Take the status bytes out of what was read."""
+    return b"".join(bytes(ended.data[start + 2 : start + 512]) for start in range(0, len(ended.data), 512))
+
+
+class Program:
+    """Has transfers done on a host, and waits for them; time passes only then."""
+
+    def __init__(self, board: Board, timing: Timing = Timing()) -> None:  # noqa: B008  (frozen)
+        self.chip = Chip(build_eeprom("FIFO", "S1"), timing)
+        self.host = UsbHost(self.chip, board)
+        self.now = 0.0
+
+    def submit(self, transfer: Transfer) -> Transfer:
+        self.host.submit(transfer, self.now)
+        return transfer
+
+    def wait(self, transfer: Transfer) -> Transfer:
+        while transfer.status is None or transfer.ends_at > self.now:
+            due = self.host.next_due
+            assert due is not None, "nothing will ever happen again"
+            self.now = max(self.now, due)
+            self.host.advance(self.now)
+        return transfer
+
+    def run_for(self, seconds: float) -> None:
+        self.now += seconds
+        self.host.advance(self.now)
+
+    def write(self, data: bytes) -> Transfer:
+        return self.wait(self.submit(Transfer(OUT, data=data)))
+
+    def transact(self, request: bytes, size: int = 16384) -> tuple[bytes, float]:
+        """Send a request with a read posted already; gives the answer, and how long it took."""
+        began = self.now
+        reading = self.submit(Transfer(IN, size=size))
+        self.submit(Transfer(OUT, data=request))
+        while len(self.wait(reading).data) <= 2:
+            reading = self.submit(Transfer(IN, size=size))
+        return payload(reading), self.now - began
+
+
+def new_program(mode: Mode = Mode.FIFO, timing: Timing = Timing()) -> Program:  # noqa: B008  (frozen)
+    program = Program(GatewayBoard(VirtualGateway(), mode), timing)
+    if mode is Mode.SYNC_FIFO:
+        program.chip.bit_mode = 0x40
+    return program
+
+
+@pytest.mark.parametrize("mode", [b"I01\r", b"I02\r"])
+def test_a_lone_read_with_send_immediate_takes_two_microframes_at_most(mode: bytes) -> None:
+    program = new_program()
+    program.transact(mode)
+    for _ in range(100):
+        program.run_for(random.Random(1).random() * MICROFRAME)
+        answer, took = program.transact(READ)
+        assert answer == ANSWER
+        assert took <= 2 * MICROFRAME + 1e-9
+
+
+def test_a_lone_read_without_send_immediate_takes_the_latency_timer() -> None:
+    program = new_program()
+    program.transact(b"I00\r")
+    program.run_for(0.1)
+    program.transact(READ)
+    answer, took = program.transact(READ)
+    assert answer == ANSWER
+    assert 0.016 - 2 * MICROFRAME < took < 0.016 + 2 * MICROFRAME
+
+
+def test_adaptive_send_immediate_lets_a_burst_fill_its_packets() -> None:
+    burst, packets = READ * 250, {}
+    for mode in (b"I00\r", b"I01\r", b"I02\r"):
+        program = new_program()
+        program.chip.control_out(0x40, 0x09, 1, 1, 0.0)
+        program.transact(mode)
+        program.submit(Transfer(OUT, data=burst))
+        received, count = b"", 0
+        posted = [program.submit(Transfer(IN, size=512)) for _ in range(4)]
+        while len(received) < 250 * len(ANSWER):
+            posted.append(program.submit(Transfer(IN, size=512)))
+            data = bytes(program.wait(posted.pop(0)).data)
+            received += data[2:]
+            count += len(data) > 2
+        assert received == ANSWER * 250
+        packets[mode] = count
+    full = -(-250 * len(ANSWER) // 510)
+    assert packets[b"I00\r"] <= full + 1
+    assert packets[b"I02\r"] <= full + 2
+    assert packets[b"I01\r"] > 2 * full
+
+
+def test_a_sample_of_a_group_that_asks_for_it_is_sent_at_once() -> None:
+    program = new_program()
+    program.transact(b"GS000503E8010A\r")
+    program.transact(b"GN00\r")
+    taken = []
+    for _ in range(50):
+        reading = program.wait(program.submit(Transfer(IN, size=512)))
+        taken.append(bytes(reading.data[2:]))
+    samples = [data for data in taken if data.startswith(b"P")]
+    # 100 Hz under a latency timer of 16 ms: alone in their packets.
+    assert len(samples) > 20
+    assert all(data.count(b"\n") == 1 for data in samples)
+
+
+class Echo:
+    """A gateway that sends back what it gets, and so fills both directions."""
+
+    def __init__(self) -> None:
+        self.info = GatewayInfo()
+        self.wake: Callable[[], None] = lambda: None
+        self.next_due: float | None = None
+        self.waiting = 0
+
+    @property
+    def memory(self) -> MutableMapping[int, int]:
+        raise NotImplementedError
+
+    def receive(self, data: bytes, now: float) -> bytes:
+        return data
+
+    def advance(self, now: float, room: int | None = None) -> bytes:
+        return b""
+
+
+def stream(seconds: float, *, mode: Mode, transfers: int, size: int, step: int) -> float:
+    """Have everything echoed for so long, and compare it; gives bytes a second in each direction."""
+    program = Program(GatewayBoard(Echo(), mode, step=step))
+    program.chip.bit_mode = 0x40 if mode is Mode.SYNC_FIFO else 0
+    pattern = random.Random(7).randbytes(1 << 20)
+    pattern += pattern[:size]
+    sent = received = 0
+    end = seconds
+
+    def send(ended: Transfer | None = None) -> None:
+        nonlocal sent
+        assert ended is None or ended.status is Status.DONE
+        if program.now < end:
+            start = sent % (1 << 20)
+            program.host.submit(Transfer(OUT, data=pattern[start : start + size], on_end=to_send.append), program.now)
+            sent += size
+
+    def check(ended: Transfer) -> None:
+        nonlocal received
+        assert ended.status is Status.DONE
+        for start in range(0, len(ended.data), 512):
+            packet = ended.data[start + 2 : start + 512]
+            place = received % (1 << 20)
+            assert packet == pattern[place : place + len(packet)]
+            received += len(packet)
+
+    to_send: list[Transfer] = []
+    to_check: list[Transfer] = []
+    for _ in range(transfers):
+        program.host.submit(Transfer(IN, size=size, on_end=to_check.append), program.now)
+        send()
+    received_by_end = 0
+    while received < sent or program.now < end:
+        if program.now < end:
+            received_by_end = received
+        due = program.host.next_due
+        assert due is not None
+        program.now = max(program.now, due)
+        program.host.advance(program.now)
+        for ended in to_check:
+            check(ended)
+            program.host.submit(Transfer(IN, size=size, on_end=to_check.append), program.now)
+        del to_check[:transfers]
+        for ended in to_send:
+            send(ended)
+        to_send.clear()
+    return received_by_end / end
+
+
+def test_a_stream_in_both_directions_loses_nothing_and_reaches_the_chip_s_rate() -> None:
+    rate = stream(0.2, mode=Mode.FIFO, transfers=4, size=4096, step=64)
+    assert 0.95 * 8e6 < rate <= 8e6
+
+
+def test_with_one_transfer_at_a_time_a_stream_loses_nothing_either() -> None:
+    assert stream(0.2, mode=Mode.FIFO, transfers=1, size=16384, step=64) > 0.8 * 8e6
+
+
+def test_a_synchronous_stream_shares_40_mb_per_second() -> None:
+    assert 15e6 < stream(0.1, mode=Mode.SYNC_FIFO, transfers=4, size=16384, step=256) <= 20e6
+
+
+@pytest.mark.slow
+def test_a_minute_of_8_mb_per_second_in_both_directions_loses_nothing() -> None:
+    rate = stream(60.0, mode=Mode.FIFO, transfers=4, size=16384, step=256)
+    assert rate > 0.97 * 8e6
+
+
+def test_a_gateway_that_answers_more_than_it_is_asked_holds_back_the_host() -> None:
+    program = new_program()
+    # Each request of 14 characters is answered by 2054: most of the time RD# has to wait.
+    requests = b"RM0020\r" * 20
+    program.submit(Transfer(OUT, data=requests))
+    received = b""
+    while received.count(b"\n") < 20:
+        received += bytes(program.wait(program.submit(Transfer(IN, size=512))).data[2:])
+    assert received == (b"RM0020" + b"00000000" * 32 + b"\r\n") * 20
+
+
+def test_samples_without_room_are_counted_and_the_rest_arrives_whole() -> None:
+    program = new_program()
+    program.transact(b"GS00010001010A\r")
+    program.transact(b"GN00\r")
+    program.run_for(1.0)
+    received = b""
+    while len(received) < 4000:
+        received += bytes(program.wait(program.submit(Transfer(IN, size=512))).data[2:])
+    lines = received.split(b"\n")[:-1]
+    assert all(line.startswith(b"P00") and len(line) == 15 for line in lines)
+
+
+# Faults
+
+
+def test_a_packet_of_exactly_510_bytes_arrives_with_the_latency_timer_at_the_latest() -> None:
+    program = new_program()
+    program.transact(b"I02\r")
+    # 36 answers of 14 bytes, and one of 6: together one full packet, which does not end the transfer.
+    requests = READ * 36 + b"W0A000000124F\n"
+    answer, took = program.transact(requests)
+    assert len(answer) == 510
+    assert took <= 0.016 + 3 * MICROFRAME
+    short, quick = new_program(timing=Timing(short_packet_after_full=True)).transact(requests)
+    assert len(short) == 510
+    assert quick < 0.001
+
+
+def test_unplugging_ends_every_transfer() -> None:
+    program = new_program()
+    transfers = [program.submit(Transfer(IN, size=512)), program.submit(Transfer(OUT, data=READ))]
+    program.host.unplug(program.now)
+    assert [transfer.status for transfer in transfers] == [Status.GONE] * 2
+    with pytest.raises(ConnectionError):
+        program.submit(Transfer(IN, size=512))
+
+
+def test_a_halted_endpoint_stalls_until_it_is_cleared() -> None:
+    program = new_program()
+    program.host.halt(OUT, program.now)
+    assert program.write(READ).status is Status.STALLED
+    program.host.control_out(0x02, 0x01, 0, OUT, program.now)
+    assert program.write(READ).status is Status.DONE
+
+
+def test_a_cancelled_read_loses_no_byte() -> None:
+    program = new_program()
+    program.submit(Transfer(OUT, data=READ * 100))
+    reading = program.submit(Transfer(IN, size=16384))
+    program.run_for(3 * MICROFRAME)
+    program.host.cancel(reading, program.now)
+    received = payload(reading)
+    while received.count(b"\n") < 100:
+        received += payload(program.wait(program.submit(Transfer(IN, size=512))))
+    assert received == ANSWER * 100
+
+
+def test_in_the_wrong_mode_no_byte_passes_the_pins() -> None:
+    program = new_program(Mode.SYNC_FIFO)
+    program.chip.bit_mode = 0
+    program.write(READ)
+    program.run_for(0.1)
+    assert program.chip.readable == len(READ)
+    assert program.wait(program.submit(Transfer(IN, size=512))).moved == 2
+
+
+def test_a_uart_that_is_not_read_overruns_and_says_so() -> None:
+    program = Program(GatewayBoard(VirtualGateway(), Mode.UART))
+    program.chip.eeprom[:] = build_eeprom("UART")
+    program.chip.power_up(0.0)
+    program.chip.baud = 12e6
+    program.write(READ * 100)
+    program.run_for(0.01)
+    first = program.wait(program.submit(Transfer(IN, size=512)))
+    assert first.data[1] & 0x02
