@@ -139,6 +139,9 @@ architecture rtl of unity_link_core is
   signal fifo_out         : std_logic_vector(8 downto 0);
   signal fifo_out_valid   : std_logic;
   signal fifo_out_ready   : std_logic;
+  signal character_in     : std_logic_vector(8 downto 0);
+  signal character_valid  : std_logic;
+  signal character_ready  : std_logic;
 
   -- Bodies in.
   signal body_data        : std_logic_vector(7 downto 0);
@@ -293,6 +296,21 @@ begin
       level     => open
     );
 
+  rx_register_inst : entity work.stream_register
+    generic map (
+      width => 9
+    )
+    port map (
+      clk       => clk,
+      rst       => rst,
+      in_data   => fifo_out,
+      in_valid  => fifo_out_valid,
+      in_ready  => fifo_out_ready,
+      out_data  => character_in,
+      out_valid => character_valid,
+      out_ready => character_ready
+    );
+
   datalink_rx_inst : entity work.datalink_rx
     generic map (
       crc_bits       => crc_bits,
@@ -303,10 +321,10 @@ begin
     port map (
       clk        => clk,
       rst        => rst,
-      in_data    => fifo_out(7 downto 0),
-      in_lost    => fifo_out(8),
-      in_valid   => fifo_out_valid,
-      in_ready   => fifo_out_ready,
+      in_data    => character_in(7 downto 0),
+      in_lost    => character_in(8),
+      in_valid   => character_valid,
+      in_ready   => character_ready,
       out_data   => body_data,
       out_valid  => body_valid,
       out_ready  => body_ready,
@@ -662,7 +680,8 @@ begin
   tx_data   <= tx_entry(7 downto 0);
   tx_valid  <= tx_waits;
   tx_leaves <= tx_waits and tx_ready;
-  active    <= fifo_out_valid or datalink_busy or decoder_busy or hold or writer_busy or sending_busy or tx_waits;
+  active    <= fifo_out_valid or character_valid or datalink_busy or decoder_busy or hold or writer_busy or sending_busy
+               or tx_waits;
 
   with_send_immediate : if send_immediate generate
 

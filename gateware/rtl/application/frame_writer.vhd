@@ -4,8 +4,8 @@
 -- letter and words alone, because its number, sequence and timestamp stand before its words in the sample ring, which is
 -- laid out as they are sent. Where both wait, answers and samples take turns.
 --
--- The first word of a sample, from the top: group (8 bits), sequence (8), count of words (8), timestamp follows, plain
--- frame, send immediately. All words of both rings are aligned to the top, where their digits are taken.
+-- The first word of a sample, from the top: group (8 bits), sequence (8), words of the sample in the ring, this one
+-- included (9), a timestamp follows, plain frame, send immediately. All words of both rings are aligned to the top, where their digits are taken.
 
 library ieee;
   use ieee.std_logic_1164.all;
@@ -98,6 +98,7 @@ architecture rtl of frame_writer is
   signal take_answer : std_logic;
   signal take_sample : std_logic;
   signal load_word   : std_logic;
+  signal sample_kept : std_logic_vector(word_bits - 1 downto 0);
   signal top         : std_logic_vector(31 downto 0);
 
   -- The letters of each message, as the five low bits of their codes; the second is 0 where there is none.
@@ -225,7 +226,7 @@ begin
                  (r.from_sample or not sample_available);
   take_sample <= to_std_logic(r.state = state_idle) and advance and sample_available and
                  not (r.from_sample and answer_valid);
-  top         <= sample_word(word_bits - 1 downto word_bits - 32);
+  top         <= sample_kept(word_bits - 1 downto word_bits - 32);
 
   answer_taken <= take_answer;
   response_pop <= load_word and not r.from_sample;
@@ -242,6 +243,26 @@ begin
                (to_std_logic(r.state = state_words and r.left = 0 and r.words /= 1)) or
                (to_std_logic(r.state = state_head and r.left = 0 and r.has_pair = '0' and r.words /= 0)) or
                (to_std_logic(r.state = state_pair and r.left = 0 and r.words /= 0)));
+
+  -- A register behind the ring's memory, which is slow to show what it read; but words of two digits leave no time for it.
+  short_words : if data_digits <= 2 generate
+
+    sample_kept <= sample_word;
+
+  end generate short_words;
+
+  long_words : if data_digits > 2 generate
+
+    keep : process (clk) is
+    begin
+
+      if rising_edge(clk) then
+        sample_kept <= sample_word;
+      end if;
+
+    end process keep;
+
+  end generate long_words;
 
   main : process (clk) is
 
@@ -388,16 +409,13 @@ begin
       v.state       := state_letter;
       v.message     := message_publish;
       v.lower       := '0';
-      v.word        := sample_word;
-      v.stamp_next  := top(7);
-      v.words       := resize(unsigned(top(15 downto 8)), v.words'length) + 1;
-      if top(7) = '1' then
-        v.words := resize(unsigned(top(15 downto 8)), v.words'length) + 2;
-      end if;
+      v.word        := sample_kept;
+      v.words       := unsigned(top(15 downto 7));
+      v.stamp_next  := top(6);
       v.from_sample := '1';
-      v.out_plain   := top(6);
+      v.out_plain   := top(5);
       v.out_mark    := flush_none;
-      if top(5) = '1' then
+      if top(4) = '1' then
         v.out_mark := flush_now;
       end if;
 
@@ -461,7 +479,7 @@ begin
         if load_word = '1' then
           v.word := from_response(response_word);
           if r.from_sample = '1' then
-            v.word := sample_word;
+            v.word := sample_kept;
           end if;
         end if;
       end if;

@@ -1,6 +1,6 @@
 -- Says which periodic groups are due: counts the divisor of each down at every base tick.
 --
--- At a tick, all groups pass a pipeline of one group a cycle: read the counter, count, write it back. So the time from
+-- At a tick, all groups pass a pipeline of one group a cycle: read the counter, keep it, count and write it back. So the time from
 -- the tick to a group's `due` depends on its number alone. A group that is still due when it becomes due again has lost a
 -- sample: that is counted beside its counter, for whoever serves it at last.
 
@@ -58,6 +58,11 @@ architecture rtl of group_timer is
   signal read_divisor  : std_logic_vector(15 downto 0);
   signal read_counter  : std_logic_vector(15 downto 0);
   signal read_losses   : std_logic_vector(7 downto 0);
+  signal kept_valid    : std_logic;
+  signal kept_index    : index_t;
+  signal kept_divisor  : std_logic_vector(15 downto 0);
+  signal kept_counter  : std_logic_vector(15 downto 0);
+  signal kept_losses   : std_logic_vector(7 downto 0);
   signal lost_read     : std_logic_vector(7 downto 0);
   signal is_due        : std_logic;
   signal was_due       : std_logic;
@@ -69,20 +74,20 @@ architecture rtl of group_timer is
 
 begin
 
-  busy <= scanning or read_valid or tick;
+  busy <= scanning or read_valid or kept_valid or tick;
   lost <= unsigned(lost_read);
 
-  counts  <= read_valid and running(to_integer(read_index) mod groups) and to_std_logic(unsigned(read_divisor) /= 0);
-  is_due  <= counts and to_std_logic(unsigned(read_counter) = 1);
-  was_due <= due(to_integer(read_index) mod groups) and not clear(to_integer(read_index) mod groups);
+  counts  <= kept_valid and running(to_integer(kept_index) mod groups) and to_std_logic(unsigned(kept_divisor) /= 0);
+  is_due  <= counts and to_std_logic(unsigned(kept_counter) = 1);
+  was_due <= due(to_integer(kept_index) mod groups) and not clear(to_integer(kept_index) mod groups);
 
   write_counter <= counts or start;
-  write_index   <= read_index when read_valid = '1' else
+  write_index   <= kept_index when kept_valid = '1' else
                    number(index_t'range);
-  new_counter   <= x"0001" when read_valid = '0' else
-                   read_divisor when is_due = '1' else
-                   std_logic_vector(unsigned(read_counter) - 1);
-  new_losses    <= std_logic_vector(unsigned(read_losses) + 1) when was_due = '1' else
+  new_counter   <= x"0001" when kept_valid = '0' else
+                   kept_divisor when is_due = '1' else
+                   std_logic_vector(unsigned(kept_counter) - 1);
+  new_losses    <= std_logic_vector(unsigned(kept_losses) + 1) when was_due = '1' else
                    x"00";
 
   memories : process (clk) is
@@ -100,10 +105,14 @@ begin
       read_counter <= counters(to_integer(scan_index));
 
       if is_due = '1' then
-        losses(to_integer(read_index)) <= new_losses;
+        losses(to_integer(kept_index)) <= new_losses;
       end if;
       read_losses <= losses(to_integer(scan_index));
       lost_read   <= losses(to_integer(lost_number(index_t'range)));
+
+      kept_divisor <= read_divisor;
+      kept_counter <= read_counter;
+      kept_losses  <= read_losses;
     end if;
 
   end process memories;
@@ -123,10 +132,12 @@ begin
       end if;
       read_valid <= scanning;
       read_index <= scan_index;
+      kept_valid <= read_valid;
+      kept_index <= read_index;
 
       for index in due'range loop
 
-        if is_due = '1' and read_index = index then
+        if is_due = '1' and kept_index = index then
           due(index) <= '1';
         elsif clear(index) = '1' then
           due(index) <= '0';
@@ -139,6 +150,8 @@ begin
         scan_index <= (others => '0');
         read_valid <= '0';
         read_index <= (others => '0');
+        kept_valid <= '0';
+        kept_index <= (others => '0');
         due        <= (others => '0');
       end if;
     end if;

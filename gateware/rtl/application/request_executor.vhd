@@ -4,7 +4,8 @@
 -- checks is that of the protocol: frame, command, form (the decoder's verdict), sequence, range, bus.
 --
 -- What is read goes to the response ring before the answer begins, because an error further on makes the answer that
--- error alone. The words to write stand in the request memory, whose read port follows `memory_index` one cycle later.
+-- error alone. The words of a block to write, and the mask of WK, stand in the request memory, whose read port follows `memory_index`
+-- one cycle later; a single word comes straight from the decoder.
 
 library ieee;
   use ieee.std_logic_1164.all;
@@ -90,7 +91,7 @@ architecture rtl of request_executor is
 
   subtype id_t is std_logic_vector(4 * id_digits - 1 downto 0);
 
-  type state_t is (state_idle, state_room, state_access, state_stop, state_copy, state_group, state_answer);
+  type state_t is (state_idle, state_room, state_load, state_access, state_stop, state_copy, state_group, state_answer);
 
   constant mode_off      : std_logic_vector(1 downto 0) := "00";
   constant mode_always   : std_logic_vector(1 downto 0) := "01";
@@ -159,18 +160,21 @@ architecture rtl of request_executor is
 
   end function half_ring;
 
-  signal r         : registers_t;
-  signal is_write  : std_logic;
-  signal is_queue  : std_logic;
-  signal is_masked : std_logic;
-  signal last_word : std_logic;
-  signal ok_done   : std_logic;
-  signal failed    : std_logic;
+  signal r           : registers_t;
+  signal is_write    : std_logic;
+  signal is_queue    : std_logic;
+  signal is_masked   : std_logic;
+  signal is_block    : std_logic;
+  signal last_word   : std_logic;
+  signal ok_done     : std_logic;
+  signal failed      : std_logic;
+  signal memory_kept : std_logic_vector(data_bits - 1 downto 0);
 
 begin
 
   is_masked <= to_std_logic(masked_write and r.command = command_wk);
   is_write  <= r.command(2) or r.modifying;
+  is_block  <= to_std_logic(r.command = command_wm or r.command = command_wq);
   is_queue  <= to_std_logic(r.command = command_rq or r.command = command_wq);
   last_word <= to_std_logic(r.left = 1) and not (is_masked and not r.modifying);
   ok_done   <= access_done and to_std_logic(access_failure = error_none);
@@ -185,8 +189,9 @@ begin
   access_more      <= not last_word and not is_queue;
   access_exclusive <= is_write or is_masked;
   access_address   <= std_logic_vector(r.address);
-  access_data      <= (access_read_data and not memory_word) or (request_word and memory_word) when is_masked = '1' else
-                      memory_word;
+  access_data      <= memory_kept when is_block = '1' else
+                      (access_read_data and not memory_kept) or (request_word and memory_kept) when is_masked = '1' else
+                      request_word;
 
   ring_write    <= ok_done and not is_write;
   ring_commit   <= to_std_logic(r.state = state_answer) and answer_taken;
@@ -310,9 +315,12 @@ begin
             v.access_request := '0';
           end if;
 
-        when command_w | command_wm | command_wq | command_ws =>
+        when command_w | command_ws =>
           v.state          := state_access;
           v.access_request := '1';
+
+        when command_wm | command_wq =>
+          v.state := state_load;
 
         when command_gs =>
           begin_group_operation(group_stop, state_stop);
@@ -436,6 +444,7 @@ begin
   begin
 
     if rising_edge(clk) then
+      memory_kept     <= memory_word;
       v               := r;
       v.is_expected   := to_std_logic(unsigned(request_id) = r.expected);
       v.is_ahead      := not half_ring(unsigned(request_id) - r.expected);
@@ -456,6 +465,10 @@ begin
             v.state          := state_access;
             v.access_request := '1';
           end if;
+
+        when state_load =>
+          v.state          := state_access;
+          v.access_request := '1';
 
         when state_access =>
           if access_granted = '1' and r.command(2) = '1' then

@@ -19,14 +19,17 @@ entity send_immediate is
     mark   : in    flush_mark_t;
     -- A byte, a request or an answer is somewhere in the gateway.
     active : in    std_logic;
-    -- One cycle: send now what was given to the physical layer up to the cycle before.
+    -- One cycle: send now what was given to the physical layer so far.
     flush  : out   std_logic
   );
 end entity send_immediate;
 
 architecture rtl of send_immediate is
 
-  signal waiting : std_logic;
+  -- What left in the cycle before: a FIFO's memory is slow to show it.
+  signal has_left : std_logic;
+  signal its_mark : flush_mark_t;
+  signal waiting  : std_logic;
 
 begin
 
@@ -34,11 +37,13 @@ begin
   begin
 
     if rising_edge(clk) then
-      flush <= '0';
-      if left = '1' and mark = flush_now then
+      has_left <= left;
+      its_mark <= mark;
+      flush    <= '0';
+      if has_left = '1' and its_mark = flush_now then
         flush   <= '1';
         waiting <= '0';
-      elsif left = '1' and mark = flush_when_idle then
+      elsif has_left = '1' and its_mark = flush_when_idle then
         waiting <= '1';
       elsif waiting = '1' and active = '0' then
         flush   <= '1';
@@ -46,8 +51,10 @@ begin
       end if;
 
       if rst = '1' then
-        flush   <= '0';
-        waiting <= '0';
+        has_left <= '0';
+        its_mark <= flush_none;
+        flush    <= '0';
+        waiting  <= '0';
       end if;
     end if;
 

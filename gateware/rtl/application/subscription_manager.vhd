@@ -94,7 +94,7 @@ architecture rtl of subscription_manager is
   signal last            : last_t;
 
   type state_t is (
-    state_idle, state_fetch, state_prepare, state_sample, state_finish, state_wait_timer, state_told
+    state_idle, state_fetch, state_keep, state_prepare, state_sample, state_finish, state_wait_timer, state_told
   );
 
   type reason_t is (reason_periodic, reason_trigger, reason_request);
@@ -103,11 +103,13 @@ architecture rtl of subscription_manager is
   signal reason          : reason_t;
   signal number          : number_t;
 
-  -- Settings and state of group `number`, two cycles after that.
+  -- Settings and state of group `number`: read one cycle after that, and kept in the cycle after.
   signal settings_read   : std_logic_vector(13 downto 0);
+  signal settings        : std_logic_vector(13 downto 0);
   signal flags           : std_logic_vector(5 downto 0);
   signal count           : unsigned(7 downto 0);
   signal state_read      : std_logic_vector(9 downto 0);
+  signal group_state     : std_logic_vector(9 downto 0);
   signal group_sequence  : unsigned(7 downto 0);
   signal is_first        : std_logic;
   signal half            : std_logic;
@@ -145,7 +147,10 @@ architecture rtl of subscription_manager is
   signal changed         : std_logic;
   signal failed          : std_logic;
   signal last_read       : std_logic_vector(data_bits - 1 downto 0);
+  signal last_word       : std_logic_vector(data_bits - 1 downto 0);
   signal address_read    : std_logic_vector(address_bits - 1 downto 0);
+  -- Words of the sample in the ring: header and timestamp included.
+  signal total           : unsigned(8 downto 0);
   signal word_done       : std_logic;
   signal enough_room     : std_logic;
   signal accepted        : std_logic;
@@ -306,14 +311,14 @@ begin
 
   -- Memories.
 
-  number_byte   <= resize(number, 8);
-  flags         <= settings_read(5 downto 0);
-  count         <= unsigned(settings_read(13 downto 6));
-  group_sequence <= unsigned(state_read(7 downto 0));
-  is_first      <= state_read(8);
-  half          <= state_read(9);
-  timer_divisor <= group_divisor when group_flags(flag_periodic) = '1' else
-                   (others => '0');
+  number_byte    <= resize(number, 8);
+  flags          <= settings(5 downto 0);
+  count          <= unsigned(settings(13 downto 6));
+  group_sequence <= unsigned(group_state(7 downto 0));
+  is_first       <= group_state(8);
+  half           <= group_state(9);
+  timer_divisor  <= group_divisor when group_flags(flag_periodic) = '1' else
+                    (others => '0');
 
   memories : process (clk) is
   begin
@@ -323,21 +328,25 @@ begin
         settings_memory(to_integer(number)) <= group_count & group_flags;
       end if;
       settings_read <= settings_memory(to_integer(number));
+      settings      <= settings_read;
 
       if state_write = '1' then
         state_memory(to_integer(number)) <= new_state;
       end if;
-      state_read <= state_memory(to_integer(number));
+      state_read  <= state_memory(to_integer(number));
+      group_state <= state_read;
 
       if list_write = '1' then
         list(to_integer(place(unsigned(group_number(group_bits - 1 downto 0)), unsigned(list_index)))) <= list_address;
       end if;
-      address_read <= list(to_integer(place(number, asked)));
+      address_read   <= list(to_integer(place(number, asked)));
+      access_address <= address_read;
 
       if word_done = '1' then
         last(to_integer(place(number, stored) & not half)) <= access_read_data;
       end if;
       last_read <= last(to_integer(place(number, stored) & half));
+      last_word <= last_read;
 
       group_is_set <= '0';
       if unsigned(group_number) < groups then
@@ -366,17 +375,18 @@ begin
   end process stamps;
 
   wants          <= flags(flag_trigger) or to_std_logic(reason /= reason_trigger);
-  enough_room    <= to_std_logic(ring_room >= resize(count, 9) + 2);
+  enough_room    <= to_std_logic(ring_room >= total);
   word_done      <= access_done and to_std_logic(state = state_sample);
   accepted       <= not failed and (changed or is_first or not flags(flag_on_change) or to_std_logic(reason = reason_request));
   access_request <= to_std_logic(state = state_sample);
   access_more    <= to_std_logic(asked + 1 /= count);
-  access_address <= address_read;
 
   write_header  <= to_std_logic(state = state_prepare) and wants and enough_room;
   write_stamp   <= access_granted and to_std_logic(asked = 0) and flags(flag_timestamp);
-  header        <= std_logic_vector(number_byte & own_sequence & count) & flags(flag_timestamp) & flags(flag_plain) &
-                   flags(flag_immediate) & "00000";
+  total         <= resize(count, 9) + 2 when flags(flag_timestamp) = '1' else
+                   resize(count, 9) + 1;
+  header        <= std_logic_vector(number_byte & own_sequence & total) & flags(flag_timestamp) & flags(flag_plain) &
+                   flags(flag_immediate) & "0000";
   ring_write    <= write_header or write_stamp or word_done;
   ring_data     <= aligned(header, 32) when write_header = '1' else
                    aligned(std_logic_vector(stamp), 32) when write_stamp = '1' else
@@ -475,7 +485,10 @@ begin
 
         when state_fetch =>
           lost_kept <= lost;
-          state     <= state_prepare;
+          state     <= state_keep;
+
+        when state_keep =>
+          state <= state_prepare;
           if reason = reason_request and group_operation /= group_publish then
             state <= state_wait_timer;
           end if;
@@ -495,7 +508,7 @@ begin
           end if;
           if access_done = '1' then
             stored <= stored + 1;
-            if access_read_data /= last_read then
+            if access_read_data /= last_word then
               changed <= '1';
             end if;
             if access_failure /= error_none then

@@ -1,0 +1,28 @@
+"""The whole gateway at its FIFO port, in the configurations that the behaviours in question need."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from gateware.bench.runner import run_bench
+
+SOURCES = [Path(__file__).resolve().parent / "unity_link_bench.vhd"]
+
+
+def _run(module: str, **generics: object) -> None:
+    run_bench("unity_link_bench", f"gateware.bench.unity_link.{module}", generics=generics, extra_sources=SOURCES)
+
+
+def test_the_figures_of_the_project_hold_in_clock_cycles() -> None:
+    _run("bench_figures")
+
+
+@pytest.mark.parametrize("pipelined", [False, True], ids=["classic", "pipelined"])
+def test_requests_are_executed_as_the_protocol_says(pipelined: bool) -> None:
+    _run("bench_requests", wb_pipelined=pipelined, error_at=0xE0, silent_at=0xE8)
+
+
+def test_groups_are_published_as_the_protocol_says() -> None:
+    _run("bench_groups", cycles_at=0xF0, error_at=0xE0, base_frequency_millihertz=250_000_000)
