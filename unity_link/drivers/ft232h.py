@@ -260,9 +260,9 @@ class ChipTransport(asyncio.Transport):
                 elif number != errno.ETIMEDOUT:
                     raise
                 continue
-            if len(data) > STATUS_SIZE:
+            if payload := self._status.strip(data):
                 stalls = 0
-                self._keep(self._status.strip(data))
+                self._keep(payload)
 
     def _keep(self, data: bytes) -> None:
         with self._changed:

@@ -126,6 +126,8 @@ class VirtualFt232h:
         """Whether the operating system lets nobody open it."""
         self.claimed_by: object | None = None
         """Who has its interface; another program, where it is a stranger."""
+        self.times_plugged = 1
+        """Whoever opened it before it was unplugged has nothing any more."""
         self.changed = threading.Condition()
 
     def now(self) -> float:
@@ -209,6 +211,7 @@ class VirtualFt232h:
     def plug_in(self) -> None:
         """Put it back: only then does the chip look at its EEPROM."""
         with self.changed:
+            self.times_plugged += 1
             self.host.plug_in(self.clock.now())
 
     def halt(self, endpoint: int) -> None:

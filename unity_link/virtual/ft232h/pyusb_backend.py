@@ -39,6 +39,12 @@ class Handle:
 
     def __init__(self, device: VirtualFt232h) -> None:
         self.device = device
+        self._times_plugged = device.times_plugged
+
+    @property
+    def gone(self) -> bool:
+        """Whether the device was unplugged since it was opened."""
+        return not self.device.host.plugged or self.device.times_plugged != self._times_plugged
 
 
 class Backend(IBackend):  # type: ignore[misc]  # pyusb has no types
@@ -143,6 +149,8 @@ class Backend(IBackend):  # type: ignore[misc]  # pyusb has no types
     ) -> int:
         """Do a control request; gives how many bytes were moved."""
         device = dev_handle.device
+        if dev_handle.gone:
+            raise _error(_LIBUSB_ERROR_NO_DEVICE)
         try:
             if not bmRequestType & _DIRECTION_IN:
                 device.control_out(bmRequestType, bRequest, wValue, wIndex)
@@ -167,6 +175,8 @@ class Backend(IBackend):  # type: ignore[misc]  # pyusb has no types
         return transfer.sent
 
     def _run(self, handle: Handle, transfer: Transfer, timeout: int) -> None:
+        if handle.gone:
+            raise _error(_LIBUSB_ERROR_NO_DEVICE)
         if handle.device.claimed_by is not handle:
             raise _error(_LIBUSB_ERROR_BUSY)
         try:
