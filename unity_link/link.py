@@ -189,11 +189,12 @@ class Link:
 
     async def _reopen(self, reason: str, reconnect: Reconnect) -> None:
         from tenacity import AsyncRetrying, RetryError, retry_if_exception_type, stop_after_delay, stop_never
-        from tenacity.wait import wait_exponential_jitter
+        from tenacity.wait import wait_exponential, wait_random
 
         attempts = AsyncRetrying(
             retry=retry_if_exception_type((ConnectError, LinkLostError)),
-            wait=wait_exponential_jitter(reconnect.first_pause, reconnect.longest_pause, jitter=reconnect.first_pause),
+            wait=wait_exponential(reconnect.first_pause, reconnect.longest_pause)
+            + wait_random(0, reconnect.first_pause),
             stop=stop_never if reconnect.give_up_after is None else stop_after_delay(reconnect.give_up_after),
         )
         try:
@@ -205,7 +206,7 @@ class Link:
                         raise LinkLostError("the connection was lost again")
         except RetryError as error:
             self._end(LinkLostError(f"{reason}, and no reconnection succeeded ({error.last_attempt.exception()})"))
-        except UnityLinkError as error:
+        except Exception as error:  # noqa: BLE001  (whatever it is, nobody must wait for a link that is gone)
             self._end(LinkLostError(f"{reason}, and the reconnection failed ({error})"))
         finally:
             self._reconnection = None
@@ -455,7 +456,9 @@ class Link:
         return Subscription(self._groups, schedule, buffer=buffer, overflow=overflow, callback=callback)
 
     async def send_immediate(self, mode: SendImmediate) -> None:
-        """Choose when the gateway has an FT232H send a short packet at once (protocol section 4).
+        """Choose when an FT232H sends a short packet at once (protocol section 4).
+
+        The gateway pulses SIWU# as the mode says, and the driver sets the chip's latency timer and event character.
 
         Args:
             mode: ``"off"``; ``"always"``, after every response; or ``"adaptive"``, when nothing more is waiting.
@@ -467,6 +470,8 @@ class Link:
             raise ArgumentError(f"send-immediate is one of {', '.join(_SEND_IMMEDIATE)}, not {mode!r}")
         self._require(Feature.SEND_IMMEDIATE, "send-immediate")
         await self._ask("I", _SEND_IMMEDIATE[mode])
+        if self._stream is not None:
+            await self._stream.choose_send_immediate(mode)
 
     # The inside
 

@@ -71,6 +71,12 @@ class Stream(asyncio.Protocol):
         if self._transport is not None and not self._transport.is_closing():
             self._transport.abort()
 
+    async def choose_send_immediate(self, mode: str) -> None:
+        """Have the driver do its part of a send-immediate mode, where its medium has one (protocol section 4)."""
+        choose = self._transport.get_extra_info("send_immediate") if self._transport is not None else None
+        if choose is not None and not self.closed:
+            await choose(mode)
+
     def _flush(self) -> None:
         self._flushing = False
         if self._out and not self._paused:

@@ -243,6 +243,15 @@ async def test_the_driver_s_part_of_send_immediate_is_the_timer_and_the_event_ch
         await close(recorder)
 
 
+async def test_a_link_s_mode_of_send_immediate_reaches_gateway_and_chip() -> None:
+    gateway = VirtualGateway()
+    with plugged_in(gateway) as device:
+        async with unity_link.connect(URL) as link:
+            for mode, number, latency in (("off", 0, 16), ("always", 1, 1), ("adaptive", 2, 1)):
+                await link.send_immediate(mode)  # type: ignore[arg-type]  # a Literal, in a loop
+                assert (gateway.send_immediate, device.chip.latency) == (number, latency)
+
+
 async def test_what_the_url_says_of_the_timer_holds_for_every_mode() -> None:
     with plugged_in() as device:
         recorder = await connect(f"{URL}?latency=7&event_char=0x0D")
