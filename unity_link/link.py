@@ -188,28 +188,33 @@ class Link:
             self._stream = None
 
     async def _reopen(self, reason: str, reconnect: Reconnect) -> None:
-        from tenacity import AsyncRetrying, RetryError, retry_if_exception_type, stop_after_delay, stop_never
+        from tenacity import AsyncRetrying, RetryError, retry_if_exception_type
         from tenacity.wait import wait_exponential, wait_random
 
+        began, longest = self._loop.time(), reconnect.give_up_after
         attempts = AsyncRetrying(
             retry=retry_if_exception_type((ConnectError, LinkLostError)),
             wait=wait_exponential(reconnect.first_pause, reconnect.longest_pause)
             + wait_random(0, reconnect.first_pause),
-            stop=stop_never if reconnect.give_up_after is None else stop_after_delay(reconnect.give_up_after),
+            # The library's own limit looks at another clock than the loop's.
+            stop=lambda _: longest is not None and self._loop.time() - began >= longest,
         )
         try:
             async for attempt in attempts:
                 with attempt:
-                    await self.open(reconnect.longest_pause)
-                    await self._groups.restore()
-                    if self._stream is None:
-                        raise LinkLostError("the connection was lost again")
+                    await self._open_again(reconnect.longest_pause)
         except RetryError as error:
             self._end(LinkLostError(f"{reason}, and no reconnection succeeded ({error.last_attempt.exception()})"))
         except Exception as error:  # noqa: BLE001  (whatever it is, nobody must wait for a link that is gone)
             self._end(LinkLostError(f"{reason}, and the reconnection failed ({error})"))
         finally:
             self._reconnection = None
+
+    async def _open_again(self, timeout: float) -> None:  # noqa: ASYNC109  (as `open`)
+        await self.open(timeout)
+        await self._groups.restore()
+        if self._stream is None:
+            raise LinkLostError("the connection was lost again")
 
     def _end(self, error: LinkLostError) -> None:
         self._closed = True
