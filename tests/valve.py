@@ -1,0 +1,45 @@
+"""A gateway whose line can be stopped, emptied and cut at will: what a test needs to bring a link into trouble."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from unity_link import Link
+    from unity_link.virtual import Gateway
+
+
+class Valve:
+    """Stands in front of a gateway and lets bytes through, or loses them.
+
+    Args:
+        gateway: what is behind.
+    """
+
+    def __init__(self, gateway: Gateway) -> None:
+        self.gateway = gateway
+        self.info, self.wake = gateway.info, gateway.wake
+        self.requests_pass = True
+        self.answers_pass = True
+        self.instead = b""
+        """What the host hears whenever it says something, besides the answers."""
+        self.heard = b""
+        """What the host has said."""
+
+    def __getattr__(self, name: str) -> Any:
+        return getattr(self.gateway, name)
+
+    def receive(self, data: bytes, now: float) -> bytes:
+        self.heard += data
+        answer = self.gateway.receive(data if self.requests_pass else b"", now)
+        return (answer if self.answers_pass else b"") + self.instead
+
+    def advance(self, now: float, room: int | None = None) -> bytes:
+        return self.gateway.advance(now, room)
+
+
+def cut(link: Link) -> None:
+    """End the connection of a link as a cable that is pulled out does."""
+    assert link._stream is not None
+    assert link._stream._transport is not None
+    link._stream._transport.abort()
