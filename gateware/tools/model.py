@@ -28,7 +28,7 @@ TOP = "unity_link_fifo"
 GENERATED = GATEWARE.parent / "unity_link" / "virtual" / "rtl" / "generated"
 
 # The clock is that of a served model, where a simulated second should pass in a second: see `unity_link.virtual.rtl`.
-_CLOCK = {"clock_hz": 2_000_000, "base_frequency_millihertz": 100_000_000}
+_CLOCK = {"clock_hz": 500_000, "base_frequency_millihertz": 10_000_000}
 CONFIGURATIONS: dict[str, dict[str, object]] = {
     "default": {**_CLOCK, "groups": 16, "group_words": 32, "sample_depth": 1024},
     # The widest of everything.
@@ -59,10 +59,10 @@ CONFIGURATIONS: dict[str, dict[str, object]] = {
 }
 
 # `splitnets -driver` cuts buses into the parts that are driven together: without it CXXRTL sees feedback where there is
-# none, and runs at a fifth of the speed.
+# none. Registers keep their enables and resets as logic (`-nodffe -nosdff`): inferred, they bring feedback back.
 _PASSES = (
-    "hierarchy -top {top}; proc; flatten; opt -full; opt_clean; memory_collect; splitnets -driver; opt_clean -purge; "
-    "write_cxxrtl -O6 -g0 {out}"
+    "hierarchy -top {top}; proc; flatten; opt_expr; opt_clean; opt -nodffe -nosdff; wreduce; peepopt; opt_clean; "
+    "opt -nodffe -nosdff; memory_collect; splitnets -driver; opt_clean -purge; write_cxxrtl -O6 -g0 {out}"
 )
 
 

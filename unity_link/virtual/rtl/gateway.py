@@ -1,7 +1,7 @@
 """One gateway that is the gateware: bytes and the time go in, bytes come out, clock cycles pass in between.
 
 Time. The gateware knows only cycles of its clock, and its `Q` says truthfully how many there are in a second. This
-machine simulates a few million of them in a second, so a served gateway is clocked far slower than a board. While
+machine simulates about a million of them in a second, so a served gateway is clocked far slower than a board. While
 nothing that depends on time can happen, simulated time stands still between calls and each request costs only the
 cycles that it takes. Once a group was started, time has to pass: from then until the answer to `K` (which stops all
 groups), `next_due` asks for `advance` every `SLICE` seconds and cycles keep pace with the `now` that it is given. What
@@ -30,7 +30,7 @@ if TYPE_CHECKING:
 
 SLICE = 0.001
 """Seconds between two calls of `advance` while groups may be running."""
-MOST_CYCLES = 500_000
+MOST_CYCLES = 50_000
 """Cycles that pass in one call at most because of time."""
 _MOST_TO_QUIET = 50_000_000
 _MOST_TO_QUIET_WITH_GROUPS = 8192

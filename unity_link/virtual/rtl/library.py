@@ -23,7 +23,7 @@ _GENERATED = _HERE / "generated"
 _RUNTIME = _HERE / "cxxrtl_runtime"
 _SHIM = _HERE / "shim.cc"
 _COMPILERS = ("c++", "g++", "clang++")
-_OPTIONS = ("-O2", "-std=c++14", "-shared", "-fPIC")
+_OPTIONS = ("-O3", "-std=c++14", "-shared", "-fPIC")
 
 DeviceFunction = ctypes.CFUNCTYPE(c_int, c_void_p, c_uint64, c_int, POINTER(c_uint64))
 """`Device` of shim.cc: context, address, whether it is a write, the word; gives an Answer."""
