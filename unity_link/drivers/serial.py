@@ -38,8 +38,9 @@ async def connect(url: DriverUrl, protocol: asyncio.Protocol) -> asyncio.Transpo
     baud = url.integer("baud", DEFAULT_BAUD)
     if baud <= 0:
         raise ArgumentError(f"baud={baud} in {url.text} is not positive")
+    rtscts = url.flag("rtscts")
     try:
-        port = Port(url.path, baudrate=baud, rtscts=url.flag("rtscts"), timeout=0, write_timeout=0, exclusive=True)
+        port = Port(url.path, baudrate=baud, rtscts=rtscts, timeout=0, write_timeout=0, exclusive=True)
     except (serial.SerialException, OSError, ValueError) as error:
         raise ConnectError(_explain(url.path, error)) from error
     transport = PortTransport(asyncio.get_running_loop(), protocol, port)
