@@ -743,3 +743,68 @@ async def test_the_time_on_the_wire_of_a_serial_port_follows_from_its_baud_rate(
             link._target = parse_url(url)
             assert isinstance(link._target, DriverUrl)
             assert link._byte_time() == (10 / expected if expected else 0)
+
+
+@on_simulated_time
+async def test_bytes_are_counted_exactly() -> None:
+    async with unity_link.connect(VirtualGateway(INFO)) as link:
+        before = link.statistics
+        await link.read_many(range(100))
+        after = link.statistics
+        assert after.bytes_sent == before.bytes_sent + 100 * len("r00AAcc\n")
+        assert after.bytes_received == before.bytes_received + 100 * len("r00DDDDDDDDcc\n")
+        assert (after.repetitions, after.stray_frames) == (0, 0)
+
+
+SOUND = [
+    b"r7700000000",
+    b"w77",
+    b"r0",
+    b"rGG00000000",
+    b"n0",
+    b"n50",
+    b"x7704",
+    b"x00",
+    b"Q00",
+    b"K00",
+    b"XX",
+    b"X77",
+    b"P9900",
+    b"",
+    b"R",
+]
+
+
+@pytest.mark.parametrize("body", SOUND, ids=repr)
+@on_simulated_time
+async def test_a_sound_frame_that_nobody_waits_for_does_no_harm(body: bytes) -> None:
+    async with unity_link.connect(VirtualGateway(INFO)) as link:
+        assert link._stream is not None
+        write = asyncio.ensure_future(link.write(1, 5))
+        await asyncio.sleep(0)
+        link._stream.data_received(link._codec.framing.checked(body))
+        link._stream.data_received(b"\n\r\n")
+        if body != b"x00":
+            await write
+        else:
+            with pytest.raises(unity_link.GatewayError, match="answered error 00"):
+                await write
+        assert await link.read(1) == 5
+
+
+@on_simulated_time
+async def test_an_answer_of_another_length_or_command_is_not_taken() -> None:
+    valve = Valve(VirtualGateway(INFO))
+    async with unity_link.connect(valve) as link:
+        assert link._stream is not None
+        valve.answers_pass = False
+        read = asyncio.ensure_future(link.read(1))
+        many = asyncio.ensure_future(link.read_many(range(3)))
+        await asyncio.sleep(0)
+        for body in [b"r000000000", b"w00", b"r00GGGGGGGG", b"r010000", b"w01", b"r01GGGGGGGG"]:
+            link._stream.data_received(link._codec.framing.checked(body))
+        assert not read.done()
+        valve.answers_pass = True
+        assert await read == 0
+        assert (await many).tolist() == [0, 0, 0]
+        assert link.statistics.stray_frames == 6

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import asyncio
-import gc
 from typing import TYPE_CHECKING, Any
 
 import anyio
@@ -19,8 +18,6 @@ from unity_link.virtual import VirtualGateway
 from unity_link.virtual.faults import Noise, NoisyLine
 
 if TYPE_CHECKING:
-    from collections.abc import AsyncIterator
-
     from unity_link import Link, Subscription
     from unity_link.virtual import Gateway
 
@@ -495,15 +492,10 @@ async def test_a_subscription_ends_with_the_link_behind_its_samples() -> None:
 
 @on_simulated_time
 async def test_a_reader_that_does_not_read_takes_bounded_memory() -> None:
-    async def generate() -> AsyncIterator[int]:
-        async with (
-            unity_link.connect(VirtualGateway(INFO)) as link,
-            link.subscribe([0], rate_hz=1000, buffer=10) as samples,
-        ):
-            for _ in range(3):
-                await asyncio.sleep(20)
-                gc.collect()
-                yield sum(isinstance(thing, type(samples)) for thing in gc.get_objects())
-                assert len(samples._buffer) == 10
-
-    assert [count async for count in generate()] == [1, 1, 1]
+    async with (
+        unity_link.connect(VirtualGateway(INFO)) as link,
+        link.subscribe([0], rate_hz=1000, buffer=10) as samples,
+    ):
+        await asyncio.sleep(3)
+        assert len(samples._buffer) == 10
+        assert samples.lost == samples.received - 10
