@@ -145,7 +145,7 @@ class Signal(msgspec.Struct, frozen=True, kw_only=True):
             raise ArgumentError(f"{self.path}: {value} is outside of its limits, {low:.12g} to {high:.12g}{unit}")
 
 
-class Component(msgspec.Struct, frozen=True, kw_only=True):
+class Component(msgspec.Struct, frozen=True, kw_only=True, tag_field="part", tag="component"):
     """A part of an interface: its signals, and the parts that it is made of. The root is the interface itself."""
 
     name: str
@@ -172,7 +172,7 @@ class Component(msgspec.Struct, frozen=True, kw_only=True):
                 yield from item.walk()
 
 
-class ComponentArray(msgspec.Struct, frozen=True, kw_only=True, tag="array"):
+class ComponentArray(msgspec.Struct, frozen=True, kw_only=True, tag_field="part", tag="array"):
     """Components of one declaration in a row."""
 
     name: str

@@ -79,6 +79,9 @@ class _Recovery:
         try:
             parser.feed_eof()  # type: ignore[no-untyped-call]
         except UnexpectedInput:
+            if any(token.type in {"BAD_STRING", "BAD_COMMENT"} for token in self._tokens):
+                # What has no end itself has taken the end of the rest with it.
+                return
             if braces:
                 place = (braces[-1].start_pos or 0, braces[-1].end_pos or 0)
                 message = "this block has no end"
@@ -140,9 +143,8 @@ class _Recovery:
                 index -= 1
                 break
             if token.type == "LBRACE":
-                if depth == 0 and not in_enum:
-                    # The fault is in the head of a block; what is inside may be sound.
-                    self._parser_in_block(checkpoints, braces, token)
+                # The fault is in the head of a block; what is inside may be sound.
+                if depth == 0 and not in_enum and self._enter_block(checkpoints, braces, token):
                     break
                 depth += 1
             elif token.type == "RBRACE" and depth == 0:
@@ -164,15 +166,19 @@ class _Recovery:
                 return token.type == "ENUM"
         return False
 
-    def _parser_in_block(self, checkpoints: list[InteractiveParser], braces: list[Token], opening: Token) -> None:
-        """Go on inside of a block as if its head were a sound one."""
+    def _enter_block(self, checkpoints: list[InteractiveParser], braces: list[Token], opening: Token) -> bool:
+        """Go on inside of a block as if its head were a sound one; False where no block can stand."""
         parser = _copy(checkpoints[-1])
         head = (("NAME", "head"), ("LPAR", "("), ("RPAR", ")"))
-        for name, text in head:
-            parser.feed_token(Token(name, text, start_pos=opening.start_pos, end_pos=opening.start_pos))
-        parser.feed_token(opening)
+        try:
+            for name, text in head:
+                parser.feed_token(Token(name, text, start_pos=opening.start_pos, end_pos=opening.start_pos))
+            parser.feed_token(opening)
+        except UnexpectedToken:
+            return False
         braces.append(opening)
         checkpoints.append(parser)
+        return True
 
     def _is_later_line(self, previous: Token, token: Token) -> bool:
         return "\n" in self._source.text[previous.end_pos : token.start_pos]

@@ -148,7 +148,8 @@ def _identifier(path: str) -> str:
 
 
 def _string(text: str) -> str:
-    # SystemRDL escapes only the quote; a backslash is itself, except in front of one.
+    # SystemRDL escapes only the quote, so that a backslash could hide one; its compiler ends a text at a control character.
+    text = "".join(character for character in text if character >= " " or character in "\n\t")
     return '"' + text.replace("\\", "\\\\").replace('"', '\\"') + '"'
 
 
@@ -447,7 +448,7 @@ def _desc(node: Any) -> str:
 
 
 def _doc(text: str) -> str:
-    return "".join(f"/// {line}\n" for line in text.splitlines())
+    return "".join(f"/// {line}\n" for line in text.split("\n")) if text else ""
 
 
 def _name(name: str) -> str:

@@ -1,0 +1,301 @@
+"""Every message to the author: its rule, its sentence, the place that it underlines and what it advises."""
+
+import re
+from pathlib import Path
+
+import pytest
+
+from unity_link.spec import Diagnostic, SpecError, compile_file, compile_text
+from unity_link.spec.diagnostics import did_you_mean
+
+
+def faults(text: str, **options: int) -> tuple[Diagnostic, ...]:
+    with pytest.raises(SpecError) as caught:
+        compile_text(text, "robot.ul", **options)
+    return caught.value.diagnostics
+
+
+def underlined(text: str, found: Diagnostic) -> str:
+    """Give what a diagnostic underlines, up to the end of its first line."""
+    line = text.splitlines()[found.span.line - 1]
+    return line[found.span.column - 1 : found.span.end_column - 1 if found.span.end_line == found.span.line else None]
+
+
+JOINT = "\njoint(name): @(pos, vel) { @pos: READ(ID=name + \":p\"); @vel: READ(ID=name + \":v\"); }"  # fmt: skip
+MODE = "\nenum mode { off, on = 5 }"
+CASES = [
+    # Syntax. What is given: the spec; the rule; the sentence; what is underlined; the advice, or a part of it.
+    ("public x() { @a = 1: READ(); ", "syntax", "this block has no end", "{", "close it with '}'"),
+    ("public x() { @a = 1 READ(); }", "syntax", "':' or '[' was expected, not a name (READ)", "READ", ""),
+    ("public x() {\n  @a = 1: READ()\n  @b = 2: READ();\n}", "syntax", "a ';' is missing behind this", ")", ""),
+    ('public x() { @a = 1: READ(ID="b); }', "syntax", "this string has no end", '"b); }', "close it with '\"'"),
+    ("public x() { /* @a = 1: READ(); }", "syntax", "this comment has no end", "/*", "close it with '*/'"),
+    ("public x() { $ }", "syntax", "the character '$' has no meaning here", "$", ""),
+    ("public x() { @a = '1': READ(); }", "syntax", "the character \"'\" has no", "'", "strings stand in double quotes"),
+    ("public x() { } # end", "syntax", "the character '#' has no meaning here", "#", "a comment begins with //"),
+    ("enum", "syntax", "the file ends where a name was expected", "m", ""),
+    ("public x() { @a = " + "(" * 50 + "1: READ(); }", "too-deep", "more than 40 brackets stand in each other", "(", ""),
+    # Names.
+    ("public x() { @a = b: READ(); }", "unknown-name", "nothing is called 'b' here", "b", ""),
+    ("public x(base=1) { @a = bsae: READ(); }", "unknown-name", "nothing is called 'bsae'", "bsae", "mean 'base'?"),
+    ("public x() { j: joit(1); }" + JOINT, "unknown-component", "there is no component 'joit'", "joit", "mean 'joint'?"),
+    ("public x() { MEMROY(BASE=1); }", "unknown-component", "there is no module 'MEMROY'", "MEMROY", "mean 'MEMORY'?"),
+    ("public x() { @a = 1: READ(); @a = 2: READ(); }", "name-twice", "'a' stands twice in x", "a", ""),
+    ("public x() { @a = 1: READ(); @A = 2: READ(); }", "name-twice", "'A' and 'a' differ only in case", "A", ""),
+    ("public x() {}\nx() {}", "name-twice", "the name 'x' is declared twice", "x", ""),
+    ("public x(a, a) {}", "name-twice", "x has two parameters 'a'", "a", ""),
+    ("public x() {}\nc(i) {}", "name-taken", "'i' is the index of an array", "i", ""),
+    ("public x() {}\nc(pi) {}", "name-taken", "'pi' is a constant", "pi", ""),
+    ("public x() {}\nenum bool { a }", "name-taken", "'bool' is a kind already", "bool", ""),
+    ("public x() { joint(1) @(1, 2); }" + JOINT, "no-name", "this joint has no name", "joint", "first: joint(...);"),
+    # Expressions.
+    ("public x() { @a = 12bit: READ(); }", "bad-number", "'12bit' is no number", "12bit", "numbers look like"),
+    ("public x() { @a = 0x1G: READ(); }", "bad-number", "'0x1G' is no number", "0x1G", "numbers look like"),
+    ("public x() { @a = 1 / 0: READ(); }", "bad-operand", "a division by 0", "1 / 0", ""),
+    ("public x() { @a = 1 << 200: READ(); }", "bad-operand", "a shift by 200 was asked for, 0 to 128", "1 << 200", ""),
+    ('public x() { @a = "1" * 2: READ(); }', "bad-operand", "'*' takes numbers, not the string \"1\"", '"1" * 2', ""),
+    ("public x() { @a = 1.5 & 1: READ(); }", "bad-operand", "'&' takes whole numbers, not 1.5 and 1", "1.5 & 1", ""),
+    ('public x() { @a = -"b": READ(); }', "bad-operand", "'-' before the string \"b\" has no meaning", '-"b"', ""),
+    ("public x() { @a = f(1): READ(); }", "no-value", "'f(...)' has no value", "f", ""),
+    # Addresses.
+    ("public x() { @a: READ(); }", "no-address", "'a' has no address", "a", "write where it is: @a = 0x10"),
+    ("public x() { c: c() @(1); }\nc(): @(pos) { @pso: READ(); }", "no-address", "'pso' has no", "pso", "mean 'pos'?"),
+    ("public x() { @a = 1.5: READ(); }", "bad-address", "an address is a whole number, not the number 1.5", "1.5", ""),
+    ("public x() { @a = 0x100: READ(); }", "address-range", "the address 0x100 of a is not the gateway's, which has 0x0 to 0xff (8 address bits)", "0x100", "ADDRESS_BITS"),
+    ("public x() { @a = -1: READ(); }", "address-range", "the address -1 of a is not the gateway's", "-1", ""),
+    ("public x() { @a = 255: unsigned 64 READ(); }", "address-range", "the address 0x100 of a", "255", ""),
+    ("public x() { MEMORY(SIZE=4) { @a = 4: READ(); } }", "address-range", "the address 0x4 of a is outside of MEMORY, which has 4 words", "4", ""),
+    ("public x() { m: MEMORY(BASE=250, SIZE=10); }", "address-range", "MEMORY takes the addresses 0xfa to 0x103", "MEMORY", ""),
+    ("public x() { @a = 1: READ(); @b = 1: READ(); }", "overlap", "b takes bits 31:0 at address 0x1, which a has (bits 31:0)", "1", ""),
+    ("public x() { @a = 1[7:0]: READ(); @b = 1[7]: bool READ(); }", "overlap", "b takes bit 7 at address 0x1, which a has (bits 7:0)", "1", ""),
+    ("public x() { @a = 1: unsigned 64 READ(); @b = 2: READ(); }", "overlap", "b takes bits 31:0 at address 0x2", "2", ""),
+    ("public x() { j[2]: joint(\"j\" + i) @(i, 1); }" + JOINT, "overlap", "j[1].pos takes bits 31:0 at address 0x1, which j[0].vel has", "i", ""),
+    ("public x() { @a = 1: READ(); @b = 1[3:0]: WRITE(); @c = 1[7:4]: WRITE(); }", "overlap", "b is one of several fields written at address 0x1, where reading gives a instead", "1", "make the field READWRITE"),
+    ("public x() { m: MEMORY(SIZE=4); n: MEMORY(BASE=2, SIZE=4); }", "overlap", "MEMORY at 0x2 lies in MEMORY at 0x0 to 0x3", "MEMORY", ""),
+    # Bits and kinds.
+    ("public x() { @a = 1[32]: bool READ(); }", "bad-bits", "bit 32 is not in a word of 32 bits", "32", "bits are 0 to 31"),
+    ("public x() { @a = 1[0:3]: READ(); }", "bad-bits", "bits 0:3 run upwards", "0:3", "write [3:0], the highest first"),
+    ('public x() { @a = 1["b"]: READ(); }', "bad-bits", "a bit is a whole number, not the string \"b\"", '"b"', ""),
+    ("public x() { @a = 1: usigned READ(); }", "unknown-kind", "there is no kind 'usigned'", "usigned", "mean 'unsigned'"),
+    ("public x() { @a = 1: complex READ(); }", "unknown-kind", "there is no kind 'complex'", "complex", "kinds are bool, unsigned"),
+    ("public x() { @a = 1: signed 65 READ(); }", "bad-width", "a width is 1 to 64 bits, not 65", "65", ""),
+    ("public x() { @a = 1: signed 1.5 READ(); }", "bad-width", "a width is 1 to 64 bits, not 1.5", "1.5", ""),
+    ("public x() { @a = 1: float 24 READ(); }", "bad-width", "a float has 16, 32 or 64 bits, not 24", "float", ""),
+    ("public x() { @a = 1: bool 2 READ(); }", "bad-width", "a bool is 1 bit, not 2", "bool", "use unsigned"),
+    ("public x() { @a = 1: fixed READ(); }", "bad-width", "fixed needs the bits before and behind the point", "fixed", "as in fixed 16.16"),
+    ("public x() { @a = 1: fixed 60.5 READ(); }", "bad-width", "a fixed has 1 to 64 bits, not 65", "60.5", ""),
+    ("public x() { @a = 1[7:0]: unsigned 12 READ(); }", "bad-width", "unsigned 12 does not fit into the 8 bits that 'a' has", "unsigned", "12 bits from bit 0 on are [11:0]"),
+    ("public x() { @a = 1[1:0]: bool READ(); }", "bad-width", "a bool is 1 bit, and 'a' has 2", "bool", ""),
+    ("public x() { @a = 1[1:0]: mode READ(); }" + MODE, "enum-too-wide", "mode has values up to 5, which need 3 bits, not 2", "mode", ""),
+    ("public x() { @a = 1: fixed 32.32 READ(); }", "inexact", "a float cannot tell all values of fixed 32.32 apart", "a", "it has 53 bits"),
+    ("public x() { @a = 1: READ(SCALE=1e-9, OFFSET=1e9); }", "inexact", "a float cannot tell", "SCALE=1e-9", ""),
+    ("public x() {}\nenum e { a, b = 0 }", "bad-enum", "'b' and 'a' are both 0", "b = 0", ""),
+    ("public x() {}\nenum e { a, a }", "bad-enum", "'a' stands twice in e", "a", ""),
+    ("public x() {}\nenum e { a = -1 }", "bad-enum", "the value of 'a' is a whole number from 0 on, not the number -1", "a = -1", ""),
+    ("public x() {}\nenum e { mro }", "bad-enum", "'mro' cannot be the name of a value", "mro", ""),
+    ("public x() {}\nenum e { }", "bad-enum", "e has no values", "e", ""),
+    # Access and arguments.
+    ("public x() { @a = 1: REED(); }", "unknown-access", "there is no access 'REED'", "REED", "mean 'READ'"),
+    ("public x() { @a = 1: READ(id=\"b\"); }", "unknown-argument", "READ has no argument 'id'", "id", "mean 'ID'?"),
+    ("public x() { @a = 1: READ(CRC); }", "unknown-argument", "READ has no argument 'CRC'", "CRC", "every message of a program is checked"),
+    ("public x() { @a = 1: READ(PUBLSH(1, 2)); }", "unknown-argument", "READ has no argument 'PUBLSH'", "PUBLSH", "mean 'PUBLISH'?"),
+    ("public x() { @a = 1: READ(5); }", "too-many-arguments", "READ has no place for this argument", "5", "name it, as in ID=..."),
+    ("public x() { @a = 1: READ(PUBLISH(1, 2, 3)); }", "too-many-arguments", "PUBLISH has no place for this argument", "3", ""),
+    ("public x() { @a = 1: READ(PUBLISH()); }", "argument-missing", "PUBLISH needs GROUP", "PUBLISH()", ""),
+    ("public x() { @a = 1: READ(ID=\"b\", ID=\"c\"); }", "argument-twice", "ID is given twice", 'ID="c"', ""),
+    ("public x() { @a = 1: READ(ID=5); }", "bad-argument", "ID is a string, not the number 5", "5", ""),
+    ("public x() { @a = 1: READ(PUBLISH=5); }", "bad-argument", "PUBLISH takes parentheses: PUBLISH(group, divisor)", "PUBLISH=5", ""),
+    ("public x() { @a = 1: READ(PUBLISH(\"b\", 1)); }", "bad-argument", "GROUP is a group's number or name, not the string \"b\"", '"b"', ""),
+    ("public x() {}\ngroup g(1, 1, TRIGGER=1);", "bad-argument", "TRIGGER stands by itself, without a value", "TRIGGER=1", ""),
+    ("public x(a) { @b = a: READ(); }", "bad-address", "an address is a whole number, not the parameter 'a', whose value is given only when", "a", ""),
+    ("public x() { j: joint(\"a\", 1) @(1, 2); }" + JOINT, "argument-count", "joint takes 1 argument (name), and 2 are given", '"a", 1', ""),
+    ("public x() { j: joint(\"a\") @(1); }" + JOINT, "address-count", "joint takes 2 addresses (pos, vel), and 1 is given", "1", "vel is missing"),
+    ("public x() { j: joint(\"a\") @(1, 2, 3); }" + JOINT, "address-count", "joint takes 2 addresses (pos, vel), and 3 are given", "1, 2, 3", ""),
+    ("public x() { j: joint(nam=\"a\") @(1, 2); }" + JOINT, "unknown-argument", "joint has no argument 'nam'", "nam", "mean 'name'?"),
+    ("public x() { j[0]: joint(\"a\") @(1, 2); }" + JOINT, "bad-size", "the size of an array is a whole number from 1 to 65536, not the number 0", "0", ""),
+    # Scale, limits, FIFO.
+    ("public x() { @a = 1: READ(SCALE=0); }", "bad-scale", "SCALE is 0, so that every value would be the same", "SCALE=0", ""),
+    ("public x() { @a = 1: bool READ(SCALE=2); }", "bad-scale", "a bool has no SCALE", "SCALE=2", "signed, unsigned and fixed"),
+    ("public x() { @a = 1: float READ(OFFSET=2); }", "bad-scale", "a float has no OFFSET", "OFFSET=2", ""),
+    ("public x() { @a = 1: WRITE(MIN=3, MAX=2); }", "bad-limit", "MIN=3 is more than MAX=2", "MIN=3", "exchange them"),
+    ("public x() { @a = 1: unsigned 8 WRITE(MAX=300); }", "bad-limit", "MAX=300 is outside of 0 to 255, the range of unsigned 8", "MAX=300", ""),
+    ("public x() { @a = 1: READ(MAX=300); }", "bad-limit", "MAX limits what is written, and this signal is only read", "MAX=300", ""),
+    ("public x() { @a = 1: bool WRITE(MAX=1); }", "bad-limit", "a bool has no MAX", "MAX=1", ""),
+    ("public x() { @a = 1[3:0]: READ(FIFO); }", "bad-fifo", "a FIFO hands out whole words", "FIFO", ""),
+    ("public x() { @a = 1: unsigned 64 READ(FIFO); }", "bad-fifo", "a FIFO hands out words of 32 bits, and unsigned 64 has 64", "FIFO", ""),
+    ("public x() { @a = 1: READ(FIFO, PUBLISH(1, 1)); }", "bad-fifo", "publishing would take words from the FIFO", "PUBLISH(1, 1)", "use POLL"),
+    # Publishing and groups.
+    ("public x() { @a = 1: WRITE(PUBLISH(1, 1)); }", "not-readable", "PUBLISH needs a signal that can be read, not WRITE", "PUBLISH(1, 1)", ""),
+    ("public x() { @a = 1: WRITE(POLL(1)); }", "not-readable", "POLL needs a signal that can be read, not WRITE", "POLL(1)", ""),
+    ("public x() { @a = 1: READ(POLL(1), PUBLISH(1, 1)); }", "publish-and-poll", "either published by the gateway or polled", "POLL(1)", ""),
+    ("public x() { @a = 1: READ(POLL(0)); }", "out-of-range", "RATE is 0, and 1e-06 to 1000000000 is expected", "0", ""),
+    ("public x() { @a = 1: READ(PUBLISH(256, 1)); }", "out-of-range", "GROUP is 256, and 0 to 255 is expected", "256", ""),
+    ("public x() { @a = 1: READ(PUBLISH(1, 0)); }", "out-of-range", "DIVISOR is 0, and 1 to 65535 is expected", "0", ""),
+    ("public x() { @a = 1: READ(PUBLISH(1, 65536)); }", "out-of-range", "DIVISOR is 65536", "65536", ""),
+    ("public x() { @a = 1: READ(PUBLISH(1, 2)); @b = 2: READ(PUBLISH(1, 3)); }", "group-divisor", "the group group_1 is published with divisor 2, and here with 3", "3", "into another group"),
+    ("public x() { @a = 1: READ(PUBLISH(g, 3)); }\ngroup g(RATE=10);", "group-divisor", "the group g has a rate, and cannot have a divisor too", "3", ""),
+    ("public x() {}\ngroup g(DIVISOR=1, RATE=10);", "group-rate", "a group has a DIVISOR or a RATE, not both", "RATE=10", ""),
+    ("public x() { @a = 1: READ(PUBLISH(1)); }", "group-rate", "nothing says when the group group_1 is published", "a", "give a divisor"),
+    ("public x() { @a = 1: READ(PUBLISH(g)); @b = 2: READ(PUBLISH(h)); }\ngroup g(1, 1);\ngroup h(1, 2);", "group-number", "the groups g and h both have number 1", "h", ""),
+    ("public x() { GATEWAY(ADDRESS_BITS=9); a[256]: c() @(i); }\nc(): @(v) { @v: READ(PUBLISH(1, 1)); }", "group-size", "the group group_1 has 256 words, and a gateway publishes at most 255", "v", "divide it"),
+    ("public x() { @a = 1: READ(PUBLISH(g)); }\ngroup g(1, 1, JOINTS(POSITION=b));", "joints", "no signal of the group g is called 'b'", "g", ""),
+    ("public x() { @a = 1: READ(PUBLISH(g)); }\ngroup g(1, 1, JOINTS);", "joints", "JOINTS needs the name of a signal", "g", "JOINTS(POSITION=cpos"),
+    # The whole.
+    ('public x() { @a = 1: READ(ID="b"); @b = 2: READ(); }', "id-twice", "the ID 'b' is that of a and of b", "b", ""),
+    ("public x() { a: c(); }\nc() { b: d(); }\nd() { c: c(); }", "recursion", "c contains itself: c -> d -> c", "c", ""),
+    ("public x() {}\nc() { c: c(); }", "recursion", "c contains itself: c -> c", "c", ""),
+    ("public x() { a: y(); }\npublic y() {}", "public-part", "y is a public interface, and cannot be part", "y", ""),
+    ("public x(): @(a) {}", "public-addresses", "a public interface is not put anywhere", "x", ""),
+    ("public x() { TOSNET(); MEMORY(); }", "two-modules", "TOSNET is the module of this interface already", "MEMORY", "give it a name, or a block"),
+    ("public x() { c: c(); }\nc() { MEMORY(); }", "misplaced", "this MEMORY has neither a name nor members", "MEMORY", ""),
+    ("public x() { c: c(); }\nc() { GATEWAY(); }", "misplaced", "GATEWAY stands in a public interface", "GATEWAY", ""),
+    ("public x() { c: c() { @a = 1: READ(); } }\nc() {}", "misplaced", "only a hardware module has members here, and c is none", "c", ""),
+    ("public x() { GATEWAY(); GATEWAY(); }", "name-twice", "GATEWAY stands twice", "GATEWAY", ""),
+    ("public x() { m: MEMORY() @(1); }", "module-address", "the address of MEMORY is its BASE", "MEMORY", "as in BASE=0x40"),
+    ("public x() { n: TOSNET_NODE(); }", "argument-missing", "TOSNET_NODE needs NODE", "TOSNET_NODE", ""),
+    ("public x() { GATEWAY(DATA_BITS=65); }", "out-of-range", "DATA_BITS is 65, and 8 to 64 is expected", "65", ""),
+    ("public x() { a[300]: c(); }\nc() { b[400]: d(); }\nd() {}", "too-many", "an interface of more than 100,000 signals and components is too large", "b[400]: d();", ""),
+    ('import "nowhere.ul";\npublic x() {}', "import", "nowhere.ul cannot be read: No such file or directory", '"nowhere.ul"', "from the folder"),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("text", "code", "message", "place", "advice"),
+    CASES,
+    ids=[f"{case[1]}-{number}" for number, case in enumerate(CASES)],
+)
+def test_a_fault_is_told_with_its_place_and_what_to_do(
+    text: str, code: str, message: str, place: str, advice: str
+) -> None:
+    found = next((one for one in faults(text) if one.code == code), None)
+    assert found is not None, SpecError(faults(text))
+    assert message in found.message
+    assert advice in found.help
+    assert underlined(text, found) == place
+
+
+def test_every_rule_has_a_case() -> None:
+    sources = "".join(path.read_text() for path in (Path(__file__).parents[2] / "unity_link/spec").glob("*.py"))
+    rules = set(re.findall(r'"([a-z]+(?:-[a-z]+)+|syntax|overlap|recursion|inexact|misplaced|import|joints)"', sources))
+    rules -= {"utf-8", "utf-8-sig", "no-value-type"}
+    tested = {code for _, code, *_ in CASES}
+    elsewhere = {"import-cycle", "gateway-width", "no-interface", "too-long", "unreadable"}
+    assert rules - tested - elsewhere == set()
+
+
+def test_all_faults_are_told_at_once_in_the_order_of_the_source() -> None:
+    text = "public x() {\n  @a = 1: REED();\n  j: joit();\n  @b = 1: READ(SCALE=0);\n  @c = 0x100: READ();\n}\n"
+    found = faults(text)
+    assert [(one.span.line, one.code) for one in found] == [
+        (2, "unknown-access"), (3, "unknown-component"), (4, "bad-scale"), (5, "address-range"),
+    ]  # fmt: skip
+
+
+def test_several_faults_of_syntax_are_told_at_once() -> None:
+    text = (
+        'public x( {\n  @a: READ(ID=1)\n  @b: READ(ID="x);\n  @c READ();\n  j: joint(1 @(2);\n  @d = 1: READ();\n}\n'
+        "y() {\n  @e = ;\n  k: c()\n}\nenum m { a b }\nz() { @f = 2: READ(; }\n"
+    )
+    assert [one.span.line for one in faults(text)] == [1, 2, 3, 4, 5, 9, 10, 12, 13]
+
+
+def test_a_fault_of_a_component_is_told_once_however_often_it_is_used() -> None:
+    text = "public x() { a[50]: c() @(i); }\nc(): @(v) { @v: REED(); }"
+    assert [one.code for one in faults(text)] == ["unknown-access"]
+
+
+def test_what_only_follows_from_a_fault_is_not_told() -> None:
+    text = "public x() { j: joint(nothing) @(nowhere, 1); }" + JOINT
+    assert [one.message for one in faults(text)] == [
+        "nothing is called 'nothing' here",
+        "nothing is called 'nowhere' here",
+    ]
+
+
+def test_a_component_that_nothing_uses_is_checked_too() -> None:
+    assert [one.code for one in faults("public x() {}\nc(n): @(v) { @v: REED(ID=n, UNIT=m); }")] == ["unknown-access"]
+
+
+def test_a_diagnostic_shows_file_line_column_the_line_and_the_other_place() -> None:
+    text = "public x() {\n\t@a = 0x10: READ();\n\t@b = 0x10: READ();\n}\n"
+    (found,) = faults(text)
+    assert found.render() == (
+        "robot.ul:3:7: error: b takes bits 31:0 at address 0x10, which a has (bits 31:0)\n"
+        "    3 | \t@b = 0x10: READ();\n"
+        "      | \t     ^^^^\n"
+        "robot.ul:2:7: note: a stands here\n"
+        "    2 | \t@a = 0x10: READ();\n"
+        "      | \t     ^^^^"
+    )
+
+
+def test_advice_stands_below_the_line() -> None:
+    error = SpecError(faults("public x() { @a = 1: REED(); }"))
+    assert str(error) == (
+        "robot.ul:1:22: error: there is no access 'REED'\n"
+        "    1 | public x() { @a = 1: REED(); }\n"
+        "      |                      ^^^^\n"
+        "  help: did you mean 'READ'?\n"
+        "1 error"
+    )
+
+
+def test_a_very_long_line_is_cut_around_the_place() -> None:
+    (found,) = faults("public x() { " + "@a = 1: READ(); " * 0 + " " * 5000 + "@b = 1: REED();" + " " * 5000 + "}")
+    assert all(len(line) < 200 for line in found.render().splitlines())
+    assert "@b = 1: REED();" in found.render()
+
+
+def test_the_number_of_diagnostics_shown_is_limited() -> None:
+    text = "public x() {\n" + "".join(f"@a{number} = 1: REED();\n" for number in range(300)) + "}"
+    error = SpecError(faults(text))
+    assert len(error.diagnostics) == 300
+    assert str(error).count("unknown") == 0
+    assert str(error).count("error: there is no access") == 100
+    assert str(error).endswith("300 errors, the first 100 of which are shown")
+
+
+def test_files_that_import_each_other_are_told(tmp_path: Path) -> None:
+    (tmp_path / "a.ul").write_text('import "b.ul";\npublic x() {}')
+    (tmp_path / "b.ul").write_text('import "a.ul";\nc() {}')
+    with pytest.raises(SpecError) as caught:
+        compile_file(tmp_path / "a.ul")
+    (found,) = caught.value.diagnostics
+    assert found.message == "files import each other in a circle: a.ul -> b.ul -> a.ul"
+    assert found.span.file == str(tmp_path / "b.ul")
+
+
+def test_a_fault_in_an_imported_file_is_told_there(tmp_path: Path) -> None:
+    (tmp_path / "lib").mkdir()
+    (tmp_path / "a.ul").write_text('import "lib/c.ul";\npublic x() { c: c() @(1); }')
+    (tmp_path / "lib" / "c.ul").write_text("\nc(): @(v) { @v: REED(); }")
+    with pytest.raises(SpecError) as caught:
+        compile_file(tmp_path / "a.ul")
+    (found,) = caught.value.diagnostics
+    assert (found.span.file, found.span.line) == (str(tmp_path / "lib" / "c.ul"), 2)
+
+
+def test_a_file_that_is_no_text_is_refused(tmp_path: Path) -> None:
+    (tmp_path / "a.ul").write_bytes(b"public \xff")
+    with pytest.raises(SpecError, match=r"a\.ul is no UTF-8 text: byte 7 is 0xFF"):
+        compile_file(tmp_path / "a.ul")
+    with pytest.raises(SpecError, match="cannot be read: Is a directory"):
+        compile_file(tmp_path)
+
+
+def test_widths_that_the_gateway_does_not_have_are_told() -> None:
+    (found,) = faults("public x() { GATEWAY(ADDRESS_BITS=12); }", address_bits=8)
+    assert found.code == "gateway-width"
+    assert found.message == "ADDRESS_BITS is 12 here, and the gateway's is 8"
+
+
+def test_a_file_with_nothing_public_is_warned_of() -> None:
+    (found,) = compile_text("c() {}", "c.ul").warnings
+    assert found.render() == (
+        "c.ul: warning: nothing in this file is public\n  help: mark the outermost component with 'public'"
+    )
+
+
+def test_suggestions_are_names_that_look_alike() -> None:
+    assert did_you_mean("publish", ["PUBLISH", "POLL"]) == "did you mean 'PUBLISH'?"
+    assert did_you_mean("xyz", ["PUBLISH"]) == ""

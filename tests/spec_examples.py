@@ -1,0 +1,201 @@
+"""What the tests of specs share: specs that are valid, made by hypothesis as syntax trees, and a way to look at a model."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import hypothesis.strategies as st
+from unity_link.spec import Interface, compile_text
+from unity_link.spec.syntax import (
+    Argument,
+    Bits,
+    Call,
+    Chain,
+    ComponentDeclaration,
+    EnumDeclaration,
+    EnumValue,
+    Expression,
+    File,
+    GroupDeclaration,
+    KindName,
+    Name,
+    Number,
+    Parameter,
+    Parenthesis,
+    Placement,
+    Prefixed,
+    SignalDeclaration,
+    Text,
+    Word,
+)
+
+FIGURE_1 = """\
+public scara(ctrl,comm) {
+  TOSNET(CTRL=ctrl, COMM=comm, BASE=0);
+  j1: joint("joint 1") @(0x80,0x88,0x8C,0x94);
+  j2: joint("joint 2") @(0x81,0x89,0x8D,0x95);
+  j3: joint("joint 3") @(0x82,0x8A,0x8E,0x96);
+  j4: joint("joint 4") @(0x83,0x8B,0x8F,0x97);
+}
+joint(name): @(spd,cpos,pos_sp,spd_sp) {
+  @cpos: signed READ(ID=name+":cpos", PUBLISH(1,10));
+  @spd: READ(ID=name+":spd", PUBLISH(1,10));
+  @pos_sp: signed WRITE(ID=name+":pos_sp");
+  @spd_sp: WRITE(ID=name+":spd_sp");
+}
+"""
+"""The paper's figure 1, word for word."""
+
+
+def interface_of(*members: str, outside: str = "", **options: Any) -> Interface:
+    """Compile a public interface of some members."""
+    return compile_text("public robot() {\n%s\n}\n%s" % ("\n".join(members), outside), **options).interface()
+
+
+# Valid specs
+
+words = st.from_regex(r"[a-z][a-z0-9_]{0,5}", fullmatch=True).filter(
+    lambda word: word not in {"i", "pi", "true", "false", "import", "enum", "group", "public", "mro"}
+)
+texts = st.text(st.characters(codec="utf-8", exclude_categories=["Cs", "Cc"]), max_size=8)
+comment_texts = st.text(st.characters(codec="latin-1", exclude_categories=["Cc"], exclude_characters="/*"), max_size=12)
+numbers = st.one_of(
+    st.integers(0, 255).map(str),
+    st.integers(0, 255).map(hex),
+    st.integers(0, 15).map(bin),
+    st.sampled_from(["1_000", "1.5", "2e3", "0.25e-2"]),
+).map(Number)
+
+
+def whole(value: int) -> Expression:
+    """Write a number, in one of the ways that have this value."""
+    return Number(hex(value) if value % 2 else str(value))
+
+
+@st.composite
+def expressions(draw: st.DrawFn, names: list[str]) -> Expression:
+    """Draw an expression that has a number as its value, if the names have."""
+    leaves = st.one_of(numbers, st.sampled_from(names).map(lambda name: Name(Word(name)))) if names else numbers
+
+    def larger(inner: st.SearchStrategy[Expression]) -> st.SearchStrategy[Expression]:
+        operands = st.one_of(leaves, inner.map(lambda one: Parenthesis(one)))
+        chains = st.lists(operands, min_size=2, max_size=3).flatmap(
+            lambda some: st.lists(st.sampled_from("+-*"), min_size=len(some) - 1, max_size=len(some) - 1).map(
+                lambda operators: Chain(some, operators)
+            )
+        )
+        return st.one_of(chains, operands.map(lambda one: Prefixed("-", one)))
+
+    return draw(st.recursive(leaves, larger, max_leaves=4))
+
+
+@st.composite
+def kinds(draw: st.DrawFn, enumerations: list[EnumDeclaration]) -> tuple[KindName | None, int]:
+    """Draw a kind of at most 32 bits, and its width."""
+    width = draw(st.integers(1, 32))
+    fraction = draw(st.integers(0, width))
+    choices: list[tuple[KindName | None, int]] = [
+        (None, 32),
+        (KindName(Word("bool")), 1),
+        (KindName(Word("unsigned"), Number(str(width))), width),
+        (KindName(Word("signed"), Number(str(width))), width),
+        (KindName(Word("float"), Number("32")), 32),
+        (KindName(Word("float"), Number("16")), 16),
+        (KindName(Word("fixed"), Number(f"{width - fraction}.{fraction}")), width),
+        (KindName(Word("ufixed"), Number(f"{width - fraction}.{fraction}")), width),
+        *((KindName(Word(one.name), Number("8")), 8) for one in enumerations),
+    ]
+    return draw(st.sampled_from(choices))
+
+
+@st.composite
+def signals(
+    draw: st.DrawFn, name: str, address: int, enumerations: list[EnumDeclaration], groups: list[str]
+) -> SignalDeclaration:
+    """Draw a signal at an address of its own, given as an offset to `base` where that is negative."""
+    kind, width = draw(kinds(enumerations))
+    low = draw(st.integers(0, 32 - width))
+    is_number = kind is None or kind.name in {"unsigned", "signed", "fixed", "ufixed"}
+    access = draw(st.sampled_from(["READ", "WRITE", "READWRITE"]))
+    arguments: list[Argument] = []
+    if draw(st.booleans()) and is_number:
+        arguments.append(Argument(Word("SCALE"), draw(st.sampled_from([Number("0.1"), Number("2"), Number("1e-3")]))))
+    if draw(st.booleans()):
+        arguments.append(Argument(Word("UNIT"), Text(draw(texts))))
+    if access != "WRITE" and groups and draw(st.booleans()):
+        group = Name(Word(draw(st.sampled_from(groups))))
+        arguments.append(Argument(None, Call(Word("PUBLISH"), [Argument(None, group)])))
+    elif access != "WRITE" and draw(st.booleans()):
+        arguments.append(Argument(None, Call(Word("POLL"), [Argument(None, Number("20"))])))
+    elif draw(st.booleans()) and width == 32 and (kind is None or kind.name != "float"):
+        arguments.append(Argument(None, Name(Word("FIFO"))))
+    where: Expression = Chain([Name(Word("base")), whole(-address - 1)], ["+"]) if address < 0 else whole(address)
+    bits = Bits(whole(low + width - 1), whole(low)) if width < 32 or draw(st.booleans()) else None
+    doc = draw(st.lists(comment_texts.map(str.strip).filter(bool), max_size=2))
+    return SignalDeclaration(Word(name), where, bits, kind, Word(access), draw(st.permutations(arguments)), doc=doc)
+
+
+def _unique_names(draw: st.DrawFn, taken: set[str], size: int) -> list[str]:
+    names = draw(st.lists(words.filter(lambda name: name not in taken), min_size=size, max_size=size, unique=True))
+    taken.update(names)
+    return names
+
+
+@st.composite
+def specs(draw: st.DrawFn) -> File:
+    """Draw a whole spec that has no faults: enumerations, groups, components in arrays, modules."""
+    taken = {"base", "name", *(kind for kind in ("bool", "unsigned", "signed", "float", "fixed", "ufixed"))}
+    enumerations = [
+        EnumDeclaration(
+            Word(name),
+            [
+                EnumValue(Word(value), None if draw(st.booleans()) and index == 0 else Number(str(10 * index)))
+                for index, value in enumerate(_unique_names(draw, set(), draw(st.integers(1, 3))))
+            ],
+        )
+        for name in _unique_names(draw, taken, draw(st.integers(0, 2)))
+    ]
+    groups = _unique_names(draw, taken, draw(st.integers(0, 2)))
+    group_items = [
+        GroupDeclaration(Word(name), [Argument(Word("DIVISOR"), Number(str(10 + index)))])
+        for index, name in enumerate(groups)
+    ]
+    components = []
+    for name in _unique_names(draw, taken, draw(st.integers(0, 2))):
+        names = _unique_names(draw, set(), draw(st.integers(1, 3)))
+        members: list[Any] = [draw(signals(one, -index - 1, enumerations, groups)) for index, one in enumerate(names)]
+        components.append(
+            ComponentDeclaration(False, Word(name), [Parameter(Word("name"))], [Parameter(Word("base"))], members)
+        )
+    members = []
+    address = 0
+    (interface,) = _unique_names(draw, taken, 1)
+    for index, name in enumerate(_unique_names(draw, set(taken), draw(st.integers(1, 4)))):
+        if components and draw(st.booleans()):
+            component = draw(st.sampled_from(components))
+            count = draw(st.one_of(st.none(), st.integers(1, 3)))
+            place = whole(address)
+            if count is not None:
+                place = Chain([place, whole(4), Name(Word("i"))], ["+", "*"])
+            members.append(
+                Placement(
+                    Word(name),
+                    None if count is None else whole(count),
+                    Word(component.name),
+                    [Argument(None, Text(draw(texts)))],
+                    [Argument(None, place)],
+                )
+            )
+            address += 4 * (count or 1)
+        else:
+            signal = draw(signals(name, 0, enumerations, groups))
+            signal.address = whole(address)
+            if draw(st.booleans()) and index == 0:
+                block = [Argument(Word("BASE"), whole(0)), Argument(Word("SIZE"), whole(1))]
+                members.append(Placement(None, None, Word("MEMORY"), block, None, [signal]))
+            else:
+                members.append(signal)
+            address += 1
+    public = ComponentDeclaration(True, Word(interface), [], None, members)
+    items = draw(st.permutations([*enumerations, *group_items, *components, public]))
+    return File(list(items))

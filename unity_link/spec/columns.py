@@ -1,0 +1,102 @@
+"""Many signals at once: from the words of a group to arrays of values and back, a few numpy operations for each kind.
+
+`Signal.decode` is for one value; this is for samples of groups, of which there may be a hundred thousand a second.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+
+from unity_link.errors import ArgumentError
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping, Sequence
+
+    from numpy.typing import ArrayLike, NDArray
+
+    from unity_link.spec.kinds import Kind
+    from unity_link.spec.model import Signal
+
+    Words = NDArray[np.uint64]
+
+
+class _Block(NamedTuple):
+    """Signals of one kind: row `part` of `columns` has where the word of that number of each signal stands."""
+
+    kind: Kind
+    paths: list[str]
+    columns: NDArray[np.intp]
+    shifts: NDArray[np.uint64]
+    mask: np.uint64
+
+
+class Columns:
+    """The signals that stand in words at certain addresses."""
+
+    def __init__(self, signals: Sequence[Signal], addresses: Sequence[int]) -> None:
+        """Prepare for words in the order of `addresses`, which must hold every word of `signals`."""
+        self._width = len(addresses)
+        self._word_bits = signals[0].word_bits if signals else 0
+        column = {address: index for index, address in enumerate(addresses)}
+        alike: dict[tuple[Kind, int], list[Signal]] = {}
+        for signal in signals:
+            missing = next((address for address in signal.addresses if address not in column), None)
+            if missing is not None:
+                raise ArgumentError(f"{signal.path} has a word at {missing:#x}, which is not among the addresses")
+            alike.setdefault((signal.kind, signal.words), []).append(signal)
+        self._blocks = [
+            _Block(
+                kind,
+                [signal.path for signal in group],
+                np.array([[column[signal.address + part] for signal in group] for part in range(words)]),
+                np.array([signal.lowest_bit for signal in group], np.uint64),
+                np.uint64((1 << kind.width) - 1),
+            )
+            for (kind, words), group in alike.items()
+        ]
+
+    def decode(self, words: ArrayLike) -> dict[str, NDArray[Any]]:
+        """Give the values of each signal by its path.
+
+        Args:
+            words: shape (..., addresses); the last axis is in the order of the addresses.
+
+        Returns:
+            Arrays of shape (...), of the type that the kind of the signal has.
+        """
+        given = np.asarray(words)
+        if given.shape[-1:] != (self._width,):
+            raise ArgumentError(f"{self._width} words a sample were expected, and the words have shape {given.shape}")
+        given = given.astype(np.uint64, copy=False)
+        values: dict[str, NDArray[Any]] = {}
+        for block in self._blocks:
+            raw = given[..., block.columns[0]]
+            for part in range(1, len(block.columns)):
+                raw = raw | given[..., block.columns[part]] << np.uint64(part * self._word_bits)
+            decoded = block.kind.decode_array(np.ascontiguousarray(raw >> block.shifts & block.mask))
+            values.update((path, decoded[..., index]) for index, path in enumerate(block.paths))
+        return values
+
+    def encode(self, values: Mapping[str, ArrayLike]) -> Words:
+        """Give the words of values of all signals; bits that no signal has are 0.
+
+        Args:
+            values: by paths, arrays of one shape (...).
+
+        Returns:
+            Shape (..., addresses).
+
+        Raises:
+            ArgumentError: for a value that a kind cannot say. Limits are not checked.
+        """
+        shape = np.broadcast_shapes(*(np.shape(value) for value in values.values()))
+        words = np.zeros((*shape, self._width), np.uint64)
+        word_mask = np.uint64((1 << self._word_bits) - 1)
+        for block in self._blocks:
+            for index, path in enumerate(block.paths):
+                raw = block.kind.encode_array(np.asarray(values[path])) << block.shifts[index]
+                for part in range(len(block.columns)):
+                    words[..., block.columns[part, index]] |= raw >> np.uint64(part * self._word_bits) & word_mask
+        return words
