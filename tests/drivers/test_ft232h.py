@@ -86,6 +86,12 @@ class Recorder(asyncio.Protocol):
         return self.error
 
 
+@pytest.fixture(params=["ftdi", "ftdi-async"])
+def url(request: pytest.FixtureRequest) -> str:
+    """Give the URL of the chip that is plugged in, for either driver."""
+    return f"{request.param}://ftdi:232h/1"
+
+
 async def connect(url: str = URL) -> Recorder:
     recorder = Recorder()
     parsed = parse_url(url)
@@ -163,9 +169,9 @@ async def test_a_virtual_chip_needs_nothing_but_its_url() -> None:
         assert await link.read(0x94) == 1000
 
 
-async def test_what_is_written_in_many_pieces_arrives_whole_and_in_order() -> None:
+async def test_what_is_written_in_many_pieces_arrives_whole_and_in_order(url: str) -> None:
     with plugged_in():
-        recorder = await connect()
+        recorder = await connect(url)
         for _ in range(1000):
             recorder.transport.write(READ[:3])
             recorder.transport.write(READ[3:])
@@ -174,10 +180,10 @@ async def test_what_is_written_in_many_pieces_arrives_whole_and_in_order() -> No
         await close(recorder)
 
 
-async def test_a_closed_transport_has_written_what_it_was_given() -> None:
+async def test_a_closed_transport_has_written_what_it_was_given(url: str) -> None:
     gateway = VirtualGateway()
     with plugged_in(gateway) as device:
-        recorder = await connect()
+        recorder = await connect(url)
         recorder.transport.write(b"WS10%08X\r" % 1 * 500 + b"WS1100000007\r")
         await close(recorder)
         with device.changed:
@@ -185,19 +191,19 @@ async def test_a_closed_transport_has_written_what_it_was_given() -> None:
         assert gateway.memory[0x11] == 7
 
 
-async def test_closing_ends_a_read_that_is_under_way() -> None:
+async def test_closing_ends_a_read_that_is_under_way(url: str) -> None:
     with plugged_in() as device:
-        recorder = await connect(f"{URL}?latency=255")
+        recorder = await connect(f"{url}?latency=255")
         await close(recorder)
         assert device.claimed_by is None
-        again = await connect()
+        again = await connect(url)
         await close(again)
 
 
-async def test_a_gateway_that_does_not_read_pauses_the_program() -> None:
+async def test_a_gateway_that_does_not_read_pauses_the_program(url: str) -> None:
     with plugged_in(mode=Mode.SYNC_FIFO):
         # In this mode its pins are dead: the chip takes its 1 KiB, and no more.
-        recorder = await connect()
+        recorder = await connect(url)
         while not recorder.paused:
             recorder.transport.write(bytes(8192))
         assert recorder.transport.get_write_buffer_size() > 65536
@@ -205,9 +211,9 @@ async def test_a_gateway_that_does_not_read_pauses_the_program() -> None:
         await recorder.lost()
 
 
-async def test_a_paused_reader_is_given_everything_later() -> None:
+async def test_a_paused_reader_is_given_everything_later(url: str) -> None:
     with plugged_in():
-        recorder = await connect()
+        recorder = await connect(url)
         recorder.transport.pause_reading()
         recorder.transport.write(READ * 500)
         while recorder.transport.get_write_buffer_size():  # noqa: ASYNC110  (there is no event for it)
@@ -219,9 +225,9 @@ async def test_a_paused_reader_is_given_everything_later() -> None:
         await close(recorder)
 
 
-async def test_a_packet_of_exactly_510_bytes_arrives() -> None:
+async def test_a_packet_of_exactly_510_bytes_arrives(url: str) -> None:
     with plugged_in(short_packet_after_full=False):
-        recorder = await connect()
+        recorder = await connect(url)
         recorder.transport.write(READ * 36 + b"W0A000000124F\n")
         await recorder.until(510)
         assert recorder.received == ANSWER * 36 + b"W0A0B\n"
@@ -231,9 +237,9 @@ async def test_a_packet_of_exactly_510_bytes_arrives() -> None:
 # Send-immediate
 
 
-async def test_the_driver_s_part_of_send_immediate_is_the_timer_and_the_event_character() -> None:
+async def test_the_driver_s_part_of_send_immediate_is_the_timer_and_the_event_character(url: str) -> None:
     with plugged_in() as device:
-        recorder = await connect()
+        recorder = await connect(url)
         choose = recorder.transport.get_extra_info("send_immediate")
         seen = {}
         for mode in ("off", "always", "adaptive"):
@@ -243,18 +249,18 @@ async def test_the_driver_s_part_of_send_immediate_is_the_timer_and_the_event_ch
         await close(recorder)
 
 
-async def test_a_link_s_mode_of_send_immediate_reaches_gateway_and_chip() -> None:
+async def test_a_link_s_mode_of_send_immediate_reaches_gateway_and_chip(url: str) -> None:
     gateway = VirtualGateway()
     with plugged_in(gateway) as device:
-        async with unity_link.connect(URL) as link:
+        async with unity_link.connect(url) as link:
             for mode, number, latency in (("off", 0, 16), ("always", 1, 1), ("adaptive", 2, 1)):
                 await link.send_immediate(mode)  # type: ignore[arg-type]  # a Literal, in a loop
                 assert (gateway.send_immediate, device.chip.latency) == (number, latency)
 
 
-async def test_what_the_url_says_of_the_timer_holds_for_every_mode() -> None:
+async def test_what_the_url_says_of_the_timer_holds_for_every_mode(url: str) -> None:
     with plugged_in() as device:
-        recorder = await connect(f"{URL}?latency=7&event_char=0x0D")
+        recorder = await connect(f"{url}?latency=7&event_char=0x0D")
         for mode in ("off", "always", "adaptive"):
             await recorder.transport.get_extra_info("send_immediate")(mode)
             assert (device.chip.latency, device.chip.event_character) == (7, 0x0D)
@@ -264,9 +270,9 @@ async def test_what_the_url_says_of_the_timer_holds_for_every_mode() -> None:
 # Faults
 
 
-async def test_an_unplug_while_reading_is_a_lost_connection() -> None:
+async def test_an_unplug_while_reading_is_a_lost_connection(url: str) -> None:
     with plugged_in() as device:
-        recorder = await connect(f"{URL}?latency=255")
+        recorder = await connect(f"{url}?latency=255")
         device.unplug()
         error = await recorder.lost()
         assert isinstance(error, ConnectError)
@@ -274,31 +280,31 @@ async def test_an_unplug_while_reading_is_a_lost_connection() -> None:
         assert getattr(error.__context__, "errno", None) == 19
 
 
-async def test_an_unplug_while_writing_is_a_lost_connection() -> None:
+async def test_an_unplug_while_writing_is_a_lost_connection(url: str) -> None:
     with plugged_in(mode=Mode.SYNC_FIFO) as device:
-        recorder = await connect()
+        recorder = await connect(url)
         recorder.transport.write(bytes(30000))
         await asyncio.sleep(0)
         device.unplug()
         assert "unplugged" in str(await recorder.lost())
 
 
-async def test_a_call_on_an_unplugged_chip_raises_and_a_new_plug_in_is_found() -> None:
+async def test_a_call_on_an_unplugged_chip_raises_and_a_new_plug_in_is_found(url: str) -> None:
     with plugged_in() as device:
-        async with unity_link.connect(URL) as link:
+        async with unity_link.connect(url) as link:
             device.unplug()
             with pytest.raises(LinkLostError, match="unplugged"):
                 await link.read(1)
         with pytest.raises(ConnectError, match="plugged in"):
-            await unity_link.connect(URL)
+            await unity_link.connect(url)
         device.plug_in()
-        async with unity_link.connect(URL) as link:
+        async with unity_link.connect(url) as link:
             assert await link.read(1) == 0
 
 
-async def test_a_link_reconnects_when_the_chip_is_plugged_in_again() -> None:
+async def test_a_link_reconnects_when_the_chip_is_plugged_in_again(url: str) -> None:
     with plugged_in() as device:
-        async with unity_link.connect(URL, reconnect=True) as link:
+        async with unity_link.connect(url, reconnect=True) as link:
             await link.write(1, 5)
             device.unplug()
             device.plug_in()
@@ -314,62 +320,62 @@ async def test_a_link_reconnects_when_the_chip_is_plugged_in_again() -> None:
         (build_eeprom("FIFO", "S1")[:-1] + b"\x55", "checksum"),
     ],
 )
-async def test_a_chip_that_is_no_fifo_is_refused_with_what_to_do(image: bytes, words: str) -> None:
+async def test_a_chip_that_is_no_fifo_is_refused_with_what_to_do(url: str, image: bytes, words: str) -> None:
     with plugged_in(image=image), pytest.raises(ConnectError, match=words) as refused:
-        await connect()
+        await connect(url)
     assert "unity-link ft232h configure ftdi://ftdi:232h/1 --mode fifo" in str(refused.value)
 
 
-async def test_a_fifo_is_refused_as_a_uart() -> None:
+async def test_a_fifo_is_refused_as_a_uart(url: str) -> None:
     with plugged_in(), pytest.raises(ConnectError, match="--mode uart"):
-        await connect(f"{URL}?mode=uart")
+        await connect(f"{url}?mode=uart")
 
 
-async def test_a_chip_in_use_by_another_program_is_told() -> None:
+async def test_a_chip_in_use_by_another_program_is_told(url: str) -> None:
     with plugged_in() as device:
         device.claimed_by = object()
         with pytest.raises(ConnectError, match="in use by another program"):
-            await connect()
+            await connect(url)
 
 
-async def test_a_chip_that_this_program_has_open_is_not_shared() -> None:
+async def test_a_chip_that_this_program_has_open_is_not_shared(url: str) -> None:
     with plugged_in():
-        recorder = await connect()
+        recorder = await connect(url)
         with pytest.raises(ConnectError, match="in use"):
-            await connect()
+            await connect(url)
         recorder.transport.write(READ)
         await recorder.until(len(ANSWER))
         await close(recorder)
 
 
-async def test_without_permission_the_udev_rule_is_named() -> None:
+async def test_without_permission_the_udev_rule_is_named(url: str) -> None:
     with plugged_in() as device:
         device.denied = True
         with pytest.raises(ConnectError, match=r"/etc/udev/rules\.d/70-ft232h\.rules"):
-            await connect()
+            await connect(url)
 
 
-async def test_a_chip_that_is_not_there_is_told() -> None:
+async def test_a_chip_that_is_not_there_is_told(url: str) -> None:
     with installed(VirtualBus()), pytest.raises(ConnectError, match="is it plugged in"):
-        await connect()
+        await connect(url)
 
 
-async def test_of_two_chips_the_serial_number_chooses() -> None:
+async def test_of_two_chips_the_serial_number_chooses(url: str) -> None:
     first = VirtualFt232h(GatewayBoard(VirtualGateway()), image=build_eeprom("FIFO", "AAA"))
     second = VirtualFt232h(GatewayBoard(VirtualGateway()), image=build_eeprom("FIFO", "BBB"))
     with installed(VirtualBus(first, second)):
-        recorder = await connect("ftdi://ftdi:232h:BBB/1")
+        recorder = await connect(f"{url.partition(':')[0]}://ftdi:232h:BBB/1")
         assert (first.claimed_by, second.claimed_by is None) == (None, False)
-        other = await connect("ftdi://ftdi:232h:AAA/1")
+        other = await connect(f"{url.partition(':')[0]}://ftdi:232h:AAA/1")
         await close(recorder)
         await close(other)
         with pytest.raises(ConnectError, match="2 USB devices match"):
-            await connect()
+            await connect(url)
 
 
-async def test_an_overrun_is_counted_and_logged_once(caplog: pytest.LogCaptureFixture) -> None:
+async def test_an_overrun_is_counted_and_logged_once(url: str, caplog: pytest.LogCaptureFixture) -> None:
     with plugged_in() as device, caplog.at_level(logging.WARNING, "unity_link"):
-        recorder = await connect()
+        recorder = await connect(url)
         for count in (1, 2):
             device.report_error(OVERRUN)
             recorder.transport.write(READ)
@@ -387,9 +393,9 @@ async def test_the_status_of_every_packet_of_a_read_is_looked_at() -> None:
 
 
 @pytest.mark.parametrize("endpoint", [IN, OUT])
-async def test_a_stalled_endpoint_is_cleared(endpoint: int) -> None:
+async def test_a_stalled_endpoint_is_cleared(url: str, endpoint: int) -> None:
     with plugged_in() as device:
-        recorder = await connect()
+        recorder = await connect(url)
         device.halt(endpoint)
         recorder.transport.write(READ)
         await recorder.until(len(ANSWER))
@@ -397,9 +403,11 @@ async def test_a_stalled_endpoint_is_cleared(endpoint: int) -> None:
         await close(recorder)
 
 
-async def test_an_endpoint_that_stalls_again_and_again_is_a_lost_connection(monkeypatch: pytest.MonkeyPatch) -> None:
+async def test_an_endpoint_that_stalls_again_and_again_is_a_lost_connection(
+    url: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
     with plugged_in() as device:
-        recorder = await connect()
+        recorder = await connect(url)
         monkeypatch.setattr(device.chip, "halted", NeverCleared([IN]))
         device.halt(IN)
         assert "stalled" in str(await recorder.lost())
@@ -412,17 +420,17 @@ class NeverCleared(set[int]):
         pass
 
 
-async def test_a_gateway_that_never_reads_is_told_after_a_while(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("unity_link.drivers.ft232h.WRITE_PATIENCE", 0.01)
+async def test_a_gateway_that_never_reads_is_told_after_a_while(url: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("unity_link.drivers.ft232h_chip.WRITE_PATIENCE", 0.01)
     with plugged_in(mode=Mode.SYNC_FIFO):
-        recorder = await connect()
+        recorder = await connect(url)
         recorder.transport.write(bytes(4096))
         assert "has not read" in str(await recorder.lost())
 
 
-async def test_a_cancelled_opening_leaves_the_chip_closed() -> None:
+async def test_a_cancelled_opening_leaves_the_chip_closed(url: str) -> None:
     with plugged_in() as device:
-        opening = asyncio.create_task(connect())
+        opening = asyncio.create_task(connect(url))
         await asyncio.sleep(0)
         await asyncio.sleep(0)
         opening.cancel()

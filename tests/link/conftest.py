@@ -49,8 +49,8 @@ def simulated(info: GatewayInfo, *, failing: bool = False) -> Gateway:
     return gateway
 
 
-KINDS: dict[str, Maker] = {"sim": simulated, "ftdi": simulated}
-SCHEMES = {"ftdi"}
+KINDS: dict[str, Maker] = {"sim": simulated, "ftdi": simulated, "ftdi-async": simulated}
+SCHEMES = {"ftdi", "ftdi-async"}
 
 
 @pytest.fixture(params=KINDS)

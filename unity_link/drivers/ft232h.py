@@ -17,6 +17,7 @@ import time
 from collections import deque
 from typing import TYPE_CHECKING, Any
 
+from unity_link.drivers import ft232h_chip
 from unity_link.drivers.ft232h_chip import (
     ERROR_BITS,
     IN_ENDPOINT,
@@ -29,7 +30,8 @@ from unity_link.drivers.ft232h_chip import (
     explain,
     find_errno,
     log,
-    open_chip,
+    open_in_thread,
+    stuck,
 )
 from unity_link.errors import ConnectError
 
@@ -47,8 +49,6 @@ MOST_UNREAD = 1 << 20
 """Bytes that were read and not delivered, at which reading pauses."""
 SLICE_MS = 250
 """How long a write may block before it is looked whether to go on."""
-WRITE_PATIENCE = 5.0
-"""Seconds without any progress after which writing has failed: the gateware does not read from the chip."""
 READ_SLACK_MS = 1000
 """How much longer than the latency timer a read may take; the chip answers with status bytes when it ends."""
 MOST_STALLS = 3
@@ -58,23 +58,11 @@ MOST_STALLS = 3
 async def connect(url: DriverUrl, protocol: asyncio.Protocol) -> asyncio.Transport:
     """Open a chip."""
     loop = asyncio.get_running_loop()
-    opening = loop.run_in_executor(None, open_chip, url)
-    try:
-        chip = await asyncio.shield(opening)
-    except asyncio.CancelledError:
-        # It can't be interrupted; what it opens must not stay open.
-        opening.add_done_callback(_close_unwanted)
-        raise
+    chip = await open_in_thread(url)
     transport = ChipTransport(loop, protocol, chip)
     protocol.connection_made(transport)
     transport.start()
     return transport
-
-
-def _close_unwanted(opening: asyncio.Future[OpenChip]) -> None:
-    if not opening.cancelled() and opening.exception() is None:
-        chip = opening.result()
-        threading.Thread(target=chip.close, name="ft232h close").start()
 
 
 class StatusStripper:
@@ -302,7 +290,7 @@ class ChipTransport(asyncio.Transport):
 
     def _write(self, data: bytes) -> None:
         device, stalls = self._chip.device, 0
-        patience = time.monotonic() + WRITE_PATIENCE
+        patience = time.monotonic() + ft232h_chip.WRITE_PATIENCE
         while data and not self._aborted:
             try:
                 sent = device.write(OUT_ENDPOINT, data[:WRITE_SIZE], SLICE_MS)
@@ -315,11 +303,10 @@ class ChipTransport(asyncio.Transport):
                     raise
                 sent = 0
             if sent:
-                patience = time.monotonic() + WRITE_PATIENCE
+                patience = time.monotonic() + ft232h_chip.WRITE_PATIENCE
                 data = data[sent:]
             elif time.monotonic() > patience:
-                reason = f"the gateware has not read from the FT232H for {WRITE_PATIENCE:g} s"
-                raise TimeoutError(errno.ETIMEDOUT, reason)
+                raise stuck()
 
     # In both
 
@@ -327,9 +314,7 @@ class ChipTransport(asyncio.Transport):
         """End because of an error; the first one counts."""
         with self._changed:
             if self._error is None and not self._closing:
-                # The chip may work again some day, but this one did not write what it was given.
-                reason = str(error.strerror) if isinstance(error, TimeoutError) else explain(error)
-                self._error = ConnectError(reason)
+                self._error = ConnectError(explain(error))
                 self._error.__context__ = error
             self._closing = self._aborted = True
             self._changed.notify_all()

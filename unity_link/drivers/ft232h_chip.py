@@ -9,8 +9,10 @@ language. The causes are underneath (`find_errno`), and `explain` makes sentence
 
 from __future__ import annotations
 
+import asyncio
 import errno
 import logging
+import threading
 from typing import TYPE_CHECKING, Any, Literal, cast, get_args
 
 import msgspec
@@ -18,6 +20,7 @@ import msgspec
 from unity_link.errors import ArgumentError, ConnectError
 from unity_link.virtual.build import CHANCES, CONFIGURATION, build_gateway
 from unity_link.virtual.ft232h.eeprom import BLANK, ChannelType, build_eeprom, channel_type, is_valid
+from unity_link.wire.gateway_info import Feature, GatewayInfo
 
 if TYPE_CHECKING:
     from unity_link.drivers import DriverUrl
@@ -40,6 +43,9 @@ CONTROL_TIMEOUT_MS = 1000
 UDEV_RULE = "/etc/udev/rules.d/70-ft232h.rules"
 _SUPPORTED = 0x0900
 """bcdDevice of an FT232H."""
+
+WRITE_PATIENCE = 5.0
+"""Seconds without any progress after which writing has failed: the gateware does not read from the chip."""
 
 log = logging.getLogger("unity_link.ft232h")
 
@@ -71,7 +77,7 @@ class Settings(msgspec.Struct, frozen=True):
 
     def tuning(self, mode: SendImmediate) -> Tuning:
         """Give the driver's part of a mode of send-immediate, the URL's own wishes first."""
-        chosen = TUNINGS["always" if self.mode == "uart" and mode == "adaptive" else mode]
+        chosen = TUNINGS[mode]
         return Tuning(
             chosen.latency if self.latency is None else self.latency,
             chosen.event_character if self.event_character is None else self.event_character,
@@ -232,6 +238,24 @@ def open_chip(url: DriverUrl, *, check: bool = True) -> OpenChip:
     return chip
 
 
+async def open_in_thread(url: DriverUrl) -> OpenChip:
+    """Open a chip without keeping the event loop; see `open_chip`.
+
+    Cancelled, it closes what it may have opened by then.
+    """
+    opening = asyncio.get_running_loop().run_in_executor(None, open_chip, url)
+    try:
+        return await asyncio.shield(opening)
+    except asyncio.CancelledError:
+        opening.add_done_callback(_close_unwanted)
+        raise
+
+
+def _close_unwanted(opening: asyncio.Future[OpenChip]) -> None:
+    if not opening.cancelled() and opening.exception() is None:
+        threading.Thread(target=opening.result().close, name="ft232h close").start()
+
+
 def _open_real(url: DriverUrl) -> Any:
     from pyftdi.ftdi import Ftdi
     from pyftdi.usbtools import UsbTools
@@ -266,9 +290,12 @@ def _open_virtual(url: DriverUrl, settings: Settings) -> Any:
     from unity_link.virtual.ft232h.chip import Mode
     from unity_link.virtual.ft232h.pyusb_backend import find
 
+    configuration = {name: url.integer(name, 0) for name in CONFIGURATION if name in url.options}
+    if settings.mode == "uart":
+        configuration.setdefault("features", GatewayInfo().features & ~Feature.FLOW_CONTROL)
     gateway = build_gateway(
         url.path.strip("/"),
-        {name: url.integer(name, 0) for name in CONFIGURATION if name in url.options},
+        configuration,
         node=url.node,
         chances={name: url.number(name) for name in CHANCES if name in url.options},
         seed=url.integer("seed", 0),
@@ -303,8 +330,15 @@ _CAUSES: dict[int, str] = {
 _NO_LANGUAGE = "langid"
 
 
+def stuck() -> OSError:
+    """Give the error of a write that gets nowhere."""
+    return OSError(errno.ETIME, f"the gateware has not read from the FT232H for {WRITE_PATIENCE:g} s")
+
+
 def explain(error: BaseException) -> str:
     """Say what happened to a chip that was open."""
+    if isinstance(error, OSError) and error.errno == errno.ETIME:
+        return str(error.strerror)
     number = find_errno(error)
     return _CAUSES.get(number or 0, f"the FT232H failed ({error})")
 

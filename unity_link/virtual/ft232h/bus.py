@@ -6,6 +6,7 @@ instant at which something can end, and is woken when another one has submitted 
 
 from __future__ import annotations
 
+import asyncio
 import threading
 import time
 from typing import TYPE_CHECKING, Protocol
@@ -70,6 +71,24 @@ class SimulatedClock:
     def wait(self, changed: threading.Condition, until: float) -> None:  # noqa: ARG002  (nobody else can notify it)
         """Jump."""
         self._now = max(self._now, until)
+
+    def stand_still(self, seconds: float) -> None:
+        """Ignore it."""
+
+
+class LoopClock:
+    """The time of an event loop, which may be simulated. Control requests take none of it, and no thread may wait."""
+
+    def __init__(self) -> None:
+        self._loop = asyncio.get_running_loop()
+
+    def now(self) -> float:
+        """Give the time."""
+        return self._loop.time()
+
+    def wait(self, changed: threading.Condition, until: float) -> None:  # noqa: ARG002  (nobody waits)
+        """Refuse: it would keep the loop, and with it the time, from going on."""
+        raise RuntimeError("a chip on the time of a loop can't be waited for")
 
     def stand_still(self, seconds: float) -> None:
         """Ignore it."""
@@ -157,12 +176,11 @@ class VirtualFt232h:
                 if deadline is not None and now >= deadline:
                     self.host.cancel(transfer, now)
                     return
-                self._wait(self._next_end(transfer), deadline)
+                self._wait(self.next_end if transfer.status is None else transfer.ends_at, deadline)
 
-    def _next_end(self, transfer: Transfer) -> float | None:
-        """Give when the transfer may have ended."""
-        if transfer.status is not None:
-            return transfer.ends_at
+    @property
+    def next_end(self) -> float | None:
+        """When the next transfer may have ended."""
         due = self.host.next_due
         return None if due is None else max(due, self.chip.timing.boundary_after(due))
 
@@ -196,6 +214,8 @@ class VirtualFt232h:
             return answer
 
     def _pass(self, until: float) -> None:
+        if isinstance(self.clock, LoopClock):
+            return
         while self.clock.now() < until:
             self.clock.wait(self.changed, until)
 

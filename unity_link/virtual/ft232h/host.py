@@ -149,6 +149,9 @@ class UsbHost:
         for queue in (self._in, self._out):
             while queue:
                 self._end(queue.popleft(), Status.GONE, now)
+        for transfer in self._ended:
+            # Also those that had ended before, and were to be told with the microframe's end.
+            transfer.ends_at = now
         self._tell(now)
 
     def plug_in(self, now: float) -> None:

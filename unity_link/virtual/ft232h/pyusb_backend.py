@@ -54,6 +54,10 @@ class Backend(IBackend):  # type: ignore[misc]  # pyusb has no types
         super().__init__()
         self._bus = bus
 
+    def device_at(self, address: int) -> VirtualFt232h:
+        """Give the chip with a number on the bus."""
+        return next(device for device in self._bus.devices if device.address == address)
+
     # Descriptors
 
     def enumerate_devices(self) -> Iterator[VirtualFt232h]:

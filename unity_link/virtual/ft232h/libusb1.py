@@ -1,0 +1,284 @@
+"""What python-libusb1 offers to the overlapped driver, for a virtual chip.
+
+`Context`, `Handle` and `TransferRequest` are the few classes of the `usb1` module that the driver needs, with its
+names. As with usbfs, the one poll descriptor becomes *writable* when something has ended, and the callbacks run inside
+`handleEventsTimeout`. A thread moves the chip along in real time, timers do on a loop of simulated time.
+
+What this can't show is what libusb and the kernel do: that is for a real USB stack, such as the one that attaches the
+chip by USB/IP (`usbip`).
+"""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+import errno
+import select
+import socket
+import threading
+from typing import TYPE_CHECKING, Any
+
+from unity_link.virtual.ft232h.bus import RealClock
+from unity_link.virtual.ft232h.host import Status, Transfer
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from unity_link.virtual.ft232h.bus import VirtualFt232h
+
+TRANSFER_COMPLETED, TRANSFER_ERROR, TRANSFER_TIMED_OUT, TRANSFER_CANCELLED = 0, 1, 2, 3
+TRANSFER_STALL, TRANSFER_NO_DEVICE, TRANSFER_OVERFLOW = 4, 5, 6
+_STATUSES = {
+    Status.DONE: TRANSFER_COMPLETED,
+    Status.STALLED: TRANSFER_STALL,
+    Status.OVERFLOW: TRANSFER_OVERFLOW,
+    Status.CANCELLED: TRANSFER_CANCELLED,
+    Status.GONE: TRANSFER_NO_DEVICE,
+}
+
+
+class LoopHost:
+    """Moves one chip along by timers of the running loop; for loops on simulated time.
+
+    Real loops round their timers to milliseconds.
+    """
+
+    def __init__(self, device: VirtualFt232h) -> None:
+        self._device = device
+        self._loop = asyncio.get_running_loop()
+        self._timer: asyncio.TimerHandle | None = None
+
+    def wake(self) -> None:
+        """Look again when something will have ended."""
+        self.close()
+        due = self._device.next_end
+        if due is not None:
+            pause = max(0.0, due - self._device.clock.now())
+            self._timer = self._loop.call_later(pause, self._advance)
+
+    def _advance(self) -> None:
+        with self._device.changed:
+            self._device.now()
+        self.wake()
+
+    def close(self) -> None:
+        """Stand still."""
+        if self._timer is not None:
+            self._timer.cancel()
+            self._timer = None
+
+
+class ThreadHost:
+    """Moves one chip along by a thread of its own, as a kernel does."""
+
+    def __init__(self, device: VirtualFt232h) -> None:
+        self._device = device
+        self._closed = False
+        self._thread = threading.Thread(target=self._run, name="virtual ft232h", daemon=True)
+        self._thread.start()
+
+    def wake(self) -> None:
+        """Look again when something will have ended."""
+        with self._device.changed:
+            self._device.changed.notify_all()
+
+    def _run(self) -> None:
+        device = self._device
+        with device.changed:
+            while not self._closed:
+                now = device.now()
+                due = device.next_end
+                device.clock.wait(device.changed, now + 1.0 if due is None else due)
+
+    def close(self) -> None:
+        """Stand still."""
+        with self._device.changed:
+            self._closed = True
+            self._device.changed.notify_all()
+        self._thread.join()
+
+
+class Context:
+    """`usb1.USBContext` of a bus with one chip."""
+
+    def __init__(self, device: VirtualFt232h) -> None:
+        self._device = device
+        self._ended: list[TransferRequest] = []
+        self._ready, self._peer = socket.socketpair()
+        for end in (self._ready, self._peer):
+            end.setblocking(False)  # noqa: FBT003  (its only argument)
+        self._fill()
+
+    def _fill(self) -> None:
+        """Make the descriptor unwritable."""
+        with contextlib.suppress(BlockingIOError):
+            while True:
+                self._ready.send(bytes(65536))
+
+    def _drain(self) -> None:
+        """Make the descriptor writable."""
+        with contextlib.suppress(BlockingIOError):
+            while True:
+                self._peer.recv(1 << 20)
+
+    def open(self) -> Context:
+        """Begin."""
+        return self
+
+    def open_chip(self) -> Handle:
+        """Open the chip."""
+        real = isinstance(self._device.clock, RealClock)
+        return Handle(self, self._device, ThreadHost(self._device) if real else LoopHost(self._device))
+
+    def close(self) -> None:
+        """End."""
+        self._ready.close()
+        self._peer.close()
+
+    def ended(self, request: TransferRequest) -> None:
+        """Take note of an end, and signal it; in whichever thread has moved the chip along."""
+        with self._device.changed:
+            self._ended.append(request)
+            self._drain()
+
+    # usb1's names
+
+    def getPollFDList(self) -> list[tuple[int, int]]:  # noqa: N802
+        """Give the descriptors to wait for, and for what."""
+        return [(self._ready.fileno(), select.POLLOUT)]
+
+    def setPollFDNotifiers(self, added_cb: Any = None, removed_cb: Any = None) -> None:  # noqa: N802
+        """Ignore it: the descriptor never changes."""
+
+    def handleEventsTimeout(self, tv: float = 0) -> None:  # noqa: ARG002, N802
+        """Call back for what has ended."""
+        with self._device.changed:
+            ended, self._ended = self._ended, []
+            self._fill()
+        for request in ended:
+            request.call_back()
+
+    def getNextTimeout(self) -> float | None:  # noqa: N802
+        """Say that no time out is planned."""
+        return None
+
+
+class Handle:
+    """`usb1.USBDeviceHandle` of the chip."""
+
+    def __init__(self, context: Context, device: VirtualFt232h, host: LoopHost | ThreadHost) -> None:
+        self.context = context
+        self.device = device
+        self._host = host
+
+    def claimInterface(self, interface: int) -> None:  # noqa: ARG002, N802
+        """Take the interface."""
+        self.device.claimed_by = self
+
+    def releaseInterface(self, interface: int) -> None:  # noqa: ARG002, N802
+        """Let go of the interface."""
+        if self.device.claimed_by is self:
+            self.device.claimed_by = None
+
+    def clearHalt(self, endpoint: int) -> None:  # noqa: N802
+        """Have a halted endpoint work again."""
+        with self.device.changed:
+            self.device.host.control_out(0x02, 0x01, 0, endpoint, self.device.now())
+
+    def submit(self, transfer: Transfer) -> None:
+        """Take a transfer.
+
+        Raises:
+            OSError: where the device is gone.
+        """
+        with self.device.changed:
+            try:
+                self.device.host.submit(transfer, self.device.now())
+            except ConnectionError as error:
+                raise OSError(errno.ENODEV, str(error)) from None
+        self._host.wake()
+
+    def cancel(self, transfer: Transfer) -> None:
+        """End a transfer."""
+        with self.device.changed:
+            self.device.host.cancel(transfer, self.device.now())
+        self._host.wake()
+
+    def getTransfer(self) -> TransferRequest:  # noqa: N802
+        """Give a new transfer."""
+        return TransferRequest(self)
+
+    def close(self) -> None:
+        """Close."""
+        self.releaseInterface(0)
+        self._host.close()
+
+
+class TransferRequest:
+    """`usb1.USBTransfer`."""
+
+    def __init__(self, handle: Handle) -> None:
+        self._handle = handle
+        self._transfer: Transfer | None = None
+        self._endpoint = 0
+        self._buffer: bytes | int = b""
+        self._callback: Callable[[TransferRequest], None] | None = None
+        self._submitted = False
+
+    def setBulk(  # noqa: N802
+        self, endpoint: int, buffer_or_len: bytes | int, callback: Callable[[TransferRequest], None] | None = None
+    ) -> None:
+        """Say what is to be moved."""
+        self._endpoint, self._buffer, self._callback = endpoint, buffer_or_len, callback
+
+    def submit(self) -> None:
+        """Begin."""
+        buffer = self._buffer
+        if isinstance(buffer, int):
+            transfer = Transfer(self._endpoint, size=buffer, on_end=self._end)
+        else:
+            transfer = Transfer(self._endpoint, data=buffer, on_end=self._end)
+        self._transfer = transfer
+        self._submitted = True
+        try:
+            self._handle.submit(transfer)
+        except OSError:
+            self._submitted = False
+            raise
+
+    def _end(self, transfer: Transfer) -> None:  # noqa: ARG002
+        self._handle.context.ended(self)
+
+    def call_back(self) -> None:
+        """Tell whoever submitted it."""
+        self._submitted = False
+        if self._callback is not None:
+            self._callback(self)
+
+    def cancel(self) -> None:
+        """Have it end soon."""
+        assert self._transfer is not None
+        self._handle.cancel(self._transfer)
+
+    def isSubmitted(self) -> bool:  # noqa: N802
+        """Say whether it is under way."""
+        return self._submitted
+
+    def getStatus(self) -> int:  # noqa: N802
+        """Say how it ended."""
+        assert self._transfer is not None
+        assert self._transfer.status is not None
+        return _STATUSES[self._transfer.status]
+
+    def getActualLength(self) -> int:  # noqa: N802
+        """Give how many bytes were moved."""
+        assert self._transfer is not None
+        return self._transfer.moved
+
+    def getBuffer(self) -> bytearray:  # noqa: N802
+        """Give what came."""
+        assert self._transfer is not None
+        return self._transfer.data
+
+    def close(self) -> None:
+        """Let go of it."""
