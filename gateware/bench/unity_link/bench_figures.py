@@ -97,3 +97,13 @@ async def a_block_is_read_at_line_rate_once_it_has_begun(dut: SimHandleBase) -> 
     assert len(answer) == 6 + 255 * 8
     assert gateway.received_at[-1] - gateway.received_at[0] + 1 == len(gateway.received_at)
     dut._log.info("FIGURE block of 255: first byte after %d cycles", gateway.received_at[0] - gateway.sent_at[-1])
+
+
+@cocotb.test
+async def the_longest_block_is_written_and_read_back_under_back_pressure(dut: SimHandleBase) -> None:
+    gateway = await _gateway(dut)
+    gateway.pause_in, gateway.pause_out = 0.2, 0.3
+    words = b"".join(b"%08X" % (index * 0x01010101 & 0xFFFFFFFF) for index in range(255))
+    dut.wait_states.value = 2
+    assert await gateway.ask(b"wm0010" + words) == b"wm00"
+    assert await gateway.ask(b"rm0110FF") == b"rm01" + words

@@ -130,6 +130,8 @@ architecture rtl of subscription_manager is
   signal pick_number     : number_t;
   signal pick_by_timer   : std_logic;
   signal picks           : std_logic;
+  signal operates        : std_logic;
+  signal operation_turn  : std_logic;
 
   signal tick            : std_logic;
   signal timer_busy      : std_logic;
@@ -305,7 +307,9 @@ begin
 
   end process pick;
 
-  picks         <= pick_valid and to_std_logic(state = state_idle);
+  -- After each sample an operation may go first, so that groups which ask for more than the bus gives can be stopped.
+  operates      <= group_request and (operation_turn or not pick_valid) and to_std_logic(state = state_idle);
+  picks         <= pick_valid and not operates and to_std_logic(state = state_idle);
   clear_timer   <= one_hot(pick_number, picks and pick_by_timer) or not running;
   clear_trigger <= one_hot(pick_number, picks and not pick_by_timer) or not running;
 
@@ -472,14 +476,14 @@ begin
           stored  <= (others => '0');
           changed <= '0';
           failed  <= '0';
-          if pick_valid = '1' then
+          if picks = '1' then
             number <= pick_number;
             reason <= reason_trigger;
             if pick_by_timer = '1' then
               reason <= reason_periodic;
             end if;
             state <= state_fetch;
-          elsif group_request = '1' then
+          elsif operates = '1' then
             begin_operation;
           end if;
 
@@ -520,7 +524,8 @@ begin
           end if;
 
         when state_finish =>
-          state <= state_idle;
+          operation_turn <= '1';
+          state          <= state_idle;
           if reason = reason_request then
             state <= state_told;
           end if;
@@ -536,11 +541,13 @@ begin
           end if;
 
         when state_told =>
-          state <= state_idle;
+          operation_turn <= '0';
+          state          <= state_idle;
 
       end case;
 
       if rst = '1' then
+        operation_turn <= '0';
         state     <= state_idle;
         reason    <= reason_request;
         number    <= (others => '0');

@@ -1,0 +1,290 @@
+"""Inside the simulator: groups, their instants, their order, and what is lost and counted.
+
+A base tick is 200 cycles; address F0 reads the number of cycles since the reset, so that a sample says when it was read.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, NamedTuple
+
+import cocotb
+from cocotb.triggers import RisingEdge
+
+from gateware.bench.unity_link.gateway import Gateway, checked
+
+if TYPE_CHECKING:
+    from cocotb.handle import SimHandleBase
+
+TICK = 200
+PERIODIC, TRIGGER, IMMEDIATE, STAMP, ON_CHANGE, PLAIN = 1, 2, 4, 8, 16, 32
+
+
+class Sample(NamedTuple):
+    """A published sample."""
+
+    group: int
+    sequence: int
+    stamp: int
+    words: list[int]
+
+
+def _set(group: int, flags: int, divisor: int, addresses: list[int]) -> bytes:
+    return b"GS%02X%02X%04X%02X" % (group, flags, divisor, len(addresses)) + bytes(addresses).hex().upper().encode()
+
+
+def _samples(data: bytes, *, stamped: bool = True) -> list[Sample]:
+    """Take the samples out of what was received, and check the check of each."""
+    samples = []
+    for frame in data.splitlines(keepends=True):
+        if not frame.startswith(b"P"):
+            continue
+        if not frame.endswith(b"\r\n"):
+            assert frame == checked(frame[:-3]), frame
+        body = frame[1:-2] if frame.endswith(b"\r\n") else frame[1:-3]
+        head = 12 if stamped else 4
+        words = [int(body[at : at + 8], 16) for at in range(head, len(body), 8)]
+        samples.append(Sample(int(body[:2], 16), int(body[2:4], 16), int(body[4:head] or b"0", 16), words))
+    return samples
+
+
+async def _gateway(dut: SimHandleBase, **pauses: float) -> Gateway:
+    gateway = Gateway(dut, **pauses)
+    await gateway.begin()
+    return gateway
+
+
+def _differences(numbers: list[int]) -> list[int]:
+    return [after - before for before, after in zip(numbers, numbers[1:], strict=False)]
+
+
+@cocotb.test
+async def a_periodic_group_is_published_at_every_divisor_th_tick(dut: SimHandleBase) -> None:
+    gateway = await _gateway(dut)
+    await gateway.ask(_set(3, PERIODIC | STAMP, 2, [0xF0, 0x10]))
+    await gateway.ask(b"GN03")
+    await gateway.cycles(20 * TICK)
+    samples = _samples(gateway.take())
+    assert 9 <= len(samples) <= 10
+    assert [sample.sequence for sample in samples] == list(range(len(samples)))
+    assert set(_differences([sample.stamp for sample in samples])) == {2 * TICK}
+    assert set(_differences([sample.words[0] for sample in samples])) == {2 * TICK}
+    assert {sample.group for sample in samples} == {3}
+
+
+@cocotb.test
+async def a_group_is_first_due_at_the_next_tick(dut: SimHandleBase) -> None:
+    gateway = await _gateway(dut)
+    await gateway.ask(_set(0, PERIODIC | STAMP, 1000, [0xF0]))
+    for _ in range(5):
+        await gateway.ask(b"GN00")
+        answered = gateway.cycle
+        await gateway.cycles(TICK + 120)
+        samples = _samples(gateway.take())
+        assert len(samples) == 1
+        assert samples[0].stamp <= answered + TICK
+        await gateway.cycles(37)
+
+
+@cocotb.test
+async def instants_vary_by_at_most_one_access_while_blocks_are_read(dut: SimHandleBase) -> None:
+    gateway = await _gateway(dut)
+    for wait_states in (0, 7):
+        dut.wait_states.value = wait_states
+        one_access = 3 + wait_states
+        await gateway.ask(_set(1, PERIODIC | STAMP, 1, [0xF0, 0x11, 0x12]))
+        await gateway.ask(b"GN01")
+        gateway.send(checked(b"RM00FF") * 6)
+        await gateway.cycles(6 * 2200)
+        gateway.send(checked(b"GX01"))
+        await gateway.quiet(255 * one_access + TICK)
+        samples = _samples(gateway.take())
+        assert len(samples) > 20
+        instants = [sample.stamp - index * TICK for index, sample in enumerate(samples)]
+        read_at = [sample.words[0] - index * TICK for index, sample in enumerate(samples)]
+        assert [sample.sequence for sample in samples] == list(range(len(samples)))
+        dut._log.info("FIGURE jitter with %d wait states: %d cycles", wait_states, max(instants) - min(instants))
+        assert max(instants) - min(instants) <= one_access
+        assert max(read_at) - min(read_at) <= one_access
+
+
+@cocotb.test
+async def a_sample_is_read_at_once_and_never_torn_by_a_block_write(dut: SimHandleBase) -> None:
+    gateway = await _gateway(dut)
+    await gateway.ask(_set(1, PERIODIC | STAMP, 1, [0x20, 0x21, 0x22]))
+    await gateway.ask(b"GN01")
+    for number in range(1, 150):
+        gateway.send(checked(b"WM20%08X%08X%08X" % (number, number, number)))
+    await gateway.quiet(TICK // 2)
+    samples = _samples(gateway.take())
+    assert len(samples) > 10
+    assert all(len(set(sample.words)) == 1 for sample in samples)
+    assert len({sample.words[0] for sample in samples}) > 5
+
+
+@cocotb.test
+async def masked_writes_are_not_torn_by_samples(dut: SimHandleBase) -> None:
+    gateway = await _gateway(dut)
+    await gateway.ask(_set(1, PERIODIC, 1, [0x20, 0x21, 0x22]))
+    await gateway.ask(b"GN01")
+    open_reads: list[str] = []
+
+    async def watch() -> None:
+        after_read = False
+        while True:
+            await RisingEdge(dut.clk)
+            if dut.wb_ack.value == 1 and int(dut.wb_adr.value) == 0x40:
+                after_read = dut.wb_we.value == 0
+            elif dut.wb_ack.value == 1 and after_read:
+                open_reads.append(str(dut.wb_adr.value))
+
+    cocotb.start_soon(watch())
+    for number in range(150):
+        gateway.send(checked(b"WK40%08X%08X" % (1 << number % 32, 0xFFFFFFFF)))
+    await gateway.quiet(TICK // 2)
+    assert open_reads == []
+
+
+@cocotb.test
+async def a_rising_edge_of_its_trigger_makes_a_group_due(dut: SimHandleBase) -> None:
+    gateway = await _gateway(dut)
+    await gateway.ask(_set(2, TRIGGER | STAMP, 1, [0xF0]))
+    await gateway.ask(_set(4, PERIODIC | STAMP, 1000, [0xF0]))
+    await gateway.ask(b"GN04")
+    await gateway.cycles(2 * TICK)
+    gateway.take()
+
+    async def pulse() -> None:
+        dut.trigger.value = (1 << 2) | (1 << 4)
+        await gateway.cycles(3)
+        dut.trigger.value = 0
+        await gateway.cycles(100)
+
+    await pulse()
+    assert gateway.take() == b""
+    await gateway.ask(b"GN02")
+    edges = []
+    for _ in range(3):
+        edges.append(gateway.cycle)
+        await pulse()
+    samples = _samples(gateway.take())
+    assert [(sample.group, sample.sequence) for sample in samples] == [(2, 0), (2, 1), (2, 2)]
+    delays = {sample.words[0] - edge for sample, edge in zip(samples, edges, strict=True)}
+    assert len(delays) == 1
+
+
+@cocotb.test
+async def gp_publishes_once_whether_running_or_not(dut: SimHandleBase) -> None:
+    gateway = await _gateway(dut)
+    await gateway.ask(b"W10%08X" % 0x1234)
+    await gateway.ask(_set(5, ON_CHANGE, 1, [0x10]))
+    for number in range(3):
+        data = await gateway.answer(checked(b"GP05"), count=2)
+        assert _samples(data, stamped=False) == [Sample(5, number, 0, [0x1234])]
+        assert checked(b"GP05") in data
+    assert await gateway.ask(b"GP06") == b"X06"
+
+
+@cocotb.test
+async def an_on_change_group_is_published_when_a_word_has_changed(dut: SimHandleBase) -> None:
+    gateway = await _gateway(dut)
+    await gateway.ask(b"WM10%08X%08X" % (1, 2))
+    await gateway.ask(_set(0, PERIODIC | ON_CHANGE, 1, [0x10, 0x11]))
+    await gateway.ask(b"GN00")
+    await gateway.cycles(10 * TICK)
+    assert _samples(gateway.take(), stamped=False) == [Sample(0, 0, 0, [1, 2])]
+    for number in range(1, 5):
+        gateway.send(checked(b"W11%08X" % (2 + number)))
+        await gateway.cycles(5 * TICK)
+        assert _samples(gateway.take(), stamped=False) == [Sample(0, number, 0, [1, 2 + number])]
+    # The first after GN always is.
+    gateway.send(checked(b"GN00"))
+    await gateway.cycles(3 * TICK)
+    assert _samples(gateway.take(), stamped=False) == [Sample(0, 5, 0, [1, 6])]
+
+
+@cocotb.test
+async def overruns_count_in_the_sequence_and_block_nothing(dut: SimHandleBase) -> None:
+    gateway = await _gateway(dut)
+    await gateway.ask(_set(0, PERIODIC | STAMP, 1, [0xF0] * 20))
+    await gateway.ask(b"GN00")
+    gateway.pause_out = 1.0
+    await gateway.cycles(40 * TICK)
+    gateway.pause_out = 0.0
+    await gateway.cycles(15 * TICK)
+    gateway.send(checked(b"GX00"))
+    await gateway.quiet()
+    samples = _samples(gateway.take())
+    steps = _differences([sample.sequence for sample in samples])
+    assert max(steps) > 5
+    for (before, after), step in zip(zip(samples, samples[1:], strict=False), steps, strict=True):
+        assert after.stamp - before.stamp == step * TICK
+
+
+@cocotb.test
+async def more_samples_than_the_bus_can_read_are_counted(dut: SimHandleBase) -> None:
+    gateway = await _gateway(dut)
+    dut.wait_states.value = 20
+    for group in range(3):
+        await gateway.ask(_set(group, PERIODIC | STAMP, 1, [0xF0] * 6))
+    for group in range(3):
+        gateway.send(checked(b"GN%02X" % group))
+    await gateway.cycles(40 * TICK)
+    gateway.send(checked(b"K00"))
+    await gateway.quiet()
+    samples = _samples(gateway.take())
+    lowest = [sample for sample in samples if sample.group == 0]
+    # The lowest number goes first and loses nothing.
+    assert set(_differences([sample.sequence for sample in lowest])) == {1}
+    for group in (1, 2):
+        own = [sample for sample in samples if sample.group == group]
+        for before, after in zip(own, own[1:], strict=False):
+            counted = (after.sequence - before.sequence) % 256
+            passed = (after.stamp - before.stamp) / TICK
+            assert abs(counted - passed) < 1.5, (before, after)
+
+
+@cocotb.test
+async def k_stops_all_groups_and_their_sequences_go_on(dut: SimHandleBase) -> None:
+    gateway = await _gateway(dut)
+    for group in (0, 15):
+        await gateway.ask(_set(group, PERIODIC | STAMP, 1, [0xF0]))
+        await gateway.ask(b"GN%02X" % group)
+    await gateway.cycles(3 * TICK)
+    gateway.send(checked(b"K00"))
+    await gateway.cycles(TICK)
+    last = {sample.group: sample.sequence for sample in _samples(gateway.take())}
+    assert set(last) == {0, 15}
+    await gateway.cycles(3 * TICK)
+    assert gateway.take() == b""
+    gateway.send(checked(b"GN0F"))
+    await gateway.cycles(2 * TICK)
+    samples = _samples(gateway.take())
+    assert samples[0].group == 15
+    assert samples[0].sequence == last[15] + 1
+
+
+@cocotb.test
+async def plain_and_immediate_groups_are_sent_so(dut: SimHandleBase) -> None:
+    gateway = await _gateway(dut)
+    await gateway.ask(b"I00")
+    await gateway.ask(_set(0, PERIODIC | PLAIN | IMMEDIATE, 1, [0x33]))
+    await gateway.ask(b"W33%08X" % 0xABC)
+    await gateway.ask(b"GN00")
+    del gateway.flushed_after[:]
+    await gateway.cycles(4 * TICK)
+    data = gateway.take()
+    assert data.startswith(b"P000000000ABC\r\nP000100000ABC\r\n")
+    assert len(gateway.flushed_after) == data.count(b"\n")
+
+
+@cocotb.test
+async def samples_come_between_answers(dut: SimHandleBase) -> None:
+    gateway = await _gateway(dut)
+    await gateway.ask(_set(0, PERIODIC | STAMP, 1, [0xF0]))
+    await gateway.ask(b"GN00")
+    for _ in range(20):
+        gateway.send(checked(b"RM1010"))
+    await gateway.quiet(TICK // 2)
+    kinds = b"".join(frame[:1] for frame in gateway.take().splitlines())
+    assert kinds.count(b"R") == 20
+    assert b"RPR" in kinds

@@ -1,0 +1,283 @@
+"""Inside the simulator: requests, their errors, the bus, send-immediate and the reset, at the FIFO port.
+
+What answers which request byte for byte is in the shared vectors; here is what they cannot say: the bus, time, loss.
+"""
+
+from __future__ import annotations
+
+import random
+from typing import TYPE_CHECKING
+
+import cocotb
+from cocotb.triggers import ReadOnly, RisingEdge
+
+from gateware.bench.unity_link.gateway import Gateway, checked
+
+if TYPE_CHECKING:
+    from cocotb.handle import SimHandleBase
+
+BUS_TIMEOUT = 64
+BASE_TICK = 500
+
+
+async def _gateway(dut: SimHandleBase, **pauses: float) -> Gateway:
+    gateway = Gateway(dut, **pauses)
+    await gateway.begin()
+    return gateway
+
+
+class BusMonitor:
+    """Notes every access: cycle, whether it writes, address, word; and after which accesses `cyc` fell."""
+
+    def __init__(self, dut: SimHandleBase) -> None:
+        self.accesses: list[tuple[bool, int, int]] = []
+        self.transactions: list[int] = []
+        """Accesses in each time for which `cyc` stood."""
+        self.longest_strobe = 0
+        self._dut = dut
+        cocotb.start_soon(self._run())
+
+    async def _run(self) -> None:
+        dut = self._dut
+        open_for, strobe = 0, 0
+        while True:
+            await RisingEdge(dut.clk)
+            if dut.wb_cyc.value == 0:
+                if open_for:
+                    self.transactions.append(open_for)
+                open_for = 0
+            strobe = strobe + 1 if dut.wb_stb.value == 1 else 0
+            self.longest_strobe = max(self.longest_strobe, strobe)
+            if dut.wb_ack.value == 1 or dut.wb_err.value == 1:
+                open_for += 1
+                writes = dut.wb_we.value == 1
+                word = dut.wb_dat_o.value if writes else dut.wb_dat_i.value
+                self.accesses.append((writes, int(dut.wb_adr.value), int(word)))
+
+
+@cocotb.test
+async def the_worked_examples_of_the_protocol_hold(dut: SimHandleBase) -> None:
+    gateway = await _gateway(dut)
+    await gateway.ask(b"W0A00000012")
+    for sent, answered in (
+        (b"R0ACB\n", b"R0A000000122C\n"),
+        (b"W0A000000124F\n", b"W0A0B\n"),
+        (b"r000A2B\n", b"r00000000122E\n"),
+        (b"w010A0000002A95\n", b"w011F\n"),
+        (b"R0A\r", b"R0A0000002A\r\n"),
+        (b"R0A00\n", b"X011B\n"),
+    ):
+        assert await gateway.answer(sent) == answered
+
+
+@cocotb.test
+async def no_output_is_undefined_after_a_reset(dut: SimHandleBase) -> None:
+    gateway = await _gateway(dut)
+    names = ("in_ready", "out_data", "out_valid", "out_flush", "wb_cyc", "wb_stb", "wb_we", "wb_adr", "wb_dat_o")
+    gateway.send(checked(b"W0512345678") + checked(b"R05"))
+    for _ in range(80):
+        await ReadOnly()
+        for name in names:
+            if name != "out_data" or dut.out_valid.value == 1:
+                assert getattr(dut, name).value.is_resolvable, name
+        await RisingEdge(dut.clk)
+
+
+@cocotb.test
+async def empty_frames_and_double_ends_are_ignored(dut: SimHandleBase) -> None:
+    gateway = await _gateway(dut)
+    gateway.send(b"\n\r\r\n\n\nH\r\n\nH\r\r")
+    await gateway.quiet()
+    assert gateway.take() == b"H\r\nH\r\n"
+
+
+@cocotb.test
+async def a_frame_that_lost_bytes_is_answered_by_error_09(dut: SimHandleBase) -> None:
+    gateway = await _gateway(dut)
+    overflow = checked(b"X09")
+    good = checked(b"R0A")
+    for index in range(len(good)):
+        gateway.send(good, lost_before=index)
+        await gateway.quiet(100)
+        assert gateway.take() == overflow, index
+    gateway.send(b"R0A\r", lost_before=2)
+    await gateway.quiet(100)
+    assert gateway.take() == b"X09\r\n"
+    # Nothing but the end arrived.
+    gateway.send(b"\n", lost_before=0)
+    await gateway.quiet(100)
+    assert gateway.take() == overflow
+    # Before all other checks: it is too long and damaged as well.
+    gateway.send(b"Z" * 2500 + b"\n", lost_before=7)
+    await gateway.quiet(100)
+    assert gateway.take() == overflow
+    assert (await gateway.ask(b"W0A00000001")) == b"W0A"
+
+
+@cocotb.test
+async def a_silent_bus_gives_error_05_after_the_time_out_and_the_next_request_works(dut: SimHandleBase) -> None:
+    gateway = await _gateway(dut)
+    monitor = BusMonitor(dut)
+    for body, answer in (
+        (b"RE8", b"X05"),
+        (b"r00E8", b"x0005"),
+        (b"WE800000001", b"X05"),
+        (b"RME502", b"RME5020000000000000000"),
+        (b"RME504", b"X05"),
+        (b"WKE8FFFFFFFF00000001", b"X05"),
+    ):
+        assert await gateway.ask(body) == answer, body
+        await gateway.ask(b"W0A%08X" % 77)
+        assert await gateway.ask(b"R0A") == b"R0A%08X" % 77
+    if dut.wb_pipelined.value == 0:
+        assert monitor.longest_strobe == BUS_TIMEOUT
+
+
+@cocotb.test
+async def a_bus_error_gives_error_04_and_what_was_done_stays_done(dut: SimHandleBase) -> None:
+    gateway = await _gateway(dut)
+    assert await gateway.ask(b"WMDE%08X%08X%08X%08X" % (1, 2, 3, 4)) == b"X04"
+    assert await gateway.ask(b"RMDE02") == b"RMDE02%08X%08X" % (1, 2)
+    assert await gateway.ask(b"RE1") == b"RE1%08X" % 0
+    assert await gateway.ask(b"RMDE03") == b"X04"
+    assert await gateway.ask(b"WQE0%08X" % 1) == b"X04"
+    assert await gateway.ask(b"r00DE") == b"r00%08X" % 1
+    assert await gateway.ask(b"r01E0") == b"x0104"
+    assert await gateway.ask(b"h02") == b"h02"
+
+
+@cocotb.test
+async def blocks_and_masked_writes_are_one_transaction_on_the_bus(dut: SimHandleBase) -> None:
+    gateway = await _gateway(dut)
+    monitor = BusMonitor(dut)
+    for wait_states in (0, 3):
+        dut.wait_states.value = wait_states
+        for body, count in (
+            (b"WM40%08X%08X%08X" % (1, 2, 3), 3),
+            (b"RM4003", 3),
+            (b"WK400000FFFF12345678", 2),
+            (b"R40", 1),
+        ):
+            del monitor.transactions[:]
+            await gateway.ask(body)
+            await gateway.cycles(5)
+            assert monitor.transactions == [count], body
+    assert await gateway.ask(b"R40") == b"R4000005678"
+
+
+@cocotb.test
+async def blocks_wrap_at_the_end_of_the_address_space_and_queues_stay(dut: SimHandleBase) -> None:
+    gateway = await _gateway(dut)
+    monitor = BusMonitor(dut)
+    await gateway.ask(b"WMFE%08X%08X%08X" % (1, 2, 3))
+    await gateway.ask(b"WQ20%08X%08X" % (4, 5))
+    await gateway.ask(b"RQ2002")
+    await gateway.ask(b"RMFE03")
+    assert monitor.accesses == [
+        *((True, address, word) for address, word in ((0xFE, 1), (0xFF, 2), (0x00, 3), (0x20, 4), (0x20, 5))),
+        *((False, address, word) for address, word in ((0x20, 5), (0x20, 5), (0xFE, 1), (0xFF, 2), (0x00, 3))),
+    ]
+
+
+@cocotb.test
+async def nothing_is_executed_before_the_frame_was_checked(dut: SimHandleBase) -> None:
+    gateway = await _gateway(dut)
+    monitor = BusMonitor(dut)
+    for damaged in (b"W0A0000001200\n", b"WM2000000001000000020000000300\n", b"WS0A00000012FF\n"):
+        assert await gateway.answer(damaged) == checked(b"X01")
+    assert monitor.accesses == []
+    gateway.send(b"W0A00000012")
+    await gateway.quiet(200)
+    assert monitor.accesses == []
+
+
+@cocotb.test
+async def a_sample_that_fails_half_way_counts_and_changes_nothing(dut: SimHandleBase) -> None:
+    gateway = await _gateway(dut)
+
+    async def fail_after_the_first_word() -> None:
+        while not (dut.wb_ack.value == 1 and int(dut.wb_adr.value) == 0x10 and dut.wb_we.value == 0):
+            await RisingEdge(dut.clk)
+        dut.wait_states.value = 2 * BUS_TIMEOUT
+        while dut.wb_cyc.value == 1:
+            await RisingEdge(dut.clk)
+        dut.wait_states.value = 0
+
+    await gateway.ask(b"WM10%08X%08X" % (7, 0))
+    await gateway.ask(b"GS00110001021011")
+    await gateway.ask(b"GN00")
+    await gateway.cycles(2 * BASE_TICK)
+    assert gateway.take() == checked(b"P0000%08X%08X" % (7, 0))
+    failing = cocotb.start_soon(fail_after_the_first_word())
+    await gateway.ask(b"W10%08X" % 8)
+    await failing
+    await gateway.ask(b"W10%08X" % 7)
+    await gateway.cycles(3 * BASE_TICK)
+    assert gateway.take() == b""
+    gateway.send(checked(b"WS10%08X" % 9))
+    await gateway.cycles(2 * BASE_TICK)
+    assert gateway.take() == checked(b"P0002%08X%08X" % (9, 0))
+
+
+@cocotb.test
+async def send_immediate_pulses_as_its_mode_says(dut: SimHandleBase) -> None:
+    gateway = await _gateway(dut)
+    length = len(checked(b"R0A00000000"))
+
+    async def flushes_of(data: bytes) -> list[int]:
+        await gateway.quiet(100)
+        gateway.take()
+        del gateway.flushed_after[:]
+        gateway.send(data)
+        await gateway.quiet(100)
+        gateway.take()
+        return list(gateway.flushed_after)
+
+    read = checked(b"R0A")
+    # Adaptive after a reset: once, behind the last byte.
+    assert await flushes_of(read) == [length]
+    assert await flushes_of(read * 5) == [5 * length]
+    assert await flushes_of(checked(b"I01")) == [len(checked(b"I01"))]
+    always = await flushes_of(read * 3)
+    assert len(always) == 3
+    # The next answer may have begun when the pulse comes, but not more than a few bytes of it.
+    assert all(0 <= flushed - (index + 1) * length <= 3 for index, flushed in enumerate(always))
+    assert await flushes_of(checked(b"I00")) == []
+    assert await flushes_of(read * 3) == []
+    assert await flushes_of(checked(b"K00")) == [len(checked(b"K00"))]
+    assert await flushes_of(read) == [length]
+
+
+@cocotb.test
+async def a_reset_in_any_state_recovers(dut: SimHandleBase) -> None:
+    gateway = await _gateway(dut)
+    traffic = (
+        checked(b"WM10" + b"0000000100000002")
+        + checked(b"RM1004")
+        + checked(b"r0011")
+        + b"W0A1\r"
+        + checked(b"Q")
+        + checked(b"GS0001000102100F")
+        + checked(b"GN00")
+        + checked(b"GP00")
+        + checked(b"RE8")
+    )
+    rng = random.Random(4)
+    for _ in range(60):
+        gateway.send(traffic)
+        await gateway.cycles(rng.randrange(1, 420))
+        dut.rst.value = 1
+        await RisingEdge(dut.clk)
+        dut.rst.value = 0
+        # What was still to be sent is sent by the next one; an end cuts it.
+        del gateway._waiting[gateway._next + 1 :]
+        await RisingEdge(dut.clk)
+        gateway.send(b"\n")
+        await gateway.quiet(150)
+        gateway.take()
+        assert await gateway.ask(b"W0C00C0FFEE") == b"W0C"
+        assert await gateway.ask(b"h00") == b"h00"
+        assert await gateway.ask(b"GN00") == b"X06"
+        assert await gateway.ask(b"R0C") == b"R0C00C0FFEE"
+        await gateway.quiet(50)
+        assert gateway.take() == b""
