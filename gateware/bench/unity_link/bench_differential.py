@@ -1,0 +1,160 @@
+"""Inside the simulator: random frames are answered byte for byte as the Python model answers them.
+
+Frames are good, damaged, cut, repeated, out of sequence, too long, in either case and form, and some lost bytes. Where
+samples stand between answers is free (protocol section 2), so answers and samples are compared each in their order.
+"""
+
+from __future__ import annotations
+
+import os
+import random
+from typing import TYPE_CHECKING
+
+import cocotb
+
+from gateware.bench.unity_link.gateway import Gateway
+from unity_link.virtual import VirtualGateway
+from unity_link.virtual.faults import Failing
+from unity_link.wire.gateway_info import GatewayInfo
+from unity_link.wire.messages import ErrorCode
+
+if TYPE_CHECKING:
+    from cocotb.handle import SimHandleBase
+
+ERROR_AT, SILENT_AT = 0xE0, 0xE8
+GROUPS, GROUP_WORDS = 16, 32
+COMMANDS = ("R", "RM", "RQ", "W", "WM", "WQ", "WK", "WS", "GS", "GN", "GX", "GP", "I", "H", "Q", "K")
+WEIGHTS = (8, 4, 2, 8, 4, 2, 3, 3, 3, 3, 2, 3, 1, 3, 0.3, 1)
+GARBAGE = bytes(range(256))
+
+
+class Frames:
+    """Makes frames that a host in good and in bad health would send."""
+
+    def __init__(self, seed: int, model: VirtualGateway) -> None:
+        self._rng = random.Random(seed)
+        self._model = model
+        self._crc = model._framing.crc
+
+    def _digits(self, count: int) -> bytes:
+        text = b"%0*X" % (count, self._rng.getrandbits(4 * count))
+        return text.lower() if self._rng.random() < 0.1 else text
+
+    def _address(self) -> bytes:
+        if self._rng.random() < 0.02:
+            return b"%02X" % self._rng.choice((ERROR_AT - 1, ERROR_AT, SILENT_AT))
+        return self._digits(2)
+
+    def _number(self) -> bytes:
+        return b"%02X" % min(255, int(self._rng.expovariate(0.3))) if self._rng.random() < 0.97 else self._digits(2)
+
+    def _fields(self, command: str) -> bytes:
+        rng = self._rng
+        if command in ("RM", "RQ"):
+            return self._address() + self._number()
+        if command in ("W", "WS"):
+            return self._address() + self._digits(8)
+        if command in ("WM", "WQ"):
+            return self._address() + self._digits(8 * min(255, 1 + int(rng.expovariate(0.3))))
+        if command == "WK":
+            return self._address() + self._digits(16)
+        if command == "GS":
+            count = rng.choice((0, 1, 2, 3, GROUP_WORDS, GROUP_WORDS + 1))
+            # Never periodic or by trigger: those depend on time, and so do timestamps.
+            flags = rng.choice((0, 16, 32, 48, 4, 64)) if rng.random() < 0.95 else 0x80
+            return b"%02X%02X%04X%02X" % (rng.randrange(18), flags, rng.randrange(3), count) + b"".join(
+                self._address() for _ in range(count)
+            )
+        if command in ("GN", "GX", "GP"):
+            return b"%02X" % rng.randrange(18)
+        if command == "I":
+            return b"%02X" % rng.randrange(4)
+        if command == "K":
+            return self._digits(2)
+        return self._address() if command == "R" else b""
+
+    def _body(self) -> bytes:
+        rng = self._rng
+        command = rng.choices(COMMANDS, WEIGHTS)[0]
+        letters, fields = command.encode(), self._fields(command)
+        if command in ("Q", "K") and rng.random() < 0.9:
+            return letters + fields
+        if rng.random() < 0.35:
+            return letters + fields
+        distance = 0 if rng.random() < 0.75 else rng.choice((-1, -2, -5, -127, -128, 1, 2, 127))
+        return letters.lower() + b"%02X" % (self._model.expected + distance & 0xFF) + fields
+
+    def _spoilt(self, body: bytes) -> bytes:
+        rng = self._rng
+        data = bytearray(body or b"R")
+        for _ in range(rng.choice((1, 1, 2))):
+            at = rng.randrange(len(data))
+            kind = rng.randrange(4)
+            if kind == 0:
+                data[at] = rng.choice(GARBAGE)
+            elif kind == 1:
+                data.insert(at, rng.choice(GARBAGE))
+            elif kind == 2 and len(data) > 1:
+                del data[at]
+            else:
+                data[at:at] = rng.choice((b"G", b"r", b"0", b"Zz", b"\r", b"\n"))
+        return bytes(data)
+
+    def one(self) -> bytes:
+        """Give one frame, or what is left of it."""
+        rng = self._rng
+        body = self._body()
+        # Wrong before the check is made: the frame is whole, what it asks for is not.
+        if rng.random() < 0.1:
+            body = self._spoilt(body)
+        if rng.random() < 0.003:
+            body = body + b"0" * 2100
+        if rng.random() < 0.25:
+            if rng.random() < 0.2 and body[:1] in b"Ww":
+                body = body[: rng.randrange(4, 14)]
+            frame = body + b"\r"
+        else:
+            frame = body + self._crc.text(body) + b"\n"
+        # Damaged on its way.
+        if rng.random() < 0.08:
+            frame = self._spoilt(frame)
+        if rng.random() < 0.01:
+            frame = frame[: rng.randrange(len(frame) + 1)]
+        return frame
+
+
+@cocotb.test
+async def it_answers_random_frames_as_the_model_does(dut: SimHandleBase) -> None:
+    count, seed, pause = int(os.environ["FRAMES"]), int(os.environ["SEED"]), float(os.environ["PAUSE"])
+    model = VirtualGateway(GatewayInfo(groups=GROUPS, group_words=GROUP_WORDS))
+    model.attach(Failing(ErrorCode.BUS_ERROR), [ERROR_AT])
+    model.attach(Failing(ErrorCode.BUS_TIMEOUT), [SILENT_AT])
+    frames, rng = Frames(seed, model), random.Random(seed + 1)
+    gateway = Gateway(dut, pause_in=pause, pause_out=pause, seed=seed)
+    await gateway.begin()
+    done = 0
+    while done < count:
+        dut.wait_states.value = rng.choice((0, 0, 1, 3, 9)) if pause else 0
+        sent, expected = [], b""
+        for _ in range(min(200, count - done)):
+            frame = frames.one()
+            lost_before = rng.randrange(len(frame)) if frame and rng.random() < 0.01 else None
+            sent.append(frame)
+            gateway.send(frame, lost_before=lost_before)
+            if lost_before is not None:
+                expected += model.receive(frame[:lost_before], 0.0)
+                model.overflow()
+                frame = frame[lost_before:]
+            expected += model.receive(frame, 0.0)
+        done += len(sent)
+        # Longer than any request takes: the longest block with the slowest bus.
+        await gateway.quiet(4000 if pause else 1200)
+        for is_publish in (False, True):
+            got, wanted = (
+                [frame for frame in data.splitlines(keepends=True) if frame.startswith(b"P") is is_publish]
+                for data in (bytes(gateway.received), expected)
+            )
+            wrong = next((index for index, pair in enumerate(zip(got, wanted)) if pair[0] != pair[1]), None)  # noqa: B905
+            assert wrong is None, f"frame {wrong}: {got[wrong]!r} and not {wanted[wrong]!r}\n{sent}"
+            assert len(got) == len(wanted)
+        gateway.take()

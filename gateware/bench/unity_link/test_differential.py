@@ -1,0 +1,23 @@
+"""20,000 random frames, answered by the gateware in GHDL and by the Python model."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from gateware.bench.runner import run_bench
+
+SOURCES = [Path(__file__).resolve().parent / "unity_link_bench.vhd"]
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("frames", "seed", "pause", "pipelined"), [(16_000, 1, 0.0, False), (4_000, 2, 0.2, True)])
+def test_the_gateware_answers_as_the_model_does(frames: int, seed: int, pause: float, pipelined: bool) -> None:
+    run_bench(
+        "unity_link_bench",
+        "gateware.bench.unity_link.bench_differential",
+        generics={"error_at": 0xE0, "silent_at": 0xE8, "wb_pipelined": pipelined},
+        extra_sources=SOURCES,
+        extra_env={"FRAMES": str(frames), "SEED": str(seed), "PAUSE": str(pause)},
+    )
