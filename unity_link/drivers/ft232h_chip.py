@@ -41,6 +41,7 @@ DEFAULT_BAUD = 115_200
 CONTROL_TIMEOUT_MS = 1000
 """Of requests to the chip; a chip that works takes less than one."""
 UDEV_RULE = "/etc/udev/rules.d/70-ft232h.rules"
+_NO_PYFTDI = "an FT232H needs pyftdi, which is not installed: pip install 'unity-link[ftdi]'"
 _SUPPORTED = 0x0900
 """bcdDevice of an FT232H."""
 
@@ -236,6 +237,28 @@ def open_chip(url: DriverUrl, *, check: bool = True) -> OpenChip:
             chip.close()
         raise
     return chip
+
+
+def list_chips() -> list[tuple[str, str]]:
+    """Give URL and description of every FT232H that is plugged in. Blocks.
+
+    Raises:
+        ConnectError: where they can't be asked.
+    """
+    try:
+        from pyftdi.ftdi import Ftdi
+        from pyftdi.usbtools import UsbTools, UsbToolsError
+    except ImportError as error:
+        raise ConnectError(_NO_PYFTDI) from error
+    UsbTools.flush_cache()
+    try:
+        devices = Ftdi.list_devices()
+    except (UsbToolsError, OSError, ValueError) as error:
+        raise ConnectError(explain_opening(error)) from error
+    products = Ftdi.PRODUCT_IDS[Ftdi.FTDI_VENDOR]
+    chips = [device for device in devices if device[0].pid == products["232h"]]
+    found: list[tuple[str, str]] = UsbTools.build_dev_strings("ftdi", Ftdi.VENDOR_IDS, Ftdi.PRODUCT_IDS, chips)
+    return found
 
 
 async def open_in_thread(url: DriverUrl) -> OpenChip:

@@ -1,0 +1,124 @@
+"""`unity-link ft232h`: find FT232H chips, and make their pins a FIFO."""
+
+from __future__ import annotations
+
+from contextlib import contextmanager
+from typing import TYPE_CHECKING, Annotated, Literal
+
+import typer
+
+from unity_link.cli.arguments import Json  # noqa: TC001  (typer reads it)
+from unity_link.cli.output import out, print_json, print_note
+from unity_link.errors import ArgumentError
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from unity_link.drivers.ft232h_chip import OpenChip
+
+_SCHEMES = ("ftdi", "ftdi-async")
+ChipUrl = Annotated[
+    str, typer.Argument(metavar="URL", help="The chip, such as ftdi://ftdi:232h/1.", show_default=False)
+]
+
+
+def add_to(app: typer.Typer) -> None:
+    """Add the commands of this file."""
+    commands = typer.Typer(help="Find FT232H chips, and make their pins a FIFO.", no_args_is_help=True)
+    commands.command()(info)
+    commands.command()(configure)
+    app.add_typer(commands, name="ft232h")
+
+
+@contextmanager
+def _opened(url: str) -> Iterator[OpenChip]:
+    from unity_link.drivers import parse_url
+    from unity_link.drivers.ft232h_chip import open_chip
+
+    parsed = parse_url(url)
+    if parsed.scheme not in _SCHEMES:
+        raise ArgumentError(f"{url} is no URL of an FT232H: ftdi://ftdi:232h/1 was expected")
+    chip = open_chip(parsed, check=False)
+    try:
+        yield chip
+    finally:
+        chip.close()
+
+
+def info(
+    url: Annotated[str | None, typer.Argument(metavar="[URL]", help="The chip; without it, all are listed.")] = None,
+    *,
+    json: Json = False,
+) -> None:
+    """List the chips that are plugged in, or show what the EEPROM of one says."""
+    if url is None:
+        _list(json=json)
+        return
+    import msgspec
+
+    from unity_link.drivers.ft232h_eeprom import read_info
+
+    with _opened(url) as chip:
+        content = read_info(chip)
+    if json:
+        print_json({"url": url, **msgspec.structs.asdict(content)})
+        return
+    console = out()
+    console.print(url, style="bold", markup=False)
+    rows = {
+        "pins": content.channel_type,
+        "EEPROM": content.description,
+        "manufacturer": content.manufacturer,
+        "product": content.product,
+        "serial number": content.serial or "none",
+    }
+    for name, text in rows.items():
+        console.print(f"{name:<14}  {text}", markup=False)
+
+
+def _list(*, json: bool) -> None:
+    from unity_link.drivers.ft232h_chip import list_chips
+
+    chips = list_chips()
+    for url, description in chips:
+        if json:
+            print_json({"url": url, "description": description})
+        else:
+            out().print(f"{url}  {description}", markup=False)
+    if not chips:
+        print_note("no FT232H is plugged in")
+
+
+def configure(
+    url: ChipUrl,
+    *,
+    mode: Annotated[Literal["fifo", "uart"], typer.Option(help="What the pins are to be: FT245 FIFO, or UART.")],
+    yes: Annotated[bool, typer.Option("--yes", help="Write without asking.")] = False,
+) -> None:
+    """Write into the chip's EEPROM what its pins are to be."""
+    from unity_link.drivers.ft232h_eeprom import read_info, write_channel_type
+
+    kind: Literal["FIFO", "UART"] = "FIFO" if mode == "fifo" else "UART"
+    with _opened(url) as chip:
+        before = read_info(chip)
+        if before.is_valid and before.channel_type == kind:
+            print_note(f"nothing to do: {before.description}")
+            return
+        print_note(before.description)
+        if not before.is_valid:
+            print_note("It will be written anew, with a serial number of its own.")
+        if not yes and not _confirmed(f"Make the pins a {kind}?"):
+            print_note("Nothing was written.")
+            raise typer.Exit(1)
+        write_channel_type(chip, kind)
+    print_note(
+        f"Written: the EEPROM makes the FT232H a {kind}. Unplug it and plug it in again for that to take effect."
+    )
+
+
+def _confirmed(question: str) -> bool:
+    """Ask; no answer at all is a no."""
+    try:
+        return typer.confirm(question, err=True)
+    except typer.Abort:
+        return False
