@@ -1,0 +1,206 @@
+"""The USB/IP server, asked over a socket by a client of its own, byte by byte as the kernel's documentation has it."""
+
+from __future__ import annotations
+
+import asyncio
+import errno
+import struct
+from contextlib import asynccontextmanager
+from typing import TYPE_CHECKING
+
+import pytest
+
+from unity_link.virtual import VirtualGateway
+from unity_link.virtual.ft232h.board import GatewayBoard
+from unity_link.virtual.ft232h.bus import VirtualFt232h
+from unity_link.virtual.ft232h.usbip import serve_usbip
+
+if TYPE_CHECKING:
+    from collections.abc import AsyncIterator
+
+pytestmark = [pytest.mark.asyncio, pytest.mark.usb]
+READ, ANSWER = b"R0ACB\n", b"R0A0000000037\n"
+DEVICE_SIZE = 312
+
+
+class Client:
+    """Speaks USB/IP as a kernel does."""
+
+    def __init__(self, reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
+        self._reader = reader
+        self._writer = writer
+        self._number = 0
+
+    async def read(self, size: int) -> bytes:
+        return await asyncio.wait_for(self._reader.readexactly(size), 10)
+
+    def send(self, data: bytes) -> None:
+        self._writer.write(data)
+
+    async def ask_import(self, bus_id: str = "1-1") -> int:
+        self.send(bytes.fromhex("0111 8003 00000000") + bus_id.encode().ljust(32, b"\0"))
+        version, code, status = struct.unpack(">HHI", await self.read(8))
+        assert (version, code) == (0x0111, 0x0003)
+        if not status:
+            self.description = await self.read(DEVICE_SIZE)
+        return int(status)
+
+    def submit(self, endpoint: int, *, size: int = 0, data: bytes = b"", setup: bytes = bytes(8)) -> int:
+        self._number += 1
+        direction = 0 if data or not size else 1
+        self.send(struct.pack(">IIIII", 1, self._number, 0x70002, direction, endpoint))
+        self.send(struct.pack(">Iiiii", 0, size or len(data), 0, 0, 0) + setup + data)
+        return self._number
+
+    def unlink(self, number: int) -> None:
+        self._number += 1
+        self.send(struct.pack(">IIIIII24x", 2, self._number, 0x70002, 0, 0, number))
+
+    async def reply(self, *reads: int) -> tuple[int, int, int, bytes]:
+        """Give command, number, status and data of the next reply; `reads` are the transfers that have data."""
+        command, number, device, direction, endpoint = struct.unpack(">IIIII", await self.read(20))
+        assert (device, direction, endpoint) == (0, 0, 0)
+        status, length = struct.unpack(">ii20x", await self.read(28))
+        return command, number, status, await self.read(length) if number in reads else b""
+
+    async def control(self, kind: int, request: int, value: int, index: int, size: int = 0) -> tuple[int, bytes]:
+        number = self.submit(0, size=size, setup=struct.pack("<BBHHH", kind, request, value, index, size))
+        command, answered, status, data = await (self.reply(number) if kind & 0x80 else self.reply())
+        assert (command, answered) == (3, number)
+        return status, data
+
+    async def close(self) -> None:
+        self._writer.close()
+        await self._writer.wait_closed()
+
+
+@asynccontextmanager
+async def served(device: VirtualFt232h | None = None) -> AsyncIterator[tuple[VirtualFt232h, int]]:
+    device = device or VirtualFt232h(GatewayBoard(VirtualGateway()))
+    async with serve_usbip(device, port=0) as hint:
+        yield device, int(hint.split()[2])
+
+
+@asynccontextmanager
+async def connected(port: int) -> AsyncIterator[Client]:
+    client = Client(*await asyncio.open_connection("127.0.0.1", port))
+    try:
+        yield client
+    finally:
+        await client.close()
+
+
+async def test_the_device_is_listed_with_its_interface() -> None:
+    async with served() as (_, port), connected(port) as client:
+        client.send(bytes.fromhex("0111 8005 00000000"))
+        assert await client.read(12) == bytes.fromhex("0111 0005 00000000 00000001")
+        description = await client.read(DEVICE_SIZE)
+        assert description[256:288].rstrip(b"\0") == b"1-1"
+        assert struct.unpack(">IIIHHHBBBBBB", description[288:]) == (7, 2, 3, 0x0403, 0x6014, 0x0900, 0, 0, 0, 0, 1, 1)
+        assert await client.read(4) == b"\xff\xff\xff\0"
+
+
+async def test_an_unplugged_device_is_not_listed() -> None:
+    async with served() as (device, port), connected(port) as client:
+        device.unplug()
+        client.send(bytes.fromhex("0111 8005 00000000"))
+        assert await client.read(12) == bytes.fromhex("0111 0005 00000000 00000000")
+
+
+async def test_a_kernel_finds_a_high_speed_ft232h() -> None:
+    async with served() as (_, port), connected(port) as client:
+        assert await client.ask_import() == 0
+        status, device = await client.control(0x80, 0x06, 0x0100, 0, 18)
+        assert (status, device[8:14].hex()) == (0, "030414600009")
+        status, configuration = await client.control(0x80, 0x06, 0x0200, 0, 255)
+        assert (status, len(configuration)) == (0, 32)
+        assert (await client.control(0x80, 0x06, 0x0200, 0, 9))[1] == configuration[:9]
+        assert await client.control(0x00, 0x09, 1, 0) == (0, b"")
+        assert await client.control(0x80, 0x08, 0, 0, 1) == (0, b"\x01")
+        serial = (await client.control(0x80, 0x06, 0x0303, 0x0409, 255))[1]
+        assert serial[2:].decode("utf-16-le") == "UL000001"
+        assert (await client.control(0xC0, 0x90, 0, 0, 2))[1][0] == 1
+        assert await client.control(0xC0, 0x77, 0, 0, 2) == (-errno.EPIPE, b"")
+
+
+async def test_a_request_is_answered_by_transfers() -> None:
+    async with served() as (_, port), connected(port) as client:
+        await client.ask_import()
+        reading = client.submit(1, size=16384)
+        writing = client.submit(2, data=READ)
+        received = b""
+        while len(received) < len(ANSWER):
+            command, number, status, data = await client.reply(reading)
+            assert (command, status) == (3, 0)
+            if number == reading:
+                received += data[2:]
+                reading = client.submit(1, size=16384)
+            else:
+                assert number == writing
+        assert received == ANSWER
+
+
+async def test_a_transfer_that_is_unlinked_is_replied_to_by_that_alone() -> None:
+    async with served() as (_, port), connected(port) as client:
+        await client.ask_import()
+        await client.control(0x40, 0x09, 255, 1)
+        first, second = client.submit(1, size=512), client.submit(1, size=512)
+        client.unlink(first)
+        assert (await client.reply())[:3] == (4, second + 1, -errno.ECONNRESET)
+        client.unlink(first)
+        assert (await client.reply())[:3] == (4, second + 2, 0)
+
+
+async def test_a_stalled_endpoint_is_told_and_cleared() -> None:
+    async with served() as (device, port), connected(port) as client:
+        await client.ask_import()
+        device.halt(0x02)
+        client.submit(2, data=READ)
+        assert (await client.reply())[2] == -errno.EPIPE
+        assert (await client.control(0x02, 0x01, 0, 0x02))[0] == 0
+        client.submit(2, data=READ)
+        assert (await client.reply())[2] == 0
+
+
+async def test_unplugging_ends_the_transfers_and_the_connection() -> None:
+    async with served() as (device, port), connected(port) as client:
+        await client.ask_import()
+        await client.control(0x40, 0x09, 255, 1)
+        number = client.submit(1, size=512)
+        await client.control(0xC0, 0x0A, 0, 1, 1)
+        device.unplug()
+        assert (await client.reply())[:3] == (3, number, -errno.ESHUTDOWN)
+        with pytest.raises(asyncio.IncompleteReadError):
+            await client.read(1)
+
+
+async def test_one_client_has_the_device_and_the_next_gets_it_afterwards() -> None:
+    async with served() as (device, port):
+        async with connected(port) as first, connected(port) as second:
+            assert await first.ask_import() == 0
+            assert await second.ask_import() == 1
+        while device.claimed_by is not None:  # noqa: ASYNC110  (there is no event for it)
+            await asyncio.sleep(0.001)
+        async with connected(port) as third:
+            assert await third.ask_import() == 0
+
+
+@pytest.mark.parametrize(
+    "nonsense",
+    [
+        b"GET / HTTP/1.1\r\n",
+        bytes.fromhex("0111 1234 00000000"),
+        bytes.fromhex("0111 8003 00000000") + b"9-9".ljust(32, b"\0"),
+    ],
+)
+async def test_nonsense_ends_the_connection_and_nothing_else(nonsense: bytes) -> None:
+    async with served() as (_, port):
+        async with connected(port) as client:
+            client.send(nonsense)
+            with pytest.raises((asyncio.IncompleteReadError, ConnectionError)):
+                await client.read(1000)
+        async with connected(port) as client:
+            assert await client.ask_import() == 0
+            client.send(struct.pack(">IIIII", 1, 1, 0, 1, 1) + struct.pack(">Iiiii8x", 0, 1 << 30, 0, 0, 0))
+            with pytest.raises((asyncio.IncompleteReadError, ConnectionError)):
+                await client.read(1)

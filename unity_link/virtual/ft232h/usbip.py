@@ -1,0 +1,257 @@
+"""The virtual chip as a real USB device of a machine: a USB/IP server.
+
+A Linux with vhci-hcd attaches it (``usbip attach -r HOST -b 1-1``), and from then on its own drivers, libusb and
+everything on top of them see a high-speed FT232H. The protocol is that of the kernel's
+``Documentation/usb/usbip_protocol.rst``, version 1.1.1; one client at a time has the device, others can list it.
+
+The chip moves on in real time in a thread (`libusb1.ThreadHost`), since timers of event loops are too coarse for
+microframes; what ends is handed to the loop, which sends the replies.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import errno
+import struct
+from contextlib import asynccontextmanager
+from typing import TYPE_CHECKING
+
+from unity_link.virtual.ft232h import descriptors
+from unity_link.virtual.ft232h.bus import BUS_NUMBER, VirtualFt232h
+from unity_link.virtual.ft232h.chip import StallError
+from unity_link.virtual.ft232h.host import Status, Transfer
+from unity_link.virtual.ft232h.libusb1 import ThreadHost
+
+if TYPE_CHECKING:
+    from collections.abc import AsyncIterator
+
+PORT = 3240
+"""The protocol's usual port."""
+BUS_ID = "1-1"
+VERSION = 0x0111
+REQUEST_LIST, REPLY_LIST = 0x8005, 0x0005
+REQUEST_IMPORT, REPLY_IMPORT = 0x8003, 0x0003
+SUBMIT, UNLINK, SUBMITTED, UNLINKED = 1, 2, 3, 4
+OPERATION = struct.Struct(">HHI")
+"""Version, code, status."""
+DEVICE = struct.Struct(">256s32sIIIHHHBBBBBB")
+INTERFACE = struct.Struct(">BBBx")
+HEADER = struct.Struct(">IIIII")
+"""Command, sequence number, device, direction, endpoint."""
+SUBMISSION = struct.Struct(">Iiiii8s")
+"""Flags, length, start frame, number of packets, interval, setup packet."""
+UNLINKING = struct.Struct(">I24x")
+SUBMISSION_REPLY = struct.Struct(">iiiii8x")
+"""Status, length, start frame, number of packets, errors."""
+UNLINKING_REPLY = struct.Struct(">i24x")
+SETUP = struct.Struct("<BBHHH")
+_IN = 1
+_DIRECTION_IN = 0x80
+_FAILED = 1
+MOST_BYTES = 1 << 20
+"""In one transfer: more than a kernel submits, and less than would harm."""
+_ERRORS = {
+    Status.DONE: 0,
+    Status.STALLED: -errno.EPIPE,
+    Status.OVERFLOW: -errno.EOVERFLOW,
+    Status.CANCELLED: -errno.ECONNRESET,
+    Status.GONE: -errno.ESHUTDOWN,
+}
+
+
+@asynccontextmanager
+async def serve_usbip(device: VirtualFt232h, port: int = PORT, host: str = "127.0.0.1") -> AsyncIterator[str]:
+    """Serve a chip; gives how a Linux attaches it."""
+    device.address = device.address or 2
+    server = Server(device)
+    listener = await asyncio.start_server(server.serve, host, port)
+    try:
+        address, number = listener.sockets[0].getsockname()[:2]
+        yield f"usbip --tcp-port {number} attach -r {address} -b {BUS_ID}"
+    finally:
+        listener.close()
+        await server.close()
+
+
+class Server:
+    """All connections to one chip."""
+
+    def __init__(self, device: VirtualFt232h) -> None:
+        self._device = device
+        self._tasks: set[asyncio.Task[None]] = set()
+
+    async def serve(self, reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
+        """Serve one connection to its end."""
+        task = asyncio.current_task()
+        assert task is not None
+        self._tasks.add(task)
+        try:
+            if await self._negotiate(reader, writer):
+                await Import(self._device, reader, writer).run()
+        except (asyncio.IncompleteReadError, ConnectionError, asyncio.CancelledError, ProtocolError):
+            pass
+        finally:
+            self._tasks.discard(task)
+            writer.close()
+
+    async def close(self) -> None:
+        """End all connections."""
+        tasks = list(self._tasks)
+        for task in tasks:
+            task.cancel()
+        if tasks:
+            await asyncio.wait(tasks)
+
+    async def _negotiate(self, reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> bool:
+        """Answer the first question; gives whether the device is this client's from now on."""
+        version, code, _ = OPERATION.unpack(await reader.readexactly(OPERATION.size))
+        if version != VERSION:
+            raise ProtocolError(f"version {version:#x} was asked for, and {VERSION:#x} is spoken")
+        if code == REQUEST_LIST:
+            writer.write(OPERATION.pack(VERSION, REPLY_LIST, 0) + self._list())
+            await writer.drain()
+            return False
+        if code != REQUEST_IMPORT:
+            raise ProtocolError(f"operation {code:#x} is not known")
+        wanted = (await reader.readexactly(32)).rstrip(b"\0").decode("ascii", "replace")
+        free = wanted == BUS_ID and self._device.host.plugged and self._device.claimed_by is None
+        writer.write(OPERATION.pack(VERSION, REPLY_IMPORT, 0 if free else _FAILED))
+        if free:
+            writer.write(self._describe())
+        await writer.drain()
+        return free
+
+    def _list(self) -> bytes:
+        if not self._device.host.plugged:
+            return struct.pack(">I", 0)
+        interface = descriptors.INTERFACES[0]
+        classes = (interface.bInterfaceClass, interface.bInterfaceSubClass, interface.bInterfaceProtocol)
+        return struct.pack(">I", 1) + self._describe() + INTERFACE.pack(*classes)
+
+    def _describe(self) -> bytes:
+        device = self._device.chip.device_descriptor
+        return DEVICE.pack(
+            f"/sys/devices/virtual/unity-link/{BUS_ID}".encode(),
+            BUS_ID.encode(),
+            BUS_NUMBER,
+            self._device.address,
+            descriptors.HIGH_SPEED,
+            device.idVendor,
+            device.idProduct,
+            device.bcdDevice,
+            device.bDeviceClass,
+            device.bDeviceSubClass,
+            device.bDeviceProtocol,
+            self._device.chip.configuration,
+            device.bNumConfigurations,
+            1,
+        )
+
+
+class ProtocolError(Exception):
+    """What came is not what the protocol has; the connection ends."""
+
+
+class Import:
+    """One client that has the device."""
+
+    def __init__(self, device: VirtualFt232h, reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
+        self._device = device
+        self._reader = reader
+        self._writer = writer
+        self._loop = asyncio.get_running_loop()
+        self._under_way: dict[int, Transfer] = {}
+        self._kernel = ThreadHost(device)
+
+    async def run(self) -> None:
+        """Serve until the client goes, or the device is unplugged."""
+        self._device.claimed_by = self
+        try:
+            while True:
+                command, number, _, direction, endpoint = HEADER.unpack(await self._reader.readexactly(HEADER.size))
+                if command == SUBMIT:
+                    await self._submit(number, direction, endpoint)
+                elif command == UNLINK:
+                    self._unlink(number, *UNLINKING.unpack(await self._reader.readexactly(UNLINKING.size)))
+                else:
+                    raise ProtocolError(f"command {command} is not known")
+                await self._writer.drain()
+        finally:
+            for transfer in list(self._under_way.values()):
+                self._cancel(transfer)
+            # It joins a thread that may wait for the loop's lock no longer than one step.
+            self._kernel.close()
+            if self._device.claimed_by is self:
+                self._device.claimed_by = None
+
+    async def _submit(self, number: int, direction: int, endpoint: int) -> None:
+        _, length, _, _, _, setup = SUBMISSION.unpack(await self._reader.readexactly(SUBMISSION.size))
+        if not 0 <= length <= MOST_BYTES:
+            raise ProtocolError(f"a transfer of {length} bytes was asked for, and 0 to {MOST_BYTES} are allowed")
+        data = b"" if direction == _IN else await self._reader.readexactly(length)
+        if endpoint == 0:
+            self._control(number, setup)
+            return
+        address = endpoint | (_DIRECTION_IN if direction == _IN else 0)
+        if address not in (descriptors.IN_ENDPOINT, descriptors.OUT_ENDPOINT):
+            self._reply(number, -errno.EPIPE, 0, b"")
+            return
+
+        def end(ended: Transfer) -> None:
+            self._loop.call_soon_threadsafe(self._end, number, ended)
+
+        transfer = Transfer(address, size=length, data=data, on_end=end)
+        self._under_way[number] = transfer
+        try:
+            with self._device.changed:
+                self._device.host.submit(transfer, self._device.now())
+        except ConnectionError:
+            del self._under_way[number]
+            self._reply(number, -errno.ESHUTDOWN, 0, b"")
+            return
+        self._kernel.wake()
+
+    def _end(self, number: int, transfer: Transfer) -> None:
+        """Reply to a transfer, unless it was unlinked meanwhile."""
+        if self._under_way.pop(number, None) is None or self._writer.is_closing():
+            return
+        assert transfer.status is not None
+        is_in = transfer.endpoint & _DIRECTION_IN
+        self._reply(number, _ERRORS[transfer.status], transfer.moved, bytes(transfer.data) if is_in else b"")
+        if transfer.status is Status.GONE:
+            self._writer.close()
+
+    def _unlink(self, number: int, unlinked: int) -> None:
+        """Cancel a transfer; one that has ended already was, or is being, replied to."""
+        transfer = self._under_way.pop(unlinked, None)
+        if transfer is not None:
+            self._cancel(transfer)
+        self._writer.write(HEADER.pack(UNLINKED, number, 0, 0, 0))
+        self._writer.write(UNLINKING_REPLY.pack(0 if transfer is None else -errno.ECONNRESET))
+
+    def _cancel(self, transfer: Transfer) -> None:
+        with self._device.changed:
+            self._device.host.cancel(transfer, self._device.now())
+
+    def _control(self, number: int, setup: bytes) -> None:
+        """Do a control request, and reply at once: its few microframes do not count here."""
+        kind, request, value, index, length = SETUP.unpack(setup)
+        device, answer = self._device, b""
+        try:
+            with device.changed:
+                if kind & _DIRECTION_IN:
+                    answer = device.host.control_in(kind, request, value, index, device.now())[0][:length]
+                else:
+                    device.host.control_out(kind, request, value, index, device.now())
+        except StallError:
+            self._reply(number, -errno.EPIPE, 0, b"")
+        except ConnectionError:
+            self._reply(number, -errno.ESHUTDOWN, 0, b"")
+        else:
+            self._reply(number, 0, len(answer), answer)
+            self._kernel.wake()
+
+    def _reply(self, number: int, status: int, moved: int, data: bytes) -> None:
+        self._writer.write(
+            HEADER.pack(SUBMITTED, number, 0, 0, 0) + SUBMISSION_REPLY.pack(status, moved, 0, 0, 0) + data
+        )
