@@ -1,10 +1,11 @@
-"""What the tests of specs share: specs that are valid, made by hypothesis as syntax trees, and a way to look at a model."""
+"""What the tests of specs share: the paper's figure, and valid specs, made by hypothesis as syntax trees."""
 
 from __future__ import annotations
 
 from typing import Any
 
 import hypothesis.strategies as st
+
 from unity_link.spec import Interface, compile_text
 from unity_link.spec.syntax import (
     Argument,
@@ -17,7 +18,9 @@ from unity_link.spec.syntax import (
     Expression,
     File,
     GroupDeclaration,
+    Item,
     KindName,
+    Member,
     Name,
     Number,
     Parameter,
@@ -49,7 +52,8 @@ joint(name): @(spd,cpos,pos_sp,spd_sp) {
 
 def interface_of(*members: str, outside: str = "", **options: Any) -> Interface:
     """Compile a public interface of some members."""
-    return compile_text("public robot() {\n%s\n}\n%s" % ("\n".join(members), outside), **options).interface()
+    inside = "\n".join(members)
+    return compile_text(f"public robot() {{\n{inside}\n}}\n{outside}", **options).interface()
 
 
 # Valid specs
@@ -78,10 +82,10 @@ def expressions(draw: st.DrawFn, names: list[str]) -> Expression:
     leaves = st.one_of(numbers, st.sampled_from(names).map(lambda name: Name(Word(name)))) if names else numbers
 
     def larger(inner: st.SearchStrategy[Expression]) -> st.SearchStrategy[Expression]:
-        operands = st.one_of(leaves, inner.map(lambda one: Parenthesis(one)))
+        operands = st.one_of(leaves, inner.map(Parenthesis))
         chains = st.lists(operands, min_size=2, max_size=3).flatmap(
             lambda some: st.lists(st.sampled_from("+-*"), min_size=len(some) - 1, max_size=len(some) - 1).map(
-                lambda operators: Chain(some, operators)
+                lambda operators: Chain(list[Expression](some), operators)
             )
         )
         return st.one_of(chains, operands.map(lambda one: Prefixed("-", one)))
@@ -160,18 +164,25 @@ def specs(draw: st.DrawFn) -> File:
         GroupDeclaration(Word(name), [Argument(Word("DIVISOR"), Number(str(10 + index)))])
         for index, name in enumerate(groups)
     ]
-    components = []
+    components: list[ComponentDeclaration] = []
     for name in _unique_names(draw, taken, draw(st.integers(0, 2))):
         names = _unique_names(draw, set(), draw(st.integers(1, 3)))
-        members: list[Any] = [draw(signals(one, -index - 1, enumerations, groups)) for index, one in enumerate(names)]
+        inside: list[Member] = [draw(signals(one, -index - 1, enumerations, groups)) for index, one in enumerate(names)]
         components.append(
-            ComponentDeclaration(False, Word(name), [Parameter(Word("name"))], [Parameter(Word("base"))], members)
+            ComponentDeclaration(
+                public=False,
+                name=Word(name),
+                parameters=[Parameter(Word("name"))],
+                addresses=[Parameter(Word("base"))],
+                members=inside,
+            )
         )
-    members = []
+    members: list[Member] = []
     address = 0
     (interface,) = _unique_names(draw, taken, 1)
     for index, name in enumerate(_unique_names(draw, set(taken), draw(st.integers(1, 4)))):
-        if components and draw(st.booleans()):
+        in_component: bool = draw(st.booleans())
+        if components and in_component:
             component = draw(st.sampled_from(components))
             count = draw(st.one_of(st.none(), st.integers(1, 3)))
             place = whole(address)
@@ -196,6 +207,6 @@ def specs(draw: st.DrawFn) -> File:
             else:
                 members.append(signal)
             address += 1
-    public = ComponentDeclaration(True, Word(interface), [], None, members)
-    items = draw(st.permutations([*enumerations, *group_items, *components, public]))
-    return File(list(items))
+    public = ComponentDeclaration(public=True, name=Word(interface), parameters=[], addresses=None, members=members)
+    items: list[Item] = [*enumerations, *group_items, *components, public]
+    return File(draw(st.permutations(items)))

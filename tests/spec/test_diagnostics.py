@@ -1,5 +1,7 @@
 """Every message to the author: its rule, its sentence, the place that it underlines and what it advises."""
 
+# ruff: noqa: E501, Q003 -- a case is a row of the table, and quotes are what it is about
+
 import re
 from pathlib import Path
 
@@ -9,9 +11,9 @@ from unity_link.spec import Diagnostic, SpecError, compile_file, compile_text
 from unity_link.spec.diagnostics import did_you_mean
 
 
-def faults(text: str, **options: int) -> tuple[Diagnostic, ...]:
+def faults(text: str, address_bits: int | None = None) -> tuple[Diagnostic, ...]:
     with pytest.raises(SpecError) as caught:
-        compile_text(text, "robot.ul", **options)
+        compile_text(text, "robot.ul", address_bits=address_bits)
     return caught.value.diagnostics
 
 

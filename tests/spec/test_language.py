@@ -4,8 +4,8 @@ from pathlib import Path
 
 import msgspec
 import pytest
-from spec_examples import FIGURE_1, interface_of
 
+from spec_examples import FIGURE_1, interface_of
 from unity_link.errors import ArgumentError
 from unity_link.spec import (
     Access,
@@ -168,7 +168,8 @@ def test_an_enumeration_counts_on_from_the_value_before() -> None:
 def test_an_array_gives_its_index_to_arguments_and_addresses() -> None:
     interface = interface_of(
         'legs[2]: leg("leg " + (i + 1)) @(0x10 + 8 * i);',
-        outside="leg(name): @(base) { joints[3]: joint(name + i) @(base + i); }\njoint(name): @(pos) { @pos: READ(ID=name); }",
+        outside="leg(name): @(base) { joints[3]: joint(name + i) @(base + i); }\n"
+        "joint(name): @(pos) { @pos: READ(ID=name); }",
     )
     assert addresses(interface)["legs[1].joints[2].pos"] == 0x1A
     assert interface.signals["legs[1].joints[2].pos"].id == "leg 22"
@@ -284,8 +285,8 @@ def test_groups_have_names_and_get_the_numbers_that_are_free() -> None:
     interface = interface_of(
         "@a = 1: READ(PUBLISH(fast));", "@b = 2: READ(PUBLISH(0, 7));", "@c = 3: READ(PUBLISH(slow, 5));",
         "@d = 4: READ(PUBLISH(2));", "@e = 5: WRITE(GROUP(targets));", "@f = 6: READ(PUBLISH(slow), GROUP(targets));",
-        outside="/// Quick.\ngroup fast(RATE=1000, TIMESTAMPS, IMMEDIATE);\ngroup slow(ON_CHANGE);\ngroup named(2, 9);\n"
-        "group targets;\ngroup unused(5, 5);",
+        outside="/// Quick.\ngroup fast(RATE=1000, TIMESTAMPS, IMMEDIATE);\ngroup slow(ON_CHANGE);\n"
+        "group named(2, 9);\ngroup targets;\ngroup unused(5, 5);",
     )  # fmt: skip
     assert {one.name: one.number for one in interface.groups} == {
         "fast": 1, "group_0": 0, "slow": 3, "named": 2, "targets": None,
@@ -313,7 +314,8 @@ def test_fields_of_one_word_are_one_word_of_a_sample() -> None:
 def test_the_joints_of_a_group_are_the_components_that_have_the_named_signals() -> None:
     interface = interface_of(
         "j[2]: j() @(2 * i, 2 * i + 1);", "@extra = 9: READ(PUBLISH(s));",
-        outside="group s(1, 2, JOINTS(POSITION=p, EFFORT=e));\nj(): @(p, e) { @p: READ(PUBLISH(s)); @e: READ(PUBLISH(s)); }",
+        outside="group s(1, 2, JOINTS(POSITION=p, EFFORT=e));\n"
+        "j(): @(p, e) { @p: READ(PUBLISH(s)); @e: READ(PUBLISH(s)); }",
     )  # fmt: skip
     assert interface.groups[0].joints == (
         Joint(name="j[0]", position="j[0].p", effort="j[0].e"), Joint(name="j[1]", position="j[1].p", effort="j[1].e"),
@@ -325,7 +327,8 @@ def test_the_joints_of_a_group_are_the_components_that_have_the_named_signals() 
 
 def test_doc_strings_reach_the_model() -> None:
     interface = compile_text(
-        "/// The robot.\n///\n/// All of it.\npublic r() {\n/// A led.\n@led = 1: READ();\n/// The first.\nc: c();\nd: c();\n}\n"
+        "/// The robot.\n///\n/// All of it.\npublic r() {\n/// A led.\n@led = 1: READ();\n"
+        "/// The first.\nc: c();\nd: c();\n}\n"
         "/// Any.\nc() {}\n"
     ).interface()
     assert interface.doc == "The robot.\n\nAll of it."

@@ -1,9 +1,9 @@
 """What is printed says what was parsed, comments included."""
 
+import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-import pytest
 from spec_examples import FIGURE_1, expressions, specs
 from unity_link.spec import SpecError, compile_text, format_text
 from unity_link.spec.diagnostics import Reporter, Source
@@ -72,7 +72,8 @@ enum e { a, // of a
 def test_no_comment_is_lost() -> None:
     formatted = format_text(COMMENTED)
     for comment in (
-        "// first\n", "/* a block\n   of two lines */\n", "  // behind the brace\n", "  /// A doc string\n  ///   indented\n",
+        "// first\n", "/* a block\n   of two lines */\n",
+        "  // behind the brace\n", "  /// A doc string\n  ///   indented\n",
         ";  // trailing\n", "  // before b\n\n  // again before b\n", "  /* inside */\n", "  // inside, too\n",
         '"// no comment"', "  /* between */\n  @c", "@d = 4: READ();  /* one */  // two\n", "  // dangling\n}",
         "  a,  // of a\n  // of b\n  b,\n", "}\n// the end\n",
@@ -105,7 +106,7 @@ def test_an_empty_file_stays_empty() -> None:
 
 
 def test_a_long_statement_has_one_argument_a_line() -> None:
-    text = 'public x() { @a = 1: READ(ID="%s", UNIT="%s", PUBLISH(1, 10)); }' % ("i" * 60, "u" * 60)
+    text = f'public x() {{ @a = 1: READ(ID="{"i" * 60}", UNIT="{"u" * 60}", PUBLISH(1, 10)); }}'
     lines = format_text(text).splitlines()
     assert lines[1] == "  @a = 1: READ("
     assert lines[-3:-1] == ["      PUBLISH(1, 10)", "  );"]

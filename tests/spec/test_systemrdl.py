@@ -6,8 +6,8 @@ from typing import Any
 import hypothesis.strategies as st
 import pytest
 from hypothesis import HealthCheck, given, settings
-from spec_examples import interface_of, specs
 
+from spec_examples import interface_of, specs
 from unity_link.errors import UnsupportedError
 from unity_link.spec import Interface, SpecError, compile_file, compile_text
 from unity_link.spec.printer import print_file
@@ -83,7 +83,7 @@ def test_everything_that_systemrdl_has_no_word_for_comes_back(tmp_path: Path) ->
         "@d = 4: READ(FIFO(16), POLL(2.5));",
         "@e = 4: WRITE(FIFO);",
         "@f = 5: ufixed 4.12 READ(PUBLISH(3, 7));",
-        "/// A line.\n/// Another \"one\".\n@g = 6: float 16 WRITE();",
+        '/// A line.\n/// Another "one".\n@g = 6: float 16 WRITE();',
         outside="enum mode { off, on = 3 }\ngroup g(RATE=100.5, TRIGGER, ON_CHANGE);\ngroup h;",
     )  # fmt: skip
     assert seen(returned(interface, tmp_path)) == seen(interface)
@@ -139,7 +139,8 @@ def test_widths_that_systemrdl_does_not_know_are_refused() -> None:
 def test_registers_that_no_word_address_has_are_refused(tmp_path: Path) -> None:
     path = tmp_path / "odd.rdl"
     path.write_text(
-        "addrmap top { reg { regwidth = 8; field {} f[7:0]; } a @ 0x1; reg { regwidth = 32; field {} f[31:0]; } b @ 0x4; };"
+        "addrmap top { reg { regwidth = 8; field {} f[7:0]; } a @ 0x1;"
+        " reg { regwidth = 32; field {} f[31:0]; } b @ 0x4; };"
     )
     assert compile_text(import_file(path)).interface().data_bits == 8
     path.write_text("addrmap top { default alignment = 1; reg { regwidth = 32; field {} f[31:0]; } a @ 0x2; };")

@@ -28,6 +28,14 @@ if TYPE_CHECKING:
 
 _FIELD_PROPERTIES = ("path", "id", "kind", "unit", "arguments")
 _SW = {Access.READ: ("r", "w"), Access.WRITE: ("w", "r"), Access.READWRITE: ("rw", "r")}
+_KEYWORDS = frozenset(
+    """abstract accesstype addressingtype addrmap alias all alternate bit boolean bothedge byte compact component
+    componentwidth constraint default encode enum external false field fullalign hw inside int internal level
+    longint mem na negedge nonsticky number onreadtype onwritetype posedge precedencetype property r rclr real
+    ref reg regalign regfile rset ruser rw rw1 shortint shortreal signal signed string struct sw this true type
+    unsigned w w1 wclr with within woclr woset wot wr wset wuser wzc wzs wzt""".split()  # noqa: SIM905  (a line for each word would be a page)
+)
+"""Words of SystemRDL 2.0; as a name, one is written with a backslash."""
 _RESERVED = {"import", "enum", "group", "public"}
 
 
@@ -54,7 +62,7 @@ def export_text(interface: Interface) -> str:
         "",
     ]
     for enumeration in interface.enumerations:
-        lines.append(f"enum {_identifier(enumeration.name)}_e {{")
+        lines.append(f"enum {_identifier(enumeration.name, '_e')} {{")
         for value in enumeration.values:
             desc = f" {{ desc = {_string(value.doc)}; }}" if value.doc else ""
             lines.append(f"  {_identifier(value.name)} = {value.value}{desc};")
@@ -64,12 +72,14 @@ def export_text(interface: Interface) -> str:
     lines += [f"  default regwidth = {bits};", f"  default accesswidth = {bits};"]
     groups = " ".join(_group(group) for group in interface.groups)
     lines += [f"  ul_groups = {_string(groups)};"] if groups else []
+    registers: set[str] = set()
     for address in sorted(words):
-        lines += _register(address, words[address], bits)
+        lines += _register(address, words[address], bits, registers)
     return "\n".join([*lines, "};", ""])
 
 
-def _register(address: int, signals: list[Signal], bits: int) -> Iterator[str]:
+def _register(address: int, signals: list[Signal], bits: int, registers: set[str]) -> Iterator[str]:
+    fields: set[str] = set()
     yield "  reg {"
     for signal in signals:
         part = address - signal.address
@@ -79,9 +89,10 @@ def _register(address: int, signals: list[Signal], bits: int) -> Iterator[str]:
         yield "    field {"
         yield f"      sw = {software}; hw = {hardware};"
         yield from (f"      {name} = {value};" for name, value in _properties(signal, part))
-        suffix = f"_part{part}" if part else ""
-        yield f"    }} {_identifier(signal.path)}{suffix}[{high}:{low}];"
-    name = _identifier(signals[0].path) if len(signals) == 1 and signals[0].words == 1 else f"word_{address:x}"
+        name = _unique(_identifier(signal.path, f"_part{part}" if part else ""), fields)
+        yield f"    }} {name}[{high}:{low}];"
+    is_one = len(signals) == 1 and signals[0].words == 1
+    name = _unique(_identifier(signals[0].path) if is_one else f"word_{address:x}", registers)
     yield f"  }} {name} @ {address * bits // 8:#x};"
 
 
@@ -91,7 +102,7 @@ def _properties(signal: Signal, part: int) -> Iterator[tuple[str, str]]:
     if part:
         return
     if signal.kind.enumeration is not None:
-        yield "encode", f"{_identifier(signal.kind.enumeration.name)}_e"
+        yield "encode", _identifier(signal.kind.enumeration.name, "_e")
     yield "ul_path", _string(signal.path)
     yield "ul_id", _string(signal.id)
     yield "ul_kind", _string(str(signal.kind))
@@ -143,12 +154,23 @@ def _number(value: float) -> str:
     return repr(value)
 
 
-def _identifier(path: str) -> str:
-    return re.sub(r"\W+", "_", path).strip("_")
+def _identifier(path: str, suffix: str = "") -> str:
+    name = re.sub(r"\W", "_", path.replace("]", "")) + suffix
+    return f"\\{name}" if name in _KEYWORDS else name
+
+
+def _unique(name: str, taken: set[str]) -> str:
+    """Give a name that is not taken yet: ``a.b`` and ``a_b`` would be the same."""
+    number, unique = 1, name
+    while unique in taken:
+        number += 1
+        unique = f"{name.removeprefix(chr(92))}_{number}"
+    taken.add(unique)
+    return unique
 
 
 def _string(text: str) -> str:
-    # SystemRDL escapes only the quote, so that a backslash could hide one; its compiler ends a text at a control character.
+    # SystemRDL escapes only the quote, so that a backslash could hide one; a control character would end the text.
     text = "".join(character for character in text if character >= " " or character in "\n\t")
     return '"' + text.replace("\\", "\\\\").replace('"', '\\"') + '"'
 
@@ -250,7 +272,7 @@ class _Importer:
 
         top = self._top
         part = self._part_of_paths() if self._is_ours else self._part(top)
-        name = self._unique(_identifier(top.inst_name))
+        name = _unique(_name(top.inst_name), self._names)
         body = self._body(part, "")
         highest = max(top.size * 8 // self._bits - 1, 1)
         bits = max(8, highest.bit_length())
@@ -264,7 +286,7 @@ class _Importer:
     # From SystemRDL's own tree
 
     def _part(self, node: Any) -> _Part:
-        part = _Part(_identifier(node.type_name or node.inst_name), doc=node.get_property("desc") or "")
+        part = _Part(node.type_name or node.inst_name, doc=node.get_property("desc") or "")
         for child in node.children(unroll=False):
             kind = type(child).__name__
             if kind == "RegNode":
@@ -298,7 +320,7 @@ class _Importer:
     def _add_register(self, part: _Part, node: Any) -> None:
         fields = [found for one in node.fields() if (found := self._field(one)) is not None]
         if node.is_array or len(fields) > 1:
-            inner = _Part(_identifier(node.type_name or node.inst_name), fields, doc=_desc(node))
+            inner = _Part(node.type_name or node.inst_name, fields, doc=_desc(node))
             part.parts.append(self._placed(node, inner))
         elif fields:
             (only,) = fields
@@ -411,17 +433,9 @@ class _Importer:
         body = f": @(base) {{\n{self._body(part, 'base + ')}}}\n"
         found = self._components.get(body)
         if found is None:
-            found = self._components[body] = self._unique(_name(part.type_name))
+            found = self._components[body] = _unique(_name(part.type_name), self._names)
             self._docs[found] = part.doc
         return found
-
-    def _unique(self, name: str) -> str:
-        number, unique = 1, name
-        while unique in self._names:
-            number += 1
-            unique = f"{name}_{number}"
-        self._names.add(unique)
-        return unique
 
 
 def _rebase(part: _Part) -> None:
