@@ -22,6 +22,8 @@ if TYPE_CHECKING:
 FIRST_TRY = 0.1
 """Seconds until a question is asked again, doubled each time."""
 LONGEST_TRY = 1.0
+LAST_ANSWER = len("K00CC\n")
+"""Bytes of the last answer, at least."""
 CHECKED_TRIES = 4
 """How often the checked `Q` is asked before the plain answer is doubted."""
 

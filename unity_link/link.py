@@ -27,7 +27,7 @@ from unity_link.errors import (
     UnsupportedError,
 )
 from unity_link.exchange import Exchange
-from unity_link.handshake import Handshake
+from unity_link.handshake import LAST_ANSWER, Handshake
 from unity_link.requests import Batch, BatchSource, Block, Posted, Request, WordRequest, WordsRequest, common_outcome
 from unity_link.stream import Stream
 from unity_link.subscription import Groups, Overflow, Sample, Schedule, Subscription, check_addresses
@@ -108,6 +108,7 @@ class Link:
         self._reconnection: asyncio.Task[None] | None = None
         self._sessions = 0
         self._bytes_before = (0, 0)
+        self._posted = False
         self._posted_error: UnityLinkError | None = None
         self._posted_failures = 0
         self._closed = False
@@ -158,14 +159,7 @@ class Link:
         self._highest_word = (1 << info.data_bits) - 1
         credit = None if Feature.FLOW_CONTROL in info.features else info.receive_fifo_bytes
         self._groups.start(codec)
-        self._exchange.start(stream, codec, Window(codec.ring, credit, self._byte_time(), round_trip))
-
-    def _byte_time(self) -> float:
-        """Give the seconds that a byte takes on a serial port, 0 on other media: ten bits, with start and stop."""
-        if not isinstance(self._target, DriverUrl):
-            return 0.0
-        baud = self._target.integer("baud", getattr(load_driver(self._target.scheme), "DEFAULT_BAUD", 0))
-        return 10 / baud if baud else 0.0
+        self._exchange.start(stream, codec, Window(codec.ring, credit, round_trip / LAST_ANSWER, round_trip))
 
     def _lose(self, reason: str) -> None:
         """End the session; and the link, if it is not to reconnect."""
@@ -239,7 +233,12 @@ class Link:
     async def __aexit__(
         self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
     ) -> None:
-        await self.aclose()
+        """Close; where the block ended well, not before the posted writes are executed, and with their errors."""
+        try:
+            if error is None and self._posted and not self._closed:
+                await self.fence()
+        finally:
+            await self.aclose()
 
     @property
     def statistics(self) -> Statistics:
@@ -304,12 +303,14 @@ class Link:
     async def post(self, address: int, value: int) -> None:
         """Send a write without waiting for its execution; waits only while too many requests are under way.
 
-        It is executed exactly once and in order all the same. Its errors are raised by the next `fence`.
+        It is executed exactly once and in order all the same. Its errors are raised by the next `fence`, or where the
+        ``async with`` block of the link ends.
         """
         self._check_address(address)
         self._check_word(value)
         codec = self._codec
         request = Posted(codec, codec.fields("WS", address, value), self._loop, self._note_posted)
+        self._posted = True
         self._exchange.submit(request)
         await request.future
 
@@ -319,6 +320,7 @@ class Link:
         Raises:
             UnityLinkError: the first error of the writes posted since the last fence.
         """
+        self._posted = False
         await self._ask("H")
         first, count = self._posted_error, self._posted_failures
         self._posted_error, self._posted_failures = None, 0
@@ -621,7 +623,7 @@ class Connecting:
         self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
     ) -> None:
         assert self._link is not None
-        await self._link.aclose()
+        await self._link.__aexit__(kind, error, trace)
 
 
 def connect(target: str | Gateway, *, timeout: float = 5.0, reconnect: bool | Reconnect = False) -> Connecting:

@@ -20,6 +20,7 @@ from simulated_time import on_simulated_time
 from unity_link import (
     AnswerLostError,
     ArgumentError,
+    BusTimeoutError,
     ConnectError,
     GatewayInfo,
     LinkClosedError,
@@ -29,10 +30,10 @@ from unity_link import (
     UnansweredError,
     UnsupportedError,
 )
-from unity_link.drivers import DriverUrl, parse_url
+from unity_link.drivers import parse_url
 from unity_link.link import Reconnect
 from unity_link.virtual import VirtualGateway
-from unity_link.virtual.faults import Noise, NoisyLine
+from unity_link.virtual.faults import Failing, Noise, NoisyLine
 from unity_link.virtual.line import SlowLine
 from unity_link.virtual.transport import GatewayTransport
 from unity_link.wire.gateway_info import Feature
@@ -727,22 +728,32 @@ async def test_ten_thousand_mixed_requests_finish_with_one_percent_of_bytes_dama
     assert 0 < lost < 1000
 
 
-@pytest.mark.parametrize("bytes_per_second", [11_520, 100_000])
+@pytest.mark.parametrize("bytes_per_second", [960, 11_520, 100_000])
 @on_simulated_time
 async def test_long_answers_on_a_slow_line_of_unknown_speed_are_waited_for(bytes_per_second: int) -> None:
     async with unity_link.connect(SlowLine(VirtualGateway(INFO), bytes_per_second), timeout=60) as link:
         blocks = await asyncio.gather(*(link.read_block(0, 255) for _ in range(20)))
         assert [len(block) for block in blocks] == [255] * 20
+        assert link.statistics.repetitions == 0
 
 
 @on_simulated_time
-async def test_the_time_on_the_wire_of_a_serial_port_follows_from_its_baud_rate() -> None:
-    async with unity_link.connect(VirtualGateway(INFO)) as link:
-        assert link._byte_time() == 0
-        for url, expected in [("serial:/dev/x?baud=9600", 9600), ("serial:/dev/x", 115_200), ("tcp://a:1", None)]:
-            link._target = parse_url(url)
-            assert isinstance(link._target, DriverUrl)
-            assert link._byte_time() == (10 / expected if expected else 0)
+async def test_leaving_the_block_of_a_link_waits_for_its_posted_writes() -> None:
+    model = VirtualGateway(INFO)
+    bus = RecordedBus(model)
+    async with unity_link.connect(model) as link:
+        for value in range(500):
+            await link.post(1, value)
+    assert [value for _, value in bus.writes] == list(range(500))
+
+
+@on_simulated_time
+async def test_leaving_the_block_of_a_link_raises_the_errors_of_its_posted_writes() -> None:
+    model = VirtualGateway(INFO)
+    model.attach(Failing(), [1])
+    with pytest.raises(BusTimeoutError, match="posted write at 0x01"):
+        async with unity_link.connect(model) as link:
+            await link.post(1, 2)
 
 
 @on_simulated_time

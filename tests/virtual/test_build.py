@@ -55,7 +55,10 @@ def test_options_choose_the_noise_and_its_seed() -> None:
 
 
 def test_a_slow_line_can_be_chosen() -> None:
-    assert answer("sim:?bytes_per_second=1000", b"RM00FF\rH\r").endswith(b"0\r\n")
+    gateway = open_url("sim:?bytes_per_second=1000").get_extra_info("gateway")
+    assert gateway.receive(b"H\r", 0.0) == b""
+    assert gateway.next_due == pytest.approx(0.003)
+    assert gateway.advance(0.0031) == b"H\r\n"
 
 
 @pytest.mark.parametrize(

@@ -3,12 +3,14 @@
 The gateway itself is quick; what takes time is the line. A response enters the transmit FIFO as fast as the line
 empties it, and the gateway looks at the next request when the last byte of the response is in. Meanwhile requests
 gather in the receive FIFO. Where there is no flow control, bytes that find it full are lost (error 09); else they wait.
-Bytes given to `receive` arrive at once, which is the worst that a line can do to the FIFO.
+Bytes given to `receive` arrive at once, which is the worst that a line can do to the FIFO; a frame of the gateway
+arrives at the host when the line has carried its last byte.
 """
 
 from __future__ import annotations
 
 import re
+from collections import deque
 from typing import TYPE_CHECKING
 
 from unity_link.errors import ArgumentError
@@ -47,6 +49,8 @@ class SlowLine:
         """Places in the FIFO before which bytes were lost."""
         self._sent_at = float("-inf")
         """When the line will have sent everything."""
+        self._under_way: deque[tuple[float, bytes]] = deque()
+        """What is in the transmit FIFO or on the line, and when it arrives."""
 
     def _pass_on_wake(self) -> None:
         self.wake()
@@ -63,47 +67,58 @@ class SlowLine:
 
     @property
     def next_due(self) -> float | None:
-        """When a sample is due, or a request can be looked at."""
-        free = self._free_at if self._fifo else None
-        times = (free, self._gateway.next_due)
+        """When a sample is due, a request can be looked at, or a frame arrives."""
+        arrival = self._under_way[0][0] if self._under_way else None
+        times = (self._next_step, arrival)
         return min((time for time in times if time is not None), default=None)
 
     def receive(self, data: bytes, now: float) -> bytes:
-        """Take bytes at the time `now`, in seconds, and give those sent."""
-        sent = self.advance(now)
+        """Take bytes at the time `now`, in seconds, and give those that arrive back."""
+        before = self.advance(now)
         self._fifo += data
-        sent += self._look_at_requests(now)
+        self._look_at_requests(now)
         limit = self.info.receive_fifo_bytes
         if self._loses and len(self._fifo) > limit:
             del self._fifo[limit:]
             if limit not in self._lost_at:
                 self._lost_at.append(limit)
-        return sent
+        return before + self._arrived(now)
 
     def advance(self, now: float, room: int | None = None) -> bytes:
-        """Let time pass, and give the bytes sent; see `Gateway`."""
-        sent = bytearray()
-        while (due := self.next_due) is not None and due <= now:
-            sent += self._step(due, None if room is None else room - len(sent))
-        sent += self._step(now, None if room is None else room - len(sent))
-        return bytes(sent)
+        """Let time pass, and give the bytes that arrive; see `Gateway`."""
+        while (due := self._next_step) is not None and due <= now:
+            self._step(due, room)
+        self._step(now, room)
+        return self._arrived(now)
+
+    def _arrived(self, now: float) -> bytes:
+        arrived = bytearray()
+        while self._under_way and self._under_way[0][0] <= now:
+            arrived += self._under_way.popleft()[1]
+        return bytes(arrived)
+
+    @property
+    def _next_step(self) -> float | None:
+        """When something happens at the gateway's end of the line."""
+        free = self._free_at if self._fifo else None
+        times = (free, self._gateway.next_due)
+        return min((time for time in times if time is not None), default=None)
 
     @property
     def _free_at(self) -> float:
         """When the last byte of the last response is in the transmit FIFO."""
         return self._sent_at - self.info.transmit_fifo_bytes / self._rate
 
-    def _step(self, now: float, room: int | None) -> bytes:
+    def _step(self, now: float, room: int | None) -> None:
         free = 0
         if now >= self._free_at:
             free = max(1, self.info.transmit_fifo_bytes - int(max(0.0, self._sent_at - now) * self._rate))
         published = self._gateway.advance(now, free if room is None else min(free, room))
         self._occupy(published, now)
-        return published + self._look_at_requests(now)
+        self._look_at_requests(now)
 
-    def _look_at_requests(self, now: float) -> bytes:
+    def _look_at_requests(self, now: float) -> None:
         """Hand on requests until a response fills the transmit FIFO."""
-        sent = bytearray()
         while self._fifo and now >= self._free_at:
             match = _TO_END.match(self._fifo)
             size = match.end() if match else len(self._fifo)
@@ -112,12 +127,10 @@ class SlowLine:
             self._lost_at = [place - size for place in self._lost_at if place >= size]
             frame = bytes(self._fifo[:size])
             del self._fifo[:size]
-            answer = self._gateway.receive(frame, now)
-            self._occupy(answer, now)
-            sent += answer
-        return bytes(sent)
+            self._occupy(self._gateway.receive(frame, now), now)
 
     def _occupy(self, data: bytes, now: float) -> None:
         """Put bytes on the line."""
         if data:
             self._sent_at = max(self._sent_at, now) + len(data) / self._rate
+            self._under_way.append((self._sent_at, data))

@@ -153,4 +153,5 @@ _RANGES = (
     ("block_words", 1, 255),
     ("groups", 0, 256),
     ("group_words", 0, 255),
+    ("clock_hz", 1, 0xFFFF_FFFF),
 )

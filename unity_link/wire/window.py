@@ -96,7 +96,7 @@ class Window(Generic[R]):
     Args:
         ring: number of IDs, 16**id_digits.
         byte_limit: most unconfirmed request bytes, or None where flow control protects the gateway's receive FIFO.
-        byte_time: seconds that one byte needs on the wire, where that is long; added to time outs.
+        byte_time: seconds that one byte may need on the wire, at most; round trips of many bytes show where it is less.
         round_trip: a first measurement in seconds, if there is one.
     """
 
@@ -106,7 +106,7 @@ class Window(Generic[R]):
         self._mask = ring - 1
         self._half = ring // 2
         self._byte_limit = byte_limit
-        self._byte_time = byte_time
+        self._byte_time = self._reply_byte_time = byte_time
         self._slots: list[R | None] = [None] * ring
         self.oldest = self.executed = self.next = 0
         self._allowed = self._half
@@ -116,6 +116,7 @@ class Window(Generic[R]):
         self._unfenced_bytes = 0
         self._fence_due: float | None = None
         self._timed: tuple[int, float] | None = None
+        self._timed_bytes = (1, 1)
         self._next_measurement = float("-inf")
         self.smoothed_round_trip: float | None = None
         """Smoothed round trip in seconds (SRTT of RFC 6298), None before the first."""
@@ -176,6 +177,7 @@ class Window(Generic[R]):
             self._fence_due = None
             if self._timed is None and now >= self._next_measurement:
                 self._timed = (first, now)
+                self._timed_bytes = (self._bytes, run.reply_size)
         if self.oldest == first:
             self._since = now
         self.next = after
@@ -228,7 +230,10 @@ class Window(Generic[R]):
         if run is None:
             raise ValueError(f"no request with ID {number} waits for an answer")
         if self._timed is not None and (self._timed[0] - number & self._mask) < count:
-            self._measure(now - self._timed[1])
+            round_trip = now - self._timed[1]
+            self._measure(round_trip)
+            self._byte_time = min(self._byte_time, round_trip / self._timed_bytes[0])
+            self._reply_byte_time = min(self._reply_byte_time, round_trip / self._timed_bytes[1])
             self._timed = None
             self._next_measurement = now + MEASUREMENT_PAUSE
         if count == 1:
@@ -285,7 +290,8 @@ class Window(Generic[R]):
             # Posted writes alone have no answer to wait for: their fence will.
             return self._fence_due
         run = self._slots[self.oldest]
-        wire_time = 0.0 if run is None else self._byte_time * (run.size + run.reply_size)
+        # RFC 6298 knows no messages of unlike sizes: the answer to a long one behind short ones is not late yet.
+        wire_time = self._byte_time * self._bytes + self._reply_byte_time * (0 if run is None else run.reply_size)
         expiry = self._since + self._timeout + wire_time
         return expiry if self._fence_due is None else min(expiry, self._fence_due)
 
