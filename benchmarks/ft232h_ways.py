@@ -1,0 +1,155 @@
+"""Which way between an FT232H and the event loop is the quickest? `python -m benchmarks.ft232h_ways`, on the virtual chip.
+
+Three ways move the same 6 bytes out and 14 back: one hop to a thread for each transaction, which writes and reads; the
+reading and writing threads of ``ftdi://``; the posted transfers of ``ftdi-async://``. Runs of them alternate. The chip
+without time (microframes of 1 us) shows what the way itself costs, the one with USB's microframes what a user sees. A
+stream of answers then compares how fast both drivers take what comes.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import statistics
+import time
+from contextlib import contextmanager
+from typing import TYPE_CHECKING, Any
+
+from unity_link.drivers import ft232h, ft232h_async, parse_url
+from unity_link.drivers.ft232h import StatusStripper
+from unity_link.drivers.ft232h_chip import IN_ENDPOINT, OUT_ENDPOINT, open_chip
+from unity_link.virtual import VirtualGateway
+from unity_link.virtual.ft232h.board import GatewayBoard
+from unity_link.virtual.ft232h.bus import VirtualBus, VirtualFt232h
+from unity_link.virtual.ft232h.pyusb_backend import installed
+from unity_link.virtual.ft232h.timing import Timing
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+REQUEST, ANSWER = b"R0ACB\n", 14
+ROUND_TRIPS = 500
+RUNS = 7
+URL = parse_url("ftdi://ftdi:232h/1")
+
+
+class Waiting(asyncio.Protocol):
+    """Lets a coroutine wait for so many bytes."""
+
+    def __init__(self) -> None:
+        self._loop = asyncio.get_running_loop()
+        self._missing = 0
+        self._waiter: asyncio.Future[None] = self._loop.create_future()
+        self.ended: asyncio.Future[None] = self._loop.create_future()
+
+    def expect(self, size: int) -> asyncio.Future[None]:
+        """Give a future of the next `size` bytes."""
+        self._missing = size
+        self._waiter = self._loop.create_future()
+        return self._waiter
+
+    def data_received(self, data: bytes) -> None:
+        """Count."""
+        self._missing -= len(data)
+        if self._missing <= 0 and not self._waiter.done():
+            self._waiter.set_result(None)
+
+    def connection_lost(self, exc: Exception | None) -> None:  # noqa: ARG002  (none is expected)
+        """End."""
+        self.ended.set_result(None)
+
+
+@contextmanager
+def chip(microframe: float) -> Iterator[None]:
+    """Have a chip plugged in."""
+    device = VirtualFt232h(GatewayBoard(VirtualGateway()), timing=Timing(microframe=microframe))
+    with installed(VirtualBus(device)):
+        yield
+
+
+async def hop() -> float:
+    """Measure a hop for each transaction; gives seconds a round trip."""
+    loop = asyncio.get_running_loop()
+    opened = open_chip(URL)
+    strip = StatusStripper().strip
+
+    def transact() -> bytes:
+        opened.device.write(OUT_ENDPOINT, REQUEST, 1000)
+        answer = b""
+        while len(answer) < ANSWER:
+            answer += strip(opened.device.read(IN_ENDPOINT, 16384, 1000).tobytes())
+        return answer
+
+    times = []
+    for _ in range(ROUND_TRIPS):
+        start = time.perf_counter()
+        await loop.run_in_executor(None, transact)
+        times.append(time.perf_counter() - start)
+    opened.close()
+    return statistics.median(times)
+
+
+async def driver(module: Any) -> float:
+    """Measure a driver; gives seconds a round trip."""
+    protocol = Waiting()
+    transport = await module.connect(URL, protocol)
+    times = []
+    for _ in range(ROUND_TRIPS):
+        start = time.perf_counter()
+        answered = protocol.expect(ANSWER)
+        transport.write(REQUEST)
+        await answered
+        times.append(time.perf_counter() - start)
+    transport.close()
+    await protocol.ended
+    return statistics.median(times)
+
+
+async def stream(module: Any) -> float:
+    """Measure how fast blocks of 255 words come; gives bytes a second."""
+    protocol = Waiting()
+    transport = await module.connect(URL, protocol)
+    requests, size = b"RM00FF\r" * 50, 50 * (6 + 255 * 8 + 2)
+    rates = []
+    for _ in range(10):
+        start = time.perf_counter()
+        answered = protocol.expect(size)
+        transport.write(requests)
+        await answered
+        rates.append(size / (time.perf_counter() - start))
+    transport.close()
+    await protocol.ended
+    return statistics.median(rates)
+
+
+WAYS: dict[str, Any] = {
+    "a hop for each transaction": hop,
+    "ftdi:// (two threads)": lambda: driver(ft232h),
+    "ftdi-async:// (posted transfers)": lambda: driver(ft232h_async),
+}
+STREAMS: dict[str, Any] = {
+    "ftdi:// (two threads)": lambda: stream(ft232h),
+    "ftdi-async:// (posted transfers)": lambda: stream(ft232h_async),
+}
+
+
+def main() -> None:
+    """Print the medians of all runs."""
+    for microframe in (1e-6, 125e-6):
+        results: dict[str, list[float]] = {name: [] for name in WAYS}
+        rates: dict[str, list[float]] = {name: [] for name in STREAMS}
+        for _ in range(RUNS):
+            for name, way in WAYS.items():
+                with chip(microframe):
+                    results[name].append(asyncio.run(way()))
+            for name, way in STREAMS.items():
+                with chip(microframe):
+                    rates[name].append(asyncio.run(way()))
+        print(f"microframes of {microframe * 1e6:g} us")
+        for name, times in results.items():
+            print(f"  {name:<34}{statistics.median(times) * 1e6:7.0f} us a round trip")
+        for name, values in rates.items():
+            print(f"  {name:<34}{statistics.median(values) / 1e6:7.2f} MB/s")
+
+
+if __name__ == "__main__":
+    main()
