@@ -1,0 +1,139 @@
+"""`unity-link check`, `fmt`, `show`, `import rdl` and `export rdl`, as a shell runs them."""
+
+import json
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from spec_examples import FIGURE_1
+from unity_link.spec import format_text
+
+WRONG = "public robot() {\n  @a = 1: REED();\n}\n"
+
+
+def run(folder: Path, *arguments: str, stdin: str = "") -> subprocess.CompletedProcess[str]:
+    code = "from unity_link.cli import main; main()"
+    return subprocess.run(
+        [sys.executable, "-c", code, *arguments], cwd=folder, input=stdin, capture_output=True, text=True, check=False
+    )
+
+
+@pytest.fixture
+def folder(tmp_path: Path) -> Path:
+    (tmp_path / "scara.ul").write_text(FIGURE_1)
+    (tmp_path / "wrong.ul").write_text(WRONG)
+    return tmp_path
+
+
+def test_check_says_that_a_spec_is_good(folder: Path) -> None:
+    done = run(folder, "check", "scara.ul")
+    assert (done.returncode, done.stdout, done.stderr) == (0, "scara.ul: no errors; scara with 16 signals\n", "")
+
+
+def test_check_tells_the_faults_on_stderr_and_fails(folder: Path) -> None:
+    done = run(folder, "check", "wrong.ul")
+    assert (done.returncode, done.stdout) == (1, "")
+    assert done.stderr == (
+        "wrong.ul:2:11: error: there is no access 'REED'\n    2 |   @a = 1: REED();\n      |           ^^^^\n"
+        "  help: did you mean 'READ'?\n1 error\n"
+    )
+
+
+@pytest.mark.parametrize(("name", "code", "count"), [("scara.ul", 0, 0), ("wrong.ul", 1, 1)])
+def test_check_gives_its_findings_as_json(folder: Path, name: str, code: int, count: int) -> None:
+    done = run(folder, "check", "--json", name)
+    found = json.loads(done.stdout)
+    assert (done.returncode, done.stderr, found["valid"], len(found["diagnostics"])) == (code, "", code == 0, count)
+
+
+def test_check_takes_the_widths_of_a_gateway_and_stdin(folder: Path) -> None:
+    text = "public robot() { @a = 0x100: READ(); }"
+    assert run(folder, "check", "-", stdin=text).returncode == 1
+    assert run(folder, "check", "-", "--address-bits", "16", stdin=text).returncode == 0
+
+
+def test_a_file_that_is_not_there_is_told_without_a_traceback(folder: Path) -> None:
+    for command in (["check"], ["fmt"], ["show"], ["import", "rdl"], ["export", "rdl"]):
+        done = run(folder, *command, "nothing.ul")
+        assert done.returncode == 1, command
+        assert "nothing.ul" in done.stderr
+        assert "Traceback" not in done.stderr
+
+
+def test_fmt_changes_a_file_once(folder: Path) -> None:
+    assert run(folder, "fmt", "scara.ul").stderr == "changed scara.ul\n"
+    assert (folder / "scara.ul").read_text() == format_text(FIGURE_1)
+    assert run(folder, "fmt", "scara.ul").stderr == ""
+    assert sorted(path.name for path in folder.iterdir()) == ["scara.ul", "wrong.ul"]
+
+
+def test_fmt_keeps_the_mode_of_a_file_and_a_link_to_it(folder: Path) -> None:
+    (folder / "scara.ul").chmod(0o640)
+    (folder / "link.ul").symlink_to("scara.ul")
+    run(folder, "fmt", "link.ul")
+    assert (folder / "link.ul").is_symlink()
+    assert (folder / "scara.ul").stat().st_mode & 0o777 == 0o640
+    assert (folder / "scara.ul").read_text() == format_text(FIGURE_1)
+
+
+def test_fmt_check_and_diff_change_nothing(folder: Path) -> None:
+    checked = run(folder, "fmt", "--check", "scara.ul", "wrong.ul")
+    assert (checked.returncode, checked.stderr) == (1, "would change scara.ul\n")
+    shown = run(folder, "fmt", "--diff", "scara.ul")
+    assert shown.returncode == 0
+    assert '-  j1: joint("joint 1") @(0x80,0x88,0x8C,0x94);\n' in shown.stdout
+    assert '+  j1: joint("joint 1") @(0x80, 0x88, 0x8C, 0x94);\n' in shown.stdout
+    assert (folder / "scara.ul").read_text() == FIGURE_1
+
+
+def test_fmt_leaves_a_file_with_a_wrong_syntax_alone_and_formats_the_others(folder: Path) -> None:
+    (folder / "broken.ul").write_text("public x( {")
+    done = run(folder, "fmt", "broken.ul", "scara.ul")
+    assert done.returncode == 1
+    assert "broken.ul:1:11: error" in done.stderr
+    assert (folder / "broken.ul").read_text() == "public x( {"
+    assert (folder / "scara.ul").read_text() == format_text(FIGURE_1)
+
+
+def test_fmt_formats_stdin_to_stdout(folder: Path) -> None:
+    assert run(folder, "fmt", "-", stdin=FIGURE_1).stdout == format_text(FIGURE_1)
+
+
+def test_show_gives_a_tree_with_addresses(folder: Path) -> None:
+    lines = run(folder, "show", "scara.ul").stdout.splitlines()
+    assert lines[0].rstrip() == "scara  8 address bits, 32 data bits"
+    assert lines[2].rstrip() == "├── group group_1 1: base frequency / 10, 8 signals in 8 words"
+    assert lines[4].rstrip() == '│   ├── 0x88 cpos: signed 32 READ  published by group_1 "joint 1:cpos"'
+
+
+def test_show_gives_the_model_as_json(folder: Path) -> None:
+    model = json.loads(run(folder, "show", "--json", "scara.ul").stdout)
+    assert model["name"] == "scara"
+    assert model["root"]["parts"][0]["signals"][0]["address"] == 0x88
+    assert model["modules"][0]["arguments"]["CTRL"] == {"type": "parameter", "name": "ctrl"}
+
+
+def test_show_tells_which_interfaces_there_are(folder: Path) -> None:
+    (folder / "two.ul").write_text("public a() { @x = 1: READ(); }\npublic b() { @y = 2: READ(); }")
+    assert "0x02 y" in run(folder, "show", "two.ul").stdout
+    assert "0x01 x" not in run(folder, "show", "--interface", "b", "two.ul").stdout
+    done = run(folder, "show", "--interface", "c", "two.ul")
+    assert (done.returncode, done.stderr) == (
+        2, "error: the spec has no public interface 'c': a, b was expected\n",
+    )  # fmt: skip
+
+
+def test_systemrdl_goes_out_and_in(folder: Path) -> None:
+    assert run(folder, "export", "rdl", "scara.ul", "-o", "scara.rdl").returncode == 0
+    done = run(folder, "import", "rdl", "scara.rdl", "-o", "back.ul")
+    assert (done.returncode, done.stderr) == (0, "")
+    assert run(folder, "check", "back.ul").stdout == "back.ul: no errors; scara with 16 signals\n"
+    assert run(folder, "export", "rdl", "scara.ul").stdout == (folder / "scara.rdl").read_text()
+
+
+def test_a_place_that_cannot_be_written_is_told(folder: Path) -> None:
+    done = run(folder, "export", "rdl", "scara.ul", "-o", "no/such/folder.rdl")
+    assert done.returncode == 2
+    assert "no/such/folder.rdl cannot be written: No such file or directory" in done.stderr

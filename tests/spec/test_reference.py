@@ -1,0 +1,44 @@
+"""The examples of the language's reference are valid, and its tables and grammar name what there is."""
+
+import re
+from pathlib import Path
+
+import pytest
+
+from unity_link.spec import compile_text
+from unity_link.spec.arguments import ACCESS, GATEWAY, GROUP
+from unity_link.spec.modules import MODULES
+from unity_link.spec.signals import PLAIN_KINDS
+
+ROOT = Path(__file__).parents[2]
+DOCUMENT = (ROOT / "docs/reference/ul-spec.md").read_text(encoding="utf-8")
+BLOCKS = re.findall(r"^```text\n(.*?)^```", DOCUMENT, re.MULTILINE | re.DOTALL)
+SPECS = [block for block in BLOCKS if "error:" not in block]
+
+
+@pytest.mark.parametrize("block", SPECS, ids=range(len(SPECS)))
+def test_an_example_is_valid(block: str) -> None:
+    whole = block if "public" in block else f"public robot() {{\n{block}}}"
+    spec = compile_text(whole)
+    assert spec.warnings == ()
+    assert spec.interface().signals
+
+
+def test_there_are_examples() -> None:
+    assert len(SPECS) == 6
+
+
+WORDS = dict.fromkeys([*MODULES, *(slot.name for slot in (*ACCESS, *GATEWAY, *GROUP)), *PLAIN_KINDS])
+
+
+@pytest.mark.parametrize("name", WORDS)
+def test_every_word_of_the_language_is_told(name: str) -> None:
+    assert re.search(rf"`[^`]*\b{name}\b", DOCUMENT)
+
+
+def test_the_grammar_is_that_of_the_parser() -> None:
+    grammar = (ROOT / "unity_link/spec/grammar.lark").read_text(encoding="utf-8")
+    rules = set(re.findall(r"^\??([a-z]+)_?:", grammar, re.MULTILINE)) - {"start", "item", "label", "atom"}
+    told = DOCUMENT[DOCUMENT.index("## Grammar") :]
+    renamed = {"enum_value": "value"}
+    assert {renamed.get(rule, rule) for rule in rules} <= set(re.findall(r"^([a-z]+) +=", told, re.MULTILINE))
