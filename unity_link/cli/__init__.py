@@ -1,0 +1,103 @@
+"""The command line: `unity-link`.
+
+One file for each family of commands. They parse, show and explain; what they do, a program does by
+`unity_link.connect`.
+
+- `running` runs a command's coroutine until it is done or a signal comes, `output` says what stdout and stderr are for
+- `arguments` and `words` read and write addresses and values
+- `info`, `access` (read, write), `watch`, `simulate`, `terminal` with `explain`, `demo` with `demo_view` are commands
+- `spec` has the commands about specs: check, fmt, show, import, export; `ft232h` those about the chip's EEPROM
+- `plots` draws curves
+
+Modules import at their top only what every command needs; what is slow to load is imported where it is used, so that
+`--help` and shell completion are quick.
+
+Exit codes: 0 done; 1 failed, as the one sentence on stderr says; 2 wrong use; 128 and the number of the signal where
+one ended it (130 for Ctrl-C).
+"""
+
+from __future__ import annotations
+
+import os
+import sys
+from typing import Annotated
+
+import typer
+
+import unity_link
+from unity_link.cli import access, demo, ft232h, info, simulate, spec, terminal, watch
+from unity_link.cli.output import print_error
+from unity_link.cli.running import INTERRUPTED
+from unity_link.errors import ArgumentError, UnityLinkError
+
+FAILED = 1
+WRONG_USE = 2
+
+app = typer.Typer(
+    name="unity-link",
+    help="Connect to an FPGA: read, write and watch its bus, or try all of it on a virtual gateway.",
+    epilog="URL is where the gateway is: serial:/dev/ttyUSB0?baud=12000000, tcp://host:port, unix:/path, "
+    "udp://host:port, or sim: and sim:scara, which need no hardware.",
+    no_args_is_help=True,
+    pretty_exceptions_enable=False,
+    context_settings={"help_option_names": ["-h", "--help"]},
+)
+
+
+def _print_version(wanted: bool) -> None:
+    if wanted:
+        typer.echo(f"unity-link {unity_link.__version__}")
+        raise typer.Exit
+
+
+@app.callback()
+def _options(
+    version: Annotated[
+        bool, typer.Option("--version", callback=_print_version, is_eager=True, help="Print the version and exit.")
+    ] = False,
+) -> None:
+    """Take the options that stand before a command."""
+
+
+demo.add_to(app)
+info.add_to(app)
+access.add_to(app)
+watch.add_to(app)
+simulate.add_to(app)
+terminal.add_to(app)
+spec.add_to(app)
+ft232h.add_to(app)
+
+
+def main() -> None:
+    """Run a command line, and exit with its code."""
+    sys.exit(_run())
+
+
+def _run() -> int:
+    try:
+        code: int | None = app(standalone_mode=False)
+        sys.stdout.flush()
+    except typer.TyperException as error:
+        # Without any argument the help has been printed, and there is nothing to add.
+        if message := error.format_message():
+            print_error(message, hint=_usage_hint(error))
+        return error.exit_code
+    except ArgumentError as error:
+        print_error(str(error))
+        return WRONG_USE
+    except UnityLinkError as error:
+        print_error(str(error))
+        return FAILED
+    except BrokenPipeError:
+        # Who reads our output has gone; what is still buffered must not be tried again at exit.
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return FAILED
+    except KeyboardInterrupt:
+        return INTERRUPTED
+    return code or 0
+
+
+def _usage_hint(error: typer.TyperException) -> str:
+    context = getattr(error, "ctx", None)
+    return f"Try: {context.command_path} --help" if context is not None else ""

@@ -1,0 +1,28 @@
+"""Arguments and options that several commands have, under one name and with one meaning."""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+import typer
+
+from unity_link.cli.words import parse_number
+
+
+def number(text: str) -> int:
+    """Read a number of the command line."""
+    try:
+        return parse_number(text)
+    except ValueError as error:
+        raise typer.BadParameter(str(error)) from None
+
+
+Url = Annotated[str, typer.Argument(metavar="URL", help="Where the gateway is, such as sim:scara.", show_default=False)]
+Address = Annotated[
+    int, typer.Argument(metavar="ADDRESS", parser=number, help="Word address, such as 0x88.", show_default=False)
+]
+Timeout = Annotated[
+    float, typer.Option("--timeout", metavar="SECONDS", min=0.001, help="How long the gateway may take to connect.")
+]
+Json = Annotated[bool, typer.Option("--json", help="Print JSON for programs, one object a line.")]
+DEFAULT_TIMEOUT = 5.0

@@ -1,0 +1,94 @@
+"""`unity-link info`: what a gateway is."""
+
+from __future__ import annotations
+
+import statistics
+import time
+from typing import TYPE_CHECKING, Any
+
+from unity_link.cli.arguments import DEFAULT_TIMEOUT, Json, Timeout, Url
+from unity_link.cli.output import out, print_json
+from unity_link.cli.running import run
+
+if TYPE_CHECKING:
+    import typer
+
+    from unity_link.link import Link
+    from unity_link.wire.gateway_info import GatewayInfo
+
+ROUND_TRIPS = 25
+"""Fences that are measured: enough for a median, and quick on a slow serial line."""
+
+
+def add_to(app: typer.Typer) -> None:
+    """Add the commands of this file."""
+    app.command()(info)
+
+
+def info(url: Url, *, json: Json = False, timeout: Timeout = DEFAULT_TIMEOUT) -> None:
+    """Show what a gateway is: widths, clock, features, and how quickly it answers."""
+    run(_info(url, json=json, timeout=timeout))
+
+
+async def _info(url: str, *, json: bool, timeout: float) -> None:  # noqa: ASYNC109  (an option of the command)
+    from unity_link.link import connect
+
+    async with connect(url, timeout=timeout) as link:
+        round_trip = await _round_trip(link)
+    if json:
+        print_json({"url": url, **_fields(link.gateway), "round_trip_s": round_trip})
+    else:
+        _print(url, link.gateway, round_trip)
+
+
+async def _round_trip(link: Link) -> float:
+    """Give the median round trip of a lone request, in seconds."""
+    times = []
+    for _ in range(ROUND_TRIPS):
+        start = time.perf_counter()
+        await link.fence()
+        times.append(time.perf_counter() - start)
+    return statistics.median(times)
+
+
+def _fields(gateway: GatewayInfo) -> dict[str, Any]:
+    fields = {name: getattr(gateway, name) for name in gateway.__struct_fields__}
+    return fields | {"features": [feature_name(feature.name) for feature in gateway.features]}
+
+
+def feature_name(name: str | None) -> str:
+    """Write the name of a feature as people do."""
+    return (name or "unknown").lower().replace("_", " ")
+
+
+def _print(url: str, gateway: GatewayInfo, round_trip: float) -> None:
+    from rich.text import Text
+
+    console = out()
+    rows = [*describe(gateway), ("round trip", f"{1e6 * round_trip:.0f} µs, median of {ROUND_TRIPS}")]
+    width = max(len(name) for name, _ in rows)
+    console.print(Text(url, "bold"))
+    for name, text in rows:
+        console.print(Text.assemble((f"{name:<{width}}", "cyan"), "  ", text))
+
+
+def describe(gateway: GatewayInfo) -> list[tuple[str, str]]:
+    """Say what a gateway is, as pairs of a name and a text with units."""
+    base = gateway.base_frequency_hz
+    return [
+        ("protocol", f"version {gateway.protocol_version}"),
+        ("words", f"{gateway.data_bits} bits"),
+        ("addresses", f"{gateway.address_bits} bits, 0x{0:0{gateway.address_digits}X} to 0x{_highest(gateway):X}"),
+        ("message IDs", f"{gateway.id_digits} hex digits, {16**gateway.id_digits // 2} requests in flight"),
+        ("CRC", f"{gateway.crc_bits} bits, polynomial 0x{gateway.crc_polynomial:0{gateway.crc_bits // 4}X}"),
+        ("blocks", f"up to {gateway.block_words} words in one bus transaction"),
+        ("publishing", f"{gateway.groups} groups of up to {gateway.group_words} words, {base:,.10g} Hz / 1 to 65535"),
+        ("clock", f"{gateway.clock_hz:,} Hz"),
+        ("FIFOs", f"{gateway.receive_fifo_bytes} bytes in, {gateway.transmit_fifo_bytes} bytes out"),
+        ("features", ", ".join(feature_name(feature.name) for feature in gateway.features) or "none"),
+        ("build", f"0x{gateway.build_id:08X}"),
+    ]
+
+
+def _highest(gateway: GatewayInfo) -> int:
+    return (1 << gateway.address_bits) - 1

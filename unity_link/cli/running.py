@@ -1,0 +1,60 @@
+"""Runs the coroutine of a command until it is done or a signal asks it to end.
+
+A signal cancels the coroutine, so its `finally` blocks close links, restore the terminal and print summaries. A second
+one ends the program at once, should that take too long.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import signal
+from typing import TYPE_CHECKING
+
+import typer
+
+if TYPE_CHECKING:
+    from collections.abc import Coroutine
+
+SIGNALS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
+SIGNALLED = 128
+"""Exit codes of a program that a signal ended begin here."""
+INTERRUPTED = SIGNALLED + signal.SIGINT
+
+
+def run(command: Coroutine[None, None, None]) -> None:
+    """Run `command` to its end.
+
+    Raises:
+        typer.Exit: where a signal ended it, with 128 and the signal's number, as shells expect.
+    """
+    asyncio.run(_until_signal(command))
+
+
+async def _until_signal(command: Coroutine[None, None, None]) -> None:
+    loop = asyncio.get_running_loop()
+    task = asyncio.current_task()
+    assert task is not None
+    caught: list[signal.Signals] = []
+
+    def stop(number: signal.Signals) -> None:
+        caught.append(number)
+        release()
+        task.cancel()
+
+    def release() -> None:
+        for number in watched:
+            loop.remove_signal_handler(number)
+
+    # What `nohup` ignores stays ignored.
+    watched = [number for number in SIGNALS if signal.getsignal(number) is not signal.SIG_IGN]
+    for number in watched:
+        loop.add_signal_handler(number, stop, number)
+    try:
+        await command
+    except asyncio.CancelledError:
+        if not caught:
+            raise
+    finally:
+        release()
+    if caught:
+        raise typer.Exit(SIGNALLED + caught[0])

@@ -1,0 +1,262 @@
+"""`unity-link terminal`: frames by hand.
+
+It stands on a driver and the wire alone: nothing is sent but what is typed (after the questions that tell the widths),
+no request is repeated, and what the gateway answers is shown whatever it is.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import os
+import stat
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+
+from unity_link.cli.arguments import Url  # noqa: TC001  (typer reads it)
+from unity_link.cli.output import out, print_note
+from unity_link.cli.running import INTERRUPTED, run
+from unity_link.errors import ConnectError
+
+if TYPE_CHECKING:
+    from collections.abc import AsyncIterator, Callable
+
+    from unity_link.drivers import DriverUrl
+    from unity_link.stream import Stream
+    from unity_link.wire.messages import Codec
+
+HANDSHAKE_PATIENCE = 1.5
+"""Seconds that the gateway may take to say what it is; after that the default build's widths are assumed."""
+WS_PATIENCE = 0.1
+"""Seconds that an error of a stateless write, which has no other answer, is waited for."""
+LONGEST_LINE = 65_536
+_HELP = """\
+Type a request; the CRC is added. With ID: lower case, and the ID behind the command.
+  R0A          read the word at 0A               W0A0000002A  write 2A to it (with --plain, W0A2A will do)
+  RM0A04       read 4 words from 0A              WM0A...      write words from 0A on
+  WK0Ammmmmmmmdddddddd  replace the bits of mask m by those of d
+  GSgg01vvvvnnaa...     group gg: every vvvv ticks, nn addresses      GNgg starts it, GXgg stops it, GPgg asks once
+  Q  what are you?      H  nothing      Kii  next ID expected      Imm  send-immediate mode
+!R0A00 sends as it stands, without adding a CRC.  Ctrl-D or quit ends."""
+
+
+def add_to(app: typer.Typer) -> None:
+    """Add the commands of this file."""
+    app.command()(terminal)
+
+
+def terminal(
+    url: Url,
+    *,
+    plain: Annotated[
+        bool, typer.Option("--plain", help="Send plain frames, which end with CR and have no CRC.")
+    ] = False,
+    timeout: Annotated[
+        float, typer.Option("--timeout", metavar="SECONDS", min=0.001, help="How long an answer may take.")
+    ] = 1.0,
+) -> None:
+    """Type frames by hand: the CRC is added, and answers are explained.
+
+    Each line is a request, such as R0A; ? shows more. A line that begins with ! is sent as it stands. Works in a pipe
+    as well: echo R0A | unity-link terminal sim:
+    """
+    run(_terminal(url, plain=plain, timeout=timeout))
+
+
+async def _terminal(url: str, *, plain: bool, timeout: float) -> None:  # noqa: ASYNC109  (an option of the command)
+    from unity_link.drivers import parse_url
+    from unity_link.stream import Stream
+
+    target = parse_url(url)
+    stream = Stream()
+    codec = await _connect(target, stream)
+    session = _Session(stream, codec, plain=plain)
+    try:
+        if sys.stdin.isatty() and sys.stdout.isatty():
+            await _converse(url, session)
+        elif not await _answer_lines(session, timeout):
+            raise typer.Exit(1)
+    finally:
+        stream.receiver = None
+        await stream.close()
+
+
+async def _connect(target: DriverUrl, stream: Stream) -> Codec:
+    from unity_link.drivers import load_driver
+    from unity_link.handshake import Handshake
+    from unity_link.wire.gateway_info import GatewayInfo
+    from unity_link.wire.messages import Codec
+
+    try:
+        await load_driver(target.scheme).connect(target, stream)
+    except ConnectError as error:
+        raise ConnectError(f"{target.text}: {error}") from error
+    try:
+        async with asyncio.timeout(HANDSHAKE_PATIENCE):
+            codec, _ = await Handshake(stream, target.node).run()
+    except (TimeoutError, ConnectError) as error:
+        if stream.closed:
+            raise ConnectError(f"{target.text}: the connection ended at once") from error
+        print_note("The gateway does not say what it is; 32-bit words, 8-bit addresses and CRC-8 are assumed.")
+        return Codec(GatewayInfo(), target.node)
+    return codec
+
+
+class _Session:
+    """Sends what is typed and shows what comes."""
+
+    def __init__(self, stream: Stream, codec: Codec, *, plain: bool) -> None:
+        from unity_link.cli.explain import Interpreter
+
+        self.codec = codec
+        self.answered = asyncio.Event()
+        self.ended = asyncio.Event()
+        self.reason: Exception | None = None
+        self.show: Callable[[Any], None] = out().print
+        self._stream = stream
+        self._plain = plain
+        self._interpreter = Interpreter(codec)
+        stream.receiver = self
+
+    def send(self, line: str) -> str | None:
+        """Send a typed line; gives the command in it, if it is one."""
+        self.answered.clear()
+        framing = self.codec.framing
+        if line.startswith("!"):
+            self._stream.send(line[1:].encode() + b"\n")
+            return None
+        body = line.encode()
+        command = self._interpreter.listen(body)
+        self._stream.send(framing.plain_request(body) if self._plain else framing.checked(body))
+        return command
+
+    def receive(self, data: bytes) -> int:
+        """Show whole frames."""
+        *lines, rest = data.split(b"\n")
+        for line in lines:
+            if line.strip(b"\r"):
+                self._show(line)
+        return len(data) - len(rest)
+
+    def _show(self, line: bytes) -> None:
+        from rich.text import Text
+
+        body = self._interpreter.body(line)
+        text = Text.assemble(
+            (body.decode("ascii", "backslashreplace"), "bold"), "  ", (self._interpreter.explain(line), "cyan")
+        )
+        self.show(text)
+        if not body.startswith(b"P"):
+            self.answered.set()
+
+    def disconnected(self, reason: Exception | None) -> None:
+        """Take note of the end."""
+        self.reason = reason
+        self.ended.set()
+        self.answered.set()
+
+    def lost(self) -> ConnectError:
+        """Give the error for an end that nobody asked for."""
+        return ConnectError(f"the connection has ended ({self.reason or 'the other side closed it'})")
+
+
+async def _answer_lines(session: _Session, timeout: float) -> bool:  # noqa: ASYNC109
+    """Send the lines of stdin, each when the one before is answered; say whether all were."""
+    complete = True
+    async for line in _stdin_lines():
+        if not line or line.startswith("?"):
+            continue
+        silent = session.send(line) == "WS"
+        try:
+            async with asyncio.timeout(WS_PATIENCE if silent else timeout):
+                await session.answered.wait()
+        except TimeoutError:
+            if silent:
+                continue
+            print_note(f"no answer to {line} within {timeout:g} s")
+            complete = False
+        if session.ended.is_set():
+            raise session.lost()
+    return complete
+
+
+async def _stdin_lines() -> AsyncIterator[str]:
+    """Give the lines of a stdin that is no terminal; a pipe is waited for without blocking the loop."""
+    mode = os.fstat(sys.stdin.fileno()).st_mode
+    if not (stat.S_ISFIFO(mode) or stat.S_ISSOCK(mode)):
+        for text in sys.stdin:
+            yield text.strip()
+        return
+    reader = asyncio.StreamReader(limit=LONGEST_LINE)
+    await asyncio.get_running_loop().connect_read_pipe(lambda: asyncio.StreamReaderProtocol(reader), sys.stdin)
+    try:
+        async for line in reader:
+            yield line.decode(errors="surrogateescape").strip()
+    finally:
+        # Others may share the pipe.
+        os.set_blocking(sys.stdin.fileno(), True)
+
+
+class _Interrupted(Exception):  # noqa: N818  (it is no error)
+    """Ctrl-C, which is a key and no signal while a line is edited."""
+
+
+async def _converse(url: str, session: _Session) -> None:
+    """Prompt for lines until the user has enough."""
+    from prompt_toolkit import PromptSession
+    from prompt_toolkit.auto_suggest import AutoSuggestFromHistory
+    from prompt_toolkit.patch_stdout import patch_stdout
+
+    from unity_link.cli.explain import summary
+
+    prompt: PromptSession[str] = PromptSession(
+        history=_history(), auto_suggest=AutoSuggestFromHistory(), interrupt_exception=_Interrupted
+    )
+    print_note(f"{url}: {summary(session.codec.info)}\n? shows what can be typed, Ctrl-D ends.")
+    with patch_stdout(raw=True):
+        typing = asyncio.ensure_future(_converse_lines(prompt, session))
+        ending = asyncio.ensure_future(session.ended.wait())
+        try:
+            await asyncio.wait([typing, ending], return_when=asyncio.FIRST_COMPLETED)
+        finally:
+            ending.cancel()
+            typing.cancel()
+            await asyncio.wait([typing])
+        if not typing.cancelled():
+            typing.result()
+        elif session.ended.is_set():
+            raise session.lost()
+
+
+async def _converse_lines(prompt: Any, session: _Session) -> None:
+    while True:
+        try:
+            line = (await prompt.prompt_async("> ", handle_sigint=False)).strip()
+        except EOFError:
+            return
+        except _Interrupted:
+            raise typer.Exit(INTERRUPTED) from None
+        if line in ("quit", "exit"):
+            return
+        if line.startswith("?"):
+            session.show(_HELP)
+        elif line:
+            session.send(line)
+            # The answer of a near gateway stands before the next prompt.
+            await asyncio.sleep(0.05)
+
+
+def _history() -> Any:
+    """Give the lines of earlier times, and keep those of this one, where there is a place to."""
+    from prompt_toolkit.history import FileHistory, InMemoryHistory
+
+    folder = Path(typer.get_app_dir("unity-link"))
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        with (folder / "history").open("a"):
+            pass
+    except OSError:
+        return InMemoryHistory()
+    return FileHistory(str(folder / "history"))

@@ -1,0 +1,141 @@
+"""What `watch` shows on a terminal: one row for each address, with what it was in the last seconds as a curve."""
+
+from __future__ import annotations
+
+import time
+from collections import deque
+from typing import TYPE_CHECKING, Protocol
+
+from rich.console import Group, RenderableType
+from rich.table import Table
+from rich.text import Text
+
+from unity_link.cli.plots import DOTS_ACROSS, Curve, Rgb, draw
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from rich.console import ConsoleDimensions
+
+    from unity_link.subscription import Sample, Subscription
+
+WINDOW = 10.0
+"""Seconds that a curve shows."""
+COLORS: tuple[Rgb, ...] = ((86, 182, 232), (240, 160, 80), (126, 200, 120), (220, 130, 190), (230, 210, 90))
+_MOST_BINS = 400
+_NARROWEST_PLOT = 10
+_WIDEST_PLOT = 60
+
+
+class Writer(Protocol):
+    """How numbers become text."""
+
+    def number(self, word: int) -> int:
+        """Give the number that a word stands for."""
+
+    def from_number(self, value: int) -> str:
+        """Write such a number."""
+
+
+class Trace:
+    """The numbers of one address: the newest, the extremes, and a curve of bounded size.
+
+    A curve is kept in bins of equal time, each with its lowest and highest number, so that a peak between two pictures
+    is seen however fast the samples come.
+    """
+
+    def __init__(self) -> None:
+        self.newest = self.lowest = self.highest = 0
+        self._empty = True
+        self._bins: deque[tuple[int, int, int]] = deque(maxlen=_MOST_BINS)
+
+    def take(self, value: int, at: float) -> None:
+        """Take the number of the time `at`, in seconds."""
+        if self._empty:
+            self._empty = False
+            self.lowest = self.highest = value
+        self.newest = value
+        self.lowest = min(self.lowest, value)
+        self.highest = max(self.highest, value)
+        place = int(at / WINDOW * _MOST_BINS)
+        if self._bins and self._bins[-1][0] == place:
+            _, low, high = self._bins.pop()
+            self._bins.append((place, min(low, value), max(high, value)))
+        else:
+            self._bins.append((place, value, value))
+
+    def curve(self, at: float, most: int, color: Rgb) -> Curve:
+        """Give the last seconds before `at` as a curve of about `most` points."""
+        newest = int(at / WINDOW * _MOST_BINS)
+        merged: dict[int, list[int]] = {}
+        for place, low, high in self._bins:
+            if place > newest - _MOST_BINS:
+                merged.setdefault((place - newest) * most // (2 * _MOST_BINS), []).extend((low, high))
+        xs, ys = [], []
+        for place, values in merged.items():
+            low, high = min(values), max(values)
+            for value in (low,) if low == high else (low, high):
+                xs.append(2 * place / most)
+                ys.append(value)
+        return Curve(xs, ys, color)
+
+
+class WatchView:
+    """The table, from what samples it is given."""
+
+    def __init__(self, url: str, samples: Subscription, names: Sequence[str], writer: Writer) -> None:
+        self._url = url
+        self._samples = samples
+        self._names = names
+        self._writer = writer
+        self._traces = [Trace() for _ in names]
+        self._began = time.monotonic()
+
+    def take(self, sample: Sample) -> None:
+        """Take a sample."""
+        at = time.monotonic()
+        for trace, word in zip(self._traces, sample.values.tolist(), strict=True):
+            trace.take(self._writer.number(word), at)
+
+    def render(self, size: ConsoleDimensions) -> RenderableType:
+        """Draw the table for a terminal of `size`; rows that do not fit are counted, not shown."""
+        frame = 6
+        shown = max(1, min(len(self._names), size.height - frame))
+        height = 2 if 2 * shown <= size.height - frame else 1
+        texts = [[self._writer.from_number(n) for n in (t.newest, t.lowest, t.highest)] for t in self._traces[:shown]]
+        widths = [max(len(row[column]) for row in texts) for column in range(3)]
+        rest = size.width - sum(max(width, 5) for width in widths) - len(self._names[0]) - 4 * 3 - 4
+        plot_width = min(rest, _WIDEST_PLOT)
+        table = Table(box=None, header_style="dim", padding=(0, 1), show_edge=False)
+        table.add_column("address", style="cyan", no_wrap=True)
+        for heading in ("value", "min", "max"):
+            table.add_column(heading, justify="right", no_wrap=True, style="bold" if heading == "value" else "")
+        if plot_width >= _NARROWEST_PLOT:
+            table.add_column(f"last {WINDOW:g} s", no_wrap=True)
+        for number, (name, row) in enumerate(zip(self._names, texts, strict=False)):
+            cells: list[RenderableType] = [name, *row]
+            if plot_width >= _NARROWEST_PLOT:
+                cells.append(self._plot(number, plot_width, height))
+            table.add_row(*cells)
+        hidden = len(self._names) - shown
+        note = Text(f" and {hidden} more that this terminal has no room for", "dim") if hidden else Text()
+        return Group(self._title(), Text(), table, note, self._state())
+
+    def _plot(self, number: int, width: int, height: int) -> Text:
+        trace = self._traces[number]
+        curve = trace.curve(time.monotonic(), DOTS_ACROSS * width, COLORS[number % len(COLORS)])
+        low, high = (min(curve.ys), max(curve.ys)) if len(curve.ys) else (0, 0)
+        return draw(width, height, [curve], (-1, 0), (low, high))
+
+    def _title(self) -> Text:
+        return Text.assemble((" unity-link watch ", "bold"), (self._url, "cyan"))
+
+    def _state(self) -> Text:
+        seconds = time.monotonic() - self._began
+        received, lost = self._samples.received, self._samples.lost
+        rate = f"{received / seconds:,.1f} Hz of {self._samples.rate_hz:,.5g}" if seconds > 1 else "..."
+        return Text.assemble(
+            (f" {seconds:.0f} s   {received:,} samples   {rate}   ", "dim"),
+            (f"{lost:,} lost", "bold red" if lost else "green"),
+            ("   Ctrl-C ends", "dim"),
+        )
