@@ -5,8 +5,9 @@ The way of a spec, one file for each step:
 - `tokens`, `grammar.lark`, `parser`, `comments`: text to syntax tree; `recovery` finds the other faults after the first
 - `syntax`: that tree; `printer`: back to text
 - `loading`: the file and what it imports
-- `elaborate` with `expressions`, `arguments`, `signals`, `modules`, `interface`: syntax tree to model, and all checks
-- `model`, `kinds`: the checked model, and what the bits of a signal mean
+- `elaborate`, `building`, `placing`: syntax tree to model, by `expressions`, `arguments`, `signals`, `modules`
+- `interface`: the checks of an interface as a whole
+- `model`, `kinds`, `columns`: the checked model, what the bits of a signal mean, and the same for many at once
 - `diagnostics`: what the author is told
 - `systemrdl`: the neighbour, in and out
 

@@ -1,15 +1,4 @@
-"""SystemRDL, the register language of the field: a spec out of it, and out of a spec.
-
-Out of an interface goes one flat address map, a register for each word. What SystemRDL has no word for (IDs, units,
-scales, publishing) goes along in properties of our own, `ul_...`, which other tools pass over and which `import_file`
-reads again. Such a map comes back with all its signals, paths and groups; arrays come back as single components,
-``legs[2]`` as ``legs_2``, and modules do not.
-
-Any other SystemRDL comes in with its own tree: address maps and register files become components, arrays arrays, a
-register of several fields a component, memories `MEMORY`. Addresses become word addresses.
-
-The extra ``rdl`` installs the compiler, which is imported only here.
-"""
+"""In: an address map as the text of a spec, by way of a tree of components to be."""
 
 from __future__ import annotations
 
@@ -20,162 +9,15 @@ from typing import TYPE_CHECKING, Any
 from unity_link.errors import UnsupportedError
 from unity_link.spec.diagnostics import Diagnostic, Span, SpecError
 from unity_link.spec.kinds import KindName
-from unity_link.spec.model import Access, Group, Interface, Signal
+from unity_link.spec.model import Access
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
     from pathlib import Path
 
-_FIELD_PROPERTIES = ("path", "id", "kind", "unit", "arguments")
-_SW = {Access.READ: ("r", "w"), Access.WRITE: ("w", "r"), Access.READWRITE: ("rw", "r")}
-_KEYWORDS = frozenset(
-    """abstract accesstype addressingtype addrmap alias all alternate bit boolean bothedge byte compact component
-    componentwidth constraint default encode enum external false field fullalign hw inside int internal level
-    longint mem na negedge nonsticky number onreadtype onwritetype posedge precedencetype property r rclr real
-    ref reg regalign regfile rset ruser rw rw1 shortint shortreal signal signed string struct sw this true type
-    unsigned w w1 wclr with within woclr woset wot wr wset wuser wzc wzs wzt""".split()  # noqa: SIM905  (a line for each word would be a page)
-)
-"""Words of SystemRDL 2.0; as a name, one is written with a backslash."""
+from unity_link.spec.systemrdl.naming import unique_name
+
 _RESERVED = {"import", "enum", "group", "public"}
-
-
-# Out
-
-
-def export_text(interface: Interface) -> str:
-    """Write an interface as SystemRDL.
-
-    Raises:
-        UnsupportedError: where its words have a width that SystemRDL does not know.
-    """
-    bits = interface.data_bits
-    if bits & (bits - 1):
-        raise UnsupportedError(f"SystemRDL knows registers of 8, 16, 32 or 64 bits, and {interface.name} has {bits}")
-    words: dict[int, list[Signal]] = {}
-    for signal in interface.signals.values():
-        for address in signal.addresses:
-            words.setdefault(address, []).append(signal)
-    lines = [
-        f"// The interface {interface.name} of a UL-spec.",
-        *(f"property ul_{name} {{ component = field; type = string; }};" for name in _FIELD_PROPERTIES),
-        "property ul_groups { component = addrmap; type = string; };",
-        "",
-    ]
-    for enumeration in interface.enumerations:
-        lines.append(f"enum {_identifier(enumeration.name, '_e')} {{")
-        for value in enumeration.values:
-            desc = f" {{ desc = {_string(value.doc)}; }}" if value.doc else ""
-            lines.append(f"  {_identifier(value.name)} = {value.value}{desc};")
-        lines += ["};", ""]
-    lines.append(f"addrmap {_identifier(interface.name)} {{")
-    lines += [f"  desc = {_string(interface.doc)};"] if interface.doc else []
-    lines += [f"  default regwidth = {bits};", f"  default accesswidth = {bits};"]
-    groups = " ".join(_group(group) for group in interface.groups)
-    lines += [f"  ul_groups = {_string(groups)};"] if groups else []
-    registers: set[str] = set()
-    for address in sorted(words):
-        lines += _register(address, words[address], bits, registers)
-    return "\n".join([*lines, "};", ""])
-
-
-def _register(address: int, signals: list[Signal], bits: int, registers: set[str]) -> Iterator[str]:
-    fields: set[str] = set()
-    yield "  reg {"
-    for signal in signals:
-        part = address - signal.address
-        low = signal.lowest_bit if part == 0 else 0
-        high = min(signal.lowest_bit + signal.width - part * bits, bits) - 1
-        software, hardware = _SW[signal.access]
-        yield "    field {"
-        yield f"      sw = {software}; hw = {hardware};"
-        yield from (f"      {name} = {value};" for name, value in _properties(signal, part))
-        name = _unique(_identifier(signal.path, f"_part{part}" if part else ""), fields)
-        yield f"    }} {name}[{high}:{low}];"
-    is_one = len(signals) == 1 and signals[0].words == 1
-    name = _unique(_identifier(signals[0].path) if is_one else f"word_{address:x}", registers)
-    yield f"  }} {name} @ {address * bits // 8:#x};"
-
-
-def _properties(signal: Signal, part: int) -> Iterator[tuple[str, str]]:
-    if signal.doc:
-        yield "desc", _string(signal.doc)
-    if part:
-        return
-    if signal.kind.enumeration is not None:
-        yield "encode", _identifier(signal.kind.enumeration.name, "_e")
-    yield "ul_path", _string(signal.path)
-    yield "ul_id", _string(signal.id)
-    yield "ul_kind", _string(str(signal.kind))
-    if signal.unit:
-        yield "ul_unit", _string(signal.unit)
-    arguments = ", ".join(_arguments(signal))
-    if arguments:
-        yield "ul_arguments", _string(arguments)
-
-
-def _arguments(signal: Signal) -> Iterator[str]:
-    """Write the arguments of a signal that are no strings."""
-    if signal.kind.scale != 1:
-        yield f"SCALE={_number(signal.kind.scale)}"
-    if signal.kind.offset != 0:
-        yield f"OFFSET={_number(signal.kind.offset)}"
-    if signal.minimum is not None:
-        yield f"MIN={_number(signal.minimum)}"
-    if signal.maximum is not None:
-        yield f"MAX={_number(signal.maximum)}"
-    if signal.fifo:
-        yield "FIFO" if signal.fifo_words is None else f"FIFO({signal.fifo_words})"
-    if signal.poll_hz is not None:
-        yield f"POLL({_number(signal.poll_hz)})"
-    if signal.group is not None:
-        yield f"PUBLISH({signal.group})"
-    yield from (f"GROUP({group})" for group in signal.groups if group != signal.group)
-
-
-def _group(group: Group) -> str:
-    joints: dict[str, str] = {}
-    for joint in group.joints:
-        for part in ("position", "velocity", "effort"):
-            path: str | None = getattr(joint, part)
-            if path is not None:
-                joints[part.upper()] = path.rpartition(".")[2]
-    arguments = [
-        f"NUMBER={group.number}" if group.number is not None else "",
-        f"DIVISOR={group.divisor}" if group.divisor is not None else "",
-        f"RATE={_number(group.rate_hz)}" if group.rate_hz is not None else "",
-        *(name.upper() for name in ("trigger", "on_change", "immediate", "timestamps") if getattr(group, name)),
-        f"JOINTS({', '.join(f'{part}={name}' for part, name in joints.items())})" if joints else "",
-    ]
-    return f"group {group.name}({', '.join(filter(None, arguments))});"
-
-
-def _number(value: float) -> str:
-    """Write a number so that it reads as the same one."""
-    return repr(value)
-
-
-def _identifier(path: str, suffix: str = "") -> str:
-    name = re.sub(r"\W", "_", path.replace("]", "")) + suffix
-    return f"\\{name}" if name in _KEYWORDS else name
-
-
-def _unique(name: str, taken: set[str]) -> str:
-    """Give a name that is not taken yet: ``a.b`` and ``a_b`` would be the same."""
-    number, unique = 1, name
-    while unique in taken:
-        number += 1
-        unique = f"{name.removeprefix(chr(92))}_{number}"
-    taken.add(unique)
-    return unique
-
-
-def _string(text: str) -> str:
-    # SystemRDL escapes only the quote, so that a backslash could hide one; a control character would end the text.
-    text = "".join(character for character in text if character >= " " or character in "\n\t")
-    return '"' + text.replace("\\", "\\\\").replace('"', '\\"') + '"'
-
-
-# In
 
 
 @dataclass
@@ -272,7 +114,7 @@ class _Importer:
 
         top = self._top
         part = self._part_of_paths() if self._is_ours else self._part(top)
-        name = _unique(_name(top.inst_name), self._names)
+        name = unique_name(_name(top.inst_name), self._names)
         body = self._body(part, "")
         highest = max(top.size * 8 // self._bits - 1, 1)
         bits = max(8, highest.bit_length())
@@ -433,7 +275,7 @@ class _Importer:
         body = f": @(base) {{\n{self._body(part, 'base + ')}}}\n"
         found = self._components.get(body)
         if found is None:
-            found = self._components[body] = _unique(_name(part.type_name), self._names)
+            found = self._components[body] = unique_name(_name(part.type_name), self._names)
             self._docs[found] = part.doc
         return found
 

@@ -1,0 +1,262 @@
+"""Builds what an interface is made of: components, signals, modules, and the groups that signals name.
+
+What is built goes into an `InterfaceDraft`, which checks it as a whole in the end.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from unity_link.spec.arguments import Binder, Bound
+from unity_link.spec.diagnostics import Source, did_you_mean
+from unity_link.spec.expressions import Evaluator, GroupReference, Result
+from unity_link.spec.interface import GroupDraft, InterfaceDraft, Place, Placed
+from unity_link.spec.model import (
+    Component,
+    Module,
+    Signal,
+)
+from unity_link.spec.modules import COMMON, MODULES
+from unity_link.spec.signals import SignalReader
+from unity_link.spec.syntax import (
+    ComponentDeclaration,
+    Placement,
+    SignalDeclaration,
+)
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+    from unity_link.spec.loading import Declared
+
+from unity_link.spec.placing import Address, Contents, Where, whole_address
+
+if TYPE_CHECKING:
+    from unity_link.spec.elaborate import Elaborator
+
+MOST_PARTS = 100_000
+"""Signals, components and modules of one interface: more is a mistake in an array."""
+
+
+class Builder:
+    """Builds the components of one interface."""
+
+    def __init__(self, elaborator: Elaborator, draft: InterfaceDraft) -> None:
+        self.elaborator = elaborator
+        self._draft = draft
+        self._full = False
+        self._evaluators: dict[int, tuple[Evaluator, SignalReader]] = {}
+
+    def tools(self, source: Source) -> tuple[Evaluator, SignalReader]:
+        """Give what computes expressions and reads signals in one source."""
+        tools = self._evaluators.get(id(source))
+        if tools is None:
+            evaluator = Evaluator(source, self.elaborator.reporter)
+            reader = SignalReader(evaluator, self.elaborator.enumerations, self._draft.data_bits)
+            tools = self._evaluators[id(source)] = (evaluator, reader)
+        return tools
+
+    def component(
+        self,
+        declared: Declared[ComponentDeclaration],
+        where: Where,
+        name: str,
+        index: int | None = None,
+        arguments: Mapping[str, Result] | None = None,
+    ) -> Component:
+        """Build a component where it is put."""
+        source, node = declared
+        evaluator, _ = self.tools(source)
+        self.elaborator.enter(evaluator, node)
+        contents = Contents(self, declared, where)
+        contents.fill(node.members, where.module, where.base)
+        given = {key: value for key, value in (arguments or {}).items() if isinstance(value, int | float | str)}
+        return Component(
+            name=name,
+            path=where.path,
+            type=str(node.name),
+            index=index,
+            arguments=given,
+            signals=tuple(contents.signals),
+            parts=tuple(contents.parts),
+            modules=tuple(contents.modules),
+            doc="\n".join(node.doc),
+            span=self.elaborator.span(source, node),
+        )
+
+    def count(self, evaluator: Evaluator, place: tuple[int, int]) -> bool:
+        """Count one more part; False where there are too many."""
+        self._draft.parts += 1
+        if self._draft.parts > MOST_PARTS and not self._full:
+            self._full = True
+            message = f"an interface of more than {MOST_PARTS:,} signals and components is too large"
+            evaluator.fault(place, "too-many", message, "look at the sizes of the arrays")
+        return not self._full
+
+    # Signals
+
+    def signal(
+        self, source: Source, node: SignalDeclaration, where: Where, module: int | None, base: int
+    ) -> Signal | None:
+        """Build a signal; None where it has no address or no kind."""
+        evaluator, reader = self.tools(source)
+        address = self._address(evaluator, node, where)
+        parts = reader.read(node, where.scope)
+        if address.value is None or parts is None:
+            return None
+        bound, name = parts.arguments, str(node.name)
+        path = f"{where.path}.{name}" if where.path else name
+        fifo: Bound | None = bound.get("FIFO")
+        groups = self._groups(evaluator, bound, parts.places)
+        signal = Signal(
+            name=name,
+            path=path,
+            id=bound.get("ID", path),
+            address=base + address.value,
+            word_bits=self._draft.data_bits,
+            lowest_bit=parts.lowest_bit,
+            kind=parts.kind,
+            access=parts.access,
+            fifo=fifo is not None,
+            fifo_words=fifo.get("WORDS") if fifo is not None else None,
+            unit=bound.get("UNIT", ""),
+            minimum=bound.get("MIN"),
+            maximum=bound.get("MAX"),
+            group=groups[0].name if groups and parts.publishing is not None else None,
+            groups=tuple(group.name for group in groups),
+            poll_hz=bound["POLL"].get("RATE") if "POLL" in bound else None,
+            module=module,
+            doc="\n".join(node.doc),
+            span=self.elaborator.span(source, node),
+        )
+        for group in groups:
+            group.signals.append((signal, Place(source, node.name.place)))
+        identity = Place(source, parts.places.get("ID", node.name.place))
+        self._draft.signals.append(Placed(signal, address.place, identity))
+        return signal
+
+    def _address(self, evaluator: Evaluator, node: SignalDeclaration, where: Where) -> Address:
+        place = Place(evaluator.source, node.name.place)
+        if node.address is None:
+            found = where.addresses.get(node.name)
+            if found is not None:
+                return found
+            message = f"'{node.name}' has no address"
+            names = where.addresses
+            advice = did_you_mean(node.name, names) or (
+                f"name it in the component's @(...), or write @{node.name} = 0x10"
+                if where.path or names
+                else f"write where it is: @{node.name} = 0x10"
+            )
+            evaluator.fault(node.name.place, "no-address", message, advice)
+            return Address(None, place)
+        place = Place(evaluator.source, node.address.place)
+        value = evaluator.evaluate(node.address, where.scope)
+        return Address(whole_address(evaluator, node.address.place, value), place)
+
+    def _groups(self, evaluator: Evaluator, bound: Bound, places: Mapping[str, tuple[int, int]]) -> list[GroupDraft]:
+        """Find the groups of a signal, the one that publishes it first."""
+        found: list[GroupDraft] = []
+        for word in ("PUBLISH", "GROUP"):
+            clause: Bound = bound.get(word, {})
+            reference = clause.get("GROUP")
+            if reference is None:
+                continue
+            place = Place(evaluator.source, places[word])
+            group = self._group(reference, place)
+            if word == "PUBLISH":
+                group.published = True
+                self._set_divisor(evaluator, group, clause.get("DIVISOR"), places)
+            if group not in found:
+                found.append(group)
+        return found
+
+    def _group(self, reference: GroupReference | int, place: Place) -> GroupDraft:
+        groups = self._draft.groups
+        if isinstance(reference, GroupReference):
+            name = reference.name
+        else:
+            name = self.elaborator.group_of_number(reference) or f"group_{reference}"
+        if name not in groups:
+            if name in self.elaborator.declarations.groups:
+                groups[name] = self.elaborator.new_group(name)
+            else:
+                assert isinstance(reference, int)
+                groups[name] = GroupDraft(name, place, {"NUMBER": reference})
+        return groups[name]
+
+    def _set_divisor(
+        self, evaluator: Evaluator, group: GroupDraft, divisor: int | None, places: Mapping[str, tuple[int, int]]
+    ) -> None:
+        """Give a group the divisor that a signal tells; it has only one."""
+        if divisor is None:
+            return
+        place = Place(evaluator.source, places["PUBLISH.DIVISOR"])
+        if "RATE" in group.bound:
+            message = f"the group {group.name} has a rate, and cannot have a divisor too"
+            evaluator.fault(place.bounds, "group-divisor", message)
+        elif group.divisor is None:
+            group.divisor, group.divisor_place = divisor, place
+        elif group.divisor != divisor:
+            message = f"the group {group.name} is published with divisor {group.divisor}, and here with {divisor}"
+            note = group.divisor_place.note("a group has one divisor, which is given here")
+            advice = "put the signal into another group"
+            self.elaborator.reporter.error(
+                evaluator.source, place.bounds, "group-divisor", message, help=advice, notes=[note]
+            )
+
+    # Modules
+
+    def module_of_all(
+        self, source: Source, node: ComponentDeclaration, scope: Mapping[str, Result]
+    ) -> tuple[int | None, int]:
+        """Find the module that all members of an interface stand in: one without a name and without a block."""
+        found: tuple[int | None, int] = (None, 0)
+        evaluator, _ = self.tools(source)
+        first: Placement | None = None
+        for member in node.members:
+            is_it = isinstance(member, Placement) and member.name is None and member.members is None
+            if not isinstance(member, Placement) or not is_it or member.type not in MODULES:
+                continue
+            if first is not None:
+                message = f"{first.type} is the module of this interface already"
+                advice = f"give it a name, or a block: {member.type}(...) {{ ... }}"
+                evaluator.fault(member.type.place, "two-modules", message, advice)
+                continue
+            first = member
+            found = self.module(source, member, scope, None, 0, None)
+        return found
+
+    def module(
+        self,
+        source: Source,
+        node: Placement,
+        scope: Mapping[str, Result],
+        parent: int | None,
+        base: int,
+        path: str | None,
+    ) -> tuple[int, int]:
+        """Build a module; give its index and its base."""
+        evaluator, _ = self.tools(source)
+        kind = MODULES[node.type]
+        if node.addresses is not None:
+            evaluator.fault(
+                node.type.place, "module-address", f"the address of {node.type} is its BASE", "as in BASE=0x40"
+            )
+        binder = Binder(evaluator, scope)
+        bound = binder.bind(node.type, node.type.place, node.arguments, (*COMMON, *kind.slots))
+        start = base + bound.pop("BASE", 0) + kind.offset(bound)
+        size = bound.pop("SIZE", None)
+        module = Module(
+            type=str(node.type),
+            name=None if node.name is None else str(node.name),
+            path=path,
+            base=start,
+            words=kind.words(bound) if size is None else size,
+            parent=parent,
+            arguments=bound,
+            doc="\n".join(node.doc),
+            span=self.elaborator.span(source, node),
+        )
+        self._draft.modules.append((module, Place(source, node.type.place)))
+        return len(self._draft.modules) - 1, start

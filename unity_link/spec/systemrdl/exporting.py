@@ -1,0 +1,148 @@
+"""Out: an interface as one flat address map."""
+
+from __future__ import annotations
+
+import re
+from typing import TYPE_CHECKING
+
+from unity_link.errors import UnsupportedError
+from unity_link.spec.model import Access, Group, Interface, Signal
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+from unity_link.spec.systemrdl.naming import unique_name
+
+_FIELD_PROPERTIES = ("path", "id", "kind", "unit", "arguments")
+_SW = {Access.READ: ("r", "w"), Access.WRITE: ("w", "r"), Access.READWRITE: ("rw", "r")}
+_KEYWORDS = frozenset(
+    """abstract accesstype addressingtype addrmap alias all alternate bit boolean bothedge byte compact component
+    componentwidth constraint default encode enum external false field fullalign hw inside int internal level
+    longint mem na negedge nonsticky number onreadtype onwritetype posedge precedencetype property r rclr real
+    ref reg regalign regfile rset ruser rw rw1 shortint shortreal signal signed string struct sw this true type
+    unsigned w w1 wclr with within woclr woset wot wr wset wuser wzc wzs wzt""".split()  # noqa: SIM905  (a line for each word would be a page)
+)
+"""Words of SystemRDL 2.0; as a name, one is written with a backslash."""
+
+
+def export_text(interface: Interface) -> str:
+    """Write an interface as SystemRDL.
+
+    Raises:
+        UnsupportedError: where its words have a width that SystemRDL does not know.
+    """
+    bits = interface.data_bits
+    if bits & (bits - 1):
+        raise UnsupportedError(f"SystemRDL knows registers of 8, 16, 32 or 64 bits, and {interface.name} has {bits}")
+    words: dict[int, list[Signal]] = {}
+    for signal in interface.signals.values():
+        for address in signal.addresses:
+            words.setdefault(address, []).append(signal)
+    lines = [
+        f"// The interface {interface.name} of a UL-spec.",
+        *(f"property ul_{name} {{ component = field; type = string; }};" for name in _FIELD_PROPERTIES),
+        "property ul_groups { component = addrmap; type = string; };",
+        "",
+    ]
+    for enumeration in interface.enumerations:
+        lines.append(f"enum {_identifier(enumeration.name, '_e')} {{")
+        for value in enumeration.values:
+            desc = f" {{ desc = {_string(value.doc)}; }}" if value.doc else ""
+            lines.append(f"  {_identifier(value.name)} = {value.value}{desc};")
+        lines += ["};", ""]
+    lines.append(f"addrmap {_identifier(interface.name)} {{")
+    lines += [f"  desc = {_string(interface.doc)};"] if interface.doc else []
+    lines += [f"  default regwidth = {bits};", f"  default accesswidth = {bits};"]
+    groups = " ".join(_group(group) for group in interface.groups)
+    lines += [f"  ul_groups = {_string(groups)};"] if groups else []
+    registers: set[str] = set()
+    for address in sorted(words):
+        lines += _register(address, words[address], bits, registers)
+    return "\n".join([*lines, "};", ""])
+
+
+def _register(address: int, signals: list[Signal], bits: int, registers: set[str]) -> Iterator[str]:
+    fields: set[str] = set()
+    yield "  reg {"
+    for signal in signals:
+        part = address - signal.address
+        low = signal.lowest_bit if part == 0 else 0
+        high = min(signal.lowest_bit + signal.width - part * bits, bits) - 1
+        software, hardware = _SW[signal.access]
+        yield "    field {"
+        yield f"      sw = {software}; hw = {hardware};"
+        yield from (f"      {name} = {value};" for name, value in _properties(signal, part))
+        name = unique_name(_identifier(signal.path, f"_part{part}" if part else ""), fields)
+        yield f"    }} {name}[{high}:{low}];"
+    is_one = len(signals) == 1 and signals[0].words == 1
+    name = unique_name(_identifier(signals[0].path) if is_one else f"word_{address:x}", registers)
+    yield f"  }} {name} @ {address * bits // 8:#x};"
+
+
+def _properties(signal: Signal, part: int) -> Iterator[tuple[str, str]]:
+    if signal.doc:
+        yield "desc", _string(signal.doc)
+    if part:
+        return
+    if signal.kind.enumeration is not None:
+        yield "encode", _identifier(signal.kind.enumeration.name, "_e")
+    yield "ul_path", _string(signal.path)
+    yield "ul_id", _string(signal.id)
+    yield "ul_kind", _string(str(signal.kind))
+    if signal.unit:
+        yield "ul_unit", _string(signal.unit)
+    arguments = ", ".join(_arguments(signal))
+    if arguments:
+        yield "ul_arguments", _string(arguments)
+
+
+def _arguments(signal: Signal) -> Iterator[str]:
+    """Write the arguments of a signal that are no strings."""
+    if signal.kind.scale != 1:
+        yield f"SCALE={_number(signal.kind.scale)}"
+    if signal.kind.offset != 0:
+        yield f"OFFSET={_number(signal.kind.offset)}"
+    if signal.minimum is not None:
+        yield f"MIN={_number(signal.minimum)}"
+    if signal.maximum is not None:
+        yield f"MAX={_number(signal.maximum)}"
+    if signal.fifo:
+        yield "FIFO" if signal.fifo_words is None else f"FIFO({signal.fifo_words})"
+    if signal.poll_hz is not None:
+        yield f"POLL({_number(signal.poll_hz)})"
+    if signal.group is not None:
+        yield f"PUBLISH({signal.group})"
+    yield from (f"GROUP({group})" for group in signal.groups if group != signal.group)
+
+
+def _group(group: Group) -> str:
+    joints: dict[str, str] = {}
+    for joint in group.joints:
+        for part in ("position", "velocity", "effort"):
+            path: str | None = getattr(joint, part)
+            if path is not None:
+                joints[part.upper()] = path.rpartition(".")[2]
+    arguments = [
+        f"NUMBER={group.number}" if group.number is not None else "",
+        f"DIVISOR={group.divisor}" if group.divisor is not None else "",
+        f"RATE={_number(group.rate_hz)}" if group.rate_hz is not None else "",
+        *(name.upper() for name in ("trigger", "on_change", "immediate", "timestamps") if getattr(group, name)),
+        f"JOINTS({', '.join(f'{part}={name}' for part, name in joints.items())})" if joints else "",
+    ]
+    return f"group {group.name}({', '.join(filter(None, arguments))});"
+
+
+def _number(value: float) -> str:
+    """Write a number so that it reads as the same one."""
+    return repr(value)
+
+
+def _identifier(path: str, suffix: str = "") -> str:
+    name = re.sub(r"\W", "_", path.replace("]", "")) + suffix
+    return f"\\{name}" if name in _KEYWORDS else name
+
+
+def _string(text: str) -> str:
+    # SystemRDL escapes only the quote, so that a backslash could hide one; a control character would end the text.
+    text = "".join(character for character in text if character >= " " or character in "\n\t")
+    return '"' + text.replace("\\", "\\\\").replace('"', '\\"') + '"'
