@@ -2,7 +2,11 @@
 
 from __future__ import annotations
 
+import socket
+import subprocess
+import sys
 from contextlib import contextmanager
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 import msgspec
@@ -107,6 +111,17 @@ def test_an_eeprom_that_keeps_nothing_is_told(monkeypatch: pytest.MonkeyPatch) -
         monkeypatch.setattr(device.chip, "eeprom", KeepsNothing(BLANK))
         with pytest.raises(ConnectError, match="did not keep"):
             run("configure", URL, "--mode", "fifo", "--yes")
+
+
+def test_simulate_serves_a_chip_by_usbip_and_says_how_to_attach_it() -> None:
+    command = [Path(sys.executable).parent / "unity-link", "simulate", "--usbip", "0"]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as served:
+        assert served.stdout is not None
+        port = int(served.stdout.readline().split()[2])
+        with socket.create_connection(("127.0.0.1", port), timeout=10) as client:
+            client.sendall(bytes.fromhex("0111 8005 00000000"))
+            assert client.recv(12, socket.MSG_WAITALL) == bytes.fromhex("0111 0005 00000000 00000001")
+        served.terminate()
 
 
 class KeepsNothing(bytearray):

@@ -52,8 +52,18 @@ def simulate(  # noqa: PLR0913  (each is an option)
     tcp: Annotated[int | None, _port("TCP")] = None,
     unix: Annotated[Path | None, _place("A Unix socket, removed at the end.", "PATH")] = None,
     udp: Annotated[int | None, _port("UDP")] = None,
+    usbip: Annotated[
+        int | None,
+        typer.Option(
+            metavar="PORT",
+            min=0,
+            max=65535,
+            help="USB/IP, as an FT232H: a Linux with vhci-hcd attaches it. Usually 3240.",
+            rich_help_panel=_PANEL,
+        ),
+    ] = None,
     host: Annotated[
-        str, typer.Option(metavar="ADDRESS", help="Of --tcp and --udp: the network address to listen at.")
+        str, typer.Option(metavar="ADDRESS", help="Of --tcp, --udp and --usbip: the network address to listen at.")
     ] = LOOPBACK,
     link: Annotated[
         Path | None, typer.Option(metavar="PATH", help="Of --pty: a symbolic link to the port, removed at the end.")
@@ -74,7 +84,8 @@ def simulate(  # noqa: PLR0913  (each is an option)
 ) -> None:
     """Serve a virtual gateway to any program.
 
-    Prints one line, its URL, when it is ready: give that to a program or to another command. Ctrl-C ends it.
+    Prints one line, its URL, when it is ready: give that to a program or to another command. For --usbip it is the
+    command that attaches it, for root. Ctrl-C ends it.
     """
     from unity_link.virtual.build import build_gateway
 
@@ -91,8 +102,12 @@ def simulate(  # noqa: PLR0913  (each is an option)
         ways.append(_serving("unix", gateway, unix))
     if udp is not None:
         ways.append(_serving("udp", gateway, udp, host))
+    if usbip is not None:
+        ways.append(_serving_chip(gateway, usbip, host))
     if len(ways) != 1:
-        raise ArgumentError(f"one of --pty, --tcp, --unix and --udp was expected, not {len(ways) or 'none'} of them")
+        raise ArgumentError(
+            f"one of --pty, --tcp, --unix, --udp and --usbip was expected, not {len(ways) or 'none'} of them"
+        )
     run(_simulate(ways[0]))
 
 
@@ -101,6 +116,14 @@ def _serving(way: str, gateway: Gateway, *place: Any) -> AbstractAsyncContextMan
 
     manager: AbstractAsyncContextManager[str] = getattr(serving, f"serve_{way}")(gateway, *place)
     return manager
+
+
+def _serving_chip(gateway: Gateway, port: int, host: str) -> AbstractAsyncContextManager[str]:
+    from unity_link.virtual.ft232h import VirtualFt232h
+    from unity_link.virtual.ft232h.board import GatewayBoard
+    from unity_link.virtual.ft232h.usbip import serve_usbip
+
+    return serve_usbip(VirtualFt232h(GatewayBoard(gateway)), port, host)
 
 
 def _configuration(settings: list[str]) -> dict[str, int]:
