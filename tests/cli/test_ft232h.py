@@ -114,7 +114,7 @@ def test_an_eeprom_that_keeps_nothing_is_told(monkeypatch: pytest.MonkeyPatch) -
 
 
 def test_simulate_serves_a_chip_by_usbip_and_says_how_to_attach_it() -> None:
-    command = [Path(sys.executable).parent / "unity-link", "simulate", "--usbip", "0"]
+    command = [str(Path(sys.executable).parent / "unity-link"), "simulate", "--usbip", "0"]
     with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as served:
         assert served.stdout is not None
         port = int(served.stdout.readline().split()[2])
