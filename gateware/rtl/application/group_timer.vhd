@@ -30,9 +30,11 @@ entity group_timer is
     -- Groups that are due, until cleared.
     due         : out   std_logic_vector(groups - 1 downto 0);
     clear       : in    std_logic_vector(groups - 1 downto 0);
-    -- Samples that a due group has lost, one cycle after its number; to be asked for in the cycle of `clear` at the latest.
+    -- Samples that a due group has lost, one cycle after its number, which is given in the cycle of `clear`. In a cycle of
+    -- `collides` that very group becomes due: it must not be cleared, and its losses cannot be read.
     lost_number : in    unsigned(7 downto 0);
-    lost        : out   unsigned(7 downto 0)
+    lost        : out   unsigned(7 downto 0);
+    collides    : out   std_logic
   );
 end entity group_timer;
 
@@ -79,7 +81,9 @@ begin
 
   counts  <= kept_valid and running(to_integer(kept_index) mod groups) and to_std_logic(unsigned(kept_divisor) /= 0);
   is_due  <= counts and to_std_logic(unsigned(kept_counter) = 1);
-  was_due <= due(to_integer(kept_index) mod groups) and not clear(to_integer(kept_index) mod groups);
+  was_due <= due(to_integer(kept_index) mod groups);
+
+  collides <= kept_valid and to_std_logic(kept_index = lost_number(index_t'range));
 
   write_counter <= counts or start;
   write_index   <= kept_index when kept_valid = '1' else

@@ -94,7 +94,7 @@ architecture rtl of subscription_manager is
   signal last            : last_t;
 
   type state_t is (
-    state_idle, state_fetch, state_keep, state_prepare, state_sample, state_finish, state_wait_timer, state_told
+    state_idle, state_fetch, state_keep, state_measure, state_compare, state_prepare, state_sample, state_finish, state_wait_timer, state_told
   );
 
   type reason_t is (reason_periodic, reason_trigger, reason_request);
@@ -135,6 +135,7 @@ architecture rtl of subscription_manager is
 
   signal tick            : std_logic;
   signal timer_busy      : std_logic;
+  signal timer_collides  : std_logic;
   signal timer_set       : std_logic;
   signal timer_start     : std_logic;
   signal timer_divisor   : std_logic_vector(15 downto 0);
@@ -237,7 +238,8 @@ begin
       due         => due_by_timer,
       clear       => clear_timer,
       lost_number => resize(pick_number, 8),
-      lost        => lost
+      lost        => lost,
+      collides    => timer_collides
     );
 
   -- What is due.
@@ -309,7 +311,7 @@ begin
 
   -- After each sample an operation may go first, so that groups which ask for more than the bus gives can be stopped.
   operates      <= group_request and (operation_turn or not pick_valid) and to_std_logic(state = state_idle);
-  picks         <= pick_valid and not operates and to_std_logic(state = state_idle);
+  picks         <= pick_valid and not operates and not timer_collides and to_std_logic(state = state_idle);
   clear_timer   <= one_hot(pick_number, picks and pick_by_timer) or not running;
   clear_trigger <= one_hot(pick_number, picks and not pick_by_timer) or not running;
 
@@ -365,6 +367,24 @@ begin
 
   -- The sample.
 
+  -- From settings and state to the header, in steps that are short enough: one state each.
+  measure : process (clk) is
+  begin
+
+    if rising_edge(clk) then
+      total <= resize(count, 9) + 1;
+      if flags(flag_timestamp) = '1' then
+        total <= resize(count, 9) + 2;
+      end if;
+      enough_room  <= to_std_logic(ring_room >= total);
+      own_sequence <= group_sequence;
+      if reason = reason_periodic then
+        own_sequence <= group_sequence + lost_kept;
+      end if;
+    end if;
+
+  end process measure;
+
   stamps : process (clk) is
   begin
 
@@ -379,7 +399,6 @@ begin
   end process stamps;
 
   wants          <= flags(flag_trigger) or to_std_logic(reason /= reason_trigger);
-  enough_room    <= to_std_logic(ring_room >= total);
   word_done      <= access_done and to_std_logic(state = state_sample);
   accepted       <= not failed and (changed or is_first or not flags(flag_on_change) or to_std_logic(reason = reason_request));
   access_request <= to_std_logic(state = state_sample);
@@ -387,8 +406,6 @@ begin
 
   write_header  <= to_std_logic(state = state_prepare) and wants and enough_room;
   write_stamp   <= access_granted and to_std_logic(asked = 0) and flags(flag_timestamp);
-  total         <= resize(count, 9) + 2 when flags(flag_timestamp) = '1' else
-                   resize(count, 9) + 1;
   header        <= std_logic_vector(number_byte & own_sequence & total) & flags(flag_timestamp) & flags(flag_plain) &
                    flags(flag_immediate) & "0000";
   ring_write    <= write_header or write_stamp or word_done;
@@ -398,8 +415,6 @@ begin
   ring_commit   <= to_std_logic(state = state_finish) and accepted;
   ring_rollback <= to_std_logic(state = state_finish) and not accepted;
 
-  own_sequence <= group_sequence + lost_kept when reason = reason_periodic else
-                  group_sequence;
   group_done   <= to_std_logic(state = state_told);
 
   -- Settings.
@@ -492,10 +507,16 @@ begin
           state     <= state_keep;
 
         when state_keep =>
-          state <= state_prepare;
+          state <= state_measure;
           if reason = reason_request and group_operation /= group_publish then
             state <= state_wait_timer;
           end if;
+
+        when state_measure =>
+          state <= state_compare;
+
+        when state_compare =>
+          state <= state_prepare;
 
         when state_prepare =>
           state <= state_sample;
