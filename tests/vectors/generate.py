@@ -184,6 +184,8 @@ def forms(script: Script) -> None:
         script.both(f"{command} with nothing but an ID", command.lower().encode() + script.codec.id_text[0])
     address = script.body("R", 0x0A)[1:]
     script.both("short data", b"W" + address + b"5", b"WS" + address + b"7", b"W" + address)
+    numbered = script.codec.id_text[0] + address + b"5"
+    script.both("short data behind an ID", b"w" + numbered, b"ws" + numbered)
     script.both("short data in a block", b"WM" + address + b"5")
     script.both("short session number", b"K", b"K0", b"K0000")
     script.both("addresses that are not as many as said", script.body("GS", 1, 0, 1, 3, [1, 2]))

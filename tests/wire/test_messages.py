@@ -138,6 +138,13 @@ def test_a_plain_word_has_at_least_one_digit_and_not_too_many(body: bytes) -> No
     assert refusal.value.code == ErrorCode.MALFORMED
 
 
+@pytest.mark.parametrize("body", [b"w000A1", b"ws000A1234567"])
+def test_the_word_of_a_numbered_write_is_never_short(body: bytes) -> None:
+    with pytest.raises(RequestError) as refusal:
+        DEFAULT.decode_plain_request(body)
+    assert refusal.value.code == ErrorCode.MALFORMED
+
+
 # Many at once
 
 

@@ -314,7 +314,8 @@ class VirtualGateway:
     def _quick_read(self, line: bytes) -> bytes | None:
         """Answer `r` of plain memory with the expected ID, or give up."""
         digits, text = self._crc_digits, self._crc_text
-        if text(line[:-digits]) != line[-digits:] or not line.isalnum():
+        # The second digit may be no X, for int() would take 0X for a prefix.
+        if text(line[:-digits]) != line[-digits:] or not line.isalnum() or line[2] in b"xX":
             return None
         try:
             fields = int(line[1:-digits], 16)
@@ -331,7 +332,7 @@ class VirtualGateway:
     def _quick_write(self, line: bytes, head: int) -> bytes | None:
         """Answer `w` or `ws`, of `head` letters, to plain memory with the expected ID, or give up."""
         digits, text = self._crc_digits, self._crc_text
-        if text(line[:-digits]) != line[-digits:] or not line.isalnum():
+        if text(line[:-digits]) != line[-digits:] or not line.isalnum() or line[head + 1] in b"xX":
             return None
         try:
             fields = int(line[head:-digits], 16)

@@ -258,7 +258,7 @@ class Codec:
             if len(text) < digits:
                 raise RequestError(ErrorCode.MALFORMED)
             number, text = int(text[:digits], 16), text[digits:]
-        if short_data and command in ("W", "WS"):
+        elif short_data and command in ("W", "WS"):
             text = self._lengthen(text)
         return Request(command, number, self._split(self.commands[command].fields, text))
 

@@ -657,7 +657,7 @@ begin
           end if;
         elsif in_plain = '1' and r.flushed = '0' then
           v.flushed := '1';
-          if r.field = field_words and r.partial = '1' and r.words = 0 and
+          if r.field = field_words and r.partial = '1' and r.words = 0 and r.lower_seen = '0' and
              (r.node(3 downto 0) = command_w or r.node(3 downto 0) = command_ws) then
             complete_word;
           end if;
