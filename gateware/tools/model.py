@@ -39,7 +39,7 @@ CONFIGURATIONS: dict[str, dict[str, object]] = {
         "id_digits": 3,
         "crc_bits": 32,
         "crc_polynomial": f"{0x04C11DB7:032b}",
-        "groups": 256,
+        "groups": 20,
         "group_words": 255,
         "sample_depth": 4096,
         "wb_pipelined": True,
