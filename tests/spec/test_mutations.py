@@ -106,6 +106,7 @@ def test_a_spec_cut_anywhere_compiles_or_is_refused(text: str) -> None:
         "c() { @a = 1: READ(); } b() { c[60000]: c(); } a() { b[60000]: b(); } public x() { a[60000]: a(); }",
         "public x() { @a = 1 << 100 << 100 << 100: READ(); }",
         "public x() { @a = " + "9" * 100_000 + ": READ(); }",
+        "public x() { @a = " + "9" * 1_000 + ": unsigned " + "9" * 1_000 + " READ(); }",
         'public x() { @a = 1: READ(ID="' + "x" * 100_000 + '"); }',
         "enum e { " + ", ".join(f"v{i}" for i in range(20_000)) + " }",
         "@" * 20_000,

@@ -51,7 +51,7 @@ def parse_number(text: str) -> int | float | None:
             number = float(text)
     except ValueError:
         return None
-    return number if math.isfinite(number) else None
+    return None if isinstance(number, float) and not math.isfinite(number) else number
 
 
 def describe(value: Result) -> str:
