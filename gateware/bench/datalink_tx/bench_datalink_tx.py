@@ -1,0 +1,108 @@
+"""Inside the simulator: bodies become frames, without a gap, with their mark beside the last character."""
+
+from __future__ import annotations
+
+import random
+from typing import TYPE_CHECKING
+
+import cocotb
+from cocotb.triggers import RisingEdge
+
+from gateware.bench.streams import Sink, Source, start
+from unity_link.wire.crc import Crc
+
+if TYPE_CHECKING:
+    from cocotb.handle import SimHandleBase
+
+
+class _Joined:
+    """Character, last, plain and mark as one value."""
+
+    def __init__(self, dut: SimHandleBase) -> None:
+        self._dut = dut
+
+    @property
+    def value(self) -> int:
+        raise NotImplementedError
+
+    @value.setter
+    def value(self, entry: int) -> None:
+        self._dut.in_data.value = entry & 0xFF
+        self._dut.in_last.value = entry >> 8 & 1
+        self._dut.in_plain.value = entry >> 9 & 1
+        self._dut.in_mark.value = entry >> 10
+
+
+def _entries(body: bytes, plain: int, mark: int) -> list[int]:
+    return [byte | int(index == len(body) - 1) << 8 | plain << 9 | mark << 10 for index, byte in enumerate(body)]
+
+
+async def _send(dut: SimHandleBase, bodies: list[tuple[bytes, int, int]], pause: float) -> list[tuple[int, ...]]:
+    dut.in_valid.value = 0
+    dut.out_ready.value = 0
+    _Joined(dut).value = 0
+    await start(dut.clk, dut.rst)
+    source = Source(dut.clk, _Joined(dut), dut.in_valid, dut.in_ready, pause=pause)
+    sink = Sink(dut.clk, (dut.out_data, dut.out_mark), dut.out_valid, dut.out_ready, pause=pause)
+    await source.send(entry for body in bodies for entry in _entries(*body))
+    for _ in range(60):
+        await RisingEdge(dut.clk)
+    assert dut.busy.value == 0
+    return sink.received
+
+
+def _frames(dut: SimHandleBase, bodies: list[tuple[bytes, int, int]]) -> list[tuple[int, ...]]:
+    crc, node = Crc(int(dut.crc_bits.value), 0x07), int(dut.node.value)
+    # A negative generic is read as a large number.
+    prefix = b"" if node > 254 else b"Z%02X" % node
+    expected = []
+    for body, plain, mark in bodies:
+        covered = prefix + body
+        frame = covered + (b"\r\n" if plain else crc.text(covered) + b"\n")
+        expected += [(byte, mark if index == len(frame) - 1 else 0) for index, byte in enumerate(frame)]
+    return expected
+
+
+@cocotb.test
+async def bodies_become_frames(dut: SimHandleBase) -> None:
+    bodies = [(b"R0A00000012", 0, 1), (b"R0A00000012", 1, 2), (b"H", 0, 0), (b"X01", 0, 2)]
+    assert await _send(dut, bodies, 0.0) == _frames(dut, bodies)
+
+
+@cocotb.test
+async def frames_survive_back_pressure(dut: SimHandleBase) -> None:
+    rng = random.Random(9)
+    bodies = [
+        (
+            bytes(rng.choice(b"RWX0123456789ABCDEF") for _ in range(rng.randrange(1, 20))),
+            rng.randrange(2),
+            rng.randrange(3),
+        )
+        for _ in range(150)
+    ]
+    assert await _send(dut, bodies, 0.4) == _frames(dut, bodies)
+
+
+@cocotb.test
+async def a_frame_follows_the_next_without_a_gap(dut: SimHandleBase) -> None:
+    dut.out_ready.value = 1
+    gaps = 0
+
+    async def watch() -> None:
+        nonlocal gaps
+        begun = False
+        while True:
+            await RisingEdge(dut.clk)
+            begun = begun or dut.out_valid.value == 1
+            gaps += begun and dut.out_valid.value == 0 and dut.in_valid.value == 1
+
+    bodies = [(b"R0A00000012", 0, 0)] * 20
+    task = None
+    dut.in_valid.value = 0
+    _Joined(dut).value = 0
+    await start(dut.clk, dut.rst)
+    task = cocotb.start_soon(watch())
+    source = Source(dut.clk, _Joined(dut), dut.in_valid, dut.in_ready)
+    await source.send(entry for body in bodies for entry in _entries(*body))
+    task.cancel()
+    assert gaps == 0
