@@ -1,0 +1,185 @@
+"""Inside the simulator: who gets the bus, in which order, and what happens when it does not answer."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import cocotb
+from cocotb.triggers import NextTimeStep, ReadOnly, RisingEdge
+
+from gateware.bench.streams import start
+
+if TYPE_CHECKING:
+    from cocotb.handle import SimHandleBase
+
+BUS_ERROR, TIMEOUT = 4, 5
+
+
+class _Slave:
+    """Answers each access after some cycles with the address inverted; notes who accessed what, and the lock."""
+
+    def __init__(self, dut: SimHandleBase, waits: int = 0) -> None:
+        self.dut = dut
+        self.waits = waits
+        self.silent = False
+        self.failing: set[int] = set()
+        self.accesses: list[tuple[int, int]] = []
+        """Address, and whether it was a write."""
+        self.unlocked_after: list[int] = []
+        """Accesses that had been made whenever the lock fell."""
+        cocotb.start_soon(self._run())
+
+    async def _run(self) -> None:
+        dut, waited, locked = self.dut, 0, False
+        while True:
+            await ReadOnly()
+            asked = dut.bus_request.value == 1
+            answers = asked and waited >= self.waits and not self.silent
+            address = int(dut.bus_address.value) if asked else 0
+            write = dut.bus_write.value == 1
+            if locked and dut.bus_lock.value == 0:
+                self.unlocked_after.append(len(self.accesses))
+            locked = dut.bus_lock.value == 1
+            await NextTimeStep()
+            dut.bus_done.value = int(answers)
+            dut.bus_error.value = int(address in self.failing)
+            dut.bus_read_data.value = address ^ 0xFF
+            await RisingEdge(dut.clk)
+            waited = 0 if answers or not asked else waited + 1
+            if answers:
+                self.accesses.append((address, int(write)))
+
+
+async def _begin(dut: SimHandleBase, waits: int = 0) -> _Slave:
+    for name in ("request", "request_write", "request_more", "request_exclusive", "request_address", "request_data"):
+        getattr(dut, name).value = 0
+    for name in ("sample", "sample_more", "sample_address", "bus_done", "bus_error", "bus_read_data"):
+        getattr(dut, name).value = 0
+    await start(dut.clk, dut.rst)
+    return _Slave(dut, waits)
+
+
+async def _request(dut: SimHandleBase, addresses: list[int], *, write: bool = False, exclusive: bool = False) -> list[int]:
+    """Access addresses as one transaction; gives the failure of each, up to the first."""
+    failures = []
+    dut.request.value = 1
+    for index, address in enumerate(addresses):
+        dut.request_address.value = address
+        dut.request_write.value = write
+        dut.request_exclusive.value = exclusive
+        dut.request_more.value = index < len(addresses) - 1
+        while True:
+            await RisingEdge(dut.clk)
+            if dut.request_done.value == 1:
+                break
+        failures.append(int(dut.failure.value))
+        if failures[-1]:
+            break
+    dut.request.value = 0
+    dut.request_more.value = 0
+    return failures
+
+
+async def _sample(dut: SimHandleBase, addresses: list[int], after: int = 0) -> list[int]:
+    """Read addresses as one sample, beginning after some cycles; gives the words."""
+    for _ in range(after):
+        await RisingEdge(dut.clk)
+    words = []
+    dut.sample.value = 1
+    for index, address in enumerate(addresses):
+        dut.sample_address.value = address
+        dut.sample_more.value = index < len(addresses) - 1
+        while True:
+            await RisingEdge(dut.clk)
+            if dut.sample_done.value == 1:
+                break
+        words.append(int(dut.read_data.value))
+    dut.sample.value = 0
+    return words
+
+
+@cocotb.test
+async def an_access_without_wait_states_takes_three_cycles(dut: SimHandleBase) -> None:
+    slave = await _begin(dut)
+    dut.request_address.value = 5
+    dut.request.value = 1
+    for _ in range(30):
+        await RisingEdge(dut.clk)
+    dut.request.value = 0
+    assert len(slave.accesses) == 10
+
+
+@cocotb.test
+async def a_sample_comes_between_the_words_of_a_read_and_is_not_interrupted(dut: SimHandleBase) -> None:
+    slave = await _begin(dut, waits=2)
+    sampling = cocotb.start_soon(_sample(dut, [0x80, 0x81, 0x82], after=8))
+    assert await _request(dut, list(range(6))) == [0] * 6
+    assert await sampling == [0x7F, 0x7E, 0x7D]
+    order = [address for address, _ in slave.accesses]
+    first = order.index(0x80)
+    assert 0 < first < 4
+    assert order[first : first + 3] == [0x80, 0x81, 0x82]
+    # The lock of the block stood all the time.
+    assert slave.unlocked_after == [8]
+
+
+@cocotb.test
+async def a_sample_waits_for_an_exclusive_transaction(dut: SimHandleBase) -> None:
+    slave = await _begin(dut, waits=2)
+    sampling = cocotb.start_soon(_sample(dut, [0x80], after=8))
+    assert await _request(dut, list(range(6)), write=True, exclusive=True) == [0] * 6
+    await sampling
+    assert slave.accesses == [*((address, 1) for address in range(6)), (0x80, 0)]
+
+
+@cocotb.test
+async def a_silent_bus_is_given_up_and_the_next_access_works(dut: SimHandleBase) -> None:
+    slave = await _begin(dut)
+    slave.silent = True
+    cycles = 0
+
+    async def count() -> None:
+        nonlocal cycles
+        while True:
+            await RisingEdge(dut.clk)
+            cycles += dut.bus_request.value == 1
+
+    cocotb.start_soon(count())
+    assert await _request(dut, [1, 2, 3], exclusive=True) == [TIMEOUT]
+    assert cycles == int(dut.timeout.value)
+    await ReadOnly()
+    assert dut.bus_lock.value == 0
+    await RisingEdge(dut.clk)
+    slave.silent = False
+    assert await _sample(dut, [9]) == [0xF6]
+    assert await _request(dut, [1, 2, 3]) == [0, 0, 0]
+
+
+@cocotb.test
+async def an_error_ends_the_transaction_and_frees_the_bus(dut: SimHandleBase) -> None:
+    slave = await _begin(dut, waits=1)
+    slave.failing = {2}
+    assert await _request(dut, [1, 2, 3], write=True, exclusive=True) == [0, BUS_ERROR]
+    assert await _sample(dut, [7]) == [0xF8]
+    assert slave.accesses == [(1, 1), (2, 1), (7, 0)]
+
+
+@cocotb.test
+async def a_reset_frees_the_bus(dut: SimHandleBase) -> None:
+    slave = await _begin(dut)
+    slave.silent = True
+    task = cocotb.start_soon(_request(dut, [1, 2], exclusive=True))
+    for _ in range(5):
+        await RisingEdge(dut.clk)
+    task.cancel()
+    dut.request.value = 0
+    dut.rst.value = 1
+    await RisingEdge(dut.clk)
+    dut.rst.value = 0
+    await RisingEdge(dut.clk)
+    await ReadOnly()
+    assert dut.bus_request.value == 0
+    assert dut.bus_lock.value == 0
+    await RisingEdge(dut.clk)
+    slave.silent = False
+    assert await _sample(dut, [7]) == [0xF8]

@@ -1,0 +1,12 @@
+"""The timer of periodic groups, for few groups and for as many as there may be."""
+
+from __future__ import annotations
+
+import pytest
+
+from gateware.bench.runner import run_bench
+
+
+@pytest.mark.parametrize("groups", [2, 5, 256])
+def test_group_timer(groups: int) -> None:
+    run_bench("group_timer", "gateware.bench.group_timer.bench_group_timer", generics={"groups": groups})

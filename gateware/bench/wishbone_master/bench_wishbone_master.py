@@ -1,0 +1,148 @@
+"""Inside the simulator: the Wishbone wrapper in front of classic and pipelined slaves of any speed."""
+
+from __future__ import annotations
+
+import random
+from typing import TYPE_CHECKING
+
+import cocotb
+from cocotb.triggers import NextTimeStep, ReadOnly, RisingEdge
+
+from gateware.bench.streams import start
+
+if TYPE_CHECKING:
+    from cocotb.handle import SimHandleBase
+
+
+class _Slave:
+    """Memory behind Wishbone; counts the accesses that it took, so that one taken twice is seen."""
+
+    def __init__(self, dut: SimHandleBase, rng: random.Random, pause: float) -> None:
+        self.dut = dut
+        self.memory: dict[int, int] = {}
+        self.taken = 0
+        self.failing: set[int] = set()
+        self.silent = False
+        self._rng, self._pause = rng, pause
+        self._pipelined = bool(dut.pipelined.value)
+        cocotb.start_soon(self._run_pipelined() if self._pipelined else self._run_classic())
+
+    def _sometimes(self) -> bool:
+        return self._rng.random() >= self._pause and not self.silent
+
+    def _answer(self, address: int, word: int, write: bool) -> None:
+        dut = self.dut
+        self.taken += 1
+        failed = address in self.failing
+        dut.ack.value, dut.err.value = int(not failed), int(failed)
+        dut.dat_i.value = self.memory.get(address, 0)
+        if write and not failed:
+            self.memory[address] = word
+
+    def _rest(self) -> None:
+        self.dut.ack.value = self.dut.err.value = 0
+
+    async def _run_classic(self) -> None:
+        """Answer within the cycle, as a slave without registers does."""
+        dut = self.dut
+        while True:
+            await ReadOnly()
+            asked = dut.cyc.value == 1 and dut.stb.value == 1 and self._sometimes()
+            access = (int(dut.adr.value), int(dut.dat_o.value), dut.we.value == 1) if asked else None
+            await NextTimeStep()
+            self._rest()
+            if access is not None:
+                self._answer(*access)
+            await RisingEdge(dut.clk)
+            self._rest()
+
+    async def _run_pipelined(self) -> None:
+        dut = self.dut
+        access = None
+        while True:
+            stalls = not self._sometimes()
+            dut.stall.value = int(stalls)
+            self._rest()
+            if access is not None and self._sometimes():
+                self._answer(*access)
+                access = None
+            await RisingEdge(dut.clk)
+            if dut.cyc.value == 0:
+                access = None
+            elif dut.stb.value == 1 and not stalls:
+                assert access is None, "a second access before the first was answered"
+                access = (int(dut.adr.value), int(dut.dat_o.value), dut.we.value == 1)
+
+
+async def _access(dut: SimHandleBase, address: int, word: int | None = None, most: int = 300) -> tuple[int, bool] | None:
+    dut.bus_request.value = 1
+    dut.bus_write.value = int(word is not None)
+    dut.bus_address.value = address
+    dut.bus_write_data.value = word or 0
+    result = None
+    for _ in range(most):
+        await RisingEdge(dut.clk)
+        if dut.bus_done.value == 1:
+            result = (int(dut.bus_read_data.value), dut.bus_error.value == 1)
+            break
+    dut.bus_request.value = 0
+    await RisingEdge(dut.clk)
+    return result
+
+
+async def _begin(dut: SimHandleBase, pause: float) -> _Slave:
+    inputs = ("bus_request", "bus_write", "bus_lock", "bus_address", "bus_write_data", "dat_i", "ack", "err", "stall")
+    for name in inputs:
+        getattr(dut, name).value = 0
+    await start(dut.clk, dut.rst)
+    return _Slave(dut, random.Random(8), pause)
+
+
+@cocotb.test
+async def each_access_is_made_once_and_read_back(dut: SimHandleBase) -> None:
+    for pause in (0.0, 0.5):
+        slave = await _begin(dut, pause)
+        rng = random.Random(2)
+        written: dict[int, int] = {}
+        for count in range(100):
+            address, word = rng.randrange(256), rng.getrandbits(32)
+            assert await _access(dut, address, word) is not None
+            written[address] = word
+            other = rng.choice(list(written))
+            assert await _access(dut, other) == (written[other], False)
+            assert slave.taken == 2 * (count + 1)
+
+
+@cocotb.test
+async def errors_are_told(dut: SimHandleBase) -> None:
+    slave = await _begin(dut, 0.3)
+    slave.failing = {7}
+    for word in (None, 1):
+        result = await _access(dut, 7, word)
+        assert result is not None
+        assert result[1]
+    assert await _access(dut, 8, 1) is not None
+
+
+@cocotb.test
+async def an_access_that_was_given_up_does_not_disturb_the_next(dut: SimHandleBase) -> None:
+    slave = await _begin(dut, 0.3)
+    await _access(dut, 1, 0x11)
+    for most in range(1, 10):
+        slave.silent = True
+        assert await _access(dut, 2, most=most) is None
+        slave.silent = False
+        assert await _access(dut, 1) == (0x11, False)
+
+
+@cocotb.test
+async def cyc_stands_while_the_lock_does(dut: SimHandleBase) -> None:
+    await _begin(dut, 0.0)
+    dut.bus_lock.value = 1
+    await RisingEdge(dut.clk)
+    await ReadOnly()
+    assert dut.cyc.value == 1
+    assert dut.stb.value == 0
+    await RisingEdge(dut.clk)
+    dut.bus_lock.value = 0
+    await ReadOnly()
