@@ -231,8 +231,10 @@ class ChipTransport(asyncio.Transport):
         except Exception as error:  # noqa: BLE001  (whatever it is, the link has to hear of it)
             self._fail(error)
         self._writer.join()
-        self._chip.close(gone=self._error is not None)
-        self._in_loop(self._lose)
+        try:
+            self._chip.close(gone=self._error is not None)
+        finally:
+            self._in_loop(self._lose)
 
     def _read_until_end(self) -> None:
         device, stalls = self._chip.device, 0

@@ -177,10 +177,15 @@ class OpenChip:
 
     def close(self, *, gone: bool = False) -> None:
         """Let go of the chip; of one that is `gone` nothing is asked."""
+        from pyftdi.usbtools import UsbTools
         from usb.util import dispose_resources
 
         device = self.device
-        self.ftdi.close(freeze=gone)
+        try:
+            self.ftdi.close(freeze=gone)
+        except OSError:
+            # The kernel takes back nothing of a chip that is gone, and pyftdi leaves off at that.
+            UsbTools.release_device(device)
         # pyftdi disposes of what its own search found only.
         dispose_resources(device)
 
@@ -341,6 +346,21 @@ def find_errno(error: BaseException | None) -> int | None:
     return None
 
 
+def _find_reason() -> int | None:
+    """Give why a chip can't be asked for its strings, by asking all for something simpler."""
+    from pyftdi.ftdi import Ftdi
+    from pyftdi.usbtools import UsbTools
+    from usb.core import USBError, find
+
+    product = Ftdi.PRODUCT_IDS[Ftdi.FTDI_VENDOR]["232h"]
+    for device in find(True, UsbTools.find_backend(), idVendor=Ftdi.FTDI_VENDOR, idProduct=product):  # noqa: FBT003
+        try:
+            device.get_active_configuration()
+        except USBError as error:
+            return find_errno(error)
+    return None
+
+
 _CAUSES: dict[int, str] = {
     errno.ENODEV: "the FT232H is gone: it was unplugged, or lost its power",
     errno.ETIMEDOUT: "the FT232H does not answer (timed out)",
@@ -371,8 +391,8 @@ def explain_opening(error: BaseException) -> str:
     text = str(error)
     number = find_errno(error)
     if number is None and _NO_LANGUAGE in text:
-        # What pyusb makes of a device that nobody may ask for its strings.
-        number = errno.EACCES
+        # What pyusb makes of a device that can't be asked for its strings, whatever the reason.
+        number = _find_reason()
     if number is None and "No backend" in text:
         return "libusb is not installed (Debian, Ubuntu: apt install libusb-1.0-0)"
     if number in _CAUSES:

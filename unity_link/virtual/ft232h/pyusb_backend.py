@@ -124,6 +124,8 @@ class Backend(IBackend):  # type: ignore[misc]  # pyusb has no types
 
     def release_interface(self, dev_handle: Handle, intf: int) -> None:  # noqa: ARG002
         """Let go of the interface."""
+        if dev_handle.gone:
+            raise _error(_LIBUSB_ERROR_NO_DEVICE)
         if dev_handle.device.claimed_by is dev_handle:
             dev_handle.device.claimed_by = None
 
