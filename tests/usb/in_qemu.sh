@@ -43,8 +43,18 @@ mount -t sysfs sys /machine/sys
 mount -t devtmpfs dev /machine/dev
 mount -t tmpfs tmp /machine/tmp
 ifconfig lo 127.0.0.1 up
-chroot /machine /bin/sh -c "cd $project && HOME=/tmp PYTHONDONTWRITEBYTECODE=1 HYPOTHESIS_STORAGE_DIRECTORY=/tmp/h \
-  $python -m pytest -p no:cacheprovider -v --color=no --tb=short tests/usb; echo exit \\\$?"
+# Each test in a process of its own: without udevd, libusb sees only what was plugged in before it began.
+cat > /machine/tmp/run << INSIDE
+cd $project
+export HOME=/tmp PYTHONDONTWRITEBYTECODE=1 HYPOTHESIS_STORAGE_DIRECTORY=/tmp/hypothesis
+pytest="$python -m pytest -p no:cacheprovider --color=no --tb=short tests/usb"
+failed=0
+for test in \\\$(\\\$pytest --collect-only -q | grep ::); do
+	$python -m pytest -p no:cacheprovider --color=no --tb=short -q "\\\$test" || failed=1
+done
+echo "exit \\\$failed"
+INSIDE
+chroot /machine /bin/bash /tmp/run
 poweroff -f
 END
 chmod +x "$work/root/init"

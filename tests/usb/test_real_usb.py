@@ -90,9 +90,9 @@ async def test_reads_writes_and_samples_pass_a_real_usb_stack(
         ]
         rate = 5000 / (time.perf_counter() - start)
         with capsys.disabled():
-            print(
-                f"\n{scheme}: lone read {1e6 * statistics.median(times):.0f} us, {rate:.0f} reads a second in a batch"
-            )  # noqa: T201
+            sys.stdout.write(
+                f"\n{scheme}: lone read {1e6 * statistics.median(times):.0f} us, {rate:.0f} reads a second in a batch\n"
+            )
         async with link.subscribe(7, rate_hz=500) as samples:
             count = 0
             async for sample in samples:
