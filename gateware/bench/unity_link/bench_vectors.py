@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import os
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import cocotb
 
@@ -15,10 +15,13 @@ if TYPE_CHECKING:
     from cocotb.handle import SimHandleBase
 
 
+def _records() -> list[dict[str, Any]]:
+    return [json.loads(line) for line in Path(os.environ["VECTORS"]).read_text().splitlines()]
+
+
 @cocotb.test
 async def it_answers_the_vectors(dut: SimHandleBase) -> None:
-    lines = Path(os.environ["VECTORS"]).read_text().splitlines()
-    header, *steps = (json.loads(line) for line in lines)
+    header, *steps = _records()
     prefix = b"" if header["node"] is None else b"Z%02X" % header["node"]
     pause = float(os.environ["PAUSE"])
     gateway = Gateway(dut, pause_in=pause, pause_out=pause)

@@ -5,11 +5,13 @@ One task does everything that happens at a clock edge, because the cost of a cyc
 
 from __future__ import annotations
 
+import os
 import random
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 import cocotb
-from cocotb.triggers import ReadOnly, RisingEdge
+from cocotb.triggers import RisingEdge
 
 from gateware.bench.streams import start
 from unity_link.wire.crc import Crc
@@ -19,6 +21,14 @@ if TYPE_CHECKING:
 
 QUIET_CYCLES = 400
 """More than the gateway is ever silent while it works on a request of the benches, copying a list of 255 included."""
+
+
+def note_figure(text: str) -> None:
+    """Keep a measured figure: in the log, and in the file that the environment variable FIGURES names."""
+    cocotb.log.info("FIGURE %s", text)
+    if "FIGURES" in os.environ:
+        with Path(os.environ["FIGURES"]).open("a") as file:
+            file.write(text + "\n")
 
 
 def checked(body: bytes, crc: Crc | None = None) -> bytes:
@@ -116,6 +126,10 @@ class Gateway:
         for _ in range(count):
             await RisingEdge(self.dut.clk)
 
+    def forget(self) -> None:
+        """Send nothing of what waits but the byte that is being offered."""
+        del self._waiting[self._next + 1 :]
+
     def take(self) -> bytes:
         """Give what was received since the last call."""
         data = bytes(self.received)
@@ -140,7 +154,3 @@ class Gateway:
         frame = await self.answer(checked(body))
         assert frame == checked(frame[:-3]), frame
         return frame[:-3]
-
-    async def settled(self) -> None:
-        """Wait for the moment in this cycle at which all signals stand."""
-        await ReadOnly()

@@ -13,7 +13,7 @@ SOURCES = [Path(__file__).resolve().parent / "unity_link_bench.vhd"]
 
 @pytest.mark.slow
 @pytest.mark.parametrize(("frames", "seed", "pause", "pipelined"), [(16_000, 1, 0.0, False), (4_000, 2, 0.2, True)])
-def test_the_gateware_answers_as_the_model_does(frames: int, seed: int, pause: float, pipelined: bool) -> None:
+def test_the_gateware_answers_as_the_model_does(frames: int, seed: int, pause: float, *, pipelined: bool) -> None:
     run_bench(
         "unity_link_bench",
         "gateware.bench.unity_link.bench_differential",

@@ -30,7 +30,7 @@ class _Slave:
     def _sometimes(self) -> bool:
         return self._rng.random() >= self._pause and not self.silent
 
-    def _answer(self, address: int, word: int, write: bool) -> None:
+    def _answer(self, address: int, word: int, write: int) -> None:
         dut = self.dut
         self.taken += 1
         failed = address in self.failing
@@ -48,7 +48,7 @@ class _Slave:
         while True:
             await ReadOnly()
             asked = dut.cyc.value == 1 and dut.stb.value == 1 and self._sometimes()
-            access = (int(dut.adr.value), int(dut.dat_o.value), dut.we.value == 1) if asked else None
+            access = (int(dut.adr.value), int(dut.dat_o.value), int(dut.we.value)) if asked else None
             await NextTimeStep()
             self._rest()
             if access is not None:
@@ -71,10 +71,12 @@ class _Slave:
                 access = None
             elif dut.stb.value == 1 and not stalls:
                 assert access is None, "a second access before the first was answered"
-                access = (int(dut.adr.value), int(dut.dat_o.value), dut.we.value == 1)
+                access = (int(dut.adr.value), int(dut.dat_o.value), int(dut.we.value))
 
 
-async def _access(dut: SimHandleBase, address: int, word: int | None = None, most: int = 300) -> tuple[int, bool] | None:
+async def _access(
+    dut: SimHandleBase, address: int, word: int | None = None, most: int = 300
+) -> tuple[int, bool] | None:
     dut.bus_request.value = 1
     dut.bus_write.value = int(word is not None)
     dut.bus_address.value = address
