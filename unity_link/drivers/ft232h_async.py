@@ -379,6 +379,8 @@ class OverlappedTransport(asyncio.Transport):
                 _cancel(transfer)
             return
         self._released = True
+        # Closing removes descriptors, in a thread that has no business in the loop.
+        self._context.setPollFDNotifiers()
         if self._patience is not None:
             self._patience.cancel()
         for descriptor in list(self._watched):
