@@ -1,4 +1,5 @@
--- The gateway without a medium and without a bus standard: bytes on one side, the bus-independent interface on the other.
+-- The gateway without a medium and without a bus standard: bytes on one side, the bus-independent interface on the
+-- other.
 --
 --     rx -> FIFO -> datalink_rx -> request_decoder -> request_executor -> bus_master -> bus
 --     tx <- FIFO <- datalink_tx <- frame_writer  <-+- (responses)            ^
@@ -7,10 +8,11 @@
 -- Requests are parsed while they arrive and executed at their end; the next one is parsed and executed while the last
 -- answer is sent, so that a stream of reads fills every cycle of the transmitter. See docs/gateware.md.
 --
--- The bus-independent interface: while `bus_request` is '1', address, write and data stand still until the rising edge at
--- which `bus_done` is '1' (which may be the first one: no wait states). `bus_error` and `bus_read_data` count at that edge.
--- `bus_request` is taken back for at least one cycle between accesses, and without `bus_done` when the access timed out:
--- it is over then, whatever the bus does. `bus_lock` stays '1' over all accesses that belong to one atomic transaction.
+-- The bus-independent interface: while `bus_request` is '1', address, write and data stand still until the rising edge
+-- at which `bus_done` is '1' (which may be the first one: no wait states). `bus_error` and `bus_read_data` count at
+-- that edge. `bus_request` is taken back for at least one cycle between accesses, and without `bus_done` when the
+-- access timed out: it is over then, whatever the bus does. `bus_lock` stays '1' over all accesses that belong to one
+-- atomic transaction.
 
 library ieee;
   use ieee.std_logic_1164.all;
@@ -23,56 +25,59 @@ library work;
 entity unity_link_core is
   generic (
     -- Whether the medium stops the host when this side is full: `Q` reports it.
-    flow_control              : boolean                       := true;
+    flow_control : boolean := true;
     -- Widths: 8 to 64 bits a word, 8 to 32 bits an address (which counts words), 2 or 3 digits an ID.
-    data_bits                 : positive                      := 32;
-    address_bits              : positive                      := 8;
-    id_digits                 : positive                      := 2;
+    data_bits    : positive := 32;
+    address_bits : positive := 8;
+    id_digits    : positive := 2;
+    -- Without them there is no datalink layer: all frames are plain, for a person at a terminal (a host needs checked
+    -- ones).
+    checked_frames : boolean := true;
     -- 8, 16 or 32 bits; the polynomial without its highest term, right-aligned.
-    crc_bits                  : positive                      := 8;
-    crc_polynomial            : std_logic_vector(31 downto 0) := x"00000007";
+    crc_bits       : positive                      := 8;
+    crc_polynomial : std_logic_vector(31 downto 0) := x"00000007";
     -- Most words in one block or queue request, 1 to 255.
-    block_words               : positive                      := 255;
+    block_words : positive := 255;
     -- Publish groups, 0 to 256, and the most addresses in one, 1 to 255.
-    groups                    : natural                       := 16;
-    group_words               : natural                       := 32;
+    groups      : natural := 16;
+    group_words : natural := 32;
     -- Words that the samples of all groups may wait in until they are sent: a power of two.
-    sample_depth              : positive                      := 256;
+    sample_depth : positive := 256;
     -- Frequency of clk in Hz, and of the base tick of periodic groups in mHz.
-    clock_hz                  : positive                      := 50_000_000;
-    base_frequency_millihertz : positive                      := 100_000_000;
+    clock_hz                  : positive := 50_000_000;
+    base_frequency_millihertz : positive := 100_000_000;
     -- Bytes; powers of two.
-    rx_fifo_depth             : positive                      := 256;
-    tx_fifo_depth             : positive                      := 256;
+    rx_fifo_depth : positive := 256;
+    tx_fifo_depth : positive := 256;
     -- Cycles after which a bus access that is not answered ends with error 05.
-    bus_timeout               : positive                      := 1024;
+    bus_timeout : positive := 1024;
     -- Features: what is switched off costs nothing and is answered with error 02 (a command) or 06 (a flag).
-    masked_write              : boolean                       := true;
-    queue_commands            : boolean                       := true;
-    timestamps                : boolean                       := true;
-    triggers                  : boolean                       := true;
-    send_immediate            : boolean                       := true;
+    masked_write   : boolean := true;
+    queue_commands : boolean := true;
+    timestamps     : boolean := true;
+    triggers       : boolean := true;
+    send_immediate : boolean := true;
     -- Number of this node on a medium that several share (protocol section 7), 0 to 254, or -1: not shared.
-    node                      : integer                       := -1;
+    node : integer := -1;
     -- What `Q` reports as the build identifier.
-    build_id                  : std_logic_vector(31 downto 0) := x"00000000"
+    build_id : std_logic_vector(31 downto 0) := x"00000000"
   );
   port (
-    clk            : in    std_logic;
+    clk : in    std_logic;
     -- Synchronous, active high; one cycle is enough.
-    rst            : in    std_logic;
+    rst : in    std_logic;
     -- Bytes from the physical layer; rx_lost: bytes were lost before this one.
-    rx_data        : in    std_logic_vector(7 downto 0);
-    rx_lost        : in    std_logic := '0';
-    rx_valid       : in    std_logic;
-    rx_ready       : out   std_logic;
+    rx_data  : in    std_logic_vector(7 downto 0);
+    rx_lost  : in    std_logic := '0';
+    rx_valid : in    std_logic;
+    rx_ready : out   std_logic;
     -- Bytes to the physical layer; flush: one cycle, send what was given so far at once.
-    tx_data        : out   std_logic_vector(7 downto 0);
-    tx_valid       : out   std_logic;
-    tx_ready       : in    std_logic;
-    flush          : out   std_logic;
+    tx_data  : out   std_logic_vector(7 downto 0);
+    tx_valid : out   std_logic;
+    tx_ready : in    std_logic;
+    flush    : out   std_logic;
     -- A rising edge makes the group of that number due (protocol section 2, group flag 1).
-    trigger        : in    std_logic_vector(maximum(groups, 1) - 1 downto 0) := (others => '0');
+    trigger : in    std_logic_vector(maximum(groups, 1) - 1 downto 0) := (others => '0');
     -- Bus-independent interface.
     bus_request    : out   std_logic;
     bus_write      : out   std_logic;
@@ -103,14 +108,14 @@ architecture rtl of unity_link_core is
 
   end function words_in_request;
 
-  constant memory_depth    : positive := 2 ** log2_ceil(words_in_request);
-  constant response_depth  : positive := 2 ** log2_ceil(maximum(block_words, 2));
-  constant response_bits   : positive := log2_ceil(response_depth) + 1;
-  constant room_bits       : positive := log2_ceil(sample_depth) + 1;
-  constant longest         : positive := longest_request(
-                                                         data_bits, address_bits, id_digits, crc_bits, block_words,
-                                                         groups, group_words, masked_write
-                                                        );
+  constant memory_depth   : positive := 2 ** log2_ceil(words_in_request);
+  constant response_depth : positive := 2 ** log2_ceil(maximum(block_words, 2));
+  constant response_bits  : positive := log2_ceil(response_depth) + 1;
+  constant room_bits      : positive := log2_ceil(sample_depth) + 1;
+  constant longest        : positive := longest_request(
+                                                        data_bits, address_bits, id_digits, crc_bits, block_words,
+                                                        groups, group_words, masked_write
+                                                      );
 
   function features return std_logic_vector is
   begin
@@ -129,59 +134,64 @@ architecture rtl of unity_link_core is
   end function digits;
 
   -- What `Q` answers (protocol section 5).
-  constant q_fields        : std_logic_vector(255 downto 0) :=
-    x"01" & digits(data_bits, 8) & digits(address_bits, 8) & digits(id_digits, 8) & digits(crc_bits, 8) & crc_polynomial
-    & digits(block_words, 8) & digits(groups, 16) & digits(group_words, 8) & digits(base_frequency_millihertz, 40)
-    & digits(clock_hz, 32) & digits(rx_fifo_depth, 16) & digits(tx_fifo_depth, 16) & features & build_id;
+  function q_answer return std_logic_vector is
+  begin
+
+    return x"01" & digits(data_bits, 8) & digits(address_bits, 8) & digits(id_digits, 8) & digits(crc_bits, 8)
+           & crc_polynomial & digits(block_words, 8) & digits(groups, 16) & digits(group_words, 8)
+           & digits(base_frequency_millihertz, 40) & digits(clock_hz, 32) & digits(rx_fifo_depth, 16)
+           & digits(tx_fifo_depth, 16) & features & build_id;
+
+  end function q_answer;
 
   -- Bytes in.
-  signal fifo_in          : std_logic_vector(8 downto 0);
-  signal fifo_out         : std_logic_vector(8 downto 0);
-  signal fifo_out_valid   : std_logic;
-  signal fifo_out_ready   : std_logic;
-  signal character_in     : std_logic_vector(8 downto 0);
-  signal character_valid  : std_logic;
-  signal character_ready  : std_logic;
+  signal fifo_in         : std_logic_vector(8 downto 0);
+  signal fifo_out        : std_logic_vector(8 downto 0);
+  signal fifo_out_valid  : std_logic;
+  signal fifo_out_ready  : std_logic;
+  signal character_in    : std_logic_vector(8 downto 0);
+  signal character_valid : std_logic;
+  signal character_ready : std_logic;
 
   -- Bodies in.
-  signal body_data        : std_logic_vector(7 downto 0);
-  signal body_valid       : std_logic;
-  signal body_ready       : std_logic;
-  signal body_last        : std_logic;
-  signal body_plain       : std_logic;
-  signal body_error       : error_t;
-  signal body_silent      : std_logic;
+  signal body_data   : std_logic_vector(7 downto 0);
+  signal body_valid  : std_logic;
+  signal body_ready  : std_logic;
+  signal body_last   : std_logic;
+  signal body_plain  : std_logic;
+  signal body_error  : error_t;
+  signal body_silent : std_logic;
 
   -- Request.
-  signal request_valid    : std_logic;
-  signal request_accept   : std_logic;
-  signal hold             : std_logic;
-  signal command          : command_t;
-  signal has_id           : std_logic;
-  signal plain            : std_logic;
-  signal silent           : std_logic;
-  signal request_error    : error_t;
-  signal out_of_range     : std_logic;
-  signal id               : std_logic_vector(id_width - 1 downto 0);
-  signal address          : std_logic_vector(address_width - 1 downto 0);
-  signal count            : std_logic_vector(7 downto 0);
-  signal group_number     : std_logic_vector(7 downto 0);
-  signal group_flags      : std_logic_vector(5 downto 0);
-  signal group_divisor    : std_logic_vector(15 downto 0);
-  signal last_word        : std_logic_vector(data_bits - 1 downto 0);
-  signal store            : std_logic;
-  signal store_index      : std_logic_vector(7 downto 0);
-  signal store_word       : std_logic_vector(memory_width - 1 downto 0);
-  signal memory_index     : std_logic_vector(7 downto 0);
-  signal memory_word      : std_logic_vector(memory_width - 1 downto 0);
+  signal request_valid  : std_logic;
+  signal request_accept : std_logic;
+  signal hold           : std_logic;
+  signal command        : command_t;
+  signal has_id         : std_logic;
+  signal plain          : std_logic;
+  signal silent         : std_logic;
+  signal request_error  : error_t;
+  signal out_of_range   : std_logic;
+  signal id             : std_logic_vector(id_width - 1 downto 0);
+  signal address        : std_logic_vector(address_width - 1 downto 0);
+  signal count          : std_logic_vector(7 downto 0);
+  signal group_number   : std_logic_vector(7 downto 0);
+  signal group_flags    : std_logic_vector(5 downto 0);
+  signal group_divisor  : std_logic_vector(15 downto 0);
+  signal last_word      : std_logic_vector(data_bits - 1 downto 0);
+  signal store          : std_logic;
+  signal store_index    : std_logic_vector(7 downto 0);
+  signal store_word     : std_logic_vector(memory_width - 1 downto 0);
+  signal memory_index   : std_logic_vector(7 downto 0);
+  signal memory_word    : std_logic_vector(memory_width - 1 downto 0);
 
   -- Response ring.
-  signal response_write   : std_logic;
-  signal response_commit  : std_logic;
-  signal response_undo    : std_logic;
-  signal response_room    : unsigned(response_bits - 1 downto 0);
-  signal response_word    : std_logic_vector(data_bits - 1 downto 0);
-  signal response_pop     : std_logic;
+  signal response_write  : std_logic;
+  signal response_commit : std_logic;
+  signal response_undo   : std_logic;
+  signal response_room   : unsigned(response_bits - 1 downto 0);
+  signal response_word   : std_logic_vector(data_bits - 1 downto 0);
+  signal response_pop    : std_logic;
 
   -- Accesses of requests and of samples.
   signal access_request   : std_logic;
@@ -212,40 +222,40 @@ architecture rtl of unity_link_core is
   signal sample_pop       : std_logic;
 
   -- Answer.
-  signal answer_valid     : std_logic;
-  signal answer_taken     : std_logic;
-  signal answer_message   : message_t;
-  signal answer_lower     : std_logic;
-  signal answer_plain     : std_logic;
-  signal answer_mark      : flush_mark_t;
-  signal answer_has_id    : std_logic;
-  signal answer_has_addr  : std_logic;
-  signal answer_has_pair  : std_logic;
-  signal answer_id        : std_logic_vector(id_width - 1 downto 0);
-  signal answer_pair      : std_logic_vector(7 downto 0);
-  signal answer_words     : std_logic_vector(7 downto 0);
+  signal answer_valid    : std_logic;
+  signal answer_taken    : std_logic;
+  signal answer_message  : message_t;
+  signal answer_lower    : std_logic;
+  signal answer_plain    : std_logic;
+  signal answer_mark     : flush_mark_t;
+  signal answer_has_id   : std_logic;
+  signal answer_has_addr : std_logic;
+  signal answer_has_pair : std_logic;
+  signal answer_id       : std_logic_vector(id_width - 1 downto 0);
+  signal answer_pair     : std_logic_vector(7 downto 0);
+  signal answer_words    : std_logic_vector(7 downto 0);
 
   -- Bodies and bytes out.
-  signal writer_data      : std_logic_vector(7 downto 0);
-  signal writer_valid     : std_logic;
-  signal writer_ready     : std_logic;
-  signal writer_last      : std_logic;
-  signal writer_plain     : std_logic;
-  signal writer_mark      : flush_mark_t;
-  signal sent_data        : std_logic_vector(7 downto 0);
-  signal sent_mark        : flush_mark_t;
-  signal sent_valid       : std_logic;
-  signal sent_ready       : std_logic;
-  signal tx_entry         : std_logic_vector(9 downto 0);
-  signal tx_in            : std_logic_vector(9 downto 0);
-  signal tx_waits         : std_logic;
-  signal tx_leaves        : std_logic;
+  signal writer_data  : std_logic_vector(7 downto 0);
+  signal writer_valid : std_logic;
+  signal writer_ready : std_logic;
+  signal writer_last  : std_logic;
+  signal writer_plain : std_logic;
+  signal writer_mark  : flush_mark_t;
+  signal sent_data    : std_logic_vector(7 downto 0);
+  signal sent_mark    : flush_mark_t;
+  signal sent_valid   : std_logic;
+  signal sent_ready   : std_logic;
+  signal tx_entry     : std_logic_vector(9 downto 0);
+  signal tx_in        : std_logic_vector(9 downto 0);
+  signal tx_waits     : std_logic;
+  signal tx_leaves    : std_logic;
 
-  signal datalink_busy    : std_logic;
-  signal decoder_busy     : std_logic;
-  signal writer_busy      : std_logic;
-  signal sending_busy     : std_logic;
-  signal active           : std_logic;
+  signal datalink_busy : std_logic;
+  signal decoder_busy  : std_logic;
+  signal writer_busy   : std_logic;
+  signal sending_busy  : std_logic;
+  signal active        : std_logic;
 
 begin
 
@@ -273,6 +283,10 @@ begin
   assert groups = 0 or sample_depth >= group_words + 2
     report "unity_link: sample_depth is " & integer'image(sample_depth)
            & ", which is less than one sample of the largest group takes (" & integer'image(group_words + 2) & ")"
+    severity failure;
+
+  assert checked_frames or node < 0
+    report "unity_link: a node on a shared medium needs checked frames"
     severity failure;
 
   -- Bytes in.
@@ -311,29 +325,56 @@ begin
       out_ready => character_ready
     );
 
-  datalink_rx_inst : entity work.datalink_rx
-    generic map (
-      crc_bits       => crc_bits,
-      crc_polynomial => crc_polynomial,
-      longest        => longest,
-      node           => node
-    )
-    port map (
-      clk        => clk,
-      rst        => rst,
-      in_data    => character_in(7 downto 0),
-      in_lost    => character_in(8),
-      in_valid   => character_valid,
-      in_ready   => character_ready,
-      out_data   => body_data,
-      out_valid  => body_valid,
-      out_ready  => body_ready,
-      out_last   => body_last,
-      out_plain  => body_plain,
-      out_error  => body_error,
-      out_silent => body_silent,
-      busy       => datalink_busy
-    );
+  with_datalink_rx : if checked_frames generate
+
+    datalink_rx_inst : entity work.datalink_rx
+      generic map (
+        crc_bits       => crc_bits,
+        crc_polynomial => crc_polynomial,
+        longest        => longest,
+        node           => node
+      )
+      port map (
+        clk        => clk,
+        rst        => rst,
+        in_data    => character_in(7 downto 0),
+        in_lost    => character_in(8),
+        in_valid   => character_valid,
+        in_ready   => character_ready,
+        out_data   => body_data,
+        out_valid  => body_valid,
+        out_ready  => body_ready,
+        out_last   => body_last,
+        out_plain  => body_plain,
+        out_error  => body_error,
+        out_silent => body_silent,
+        busy       => datalink_busy
+      );
+
+  end generate with_datalink_rx;
+
+  without_datalink_rx : if not checked_frames generate
+
+    body_plain  <= '1';
+    body_silent <= '0';
+
+    plain_rx_inst : entity work.plain_rx
+      port map (
+        clk       => clk,
+        rst       => rst,
+        in_data   => character_in(7 downto 0),
+        in_lost   => character_in(8),
+        in_valid  => character_valid,
+        in_ready  => character_ready,
+        out_data  => body_data,
+        out_valid => body_valid,
+        out_ready => body_ready,
+        out_last  => body_last,
+        out_error => body_error,
+        busy      => datalink_busy
+      );
+
+  end generate without_datalink_rx;
 
   -- Requests.
 
@@ -604,7 +645,7 @@ begin
       data_bits    => data_bits,
       address_bits => address_bits,
       id_digits    => id_digits,
-      q_fields     => q_fields
+      q_fields     => q_answer
     )
     port map (
       clk                => clk,
@@ -636,27 +677,51 @@ begin
       busy               => writer_busy
     );
 
-  datalink_tx_inst : entity work.datalink_tx
-    generic map (
-      crc_bits       => crc_bits,
-      crc_polynomial => crc_polynomial,
-      node           => node
-    )
-    port map (
-      clk       => clk,
-      rst       => rst,
-      in_data   => writer_data,
-      in_valid  => writer_valid,
-      in_ready  => writer_ready,
-      in_last   => writer_last,
-      in_plain  => writer_plain,
-      in_mark   => writer_mark,
-      out_data  => sent_data,
-      out_mark  => sent_mark,
-      out_valid => sent_valid,
-      out_ready => sent_ready,
-      busy      => sending_busy
-    );
+  with_datalink_tx : if checked_frames generate
+
+    datalink_tx_inst : entity work.datalink_tx
+      generic map (
+        crc_bits       => crc_bits,
+        crc_polynomial => crc_polynomial,
+        node           => node
+      )
+      port map (
+        clk       => clk,
+        rst       => rst,
+        in_data   => writer_data,
+        in_valid  => writer_valid,
+        in_ready  => writer_ready,
+        in_last   => writer_last,
+        in_plain  => writer_plain,
+        in_mark   => writer_mark,
+        out_data  => sent_data,
+        out_mark  => sent_mark,
+        out_valid => sent_valid,
+        out_ready => sent_ready,
+        busy      => sending_busy
+      );
+
+  end generate with_datalink_tx;
+
+  without_datalink_tx : if not checked_frames generate
+
+    plain_tx_inst : entity work.plain_tx
+      port map (
+        clk       => clk,
+        rst       => rst,
+        in_data   => writer_data,
+        in_valid  => writer_valid,
+        in_ready  => writer_ready,
+        in_last   => writer_last,
+        in_mark   => writer_mark,
+        out_data  => sent_data,
+        out_mark  => sent_mark,
+        out_valid => sent_valid,
+        out_ready => sent_ready,
+        busy      => sending_busy
+      );
+
+  end generate without_datalink_tx;
 
   tx_in <= sent_mark & sent_data;
 

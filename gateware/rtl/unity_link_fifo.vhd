@@ -12,66 +12,69 @@ library work;
 entity unity_link_fifo is
   generic (
     -- Whether the source of bytes waits for in_ready.
-    flow_control              : boolean                       := true;
+    flow_control : boolean := true;
     -- Wishbone B4 pipelined instead of classic.
-    wb_pipelined              : boolean                       := false;
+    wb_pipelined : boolean := false;
     -- Widths: 8 to 64 bits a word, 8 to 32 bits an address (which counts words), 2 or 3 digits an ID.
-    data_bits                 : positive                      := 32;
-    address_bits              : positive                      := 8;
-    id_digits                 : positive                      := 2;
+    data_bits    : positive := 32;
+    address_bits : positive := 8;
+    id_digits    : positive := 2;
+    -- Without them there is no datalink layer: all frames are plain, for a person at a terminal (a host needs checked
+    -- ones).
+    checked_frames : boolean := true;
     -- 8, 16 or 32 bits; the polynomial without its highest term, right-aligned.
-    crc_bits                  : positive                      := 8;
-    crc_polynomial            : std_logic_vector(31 downto 0) := x"00000007";
+    crc_bits       : positive                      := 8;
+    crc_polynomial : std_logic_vector(31 downto 0) := x"00000007";
     -- Most words in one block or queue request, 1 to 255.
-    block_words               : positive                      := 255;
+    block_words : positive := 255;
     -- Publish groups, 0 to 256, and the most addresses in one, 1 to 255.
-    groups                    : natural                       := 16;
-    group_words               : natural                       := 32;
+    groups      : natural := 16;
+    group_words : natural := 32;
     -- Words that the samples of all groups may wait in until they are sent: a power of two.
-    sample_depth              : positive                      := 256;
+    sample_depth : positive := 256;
     -- Frequency of clk in Hz, and of the base tick of periodic groups in mHz.
-    clock_hz                  : positive                      := 50_000_000;
-    base_frequency_millihertz : positive                      := 100_000_000;
+    clock_hz                  : positive := 50_000_000;
+    base_frequency_millihertz : positive := 100_000_000;
     -- Bytes; powers of two.
-    rx_fifo_depth             : positive                      := 256;
-    tx_fifo_depth             : positive                      := 256;
+    rx_fifo_depth : positive := 256;
+    tx_fifo_depth : positive := 256;
     -- Cycles after which a bus access that is not answered ends with error 05.
-    bus_timeout               : positive                      := 1024;
+    bus_timeout : positive := 1024;
     -- Features: what is switched off costs nothing and is answered with error 02 (a command) or 06 (a flag).
-    masked_write              : boolean                       := true;
-    queue_commands            : boolean                       := true;
-    timestamps                : boolean                       := true;
-    triggers                  : boolean                       := true;
-    send_immediate            : boolean                       := true;
+    masked_write   : boolean := true;
+    queue_commands : boolean := true;
+    timestamps     : boolean := true;
+    triggers       : boolean := true;
+    send_immediate : boolean := true;
     -- Number of this node on a medium that several share (protocol section 7), 0 to 254, or -1: not shared.
-    node                      : integer                       := -1;
+    node : integer := -1;
     -- What `Q` reports as the build identifier.
-    build_id                  : std_logic_vector(31 downto 0) := x"00000000"
+    build_id : std_logic_vector(31 downto 0) := x"00000000"
   );
   port (
-    clk            : in    std_logic;
-    rst            : in    std_logic;
-    in_data        : in    std_logic_vector(7 downto 0);
-    in_lost        : in    std_logic := '0';
-    in_valid       : in    std_logic;
-    in_ready       : out   std_logic;
-    out_data       : out   std_logic_vector(7 downto 0);
-    out_valid      : out   std_logic;
-    out_ready      : in    std_logic;
-    out_flush      : out   std_logic;
+    clk       : in    std_logic;
+    rst       : in    std_logic;
+    in_data   : in    std_logic_vector(7 downto 0);
+    in_lost   : in    std_logic := '0';
+    in_valid  : in    std_logic;
+    in_ready  : out   std_logic;
+    out_data  : out   std_logic_vector(7 downto 0);
+    out_valid : out   std_logic;
+    out_ready : in    std_logic;
+    out_flush : out   std_logic;
     -- A rising edge makes the group of that number due (protocol section 2, group flag 1).
-    trigger        : in    std_logic_vector(maximum(groups, 1) - 1 downto 0) := (others => '0');
+    trigger : in    std_logic_vector(maximum(groups, 1) - 1 downto 0) := (others => '0');
     -- Wishbone B4 master; wb_sel is all ones, wb_stall counts with wb_pipelined only.
-    wb_cyc         : out   std_logic;
-    wb_stb         : out   std_logic;
-    wb_we          : out   std_logic;
-    wb_sel         : out   std_logic_vector((data_bits + 7) / 8 - 1 downto 0);
-    wb_adr         : out   std_logic_vector(address_bits - 1 downto 0);
-    wb_dat_o       : out   std_logic_vector(data_bits - 1 downto 0);
-    wb_dat_i       : in    std_logic_vector(data_bits - 1 downto 0);
-    wb_ack         : in    std_logic;
-    wb_err         : in    std_logic := '0';
-    wb_stall       : in    std_logic := '0'
+    wb_cyc   : out   std_logic;
+    wb_stb   : out   std_logic;
+    wb_we    : out   std_logic;
+    wb_sel   : out   std_logic_vector((data_bits + 7) / 8 - 1 downto 0);
+    wb_adr   : out   std_logic_vector(address_bits - 1 downto 0);
+    wb_dat_o : out   std_logic_vector(data_bits - 1 downto 0);
+    wb_dat_i : in    std_logic_vector(data_bits - 1 downto 0);
+    wb_ack   : in    std_logic;
+    wb_err   : in    std_logic := '0';
+    wb_stall : in    std_logic := '0'
   );
 end entity unity_link_fifo;
 
@@ -87,6 +90,7 @@ begin
       data_bits                 => data_bits,
       address_bits              => address_bits,
       id_digits                 => id_digits,
+      checked_frames            => checked_frames,
       crc_bits                  => crc_bits,
       crc_polynomial            => crc_polynomial,
       block_words               => block_words,

@@ -55,12 +55,12 @@ package unity_link_pkg is
   constant character_z  : std_logic_vector(7 downto 0) := x"5A";
 
   -- Group flags (protocol section 2), by bit number.
-  constant flag_periodic    : natural := 0;
-  constant flag_trigger     : natural := 1;
-  constant flag_immediate   : natural := 2;
-  constant flag_timestamp   : natural := 3;
-  constant flag_on_change   : natural := 4;
-  constant flag_plain       : natural := 5;
+  constant flag_periodic  : natural := 0;
+  constant flag_trigger   : natural := 1;
+  constant flag_immediate : natural := 2;
+  constant flag_timestamp : natural := 3;
+  constant flag_on_change : natural := 4;
+  constant flag_plain     : natural := 5;
 
   -- How a frame that was sent ends for send-immediate: what goes through the transmit FIFO beside each byte.
   subtype flush_mark_t is std_logic_vector(1 downto 0);

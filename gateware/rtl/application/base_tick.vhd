@@ -1,7 +1,7 @@
 -- The base tick of periodic groups: one cycle in clock_hz / base frequency, on average exactly.
 --
--- Where the quotient is whole, a counter; else an accumulator in units of mHz, whose ticks lie less than one cycle beside
--- their ideal instants.
+-- Where the quotient is whole, a counter; else an accumulator in units of mHz, whose ticks lie less than one cycle
+-- beside their ideal instants.
 
 library ieee;
   use ieee.std_logic_1164.all;

@@ -1,11 +1,12 @@
 -- Writes the bodies of all frames that the gateway sends: answers and samples, one character a cycle.
 --
 -- A body is a walk: letters, then the head (ID or address), the pair (a number of two digits), the words. A sample is
--- letter and words alone, because its number, sequence and timestamp stand before its words in the sample ring, which is
--- laid out as they are sent. Where both wait, answers and samples take turns.
+-- letter and words alone, because its number, sequence and timestamp stand before its words in the sample ring, which
+-- is laid out as they are sent. Where both wait, answers and samples take turns.
 --
 -- The first word of a sample, from the top: group (8 bits), sequence (8), words of the sample in the ring, this one
--- included (9), a timestamp follows, plain frame, send immediately. All words of both rings are aligned to the top, where their digits are taken.
+-- included (9), a timestamp follows, plain frame, send immediately. All words of both rings are aligned to the top,
+-- where their digits are taken.
 
 library ieee;
   use ieee.std_logic_1164.all;
@@ -17,15 +18,15 @@ library work;
 
 entity frame_writer is
   generic (
-    data_bits     : positive                       := 32;
-    address_bits  : positive                       := 8;
-    id_digits     : positive                       := 2;
+    data_bits    : positive := 32;
+    address_bits : positive := 8;
+    id_digits    : positive := 2;
     -- What `Q` answers: 64 digits.
-    q_fields      : std_logic_vector(255 downto 0) := (others => '0')
+    q_fields : std_logic_vector(255 downto 0) := (others => '0')
   );
   port (
-    clk                : in    std_logic;
-    rst                : in    std_logic;
+    clk : in    std_logic;
+    rst : in    std_logic;
     -- Answer; what it is made of stands still until taken.
     answer_valid       : in    std_logic;
     answer_taken       : out   std_logic;
@@ -41,20 +42,20 @@ entity frame_writer is
     answer_pair        : in    std_logic_vector(7 downto 0);
     answer_words       : in    std_logic_vector(7 downto 0);
     -- Words of answers.
-    response_word      : in    std_logic_vector(data_bits - 1 downto 0);
-    response_pop       : out   std_logic;
+    response_word : in    std_logic_vector(data_bits - 1 downto 0);
+    response_pop  : out   std_logic;
     -- Samples.
-    sample_available   : in    std_logic;
-    sample_word        : in    std_logic_vector(maximum(4 * digits_of(data_bits), 32) - 1 downto 0);
-    sample_pop         : out   std_logic;
+    sample_available : in    std_logic;
+    sample_word      : in    std_logic_vector(maximum(4 * digits_of(data_bits), 32) - 1 downto 0);
+    sample_pop       : out   std_logic;
     -- Bodies, to the datalink layer.
-    out_data           : out   std_logic_vector(7 downto 0);
-    out_valid          : out   std_logic;
-    out_ready          : in    std_logic;
-    out_last           : out   std_logic;
-    out_plain          : out   std_logic;
-    out_mark           : out   flush_mark_t;
-    busy               : out   std_logic
+    out_data  : out   std_logic_vector(7 downto 0);
+    out_valid : out   std_logic;
+    out_ready : in    std_logic;
+    out_last  : out   std_logic;
+    out_plain : out   std_logic;
+    out_mark  : out   flush_mark_t;
+    busy      : out   std_logic
   );
 end entity frame_writer;
 
@@ -68,29 +69,31 @@ architecture rtl of frame_writer is
   constant top_digits     : positive := 4;
   constant config_digits  : positive := 64;
 
-  type state_t is (state_idle, state_letter, state_second_letter, state_head, state_pair, state_words, state_configuration);
+  type state_t is (
+    state_idle, state_letter, state_second_letter, state_head, state_pair, state_words, state_configuration
+  );
 
   type registers_t is record
-    state       : state_t;
-    message     : message_t;
-    lower       : std_logic;
-    has_head    : std_logic;
-    has_pair    : std_logic;
-    head        : std_logic_vector(head_bits - 1 downto 0);
-    head_left   : unsigned(3 downto 0);
-    pair        : std_logic_vector(7 downto 0);
+    state     : state_t;
+    message   : message_t;
+    lower     : std_logic;
+    has_head  : std_logic;
+    has_pair  : std_logic;
+    head      : std_logic_vector(head_bits - 1 downto 0);
+    head_left : unsigned(3 downto 0);
+    pair      : std_logic_vector(7 downto 0);
     -- Words that are left, the one being sent included; digits left of it, or of what else is sent, that not included.
     words       : unsigned(8 downto 0);
     word        : std_logic_vector(word_bits - 1 downto 0);
     left        : unsigned(5 downto 0);
     from_sample : std_logic;
     -- The next word is a timestamp.
-    stamp_next  : std_logic;
-    out_data    : std_logic_vector(7 downto 0);
-    out_valid   : std_logic;
-    out_last    : std_logic;
-    out_plain   : std_logic;
-    out_mark    : flush_mark_t;
+    stamp_next : std_logic;
+    out_data   : std_logic_vector(7 downto 0);
+    out_valid  : std_logic;
+    out_last   : std_logic;
+    out_plain  : std_logic;
+    out_mark   : flush_mark_t;
   end record registers_t;
 
   signal r           : registers_t;
@@ -220,7 +223,7 @@ architecture rtl of frame_writer is
 
 begin
 
-  advance     <= not r.out_valid or out_ready;
+  advance <= not r.out_valid or out_ready;
   -- Turns: an answer after a sample, a sample after an answer.
   take_answer <= to_std_logic(r.state = state_idle) and advance and answer_valid and
                  (r.from_sample or not sample_available);
@@ -240,11 +243,12 @@ begin
 
   -- The word after this digit comes out of its ring.
   load_word <= advance and (
-               (to_std_logic(r.state = state_words and r.left = 0 and r.words /= 1)) or
-               (to_std_logic(r.state = state_head and r.left = 0 and r.has_pair = '0' and r.words /= 0)) or
-               (to_std_logic(r.state = state_pair and r.left = 0 and r.words /= 0)));
+                            (to_std_logic(r.state = state_words and r.left = 0 and r.words /= 1)) or
+                            (to_std_logic(r.state = state_head and r.left = 0 and r.has_pair = '0' and r.words /= 0)) or
+                            (to_std_logic(r.state = state_pair and r.left = 0 and r.words /= 0)));
 
-  -- A register behind the ring's memory, which is slow to show what it read; but words of two digits leave no time for it.
+  -- A register behind the ring's memory, which is slow to show what it read; words of two digits leave no time for it.
+
   short_words : if data_digits <= 2 generate
 
     sample_kept <= sample_word;
@@ -486,7 +490,8 @@ begin
       r <= v;
 
       if rst = '1' then
-        r <= (
+        r <=
+        (
           state       => state_idle,
           message     => (others => '0'),
           head        => (others => '0'),
@@ -497,7 +502,14 @@ begin
           left        => (others => '0'),
           out_data    => (others => '0'),
           out_mark    => flush_none,
-          others      => '0'
+          lower       => '0',
+          has_head    => '0',
+          has_pair    => '0',
+          from_sample => '0',
+          stamp_next  => '0',
+          out_valid   => '0',
+          out_last    => '0',
+          out_plain   => '0'
         );
       end if;
     end if;

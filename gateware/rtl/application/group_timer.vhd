@@ -1,8 +1,8 @@
 -- Says which periodic groups are due: counts the divisor of each down at every base tick.
 --
--- At a tick, all groups pass a pipeline of one group a cycle: read the counter, keep it, count and write it back. So the time from
--- the tick to a group's `due` depends on its number alone. A group that is still due when it becomes due again has lost a
--- sample: that is counted beside its counter, for whoever serves it at last.
+-- At a tick, all groups pass a pipeline of one group a cycle: read the counter, keep it, count and write it back. So
+-- the time from the tick to a group's `due` depends on its number alone. A group that is still due when it becomes due
+-- again has lost a sample: that is counted beside its counter, for whoever serves it at last.
 
 library ieee;
   use ieee.std_logic_1164.all;
@@ -17,21 +17,21 @@ entity group_timer is
     groups : positive := 16
   );
   port (
-    clk         : in    std_logic;
-    rst         : in    std_logic;
-    tick        : in    std_logic;
-    running     : in    std_logic_vector(groups - 1 downto 0);
+    clk     : in    std_logic;
+    rst     : in    std_logic;
+    tick    : in    std_logic;
+    running : in    std_logic_vector(groups - 1 downto 0);
     -- Only while not busy: sets a group's divisor (0: not periodic), or makes it due at the next tick.
-    number      : in    unsigned(7 downto 0);
-    set         : in    std_logic;
-    divisor     : in    std_logic_vector(15 downto 0);
-    start       : in    std_logic;
-    busy        : out   std_logic;
+    number  : in    unsigned(7 downto 0);
+    set     : in    std_logic;
+    divisor : in    std_logic_vector(15 downto 0);
+    start   : in    std_logic;
+    busy    : out   std_logic;
     -- Groups that are due, until cleared.
-    due         : out   std_logic_vector(groups - 1 downto 0);
-    clear       : in    std_logic_vector(groups - 1 downto 0);
-    -- Samples that a due group has lost, one cycle after its number, which is given in the cycle of `clear`. In a cycle of
-    -- `collides` that very group becomes due: it must not be cleared, and its losses cannot be read.
+    due   : out   std_logic_vector(groups - 1 downto 0);
+    clear : in    std_logic_vector(groups - 1 downto 0);
+    -- Samples that a due group has lost, one cycle after its number, which is given in the cycle of `clear`. In a cycle
+    -- of `collides` that very group becomes due: it must not be cleared, and its losses cannot be read.
     lost_number : in    unsigned(7 downto 0);
     lost        : out   unsigned(7 downto 0);
     collides    : out   std_logic
@@ -49,9 +49,11 @@ architecture rtl of group_timer is
   type losses_t is array (0 to 2 ** index_bits - 1) of std_logic_vector(7 downto 0);
 
   -- Nothing of a group is used before it was set and started: the initial values only keep simulations quiet.
-  signal divisors      : counters_t := (others => (others => '0'));
-  signal counters      : counters_t := (others => (others => '0'));
-  signal losses        : losses_t   := (others => (others => '0'));
+  -- vsg_off signal_007
+  signal divisors : counters_t := (others => (others => '0'));
+  signal counters : counters_t := (others => (others => '0'));
+  signal losses   : losses_t   := (others => (others => '0'));
+  -- vsg_on signal_007
 
   signal scanning      : std_logic;
   signal scan_index    : index_t;

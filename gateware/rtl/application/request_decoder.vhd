@@ -2,8 +2,8 @@
 --
 -- The command is a walk through the tree of the letters of all commands; the fields behind it are a walk through the
 -- table of `next_field`. Words (and the addresses of GS) go to the request memory as each is complete, all else into
--- registers. At the end of the frame everything stands ready, with the verdict: `request_error` where the frame is damaged
--- or wrong, `request_out_of_range` where a value is one that this gateway does not have.
+-- registers. At the end of the frame everything stands ready, with the verdict: `request_error` where the frame is
+-- damaged or wrong, `request_out_of_range` where a value is one that this gateway does not have.
 --
 -- The fields are not copied for whoever executes the request: `hold` keeps them still until the answer has been begun.
 -- The command letters and the ID of the next request are taken in that time, which is as long as a short request takes.
@@ -31,16 +31,16 @@ entity request_decoder is
     send_immediate : boolean  := true
   );
   port (
-    clk                  : in    std_logic;
-    rst                  : in    std_logic;
+    clk : in    std_logic;
+    rst : in    std_logic;
     -- Characters and frame ends from the datalink layer.
-    in_data              : in    std_logic_vector(7 downto 0);
-    in_valid             : in    std_logic;
-    in_ready             : out   std_logic;
-    in_last              : in    std_logic;
-    in_plain             : in    std_logic;
-    in_error             : in    error_t;
-    in_silent            : in    std_logic;
+    in_data   : in    std_logic_vector(7 downto 0);
+    in_valid  : in    std_logic;
+    in_ready  : out   std_logic;
+    in_last   : in    std_logic;
+    in_plain  : in    std_logic;
+    in_error  : in    error_t;
+    in_silent : in    std_logic;
     -- A request, valid until accepted for one cycle; then its fields stand still while `hold`.
     request_valid        : out   std_logic;
     request_accept       : in    std_logic;
@@ -54,18 +54,18 @@ entity request_decoder is
     request_id           : out   std_logic_vector(4 * id_digits - 1 downto 0);
     request_address      : out   std_logic_vector(4 * digits_of(address_bits) - 1 downto 0);
     -- Words to read or write, addresses of GS, group of GN GX GP, mode of I.
-    request_count        : out   std_logic_vector(7 downto 0);
-    request_group        : out   std_logic_vector(7 downto 0);
-    request_flags        : out   std_logic_vector(5 downto 0);
-    request_divisor      : out   std_logic_vector(15 downto 0);
+    request_count   : out   std_logic_vector(7 downto 0);
+    request_group   : out   std_logic_vector(7 downto 0);
+    request_flags   : out   std_logic_vector(5 downto 0);
+    request_divisor : out   std_logic_vector(15 downto 0);
     -- The last word of the request.
-    request_word         : out   std_logic_vector(data_bits - 1 downto 0);
+    request_word : out   std_logic_vector(data_bits - 1 downto 0);
     -- Write port of the request memory.
-    store                : out   std_logic;
-    store_index          : out   std_logic_vector(7 downto 0);
-    store_word           : out   std_logic_vector(maximum(data_bits, address_bits) - 1 downto 0);
+    store       : out   std_logic;
+    store_index : out   std_logic_vector(7 downto 0);
+    store_word  : out   std_logic_vector(maximum(data_bits, address_bits) - 1 downto 0);
     -- A frame has begun that was not accepted yet.
-    busy                 : out   std_logic
+    busy : out   std_logic
   );
 end entity request_decoder;
 
@@ -344,20 +344,20 @@ architecture rtl of request_decoder is
   end function missing_flags;
 
   type registers_t is record
-    node          : node_t;
-    has_id        : std_logic;
-    lower_seen    : std_logic;
-    upper_seen    : std_logic;
-    field         : field_t;
-    left          : unsigned(3 downto 0);
-    bad           : std_logic;
-    id            : std_logic_vector(4 * id_digits - 1 downto 0);
-    address       : std_logic_vector(4 * address_digits - 1 downto 0);
-    count         : std_logic_vector(7 downto 0);
-    group_number  : std_logic_vector(7 downto 0);
-    flags         : std_logic_vector(7 downto 0);
-    divisor       : std_logic_vector(15 downto 0);
-    word          : std_logic_vector(4 * word_digits - 1 downto 0);
+    node         : node_t;
+    has_id       : std_logic;
+    lower_seen   : std_logic;
+    upper_seen   : std_logic;
+    field        : field_t;
+    left         : unsigned(3 downto 0);
+    bad          : std_logic;
+    id           : std_logic_vector(4 * id_digits - 1 downto 0);
+    address      : std_logic_vector(4 * address_digits - 1 downto 0);
+    count        : std_logic_vector(7 downto 0);
+    group_number : std_logic_vector(7 downto 0);
+    flags        : std_logic_vector(7 downto 0);
+    divisor      : std_logic_vector(15 downto 0);
+    word         : std_logic_vector(4 * word_digits - 1 downto 0);
     -- Whole words; 256 stands for more than a count can say.
     words         : unsigned(8 downto 0);
     partial       : std_logic;
@@ -396,7 +396,7 @@ begin
                   r.left;
   touches_held <= in_last or (not letter and to_std_logic(field /= field_id));
 
-  take     <= in_valid and not r.valid and not (hold and touches_held);
+  take <= in_valid and not r.valid and not (hold and touches_held);
   -- A plain end with part of a word before it is looked at twice: the word is completed first.
   in_ready <= not r.valid and not (hold and touches_held) and not (in_last and in_plain and not r.flushed);
 
@@ -492,8 +492,8 @@ begin
         when field_words | field_list =>
           v.word := r.word(r.word'high - 4 downto 0) & nibble;
           if r.partial = '0' then
-            v.word                      := (others => '0');
-            v.word(nibble'range)        := nibble;
+            v.word               := (others => '0');
+            v.word(nibble'range) := nibble;
           end if;
           v.partial := '1';
 
@@ -678,7 +678,7 @@ begin
         v.id            := (others => '0');
         v.address       := (others => '0');
         v.count         := (others => '0');
-        v.group_number       := (others => '0');
+        v.group_number  := (others => '0');
         v.flags         := (others => '0');
         v.divisor       := (others => '0');
         v.word          := (others => '0');

@@ -1,11 +1,11 @@
 -- Application layer, second half: executes a request once it is whole, and has it answered (protocol sections 2 and 3).
 --
--- One request at a time, from `request_valid` to the moment at which the frame writer begins the answer. The order of the
--- checks is that of the protocol: frame, command, form (the decoder's verdict), sequence, range, bus.
+-- One request at a time, from `request_valid` to the moment at which the frame writer begins the answer. The order of
+-- the checks is that of the protocol: frame, command, form (the decoder's verdict), sequence, range, bus.
 --
 -- What is read goes to the response ring before the answer begins, because an error further on makes the answer that
--- error alone. The words of a block to write, and the mask of WK, stand in the request memory, whose read port follows `memory_index`
--- one cycle later; a single word comes straight from the decoder.
+-- error alone. The words of a block to write, and the mask of WK, stand in the request memory, whose read port follows
+-- `memory_index` one cycle later; a single word comes straight from the decoder.
 
 library ieee;
   use ieee.std_logic_1164.all;
@@ -24,11 +24,11 @@ entity request_executor is
     masked_write   : boolean  := true;
     send_immediate : boolean  := true;
     -- Bits that count the words of the response ring.
-    room_bits      : positive := 9
+    room_bits : positive := 9
   );
   port (
-    clk                  : in    std_logic;
-    rst                  : in    std_logic;
+    clk : in    std_logic;
+    rst : in    std_logic;
     -- Request, from the decoder.
     request_valid        : in    std_logic;
     request_accept       : out   std_logic;
@@ -45,45 +45,45 @@ entity request_executor is
     request_group        : in    std_logic_vector(7 downto 0);
     request_word         : in    std_logic_vector(data_bits - 1 downto 0);
     -- Request memory.
-    memory_index         : out   std_logic_vector(7 downto 0);
-    memory_word          : in    std_logic_vector(data_bits - 1 downto 0);
+    memory_index : out   std_logic_vector(7 downto 0);
+    memory_word  : in    std_logic_vector(data_bits - 1 downto 0);
     -- Response ring; what is written is the bus master's read_data.
-    ring_write           : out   std_logic;
-    ring_commit          : out   std_logic;
-    ring_rollback        : out   std_logic;
-    ring_room            : in    unsigned(room_bits - 1 downto 0);
+    ring_write    : out   std_logic;
+    ring_commit   : out   std_logic;
+    ring_rollback : out   std_logic;
+    ring_room     : in    unsigned(room_bits - 1 downto 0);
     -- Bus master.
-    access_request       : out   std_logic;
-    access_write         : out   std_logic;
-    access_more          : out   std_logic;
-    access_exclusive     : out   std_logic;
-    access_address       : out   std_logic_vector(address_bits - 1 downto 0);
-    access_data          : out   std_logic_vector(data_bits - 1 downto 0);
-    access_granted       : in    std_logic;
-    access_done          : in    std_logic;
-    access_failure       : in    error_t;
-    access_read_data     : in    std_logic_vector(data_bits - 1 downto 0);
+    access_request   : out   std_logic;
+    access_write     : out   std_logic;
+    access_more      : out   std_logic;
+    access_exclusive : out   std_logic;
+    access_address   : out   std_logic_vector(address_bits - 1 downto 0);
+    access_data      : out   std_logic_vector(data_bits - 1 downto 0);
+    access_granted   : in    std_logic;
+    access_done      : in    std_logic;
+    access_failure   : in    error_t;
+    access_read_data : in    std_logic_vector(data_bits - 1 downto 0);
     -- Subscription manager; the operation is asked for until done. is_set follows the group's number one cycle later.
-    group_is_set         : in    std_logic;
-    group_request        : out   std_logic;
-    group_operation      : out   group_operation_t;
-    group_done           : in    std_logic;
+    group_is_set    : in    std_logic;
+    group_request   : out   std_logic;
+    group_operation : out   group_operation_t;
+    group_done      : in    std_logic;
     -- Write port of the manager's list of addresses; what is written is the request memory's word.
-    list_write           : out   std_logic;
-    list_index           : out   std_logic_vector(7 downto 0);
+    list_write : out   std_logic;
+    list_index : out   std_logic_vector(7 downto 0);
     -- Answer, to the frame writer; it stands until taken.
-    answer_valid         : out   std_logic;
-    answer_taken         : in    std_logic;
-    answer_message       : out   message_t;
-    answer_lower         : out   std_logic;
-    answer_plain         : out   std_logic;
-    answer_mark          : out   flush_mark_t;
-    answer_has_id        : out   std_logic;
-    answer_has_address   : out   std_logic;
-    answer_has_pair      : out   std_logic;
-    answer_id            : out   std_logic_vector(4 * id_digits - 1 downto 0);
-    answer_pair          : out   std_logic_vector(7 downto 0);
-    answer_words         : out   std_logic_vector(7 downto 0)
+    answer_valid       : out   std_logic;
+    answer_taken       : in    std_logic;
+    answer_message     : out   message_t;
+    answer_lower       : out   std_logic;
+    answer_plain       : out   std_logic;
+    answer_mark        : out   flush_mark_t;
+    answer_has_id      : out   std_logic;
+    answer_has_address : out   std_logic;
+    answer_has_pair    : out   std_logic;
+    answer_id          : out   std_logic_vector(4 * id_digits - 1 downto 0);
+    answer_pair        : out   std_logic_vector(7 downto 0);
+    answer_words       : out   std_logic_vector(7 downto 0)
   );
 end entity request_executor;
 
@@ -98,20 +98,20 @@ architecture rtl of request_executor is
   constant mode_adaptive : std_logic_vector(1 downto 0) := "10";
 
   type registers_t is record
-    state          : state_t;
+    state : state_t;
     -- The session.
-    expected       : unsigned(id_t'range);
-    gap_told       : std_logic;
-    mode           : std_logic_vector(1 downto 0);
+    expected : unsigned(id_t'range);
+    gap_told : std_logic;
+    mode     : std_logic_vector(1 downto 0);
     -- How the ID of the request being looked at stands to the one expected.
-    is_expected    : std_logic;
-    is_ahead       : std_logic;
+    is_expected : std_logic;
+    is_ahead    : std_logic;
     -- The request.
-    command        : command_t;
-    has_id         : std_logic;
-    plain          : std_logic;
-    silent         : std_logic;
-    id             : id_t;
+    command : command_t;
+    has_id  : std_logic;
+    plain   : std_logic;
+    silent  : std_logic;
+    id      : id_t;
     -- Its execution.
     address        : unsigned(address_bits - 1 downto 0);
     left           : unsigned(7 downto 0);
@@ -123,11 +123,12 @@ architecture rtl of request_executor is
     list_write     : std_logic;
     list_index     : unsigned(7 downto 0);
     -- Its answer, where that is no plain acknowledgement.
-    error          : error_t;
-    out_of_order   : std_logic;
+    error        : error_t;
+    out_of_order : std_logic;
   end record registers_t;
 
-  constant after_reset : registers_t := (
+  constant after_reset : registers_t :=
+  (
     state          => state_idle,
     expected       => (others => '0'),
     gap_told       => '0',
@@ -293,6 +294,7 @@ begin
     end procedure start_session;
 
     -- What the form and the sequence allow.
+
     procedure execute is
     begin
 
@@ -350,6 +352,7 @@ begin
     end procedure execute;
 
     -- A request that was executed before.
+
     procedure repeat is
     begin
 
@@ -428,6 +431,7 @@ begin
     end procedure finish_access;
 
     -- Hands the addresses of GS from the request memory on to the subscription manager.
+
     procedure copy_list is
     begin
 
@@ -444,12 +448,12 @@ begin
   begin
 
     if rising_edge(clk) then
-      memory_kept     <= memory_word;
-      v               := r;
-      v.is_expected   := to_std_logic(unsigned(request_id) = r.expected);
-      v.is_ahead      := not half_ring(unsigned(request_id) - r.expected);
-      v.enough_room   := to_std_logic(ring_room >= unsigned(request_count));
-      v.list_write    := '0';
+      memory_kept   <= memory_word;
+      v             := r;
+      v.is_expected := to_std_logic(unsigned(request_id) = r.expected);
+      v.is_ahead    := not half_ring(unsigned(request_id) - r.expected);
+      v.enough_room := to_std_logic(ring_room >= unsigned(request_count));
+      v.list_write  := '0';
 
       case r.state is
 

@@ -12,15 +12,15 @@ library work;
 
 entity send_immediate is
   port (
-    clk    : in    std_logic;
-    rst    : in    std_logic;
+    clk : in    std_logic;
+    rst : in    std_logic;
     -- A byte with this mark goes to the physical layer.
-    left   : in    std_logic;
-    mark   : in    flush_mark_t;
+    left : in    std_logic;
+    mark : in    flush_mark_t;
     -- A byte, a request or an answer is somewhere in the gateway.
     active : in    std_logic;
     -- One cycle: send now what was given to the physical layer so far.
-    flush  : out   std_logic
+    flush : out   std_logic
   );
 end entity send_immediate;
 

@@ -1,12 +1,13 @@
 -- Takes the samples of all publish groups when they are due, and keeps their settings (protocol section 2).
 --
--- A group is due by the base tick (`group_timer`), by an edge of its trigger, or by GP. What is due is served at once and
--- lowest number first: the words are read by accesses of their own, which the bus master prefers, into the sample ring,
--- and wait there for the frame writer. Where they have no room, or a read fails, the sample is not sent and only counts.
+-- A group is due by the base tick (`group_timer`), by an edge of its trigger, or by GP. What is due is served at once
+-- and lowest number first: the words are read by accesses of their own, which the bus master prefers, into the sample
+-- ring, and wait there for the frame writer. Where they have no room, or a read fails, the sample is not sent and only
+-- counts.
 --
--- Whether a word has changed is found out against a memory of the last sample of each group that was accepted. It has two
--- halves for each group: the new sample is written into the one that is not valid, which becomes the valid one only if
--- the sample is accepted, so a sample that fails half-way changes nothing.
+-- Whether a word has changed is found out against a memory of the last sample of each group that was accepted. It has
+-- two halves for each group: the new sample is written into the one that is not valid, which becomes the valid one only
+-- if the sample is accepted, so a sample that fails half-way changes nothing.
 --
 -- A group of number g has the places g * slot to g * slot + n - 1 in the memory of addresses and in each half of that.
 
@@ -29,42 +30,42 @@ entity subscription_manager is
     timestamps                : boolean  := true;
     triggers                  : boolean  := true;
     -- Bits that count the words of the sample ring.
-    room_bits                 : positive := 9
+    room_bits : positive := 9
   );
   port (
-    clk               : in    std_logic;
-    rst               : in    std_logic;
+    clk : in    std_logic;
+    rst : in    std_logic;
     -- Asynchronous to clk, if need be; at least two cycles high and two low. Edges that come before the sample of the
     -- last one was begun are one with it.
-    trigger           : in    std_logic_vector(groups - 1 downto 0);
+    trigger : in    std_logic_vector(groups - 1 downto 0);
     -- Operations, asked for until done.
-    group_request     : in    std_logic;
-    group_operation   : in    group_operation_t;
-    group_done        : out   std_logic;
-    group_number      : in    std_logic_vector(7 downto 0);
-    group_flags       : in    std_logic_vector(5 downto 0);
-    group_divisor     : in    std_logic_vector(15 downto 0);
-    group_count       : in    std_logic_vector(7 downto 0);
+    group_request   : in    std_logic;
+    group_operation : in    group_operation_t;
+    group_done      : out   std_logic;
+    group_number    : in    std_logic_vector(7 downto 0);
+    group_flags     : in    std_logic_vector(5 downto 0);
+    group_divisor   : in    std_logic_vector(15 downto 0);
+    group_count     : in    std_logic_vector(7 downto 0);
     -- One cycle after group_number.
-    group_is_set      : out   std_logic;
+    group_is_set : out   std_logic;
     -- Addresses of a group that is stopped.
-    list_write        : in    std_logic;
-    list_index        : in    std_logic_vector(7 downto 0);
-    list_address      : in    std_logic_vector(address_bits - 1 downto 0);
+    list_write   : in    std_logic;
+    list_index   : in    std_logic_vector(7 downto 0);
+    list_address : in    std_logic_vector(address_bits - 1 downto 0);
     -- Bus master.
-    access_request    : out   std_logic;
-    access_more       : out   std_logic;
-    access_address    : out   std_logic_vector(address_bits - 1 downto 0);
-    access_granted    : in    std_logic;
-    access_done       : in    std_logic;
-    access_failure    : in    error_t;
-    access_read_data  : in    std_logic_vector(data_bits - 1 downto 0);
+    access_request   : out   std_logic;
+    access_more      : out   std_logic;
+    access_address   : out   std_logic_vector(address_bits - 1 downto 0);
+    access_granted   : in    std_logic;
+    access_done      : in    std_logic;
+    access_failure   : in    error_t;
+    access_read_data : in    std_logic_vector(data_bits - 1 downto 0);
     -- Sample ring, laid out as `frame_writer` says.
-    ring_write        : out   std_logic;
-    ring_data         : out   std_logic_vector(maximum(4 * digits_of(data_bits), 32) - 1 downto 0);
-    ring_commit       : out   std_logic;
-    ring_rollback     : out   std_logic;
-    ring_room         : in    unsigned(room_bits - 1 downto 0)
+    ring_write    : out   std_logic;
+    ring_data     : out   std_logic_vector(maximum(4 * digits_of(data_bits), 32) - 1 downto 0);
+    ring_commit   : out   std_logic;
+    ring_rollback : out   std_logic;
+    ring_room     : in    unsigned(room_bits - 1 downto 0)
   );
 end entity subscription_manager;
 
@@ -88,80 +89,84 @@ architecture rtl of subscription_manager is
   type last_t is array (0 to 2 ** (group_bits + slot_bits + 1) - 1) of std_logic_vector(data_bits - 1 downto 0);
 
   -- Nothing of a group is used before it was set: the initial values only keep simulations quiet.
+  -- vsg_off signal_007
   signal settings_memory : settings_memory_t := (others => (others => '0'));
   signal state_memory    : state_memory_t    := (others => (others => '0'));
-  signal list            : list_t;
-  signal last            : last_t;
+  -- vsg_on signal_007
+  signal list : list_t;
+  signal last : last_t;
 
   type state_t is (
-    state_idle, state_fetch, state_keep, state_measure, state_compare, state_prepare, state_sample, state_finish, state_wait_timer, state_told
+    state_idle, state_fetch, state_keep, state_measure, state_compare, state_prepare, state_sample, state_finish,
+    state_wait_timer, state_told
   );
 
   type reason_t is (reason_periodic, reason_trigger, reason_request);
 
-  signal state           : state_t;
-  signal reason          : reason_t;
-  signal number          : number_t;
+  signal state  : state_t;
+  signal reason : reason_t;
+  signal number : number_t;
 
   -- Settings and state of group `number`: read one cycle after that, and kept in the cycle after.
-  signal settings_read   : std_logic_vector(13 downto 0);
-  signal settings        : std_logic_vector(13 downto 0);
-  signal flags           : std_logic_vector(5 downto 0);
-  signal count           : unsigned(7 downto 0);
-  signal state_read      : std_logic_vector(9 downto 0);
-  signal group_state     : std_logic_vector(9 downto 0);
-  signal group_sequence  : unsigned(7 downto 0);
-  signal is_first        : std_logic;
-  signal half            : std_logic;
-  signal settings_write  : std_logic;
-  signal state_write     : std_logic;
-  signal new_state       : std_logic_vector(9 downto 0);
+  signal settings_read  : std_logic_vector(13 downto 0);
+  signal settings       : std_logic_vector(13 downto 0);
+  signal flags          : std_logic_vector(5 downto 0);
+  signal count          : unsigned(7 downto 0);
+  signal state_read     : std_logic_vector(9 downto 0);
+  signal group_state    : std_logic_vector(9 downto 0);
+  signal group_sequence : unsigned(7 downto 0);
+  signal is_first       : std_logic;
+  signal half           : std_logic;
+  signal settings_write : std_logic;
+  signal state_write    : std_logic;
+  signal new_state      : std_logic_vector(9 downto 0);
 
   -- The timer may be changed: an operation that waited for that is carried out.
-  signal carry_out       : std_logic;
+  signal carry_out : std_logic;
 
-  signal running         : vector_t;
-  signal is_set          : vector_t;
-  signal due_by_timer    : vector_t;
-  signal due_by_trigger  : vector_t;
-  signal clear_timer     : vector_t;
-  signal clear_trigger   : vector_t;
-  signal pick_valid      : std_logic;
-  signal pick_number     : number_t;
-  signal pick_by_timer   : std_logic;
-  signal picks           : std_logic;
-  signal operates        : std_logic;
-  signal operation_turn  : std_logic;
+  signal running        : vector_t;
+  signal is_set         : vector_t;
+  signal due_by_timer   : vector_t;
+  signal due_by_trigger : vector_t;
+  signal clear_timer    : vector_t;
+  signal clear_trigger  : vector_t;
+  signal pick_valid     : std_logic;
+  signal pick_number    : number_t;
+  signal pick_by_timer  : std_logic;
+  signal picks          : std_logic;
+  signal operates       : std_logic;
+  signal operation_turn : std_logic;
 
-  signal tick            : std_logic;
-  signal timer_busy      : std_logic;
-  signal timer_collides  : std_logic;
-  signal timer_set       : std_logic;
-  signal timer_start     : std_logic;
-  signal timer_divisor   : std_logic_vector(15 downto 0);
-  signal lost            : unsigned(7 downto 0);
-  signal lost_kept       : unsigned(7 downto 0);
-  signal stamp           : unsigned(31 downto 0);
+  signal tick           : std_logic;
+  signal timer_busy     : std_logic;
+  signal timer_collides : std_logic;
+  signal timer_set      : std_logic;
+  signal timer_start    : std_logic;
+  signal timer_divisor  : std_logic_vector(15 downto 0);
+  signal lost           : unsigned(7 downto 0);
+  signal lost_kept      : unsigned(7 downto 0);
+  signal stamp          : unsigned(31 downto 0);
 
   -- The sample being taken: its sequence number, words asked for and words read.
-  signal own_sequence    : unsigned(7 downto 0);
-  signal asked           : unsigned(7 downto 0);
-  signal stored          : unsigned(7 downto 0);
-  signal changed         : std_logic;
-  signal failed          : std_logic;
-  signal last_read       : std_logic_vector(data_bits - 1 downto 0);
-  signal last_word       : std_logic_vector(data_bits - 1 downto 0);
-  signal address_read    : std_logic_vector(address_bits - 1 downto 0);
+  signal own_sequence : unsigned(7 downto 0);
+  signal asked        : unsigned(7 downto 0);
+  signal stored       : unsigned(7 downto 0);
+  signal changed      : std_logic;
+  signal failed       : std_logic;
+  signal last_read    : std_logic_vector(data_bits - 1 downto 0);
+  signal last_word    : std_logic_vector(data_bits - 1 downto 0);
+  signal address_read : std_logic_vector(address_bits - 1 downto 0);
   -- Words of the sample in the ring: header and timestamp included.
-  signal total           : unsigned(8 downto 0);
-  signal word_done       : std_logic;
-  signal enough_room     : std_logic;
-  signal accepted        : std_logic;
-  signal wants           : std_logic;
-  signal write_header    : std_logic;
-  signal write_stamp     : std_logic;
-  signal header          : std_logic_vector(31 downto 0);
-  signal number_byte     : unsigned(7 downto 0);
+  signal total        : unsigned(8 downto 0);
+  signal word_done    : std_logic;
+  signal enough_room  : std_logic;
+  signal is_wanted    : std_logic;
+  signal accepted     : std_logic;
+  signal wants        : std_logic;
+  signal write_header : std_logic;
+  signal write_stamp  : std_logic;
+  signal header       : std_logic_vector(31 downto 0);
+  signal number_byte  : unsigned(7 downto 0);
 
   function place (of_number : number_t; index : unsigned(7 downto 0)) return unsigned is
 
@@ -400,7 +405,8 @@ begin
 
   wants          <= flags(flag_trigger) or to_std_logic(reason /= reason_trigger);
   word_done      <= access_done and to_std_logic(state = state_sample);
-  accepted       <= not failed and (changed or is_first or not flags(flag_on_change) or to_std_logic(reason = reason_request));
+  is_wanted      <= changed or is_first or not flags(flag_on_change) or to_std_logic(reason = reason_request);
+  accepted       <= is_wanted and not failed;
   access_request <= to_std_logic(state = state_sample);
   access_more    <= to_std_logic(asked + 1 /= count);
 
@@ -415,7 +421,7 @@ begin
   ring_commit   <= to_std_logic(state = state_finish) and accepted;
   ring_rollback <= to_std_logic(state = state_finish) and not accepted;
 
-  group_done   <= to_std_logic(state = state_told);
+  group_done <= to_std_logic(state = state_told);
 
   -- Settings.
 
@@ -569,16 +575,16 @@ begin
 
       if rst = '1' then
         operation_turn <= '0';
-        state     <= state_idle;
-        reason    <= reason_request;
-        number    <= (others => '0');
-        running   <= (others => '0');
-        is_set    <= (others => '0');
-        asked     <= (others => '0');
-        stored    <= (others => '0');
-        changed   <= '0';
-        failed    <= '0';
-        lost_kept <= (others => '0');
+        state          <= state_idle;
+        reason         <= reason_request;
+        number         <= (others => '0');
+        running        <= (others => '0');
+        is_set         <= (others => '0');
+        asked          <= (others => '0');
+        stored         <= (others => '0');
+        changed        <= '0';
+        failed         <= '0';
+        lost_kept      <= (others => '0');
       end if;
     end if;
 

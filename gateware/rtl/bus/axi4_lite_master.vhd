@@ -1,10 +1,11 @@
 -- Bus wrapper: the bus-independent interface of `unity_link_core` as an AXI4-Lite master (AMBA IHI 0022).
 --
--- AXI counts bytes: the byte address is the word address times the bytes of a word, which AXI4-Lite limits to 4 or 8. AXI
--- knows no locked transfers, so that `bus_lock` has no effect: another master may come between the words of a block.
+-- AXI counts bytes: the byte address is the word address times the bytes of a word, which AXI4-Lite limits to 4 or 8.
+-- AXI knows no locked transfers, so that `bus_lock` has no effect: another master may come between the words of a
+-- block.
 --
--- AXI does not allow to take back an access. One that the core has given up (timeout) is seen through to its end here, its
--- answer is thrown away, and the next access waits for that; it times out in its turn if the slave never answers.
+-- AXI does not allow to take back an access. One that the core has given up (timeout) is seen through to its end here,
+-- its answer is thrown away, and the next access waits for that; it times out in its turn if the slave never answers.
 
 library ieee;
   use ieee.std_logic_1164.all;
@@ -21,8 +22,8 @@ entity axi4_lite_master is
     address_bits : positive := 8
   );
   port (
-    clk            : in    std_logic;
-    rst            : in    std_logic;
+    clk : in    std_logic;
+    rst : in    std_logic;
     -- Bus-independent interface.
     bus_request    : in    std_logic;
     bus_write      : in    std_logic;
@@ -32,25 +33,25 @@ entity axi4_lite_master is
     bus_done       : out   std_logic;
     bus_error      : out   std_logic;
     -- AXI4-Lite.
-    awaddr         : out   std_logic_vector(address_bits + log2_ceil(data_bits / 8) - 1 downto 0);
-    awprot         : out   std_logic_vector(2 downto 0);
-    awvalid        : out   std_logic;
-    awready        : in    std_logic;
-    wdata          : out   std_logic_vector(data_bits - 1 downto 0);
-    wstrb          : out   std_logic_vector(data_bits / 8 - 1 downto 0);
-    wvalid         : out   std_logic;
-    wready         : in    std_logic;
-    bresp          : in    std_logic_vector(1 downto 0);
-    bvalid         : in    std_logic;
-    bready         : out   std_logic;
-    araddr         : out   std_logic_vector(address_bits + log2_ceil(data_bits / 8) - 1 downto 0);
-    arprot         : out   std_logic_vector(2 downto 0);
-    arvalid        : out   std_logic;
-    arready        : in    std_logic;
-    rdata          : in    std_logic_vector(data_bits - 1 downto 0);
-    rresp          : in    std_logic_vector(1 downto 0);
-    rvalid         : in    std_logic;
-    rready         : out   std_logic
+    awaddr  : out   std_logic_vector(address_bits + log2_ceil(data_bits / 8) - 1 downto 0);
+    awprot  : out   std_logic_vector(2 downto 0);
+    awvalid : out   std_logic;
+    awready : in    std_logic;
+    wdata   : out   std_logic_vector(data_bits - 1 downto 0);
+    wstrb   : out   std_logic_vector(data_bits / 8 - 1 downto 0);
+    wvalid  : out   std_logic;
+    wready  : in    std_logic;
+    bresp   : in    std_logic_vector(1 downto 0);
+    bvalid  : in    std_logic;
+    bready  : out   std_logic;
+    araddr  : out   std_logic_vector(address_bits + log2_ceil(data_bits / 8) - 1 downto 0);
+    arprot  : out   std_logic_vector(2 downto 0);
+    arvalid : out   std_logic;
+    arready : in    std_logic;
+    rdata   : in    std_logic_vector(data_bits - 1 downto 0);
+    rresp   : in    std_logic_vector(1 downto 0);
+    rvalid  : in    std_logic;
+    rready  : out   std_logic
   );
 end entity axi4_lite_master;
 
@@ -63,9 +64,9 @@ architecture rtl of axi4_lite_master is
   signal data_valid    : std_logic;
   signal waiting       : std_logic;
   -- The core still wants the answer.
-  signal wanted        : std_logic;
-  signal address       : std_logic_vector(address_bits + byte_bits - 1 downto 0);
-  signal answered      : std_logic;
+  signal wanted   : std_logic;
+  signal address  : std_logic_vector(address_bits + byte_bits - 1 downto 0);
+  signal answered : std_logic;
 
 begin
 

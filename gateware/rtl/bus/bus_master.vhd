@@ -21,11 +21,11 @@ entity bus_master is
     data_bits    : positive := 32;
     address_bits : positive := 8;
     -- Cycles on the bus after which an access has failed.
-    timeout      : positive := 1024
+    timeout : positive := 1024
   );
   port (
-    clk               : in    std_logic;
-    rst               : in    std_logic;
+    clk : in    std_logic;
+    rst : in    std_logic;
     -- Accesses of requests; more: another one of the same atomic transaction follows.
     request           : in    std_logic;
     request_write     : in    std_logic;
@@ -36,23 +36,23 @@ entity bus_master is
     request_granted   : out   std_logic;
     request_done      : out   std_logic;
     -- Accesses of samples.
-    sample            : in    std_logic;
-    sample_more       : in    std_logic;
-    sample_address    : in    std_logic_vector(address_bits - 1 downto 0);
-    sample_granted    : out   std_logic;
-    sample_done       : out   std_logic;
+    sample         : in    std_logic;
+    sample_more    : in    std_logic;
+    sample_address : in    std_logic_vector(address_bits - 1 downto 0);
+    sample_granted : out   std_logic;
+    sample_done    : out   std_logic;
     -- For both, with done; read_data stands until the next access ends.
-    failure           : out   error_t;
-    read_data         : out   std_logic_vector(data_bits - 1 downto 0);
+    failure   : out   error_t;
+    read_data : out   std_logic_vector(data_bits - 1 downto 0);
     -- Bus-independent interface, see `unity_link_core`.
-    bus_request       : out   std_logic;
-    bus_write         : out   std_logic;
-    bus_lock          : out   std_logic;
-    bus_address       : out   std_logic_vector(address_bits - 1 downto 0);
-    bus_write_data    : out   std_logic_vector(data_bits - 1 downto 0);
-    bus_read_data     : in    std_logic_vector(data_bits - 1 downto 0);
-    bus_done          : in    std_logic;
-    bus_error         : in    std_logic
+    bus_request    : out   std_logic;
+    bus_write      : out   std_logic;
+    bus_lock       : out   std_logic;
+    bus_address    : out   std_logic_vector(address_bits - 1 downto 0);
+    bus_write_data : out   std_logic_vector(data_bits - 1 downto 0);
+    bus_read_data  : in    std_logic_vector(data_bits - 1 downto 0);
+    bus_done       : in    std_logic;
+    bus_error      : in    std_logic
   );
 end entity bus_master;
 
@@ -60,8 +60,8 @@ architecture rtl of bus_master is
 
   type state_t is (state_idle, state_active, state_told);
 
-  signal state        : state_t;
-  signal for_sample   : std_logic;
+  signal state      : state_t;
+  signal for_sample : std_logic;
   -- A transaction of this client has further accesses; of a request: nobody may come between them.
   signal sample_lock  : std_logic;
   signal request_lock : std_logic;
@@ -81,7 +81,7 @@ begin
   sample_done     <= to_std_logic(state = state_told) and for_sample;
   request_done    <= to_std_logic(state = state_told) and not for_sample;
   -- An access that timed out takes the bus down with it, whatever transaction it stood in.
-  bus_lock        <= (sample_lock or request_lock) and not timed_out;
+  bus_lock <= (sample_lock or request_lock) and not timed_out;
 
   main : process (clk) is
   begin

@@ -14,8 +14,8 @@ entity wishbone_master is
     pipelined    : boolean  := false
   );
   port (
-    clk            : in    std_logic;
-    rst            : in    std_logic;
+    clk : in    std_logic;
+    rst : in    std_logic;
     -- Bus-independent interface.
     bus_request    : in    std_logic;
     bus_write      : in    std_logic;
@@ -26,16 +26,16 @@ entity wishbone_master is
     bus_done       : out   std_logic;
     bus_error      : out   std_logic;
     -- Wishbone.
-    cyc            : out   std_logic;
-    stb            : out   std_logic;
-    we             : out   std_logic;
-    sel            : out   std_logic_vector((data_bits + 7) / 8 - 1 downto 0);
-    adr            : out   std_logic_vector(address_bits - 1 downto 0);
-    dat_o          : out   std_logic_vector(data_bits - 1 downto 0);
-    dat_i          : in    std_logic_vector(data_bits - 1 downto 0);
-    ack            : in    std_logic;
-    err            : in    std_logic;
-    stall          : in    std_logic
+    cyc   : out   std_logic;
+    stb   : out   std_logic;
+    we    : out   std_logic;
+    sel   : out   std_logic_vector((data_bits + 7) / 8 - 1 downto 0);
+    adr   : out   std_logic_vector(address_bits - 1 downto 0);
+    dat_o : out   std_logic_vector(data_bits - 1 downto 0);
+    dat_i : in    std_logic_vector(data_bits - 1 downto 0);
+    ack   : in    std_logic;
+    err   : in    std_logic;
+    stall : in    std_logic
   );
 end entity wishbone_master;
 

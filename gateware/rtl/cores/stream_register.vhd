@@ -1,7 +1,7 @@
 -- One register in a stream: cuts the path between two parts, costs one cycle of latency and none of throughput.
 --
--- Block RAMs are slow to show what they read (5.7 ns of the 10 ns at 100 MHz on an ECP5): what comes out of a FIFO passes
--- one of these before anything is decided by it. The path of `ready` is not cut.
+-- Block RAMs are slow to show what they read (5.7 ns of the 10 ns at 100 MHz on an ECP5): what comes out of a FIFO
+-- passes one of these before anything is decided by it. The path of `ready` is not cut.
 
 library ieee;
   use ieee.std_logic_1164.all;

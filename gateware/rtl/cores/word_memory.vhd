@@ -22,7 +22,7 @@ entity word_memory is
     write_data  : in    std_logic_vector(width - 1 downto 0);
     read_index  : in    unsigned(log2_ceil(depth) - 1 downto 0);
     -- One cycle after read_index.
-    read_data   : out   std_logic_vector(width - 1 downto 0)
+    read_data : out   std_logic_vector(width - 1 downto 0)
   );
 end entity word_memory;
 

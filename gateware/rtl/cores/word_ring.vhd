@@ -25,13 +25,13 @@ entity word_ring is
     write      : in    std_logic;
     write_data : in    std_logic_vector(width - 1 downto 0);
     -- May come with the last write; rollback not.
-    commit     : in    std_logic;
-    rollback   : in    std_logic;
+    commit   : in    std_logic;
+    rollback : in    std_logic;
     -- Words that can still be written.
-    room       : out   unsigned(log2_ceil(depth) downto 0);
-    available  : out   std_logic;
-    read_data  : out   std_logic_vector(width - 1 downto 0);
-    pop        : in    std_logic
+    room      : out   unsigned(log2_ceil(depth) downto 0);
+    available : out   std_logic;
+    read_data : out   std_logic_vector(width - 1 downto 0);
+    pop       : in    std_logic
   );
 end entity word_ring;
 

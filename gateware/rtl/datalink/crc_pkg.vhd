@@ -22,7 +22,7 @@ package body crc_pkg is
     polynomial : std_logic_vector(31 downto 0)
   ) return std_logic_vector is
 
-    constant width     : positive := crc'length;
+    constant width     : positive                             := crc'length;
     constant taps      : std_logic_vector(width - 1 downto 0) := polynomial(width - 1 downto 0);
     variable remainder : std_logic_vector(width - 1 downto 0);
     variable carry     : std_logic;

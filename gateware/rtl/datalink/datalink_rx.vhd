@@ -1,12 +1,12 @@
 -- Datalink layer, inwards: takes frames apart and checks them (protocol sections 1 and 7).
 --
--- What stands before the check of a frame goes out character by character; what was found out about the frame follows as
--- an event of its own, `out_last`, which carries no character. Whoever acts waits for that.
+-- What stands before the check of a frame goes out character by character; what was found out about the frame follows
+-- as an event of its own, `out_last`, which carries no character. Whoever acts waits for that.
 --
--- A frame's last `crc_bits / 4` characters are its check if it ends in LF and part of its body if it ends in CR, and only
--- the end tells. So characters pass a delay line of that length: at LF it holds just the check, which is compared in the
--- same cycle, and at CR it is emptied into the body. The CRC is taken of what leaves the line (and, on a shared medium, of
--- the prefix, which never enters it).
+-- A frame's last `crc_bits / 4` characters are its check if it ends in LF and part of its body if it ends in CR, and
+-- only the end tells. So characters pass a delay line of that length: at LF it holds just the check, which is compared
+-- in the same cycle, and at CR it is emptied into the body. The CRC is taken of what leaves the line (and, on a shared
+-- medium, of the prefix, which never enters it).
 
 library ieee;
   use ieee.std_logic_1164.all;
@@ -22,28 +22,28 @@ entity datalink_rx is
     crc_bits       : positive                      := 8;
     crc_polynomial : std_logic_vector(31 downto 0) := x"00000007";
     -- Most characters before the end, prefix not counted.
-    longest        : positive                      := 2048;
+    longest : positive := 2048;
     -- Number on a shared medium, 0 to 254, or -1.
-    node           : integer                       := -1
+    node : integer := -1
   );
   port (
-    clk        : in    std_logic;
-    rst        : in    std_logic;
-    in_data    : in    std_logic_vector(7 downto 0);
-    in_lost    : in    std_logic;
-    in_valid   : in    std_logic;
-    in_ready   : out   std_logic;
+    clk      : in    std_logic;
+    rst      : in    std_logic;
+    in_data  : in    std_logic_vector(7 downto 0);
+    in_lost  : in    std_logic;
+    in_valid : in    std_logic;
+    in_ready : out   std_logic;
     -- A character of a body, or with out_last the end of the frame.
-    out_data   : out   std_logic_vector(7 downto 0);
-    out_valid  : out   std_logic;
-    out_ready  : in    std_logic;
-    out_last   : out   std_logic;
+    out_data  : out   std_logic_vector(7 downto 0);
+    out_valid : out   std_logic;
+    out_ready : in    std_logic;
+    out_last  : out   std_logic;
     -- With out_last: the form of the frame; error 09, 07, 01 or none; whether the frame is to all nodes: do not answer.
     out_plain  : out   std_logic;
     out_error  : out   error_t;
     out_silent : out   std_logic;
     -- A frame has begun and its end was not given out yet.
-    busy       : out   std_logic
+    busy : out   std_logic
   );
 end entity datalink_rx;
 
@@ -55,15 +55,15 @@ architecture rtl of datalink_rx is
   type line_t is array (0 to crc_digits - 1) of std_logic_vector(7 downto 0);
 
   type registers_t is record
-    delayed    : line_t;
-    filled     : std_logic_vector(0 to crc_digits - 1);
-    crc        : std_logic_vector(crc_bits - 1 downto 0);
+    delayed : line_t;
+    filled  : std_logic_vector(0 to crc_digits - 1);
+    crc     : std_logic_vector(crc_bits - 1 downto 0);
     -- Characters that may still come before the frame is too long.
-    left       : unsigned(log2_ceil(longest + 1) - 1 downto 0);
-    too_long   : std_logic;
-    lost       : std_logic;
-    begun      : std_logic;
-    draining   : std_logic;
+    left     : unsigned(log2_ceil(longest + 1) - 1 downto 0);
+    too_long : std_logic;
+    lost     : std_logic;
+    begun    : std_logic;
+    draining : std_logic;
     -- Characters of the prefix that were seen, and what they say.
     prefix     : unsigned(1 downto 0);
     to_me      : std_logic;
@@ -76,7 +76,8 @@ architecture rtl of datalink_rx is
     out_silent : std_logic;
   end record registers_t;
 
-  constant after_reset : registers_t := (
+  constant after_reset : registers_t :=
+  (
     delayed    => (others => (others => '0')),
     filled     => (others => '0'),
     crc        => (others => '0'),
@@ -110,7 +111,8 @@ architecture rtl of datalink_rx is
     for digit in 0 to crc_digits - 1 loop
 
       nibble := now.crc(4 * digit + 3 downto 4 * digit);
-      same   := same and now.filled(digit) = '1' and is_hex(now.delayed(digit)) = '1' and hex_value(now.delayed(digit)) = nibble;
+      same   := same and now.filled(digit) = '1' and is_hex(now.delayed(digit)) = '1';
+      same   := same and hex_value(now.delayed(digit)) = nibble;
 
     end loop;
 
@@ -122,7 +124,7 @@ architecture rtl of datalink_rx is
   function is_digit_of (code : std_logic_vector(7 downto 0); number, place : natural) return std_logic is
   begin
 
-    return is_hex(code) and to_std_logic(unsigned(hex_value(code)) = to_unsigned(number, 8)(7 - 4 * place downto 4 - 4 * place));
+    return is_hex(code) and to_std_logic(to_integer(unsigned(hex_value(code))) = number / 16 ** (1 - place) mod 16);
 
   end function is_digit_of;
 
@@ -159,6 +161,7 @@ begin
     variable v : registers_t;
 
     -- The oldest character leaves the delay line into the body.
+
     procedure step_line (newest : std_logic_vector(7 downto 0); newest_valid : std_logic) is
     begin
 

@@ -1,7 +1,7 @@
 -- Datalink layer, outwards: puts the prefix before a body (shared medium only), the check and the end behind it.
 --
--- One character a cycle, ends included: while the check of a frame goes out, whoever writes bodies prepares the next one.
--- The send-immediate mark of a frame stands beside its very last character.
+-- One character a cycle, ends included: while the check of a frame goes out, whoever writes bodies prepares the next
+-- one. The send-immediate mark of a frame stands beside its very last character.
 
 library ieee;
   use ieee.std_logic_1164.all;
@@ -17,11 +17,11 @@ entity datalink_tx is
     crc_bits       : positive                      := 8;
     crc_polynomial : std_logic_vector(31 downto 0) := x"00000007";
     -- Number on a shared medium, 0 to 254, or -1.
-    node           : integer                       := -1
+    node : integer := -1
   );
   port (
-    clk       : in    std_logic;
-    rst       : in    std_logic;
+    clk : in    std_logic;
+    rst : in    std_logic;
     -- Bodies; in_plain and in_mark count with in_last.
     in_data   : in    std_logic_vector(7 downto 0);
     in_valid  : in    std_logic;
@@ -34,7 +34,7 @@ entity datalink_tx is
     out_valid : out   std_logic;
     out_ready : in    std_logic;
     -- Something was taken that has not gone out yet.
-    busy      : out   std_logic
+    busy : out   std_logic
   );
 end entity datalink_tx;
 
@@ -65,7 +65,8 @@ architecture rtl of datalink_tx is
     out_valid : std_logic;
   end record registers_t;
 
-  constant after_reset : registers_t := (
+  constant after_reset : registers_t :=
+  (
     state     => first_state,
     left      => (others => '0'),
     crc       => (others => '0'),
@@ -114,6 +115,7 @@ begin
     variable v : registers_t;
 
     -- One character of what the CRC covers.
+
     procedure put_covered (code : std_logic_vector(7 downto 0)) is
     begin
 

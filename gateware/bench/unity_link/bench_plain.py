@@ -1,0 +1,41 @@
+"""Inside the simulator: a gateway without a datalink layer, for a person at a terminal."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import cocotb
+
+from gateware.bench.unity_link.gateway import Gateway
+
+if TYPE_CHECKING:
+    from cocotb.handle import SimHandleBase
+
+
+@cocotb.test
+async def every_line_is_a_plain_frame(dut: SimHandleBase) -> None:
+    gateway = Gateway(dut)
+    await gateway.begin()
+    for sent, answered in (
+        (b"W0A12\r", b"W0A\r\n"),
+        (b"R0A\r", b"R0A00000012\r\n"),
+        (b"R0A\n", b"R0A00000012\r\n"),
+        (b"r000A\r\n", b"r0000000012\r\n"),
+        (b"\r\n\nrm010A02\r", b"rm010000001200000000\r\n"),
+        (b"R0ACB\n", b"X03\r\n"),
+        (b"Y\r", b"X02\r\n"),
+        (b"H\r", b"H\r\n"),
+    ):
+        assert await gateway.answer(sent) == answered
+
+
+@cocotb.test
+async def lines_survive_back_pressure_and_loss_is_told(dut: SimHandleBase) -> None:
+    gateway = Gateway(dut, pause_in=0.3, pause_out=0.5)
+    await gateway.begin()
+    gateway.send(b"R10\r" * 20)
+    gateway.send(b"R10\r", lost_before=2)
+    gateway.send(b"\r", lost_before=0)
+    gateway.send(b"H\n")
+    await gateway.quiet()
+    assert gateway.take() == b"R1000000000\r\n" * 20 + b"X09\r\n" * 2 + b"H\r\n"
