@@ -2,7 +2,8 @@
 
 - The hypothesis profiles: `quick` (the default) keeps the suite short, `pytest --hypothesis-profile=long` searches a
   hundred times longer. Neither has a deadline, since no test judges a wall-clock time.
-- A skipped test has not passed: `--fail-on-skip` is for machines on which everything must run.
+- A skipped test has not passed: `--fail-on-skip` is for machines on which everything must run. It leaves alone only what
+  the mark `usb` says to need a module of the kernel, which no package brings to a machine whose kernel has none.
 - The documents are tests. Their blocks of `python` run, those of one document in one namespace. In a block of
   `console`, each `$ command` runs and must print what stands below it, where `...` is any text. What cannot run
   everywhere (it needs a board, or does not end) stands after `<!-- skip: next -->` or in a block of `shell`.
@@ -39,7 +40,8 @@ def pytest_addoption(parser: pytest.Parser) -> None:
 def pytest_runtest_makereport(item: pytest.Item) -> Generator[None, pytest.TestReport, pytest.TestReport]:
     """Under --fail-on-skip, turn a skip into a failure that gives the reason of the skip."""
     report = yield
-    if report.skipped and not hasattr(report, "wasxfail") and item.config.getoption("--fail-on-skip"):
+    excused = hasattr(report, "wasxfail") or item.get_closest_marker("usb") is not None
+    if report.skipped and not excused and item.config.getoption("--fail-on-skip"):
         report.outcome = "failed"
         report.longrepr = f"--fail-on-skip: {report.longrepr}"
     return report
