@@ -2,8 +2,8 @@
 
 - The hypothesis profiles: `quick` (the default) keeps the suite short, `pytest --hypothesis-profile=long` searches a
   hundred times longer. Neither has a deadline, since no test judges a wall-clock time.
-- A skipped test has not passed: `--fail-on-skip` is for machines on which everything must run. It leaves alone only what
-  the mark `usb` says to need a module of the kernel, which no package brings to a machine whose kernel has none.
+- A skipped test has not passed: `--fail-on-skip` is for machines on which everything must run. It leaves alone only
+  what the mark `usb` says to need a module of the kernel, which no package brings to a machine whose kernel has none.
 - The documents are tests. Their blocks of `python` run, those of one document in one namespace. In a block of
   `console`, each `$ command` runs and must print what stands below it, where `...` is any text. What cannot run
   everywhere (it needs a board, or does not end) stands after `<!-- skip: next -->` or in a block of `shell`.

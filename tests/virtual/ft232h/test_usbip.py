@@ -18,7 +18,7 @@ from unity_link.virtual.ft232h.usbip import serve_usbip
 if TYPE_CHECKING:
     from collections.abc import AsyncIterator
 
-pytestmark = [pytest.mark.asyncio, pytest.mark.usb]
+pytestmark = [pytest.mark.asyncio]
 READ, ANSWER = b"R0ACB\n", b"R0A0000000037\n"
 DEVICE_SIZE = 312
 
