@@ -1,0 +1,111 @@
+"""Commands as a shell sees them: what they print, what they say of wrong use, and the code that they exit with."""
+
+from __future__ import annotations
+
+import json
+import signal
+import socket
+import subprocess
+import sys
+from contextlib import contextmanager
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import pytest
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+PROGRAM = str(Path(sys.executable).parent / "unity-link")
+
+
+def run(*arguments: str, stdin: str = "") -> subprocess.CompletedProcess[str]:
+    result = subprocess.run(
+        [PROGRAM, *arguments], input=stdin, capture_output=True, text=True, timeout=120, check=False
+    )
+    assert "Traceback" not in result.stderr
+    return result
+
+
+@contextmanager
+def served(*arguments: str) -> Iterator[tuple[subprocess.Popen[str], str]]:
+    """Run `unity-link simulate`, and give it and the line that it prints when it is ready."""
+    with subprocess.Popen([PROGRAM, "simulate", *arguments], stdout=subprocess.PIPE, text=True) as process:
+        assert process.stdout is not None
+        try:
+            yield process, process.stdout.readline().strip()
+        finally:
+            process.terminate()
+
+
+@pytest.mark.parametrize(
+    ("arguments", "code", "words"),
+    [
+        (["frob"], 2, "No such command 'frob'"),
+        (["read", "sim:"], 2, "Missing argument"),
+        (["read", "sim:", "abc"], 2, "not a whole number"),
+        (["read", "sim:", "300"], 2, "address 0x12c is not from 0 to 0xff"),
+        (["read", "sim:", "0", "0"], 2, "at least 1 is needed"),
+        (["read", "sim:delta", "0"], 2, "no robot 'delta'"),
+        (["read", "nosuch:x", "1"], 2, "it should begin with one of serial:"),
+        (["write", "sim:", "0x10", "0x1FFFFFFFF"], 2, "does not fit in a word of 32 bits"),
+        (["simulate"], 2, "one of --pty, --tcp"),
+        (["simulate", "--tcp", "99999"], 2, "65535"),
+        (["read", "serial:/dev/nosuch", "1"], 1, "there is no port /dev/nosuch"),
+        (["info", "tcp://127.0.0.1:1"], 1, "is it listening?"),
+        (["info", "unix:/nosuch"], 1, "is it served?"),
+    ],
+    ids=lambda value: " ".join(value) if isinstance(value, list) else "",
+)
+def test_wrong_use_and_failure_end_in_one_sentence_and_their_code(arguments: list[str], code: int, words: str) -> None:
+    result = run(*arguments)
+    assert (result.returncode, result.stdout) == (code, "")
+    assert words in " ".join(result.stderr.split())
+
+
+def test_a_port_that_is_taken_is_named() -> None:
+    with socket.create_server(("127.0.0.1", 0)) as taken:
+        result = run("simulate", "--tcp", str(taken.getsockname()[1]))
+    assert result.returncode == 1
+    assert "in use" in result.stderr
+
+
+@pytest.mark.parametrize("medium", ["--pty", "--tcp", "--unix", "--udp"])
+def test_a_served_gateway_answers_other_programs(medium: str, tmp_path: Path) -> None:
+    argument = {"--pty": [], "--tcp": ["0"], "--unix": [str(tmp_path / "socket")], "--udp": ["0"]}[medium]
+    with served(medium, *argument) as (_, url):
+        assert run("write", url, "0x10", "-1").returncode == 0
+        result = run("read", url, "0x10", "2", "--json")
+        assert result.returncode == 0
+        assert "4294967295" in result.stdout
+
+
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
+def test_a_signal_ends_a_served_gateway_at_once(number: signal.Signals, tmp_path: Path) -> None:
+    path = tmp_path / "socket"
+    with served("--unix", str(path)) as (process, url):
+        assert url == f"unix:{path}"
+        process.send_signal(number)
+        assert process.wait() == 128 + number
+    assert not path.exists()
+
+
+def test_what_a_program_may_read_is_json() -> None:
+    info = json.loads(run("info", "sim:", "--json").stdout)
+    assert (info["data_bits"], info["protocol_version"]) == (32, 1)
+    samples = [json.loads(line) for line in run("watch", "sim:", "0x10", "--count", "3", "--json").stdout.splitlines()]
+    assert [sample["values"] for sample in samples] == [{"0x10": 0}] * 3
+
+
+def test_frames_are_typed_by_hand_and_answers_explained() -> None:
+    result = run("terminal", "sim:", stdin="W0A0000002A\nR0A\nRZZ\n")
+    assert "0x0000002A (42)" in result.stdout
+
+
+@pytest.mark.slow
+def test_the_demo_without_a_terminal_ends_by_itself_with_its_summary() -> None:
+    result = run("demo")
+    assert result.returncode == 0
+    assert "\x1b" not in result.stdout
+    assert "0 lost" in result.stdout
+    assert "round trip" in result.stdout
