@@ -17,3 +17,5 @@ formal: $(ALL) ## the proofs of gateware/formal
 lint-vhdl: $(ALL) ## the style of the VHDL sources
 	@$(BIN)/vsg --configuration gateware/vsg.yaml --output_format syntastic \
 		--filename $(sort $(shell find gateware/rtl gateware/boards -name '*.vhd'))
+
+lint: lint-vhdl
