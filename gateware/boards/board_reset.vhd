@@ -1,6 +1,7 @@
 -- Reset at power-up and at a button: for 16 cycles after the FPGA was configured, and while `button` is '1'.
 --
--- The count starts from the initial value of its register, which FPGAs that load their configuration from outside honour.
+-- The count starts from the initial value of its register, which FPGAs that load their configuration from outside
+-- honour.
 
 library ieee;
   use ieee.std_logic_1164.all;
@@ -8,7 +9,7 @@ library ieee;
 
 entity board_reset is
   port (
-    clk    : in    std_logic;
+    clk : in    std_logic;
     -- From a pin, any timing; leave it open if there is none.
     button : in    std_logic := '0';
     rst    : out   std_logic
