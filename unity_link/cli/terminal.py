@@ -7,8 +7,8 @@ no request is repeated, and what the gateway answers is shown whatever it is.
 from __future__ import annotations
 
 import asyncio
+import contextlib
 import os
-import stat
 import sys
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
@@ -21,7 +21,7 @@ from unity_link.cli.running import INTERRUPTED, run
 from unity_link.errors import ConnectError
 
 if TYPE_CHECKING:
-    from collections.abc import AsyncIterator, Callable
+    from collections.abc import AsyncIterator, Callable, Coroutine
 
     from unity_link.drivers import DriverUrl
     from unity_link.stream import Stream
@@ -31,7 +31,9 @@ HANDSHAKE_PATIENCE = 1.5
 """Seconds that the gateway may take to say what it is; after that the default build's widths are assumed."""
 WS_PATIENCE = 0.1
 """Seconds that an error of a stateless write, which has no other answer, is waited for."""
-LONGEST_LINE = 65_536
+NEAR = 0.05
+"""Seconds within which a near gateway answers: its answer then stands before the next prompt."""
+_READ_SIZE = 65_536
 _HELP = """\
 Type a request; the CRC is added. With ID: lower case, and the ID behind the command.
   R0A          read the word at 0A               W0A0000002A  write 2A to it (with --plain, W0A2A will do)
@@ -74,9 +76,9 @@ async def _terminal(url: str, *, plain: bool, timeout: float) -> None:  # noqa: 
     codec = await _connect(target, stream)
     session = _Session(stream, codec, plain=plain)
     try:
-        if sys.stdin.isatty() and sys.stdout.isatty():
+        if sys.stdin and sys.stdin.isatty() and sys.stdout.isatty():
             await _converse(url, session)
-        elif not await _answer_lines(session, timeout):
+        elif not await _while_connected(session, _answer_lines(session, timeout)):
             raise typer.Exit(1)
     finally:
         stream.receiver = None
@@ -125,9 +127,9 @@ class _Session:
         self.answered.clear()
         framing = self.codec.framing
         if line.startswith("!"):
-            self._stream.send(line[1:].encode() + b"\n")
+            self._stream.send(_encoded(line[1:]) + b"\n")
             return None
-        body = line.encode()
+        body = _encoded(line)
         command = self._interpreter.listen(body)
         self._stream.send(framing.plain_request(body) if self._plain else framing.checked(body))
         return command
@@ -162,6 +164,30 @@ class _Session:
         return ConnectError(f"the connection has ended ({self.reason or 'the other side closed it'})")
 
 
+def _encoded(line: str) -> bytes:
+    """Give the bytes that were typed, whatever they are."""
+    return line.encode(errors="surrogateescape")
+
+
+async def _while_connected(session: _Session, work: Coroutine[None, None, bool]) -> bool:
+    """Do `work` and give its result.
+
+    Raises:
+        ConnectError: where the connection ends first.
+    """
+    working = asyncio.ensure_future(work)
+    ending = asyncio.ensure_future(session.ended.wait())
+    try:
+        await asyncio.wait([working, ending], return_when=asyncio.FIRST_COMPLETED)
+    finally:
+        working.cancel()
+        ending.cancel()
+        await asyncio.wait([working, ending])
+    if working.cancelled():
+        raise session.lost()
+    return working.result()
+
+
 async def _answer_lines(session: _Session, timeout: float) -> bool:  # noqa: ASYNC109
     """Send the lines of stdin, each when the one before is answered; say whether all were."""
     complete = True
@@ -183,20 +209,23 @@ async def _answer_lines(session: _Session, timeout: float) -> bool:  # noqa: ASY
 
 
 async def _stdin_lines() -> AsyncIterator[str]:
-    """Give the lines of a stdin that is no terminal; a pipe is waited for without blocking the loop."""
-    mode = os.fstat(sys.stdin.fileno()).st_mode
-    if not (stat.S_ISFIFO(mode) or stat.S_ISSOCK(mode)):
-        for text in sys.stdin:
-            yield text.strip()
+    """Give the lines of a stdin that is read without blocking the loop, so that samples are shown meanwhile."""
+    from anyio import wait_readable
+
+    if sys.stdin is None:
         return
-    reader = asyncio.StreamReader(limit=LONGEST_LINE)
-    await asyncio.get_running_loop().connect_read_pipe(lambda: asyncio.StreamReaderProtocol(reader), sys.stdin)
-    try:
-        async for line in reader:
+    stdin = sys.stdin.fileno()
+    rest = b""
+    while True:
+        # A file is always readable, and epoll refuses to wait for one.
+        with contextlib.suppress(PermissionError):
+            await wait_readable(stdin)
+        data = os.read(stdin, _READ_SIZE)
+        *lines, rest = (rest + data).split(b"\n")
+        for line in lines if data else [rest]:
             yield line.decode(errors="surrogateescape").strip()
-    finally:
-        # Others may share the pipe.
-        os.set_blocking(sys.stdin.fileno(), True)
+        if not data:
+            return
 
 
 class _Interrupted(Exception):  # noqa: N818  (it is no error)
@@ -216,36 +245,26 @@ async def _converse(url: str, session: _Session) -> None:
     )
     print_note(f"{url}: {summary(session.codec.info)}\n? shows what can be typed, Ctrl-D ends.")
     with patch_stdout(raw=True):
-        typing = asyncio.ensure_future(_converse_lines(prompt, session))
-        ending = asyncio.ensure_future(session.ended.wait())
-        try:
-            await asyncio.wait([typing, ending], return_when=asyncio.FIRST_COMPLETED)
-        finally:
-            ending.cancel()
-            typing.cancel()
-            await asyncio.wait([typing])
-        if not typing.cancelled():
-            typing.result()
-        elif session.ended.is_set():
-            raise session.lost()
+        await _while_connected(session, _converse_lines(prompt, session))
 
 
-async def _converse_lines(prompt: Any, session: _Session) -> None:
+async def _converse_lines(prompt: Any, session: _Session) -> bool:
     while True:
         try:
             line = (await prompt.prompt_async("> ", handle_sigint=False)).strip()
         except EOFError:
-            return
+            return True
         except _Interrupted:
             raise typer.Exit(INTERRUPTED) from None
         if line in ("quit", "exit"):
-            return
+            return True
         if line.startswith("?"):
             session.show(_HELP)
         elif line:
             session.send(line)
-            # The answer of a near gateway stands before the next prompt.
-            await asyncio.sleep(0.05)
+            with contextlib.suppress(TimeoutError):
+                async with asyncio.timeout(NEAR):
+                    await session.answered.wait()
 
 
 def _history() -> Any:
