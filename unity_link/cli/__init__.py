@@ -6,7 +6,8 @@ One file for each family of commands. They parse, show and explain; what they do
 - `running` runs a command's coroutine until it is done or a signal comes, `output` says what stdout and stderr are for
 - `arguments` and `words` read and write addresses and values
 - `info`, `access` (read, write), `watch`, `simulate`, `terminal` with `explain`, `demo` with `demo_view` are commands
-- `spec` has the commands about specs: check, fmt, show, import, export; `ft232h` those about the chip's EEPROM
+- `spec` has the commands about specs: check, fmt, show, import, export; `generate` writes code from one
+- `ft232h` has those about the chip's EEPROM
 - `plots` draws curves
 
 Modules import at their top only what every command needs; what is slow to load is imported where it is used, so that
@@ -25,7 +26,7 @@ from typing import Annotated
 import typer
 
 import unity_link
-from unity_link.cli import access, demo, ft232h, info, simulate, spec, terminal, watch
+from unity_link.cli import access, demo, ft232h, generate, info, simulate, spec, terminal, watch
 from unity_link.cli.output import print_error
 from unity_link.cli.running import INTERRUPTED
 from unity_link.errors import ArgumentError, UnityLinkError
@@ -66,6 +67,7 @@ watch.add_to(app)
 simulate.add_to(app)
 terminal.add_to(app)
 spec.add_to(app)
+generate.add_to(app)
 ft232h.add_to(app)
 
 
