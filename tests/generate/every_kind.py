@@ -1,0 +1,118 @@
+"""A spec with every kind of signal, and values to try each with: what any generated client must get right.
+
+`Signal.encode` and `Signal.decode` are the measure: a client writes a value, and the words on the bus must be those of
+`encode`; it reads words, and the value must be that of `decode`.
+"""
+
+from __future__ import annotations
+
+import math
+import random
+from typing import TYPE_CHECKING
+
+from unity_link.spec import Access, KindName, Spec, compile_text
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from unity_link.spec import Interface, Signal, Value
+
+WORD_BITS = (8, 12, 16, 32, 64)
+"""Widths of gateways that clients are tried with."""
+RANDOM_VALUES = 8
+
+_ENUMERATION = """\
+/// What the arm does.
+enum mode {
+  off,      // 0
+  manual = 4,
+  auto,
+  class = 7
+}
+"""
+_JOINT = """\
+/// A joint.
+joint(): @(base) {
+  @position = base: signed READWRITE(UNIT="counts");
+  @double = base + 1: READWRITE();
+}
+"""
+
+
+def every_kind(word_bits: int) -> Spec:
+    """Compile a spec of every kind for a gateway of words of so many bits, and addresses of 8."""
+    kinds = [
+        "bool",
+        *(f"unsigned {width}" for width in (1, 3, 8, 13, 16, 24, 31, 32, 33, 53, 63, 64)),
+        *(f"signed {width}" for width in (1, 2, 7, 8, 12, 16, 24, 32, 40, 63, 64)),
+        *(f"float {width}" for width in (16, 32, 64)),
+        "fixed 16.16",
+        "fixed 0.8",
+        "ufixed 8.8",
+        "fixed 20.20",
+        "mode 4",
+        "mode 40",
+    ]
+    lines, address = [], 0
+    for number, kind in enumerate(kinds):
+        width = sum(int(part) for part in kind.split()[-1].split(".")) if " " in kind else 1
+        lines.append(f"@s{number} = {address}: {kind} READWRITE();")
+        address += -(-width // word_bits)
+    scaled = {
+        "scaled": 'signed 8 READWRITE(SCALE=0.01, OFFSET=-2.5, UNIT="mm")',
+        "falling": "unsigned 8 READWRITE(SCALE=-3)",
+        "wide": 'signed 40 READWRITE(SCALE=2 * pi / 65536, UNIT="rad")',
+        "limited": "signed 8 READWRITE(SCALE=0.5, MIN=-5.25, MAX=12)",
+        "half": "signed 8 READWRITE(MAX=50)",
+        "warm": "float READWRITE(MIN=-1.5, MAX=1e6)",
+        "far": "unsigned 64 READWRITE(MIN=3)",
+    }
+    for name, text in scaled.items():
+        lines.append(f"@{name} = {address}: {text};")
+        address += 1 if " 8 " in text else -(-64 // word_bits)
+    lines += [
+        f"@enable = {address}[0]: bool READWRITE();",
+        f"@level = {address}[5:1]: signed READWRITE();",
+        f"@rest = {address}[7:6]: unsigned READWRITE();",
+        f"@status = {address + 1}: READ();",
+        f"@command = {address + 1}: WRITE();",
+        f"arms[2]: joint() @({address + 2} + 2 * i);",
+    ]
+    assert address + 6 <= 0x100
+    body = "\n".join(f"  {line}" for line in lines)
+    return compile_text(
+        f"{_ENUMERATION}{_JOINT}/// One of each.\npublic robot() {{\n  GATEWAY(DATA_BITS={word_bits});\n{body}\n}}\n"
+    )
+
+
+def written(interface: Interface) -> Iterator[tuple[Signal, Value]]:
+    """Give signals that can be written and read back, each with many values that it takes."""
+    for signal in interface.signals.values():
+        if signal.access is Access.READWRITE:
+            for value in good_values(signal):
+                yield signal, value
+
+
+def good_values(signal: Signal) -> list[Value]:
+    """Give values of a signal: the ends of its range, its limits, what lies around 0, and some at random."""
+    kind, low, high = signal.kind, *signal.limits
+    chance = random.Random(signal.path)
+    raws = {0, 1, (1 << kind.width) - 1, 1 << kind.width - 1, (1 << kind.width - 1) - 1}
+    raws |= {chance.getrandbits(kind.width) for _ in range(RANDOM_VALUES)}
+    values = [kind.decode(raw & (1 << kind.width) - 1) for raw in sorted(raws)]
+    if not (math.isfinite(low) and math.isfinite(high)):
+        values += [low, high]
+    else:
+        values += [low, high] if kind.is_float else [math.ceil(low), math.floor(high)]
+    return [value for value in values if low <= value <= high]
+
+
+def bad_values(signal: Signal) -> list[float]:
+    """Give numbers that a signal must refuse."""
+    if signal.kind.name is KindName.FLOAT:
+        limits = [] if signal.minimum is None else [signal.minimum - 1]
+        limits += [] if signal.maximum is None else [2 * signal.maximum]
+        return [*limits, math.nan] if limits else []
+    step = abs(signal.kind.step) if signal.kind.is_float else 1
+    low, high = signal.limits
+    return [value for value in (low - step, high + step) if abs(value) < 1 << 53]

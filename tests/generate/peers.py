@@ -1,0 +1,194 @@
+"""What generated clients talk to: `unity-link simulate` as a process of its own, and a line that fails on demand.
+
+    with simulate("tcp", "--robot", "scara") as url, FaultyLine(url, "pty", [lose(r"^r02")]) as line:
+        run_client(line.url)
+    assert line.count(r"^r02") == 2     # lost once, and asked for again
+
+`simulate` is the real command on a real medium. `FaultyLine` stands between a client and a gateway that is served by
+TCP: it carries whole frames, keeps all of them, and does to the ones that a `Fault` names what the test says. So a test
+knows exactly which frame was lost, where the noise of `simulate --loss` only tells that some were.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import re
+import selectors
+import socket
+import subprocess
+import sys
+import threading
+import tty
+from pathlib import Path
+from typing import TYPE_CHECKING, Literal, Self
+
+import msgspec
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterator, Sequence
+    from types import TracebackType
+
+PROGRAM = str(Path(sys.executable).parent / "unity-link")
+Medium = Literal["pty", "tcp"]
+MEDIA: tuple[Medium, ...] = ("pty", "tcp")
+
+
+@contextlib.contextmanager
+def simulate(medium: Literal["pty", "tcp", "unix", "udp"], *arguments: str) -> Iterator[str]:
+    """Run `unity-link simulate` with some more arguments, and give its URL."""
+    where = [f"--{medium}", *{"pty": [], "unix": []}.get(medium, ["0"])]
+    command = [PROGRAM, "simulate", *where, *arguments]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as process:
+        assert process.stdout is not None
+        try:
+            url = process.stdout.readline().strip()
+            assert url, "unity-link simulate printed no URL"
+            yield url
+        finally:
+            process.terminate()
+
+
+class Fault(msgspec.Struct):
+    """What happens to the first frames that a pattern finds; `change` gives what arrives in place of the frame."""
+
+    pattern: re.Pattern[str]
+    change: Callable[[bytes], bytes]
+    times: int = 1
+
+
+def lose(pattern: str, times: int = 1) -> Fault:
+    """Lose frames; the line end too."""
+    return Fault(re.compile(pattern), lambda _: b"", times)
+
+
+def damage(pattern: str, times: int = 1) -> Fault:
+    """Flip a bit in the last character before the line end, so that the CRC is wrong."""
+    return Fault(re.compile(pattern), lambda frame: frame[:-2] + bytes([frame[-2] ^ 1]) + frame[-1:], times)
+
+
+def double(pattern: str, times: int = 1) -> Fault:
+    """Have frames arrive twice."""
+    return Fault(re.compile(pattern), lambda frame: 2 * frame, times)
+
+
+def replace(pattern: str, text: bytes, times: int = 1) -> Fault:
+    """Have something else arrive."""
+    return Fault(re.compile(pattern), lambda _: text, times)
+
+
+class _Direction:
+    """One direction of a line."""
+
+    def __init__(self, source: int, sink: int, faults: list[Fault]) -> None:
+        self.frames: list[str] = []
+        self.source, self._sink, self._faults = source, sink, faults
+        self._rest = b""
+
+    def carry(self) -> bool:
+        """Carry what has come; False at the end of the stream."""
+        try:
+            data = os.read(self.source, 65536)
+        except OSError:
+            return False
+        *frames, self._rest = re.split(rb"(?<=[\r\n])", self._rest + data)
+        arriving = b"".join(self._fate(frame) for frame in frames)
+        while arriving:
+            arriving = arriving[os.write(self._sink, arriving) :]
+        return bool(data)
+
+    def _fate(self, frame: bytes) -> bytes:
+        text = frame.decode("latin-1").strip("\r\n")
+        if text:
+            self.frames.append(text)
+        for fault in self._faults:
+            if fault.times and fault.pattern.search(text):
+                fault.times -= 1
+                return fault.change(frame)
+        return frame
+
+
+class FaultyLine:
+    """A line between one client, by a pty or TCP, and a gateway that is served by TCP.
+
+    Args:
+        gateway: ``tcp://host:port``.
+        medium: how the client comes.
+        replies: what happens to frames of the gateway.
+        requests: what happens to frames of the client.
+    """
+
+    def __init__(
+        self, gateway: str, medium: Medium, replies: Sequence[Fault] = (), requests: Sequence[Fault] = ()
+    ) -> None:
+        host, port = gateway.removeprefix("tcp://").rsplit(":", 1)
+        self._stack = contextlib.ExitStack()
+        self._gateway = self._stack.enter_context(socket.create_connection((host, int(port))))
+        self._listener: socket.socket | None = None
+        self._faults = list(replies), list(requests)
+        if medium == "tcp":
+            self._listener = self._stack.enter_context(socket.create_server(("127.0.0.1", 0)))
+            self.url = f"tcp://127.0.0.1:{self._listener.getsockname()[1]}"
+        else:
+            self._pty, port_side = os.openpty()
+            tty.setraw(port_side)
+            self._stack.callback(os.close, self._pty)
+            self._stack.callback(os.close, port_side)
+            self.url = f"serial:{os.ttyname(port_side)}"
+        self._waker, self._woken = os.pipe()
+        self._stack.callback(os.close, self._waker)
+        self._thread = threading.Thread(target=self._run, daemon=True)
+        self.requests: list[str] = []
+        """Frames that the client sent, without line ends."""
+        self.replies: list[str] = []
+        """Frames that the gateway sent."""
+
+    def count(self, pattern: str) -> int:
+        """Give how many frames of the client the pattern finds."""
+        return sum(bool(re.search(pattern, frame)) for frame in self.requests)
+
+    def __enter__(self) -> Self:
+        self._thread.start()
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        os.close(self._woken)
+        self._thread.join()
+        self._stack.close()
+
+    def _run(self) -> None:
+        with contextlib.ExitStack() as stack:
+            client = self._accept(stack)
+            if client is None:
+                return
+            back = _Direction(self._gateway.fileno(), client, self._faults[0])
+            towards = _Direction(client, self._gateway.fileno(), self._faults[1])
+            self.replies, self.requests = back.frames, towards.frames
+            selector = stack.enter_context(selectors.DefaultSelector())
+            for direction in (back, towards):
+                selector.register(direction.source, selectors.EVENT_READ, direction)
+            selector.register(self._waker, selectors.EVENT_READ)
+            while True:
+                for key, _ in selector.select():
+                    if key.data is None or not self._carried(key.data):
+                        return
+
+    def _carried(self, direction: _Direction) -> bool:
+        try:
+            return direction.carry()
+        except OSError:
+            return False
+
+    def _accept(self, stack: contextlib.ExitStack) -> int | None:
+        if self._listener is None:
+            return self._pty
+        with selectors.DefaultSelector() as selector:
+            selector.register(self._listener, selectors.EVENT_READ)
+            selector.register(self._waker, selectors.EVENT_READ)
+            ready = {key.fileobj for key, _ in selector.select()}
+        if self._listener not in ready:
+            return None
+        client, _ = self._listener.accept()
+        return stack.enter_context(client).fileno()
