@@ -27,10 +27,20 @@ from gateware.tools.ghdl import ToolMissingError
 TOP = "unity_link_fifo"
 GENERATED = GATEWARE.parent / "unity_link" / "virtual" / "rtl" / "generated"
 
-# The clock is that of a served model, where a simulated second should pass in a second: see `unity_link.virtual.rtl`.
+# The clock of most is that of a served model, where a simulated second should pass in a second: see `unity_link.virtual.rtl`.
 _CLOCK = {"clock_hz": 500_000, "base_frequency_millihertz": 10_000_000}
 CONFIGURATIONS: dict[str, dict[str, object]] = {
     "default": {**_CLOCK, "groups": 16, "group_words": 32, "sample_depth": 1024},
+    # What a board with an FT232H has, at its true clock: nobody waits for these seconds to pass. Three digits of ID keep
+    # enough requests under way for the turn-around of a USB; a fine base tick finds the limit of publishing.
+    "ft232h": {
+        "clock_hz": 50_000_000,
+        "base_frequency_millihertz": 1_000_000_000,
+        "id_digits": 3,
+        "groups": 16,
+        "group_words": 255,
+        "sample_depth": 1024,
+    },
     # The widest of everything.
     "wide": {
         **_CLOCK,
