@@ -11,7 +11,7 @@ synth: $(ALL) ## logic cells, RAM and Fmax into gateware/RESULTS.md, checked aga
 test-rtl: $(ALL) ## the benches of the gateware, in GHDL
 	@$(BIN)/python -m pytest gateware/bench $(PYTEST_ARGS)
 
-formal: $(ALL) ## the proofs of gateware/formal
+formal: $(ALL) ## prove the properties of gateware/formal
 	@$(BIN)/python -m gateware.tools.formal
 
 lint-vhdl: $(ALL) ## the style of the VHDL sources

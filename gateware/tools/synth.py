@@ -23,7 +23,7 @@ from typing import Any
 from gateware.tools.cache import GATEWARE, cache_folder, hash_of
 from gateware.tools.convert import ConversionError, to_verilog
 from gateware.tools.ghdl import ToolMissingError
-from gateware.tools.model import script
+from gateware.tools.yowasp import script
 
 _RESULTS = GATEWARE / "RESULTS.md"
 _BUDGET = GATEWARE / "budget.toml"
