@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import asyncio
 import statistics
-from concurrent.futures import Future, ThreadPoolExecutor
 from contextlib import asynccontextmanager
 from typing import TYPE_CHECKING, Any
 
@@ -23,7 +22,7 @@ from unity_link.virtual.ft232h.pyusb_backend import installed
 from unity_link.wire.gateway_info import GatewayInfo
 
 if TYPE_CHECKING:
-    from collections.abc import AsyncIterator, Callable
+    from collections.abc import AsyncIterator
 
     from unity_link import Link
 
@@ -35,21 +34,8 @@ FIFO_RATE = 8e6
 READS = 20_000
 
 
-class Immediately(ThreadPoolExecutor):
-    """Runs at once what is given to it: on simulated time, no thread may take its time."""
-
-    def submit(self, function: Callable[..., Any], /, *args: Any, **kwargs: Any) -> Future[Any]:
-        done: Future[Any] = Future()
-        try:
-            done.set_result(function(*args, **kwargs))
-        except Exception as error:  # noqa: BLE001  (the future has it)
-            done.set_exception(error)
-        return done
-
-
 @asynccontextmanager
 async def linked() -> AsyncIterator[Link]:
-    asyncio.get_running_loop().set_default_executor(Immediately())
     device = VirtualFt232h(GatewayBoard(VirtualGateway(GatewayInfo(id_digits=3))), clock=LoopClock())
     with installed(VirtualBus(device)):
         async with unity_link.connect(URL, timeout=60) as link:

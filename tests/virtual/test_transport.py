@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import pytest
 
-from simulated_time import SimulatedTimeLoop, on_simulated_time
+from simulated_time import ModelledTimeLoop, on_simulated_time
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.line import SlowLine
 from unity_link.virtual.pump import MOST_LAG
@@ -128,19 +128,19 @@ async def test_samples_that_find_the_protocol_not_reading_are_overruns() -> None
 @on_simulated_time
 async def test_a_loop_that_was_busy_catches_up_on_the_true_instants_within_the_lag() -> None:
     loop = asyncio.get_running_loop()
-    assert isinstance(loop, SimulatedTimeLoop)
+    assert isinstance(loop, ModelledTimeLoop)
     gateway = VirtualGateway()
     transport, protocol = await connected(gateway)
     transport.write(b"GS000900640110\rGN00\r")
     await asyncio.sleep(0)
     await asyncio.sleep(0)
-    loop.be_busy(MOST_LAG / 2)
+    loop.jump(MOST_LAG / 2)
     await asyncio.sleep(0.001)
     stamps = [int(line[5:13], 16) for line in protocol.data.splitlines() if line.startswith(b"P")]
     assert stamps[:3] == [500, 50_500, 100_500]
     assert len(stamps) == 1 + round(MOST_LAG / 2 * 1000)
     assert gateway.groups.overruns == 0
-    loop.be_busy(10 * MOST_LAG)
+    loop.jump(10 * MOST_LAG)
     await asyncio.sleep(0.001)
     assert gateway.groups.overruns == pytest.approx(10 * MOST_LAG * 1000, abs=2)
     transport.abort()

@@ -9,14 +9,19 @@ from __future__ import annotations
 import asyncio
 import threading
 import time
+from contextlib import contextmanager, nullcontext
 from typing import TYPE_CHECKING, Protocol
 
 from unity_link.virtual.ft232h.chip import Chip
 from unity_link.virtual.ft232h.eeprom import build_eeprom
 from unity_link.virtual.ft232h.host import UsbHost
 from unity_link.virtual.ft232h.timing import Timing
+from unity_link.virtual.modelled_time import ModelledTimeLoop
 
 if TYPE_CHECKING:
+    from collections.abc import Iterator
+    from contextlib import AbstractContextManager
+
     from unity_link.virtual.ft232h.board import Board
     from unity_link.virtual.ft232h.host import Transfer
 
@@ -33,8 +38,8 @@ class Clock(Protocol):
     def wait(self, changed: threading.Condition, until: float) -> None:
         """Wait until a time, or until `changed` is notified; `changed` is held."""
 
-    def stand_still(self, seconds: float) -> None:
-        """Take note that the model itself has computed for so long, which is no modelled time."""
+    def standing_still(self) -> AbstractContextManager[None]:
+        """Keep the time while the model itself computes, which is no modelled time."""
 
 
 class RealClock:
@@ -53,9 +58,14 @@ class RealClock:
         if pause > 0:
             changed.wait(pause)
 
-    def stand_still(self, seconds: float) -> None:
-        """Go back."""
-        self._offset += seconds
+    @contextmanager
+    def standing_still(self) -> Iterator[None]:
+        """Go back at the end."""
+        began = time.monotonic()
+        try:
+            yield
+        finally:
+            self._offset += time.monotonic() - began
 
 
 class SimulatedClock:
@@ -72,48 +82,34 @@ class SimulatedClock:
         """Jump."""
         self._now = max(self._now, until)
 
-    def stand_still(self, seconds: float) -> None:
-        """Ignore it."""
+    def standing_still(self) -> AbstractContextManager[None]:
+        """Do nothing."""
+        return nullcontext()
 
 
 class LoopClock:
-    """The time of an event loop, which may be simulated. Control requests take none of it, and no thread may wait."""
+    """The time of a loop on modelled time. Control requests take none of it, and no thread may wait.
 
-    def __init__(self) -> None:
-        self._loop = asyncio.get_running_loop()
+    Args:
+        loop: such a loop; the running one by default.
+    """
+
+    def __init__(self, loop: ModelledTimeLoop | None = None) -> None:
+        running = asyncio.get_running_loop() if loop is None else loop
+        assert isinstance(running, ModelledTimeLoop)
+        self.loop = running
 
     def now(self) -> float:
         """Give the time."""
-        return self._loop.time()
+        return self.loop.time()
 
     def wait(self, changed: threading.Condition, until: float) -> None:  # noqa: ARG002  (nobody waits)
         """Refuse: it would keep the loop, and with it the time, from going on."""
         raise RuntimeError("a chip on the time of a loop can't be waited for")
 
-    def stand_still(self, seconds: float) -> None:
-        """Ignore it."""
-
-
-class HostTimeClock:
-    """Modelled time while the program waits, real time while it works: what a round trip takes on a modelled USB.
-
-    For programs of one thread.
-    """
-
-    def __init__(self) -> None:
-        self._skipped = 0.0
-
-    def now(self) -> float:
-        """Give the time."""
-        return time.perf_counter() + self._skipped
-
-    def wait(self, changed: threading.Condition, until: float) -> None:  # noqa: ARG002  (nobody else can notify it)
-        """Jump."""
-        self._skipped += max(0.0, until - self.now())
-
-    def stand_still(self, seconds: float) -> None:
-        """Go back."""
-        self._skipped -= seconds
+    def standing_still(self) -> AbstractContextManager[None]:
+        """Keep the loop's time."""
+        return self.loop.standing_still()
 
 
 class VirtualFt232h:
@@ -151,10 +147,9 @@ class VirtualFt232h:
 
     def now(self) -> float:
         """Let the model catch up with the clock, which stands still meanwhile; gives the time. Hold `changed`."""
-        now = self.clock.now()
-        began = time.perf_counter()
-        self.host.advance(now)
-        self.clock.stand_still(time.perf_counter() - began)
+        with self.clock.standing_still():
+            now = self.clock.now()
+            self.host.advance(now)
         return now
 
     # For programs that wait

@@ -2,7 +2,7 @@
 
 `Context`, `Handle` and `TransferRequest` are the few classes of the `usb1` module that the driver needs, with its
 names. As with usbfs, the one poll descriptor becomes *writable* when something has ended, and the callbacks run inside
-`handleEventsTimeout`. A thread moves the chip along in real time, timers do on a loop of simulated time.
+`handleEventsTimeout`. A thread moves the chip along in real time; a loop on modelled time does it while it waits.
 
 What this can't show is what libusb and the kernel do: that is for a real USB stack, such as the one that attaches the
 chip by USB/IP (`usbip`).
@@ -10,7 +10,6 @@ chip by USB/IP (`usbip`).
 
 from __future__ import annotations
 
-import asyncio
 import contextlib
 import errno
 import select
@@ -18,13 +17,14 @@ import socket
 import threading
 from typing import TYPE_CHECKING, Any
 
-from unity_link.virtual.ft232h.bus import RealClock
+from unity_link.virtual.ft232h.bus import LoopClock
 from unity_link.virtual.ft232h.host import Status, Transfer
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
     from unity_link.virtual.ft232h.bus import VirtualFt232h
+    from unity_link.virtual.modelled_time import ModelledTimeLoop
 
 TRANSFER_COMPLETED, TRANSFER_ERROR, TRANSFER_TIMED_OUT, TRANSFER_CANCELLED = 0, 1, 2, 3
 TRANSFER_STALL, TRANSFER_NO_DEVICE, TRANSFER_OVERFLOW = 4, 5, 6
@@ -38,23 +38,17 @@ _STATUSES = {
 
 
 class LoopHost:
-    """Moves one chip along by timers of the running loop; for loops on simulated time.
+    """Moves one chip along inside the waiting of a loop on modelled time."""
 
-    Real loops round their timers to milliseconds.
-    """
-
-    def __init__(self, device: VirtualFt232h) -> None:
+    def __init__(self, device: VirtualFt232h, loop: ModelledTimeLoop) -> None:
         self._device = device
-        self._loop = asyncio.get_running_loop()
-        self._timer: asyncio.TimerHandle | None = None
+        self._loop = loop
 
     def wake(self) -> None:
         """Look again when something will have ended."""
-        self.close()
-        due = self._device.next_end
-        if due is not None:
-            pause = max(0.0, due - self._device.clock.now())
-            self._timer = self._loop.call_later(pause, self._advance)
+        with self._loop.standing_still():
+            due = self._device.next_end
+            self._loop.call_world_at(due or 0.0, None if due is None else self._advance)
 
     def _advance(self) -> None:
         with self._device.changed:
@@ -63,9 +57,7 @@ class LoopHost:
 
     def close(self) -> None:
         """Stand still."""
-        if self._timer is not None:
-            self._timer.cancel()
-            self._timer = None
+        self._loop.call_world_at(0.0, None)
 
 
 class ThreadHost:
@@ -127,8 +119,9 @@ class Context:
 
     def open_chip(self) -> Handle:
         """Open the chip."""
-        real = isinstance(self._device.clock, RealClock)
-        return Handle(self, self._device, ThreadHost(self._device) if real else LoopHost(self._device))
+        clock = self._device.clock
+        host = LoopHost(self._device, clock.loop) if isinstance(clock, LoopClock) else ThreadHost(self._device)
+        return Handle(self, self._device, host)
 
     def close(self) -> None:
         """End."""

@@ -17,7 +17,7 @@ from __future__ import annotations
 import ctypes
 import weakref
 from collections.abc import Iterable, Iterator, MutableMapping
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 from unity_link.errors import ArgumentError, ConnectError
 from unity_link.virtual.bus import AccessError, Device
@@ -38,6 +38,17 @@ _UNLIMITED = ctypes.c_size_t(-1).value
 _BEHIND_MEMORY, _BEHIND_DEVICE = 0, 3
 _ANSWERS = {ErrorCode.BUS_ERROR: 1, ErrorCode.BUS_TIMEOUT: 2}
 _TRIGGER_CYCLES = 8
+
+
+class Passage(NamedTuple):
+    """What passed the pins of a gateway in some clock cycles."""
+
+    cycles: int
+    taken: int
+    """Bytes of those offered."""
+    sent: bytes
+    flush: bool
+    """Whether the gateway asked its medium, at the end, to send at once what it has."""
 
 
 class RtlMemory(MutableMapping[int, int]):
@@ -182,6 +193,39 @@ class RtlGateway:
             self._run(_TRIGGER_CYCLES)
         self._run_until_quiet()
         self.wake()
+
+    # At the pins
+
+    @property
+    def ticking(self) -> bool:
+        """Whether groups may be running, so that time has to pass although no byte does."""
+        return self._ticking
+
+    def set_pace(self, bytes_per_second: float) -> None:
+        """Have each byte take its time at the medium, in both directions, from now on."""
+        self._library.ul_set_pace(self._handle, self.info.clock_hz / bytes_per_second)
+
+    def pass_pins(self, offered: bytes, cycles: int, room: int) -> Passage:
+        """Let cycles pass while a medium offers bytes and has room for some: what a FIFO at the pins sees.
+
+        It ends early behind a flush, and when nothing moves any more; not that, though, while `ticking`.
+
+        Args:
+            offered: what the medium has for the gateway; what is not taken is to be offered again.
+            cycles: at most so many pass.
+            room: bytes that the medium takes.
+        """
+        library, handle = self._library, self._handle
+        library.ul_push(handle, offered, len(offered))
+        library.ul_set_room(handle, room)
+        flushes = self.flushes
+        passed = int(library.ul_run_at_pins(handle, cycles, not self._ticking))
+        taken = len(offered) - self.waiting
+        library.ul_take_back(handle)
+        library.ul_set_room(handle, _UNLIMITED)
+        self._watch_starts(offered[:taken])
+        self._raise_fault()
+        return Passage(passed, taken, self._pull(), self.flushes != flushes)
 
     def run(self, cycles: int) -> bytes:
         """Let exactly so many clock cycles pass, and give what was sent."""

@@ -4,9 +4,10 @@
 // every cycle, what a medium and a Wishbone bus would, and shows the rest of the world a C interface for ctypes. Time is
 // the number of clock cycles and nothing else: it passes only in `ul_run` and `ul_run_until_quiet`.
 //
-// Order within a cycle: inputs are set with the clock low, the logic settles, both sides' signals are looked at as a
-// register would see them at the coming edge, then the clock rises. So handshakes are exact, and no output is ever read
-// before it has settled (CXXRTL needs the step with the clock low for that).
+// Order within a cycle: inputs are set, then one evaluation with a rising clock settles the logic and computes what the
+// registers will hold. Both sides' signals are looked at before it is committed, which is as a register would see them
+// at that edge. So handshakes are exact. A step with the clock low, which CXXRTL does not need where the logic has no
+// feedback (`make_model` checks that), would take the time of another evaluation.
 //
 // The bus answers each access with the cycle after it, as block RAM does: `ack` is a register. In classic mode the
 // strobe that is still up beside `ack` belongs to the access just answered.
@@ -118,6 +119,7 @@ public:
 		cycles = 0;
 		flushes = 0;
 		quiet_ = 0;
+		in_due_ = out_due_ = 0;
 	}
 
 	void run(uint64_t count) {
@@ -136,8 +138,23 @@ public:
 		return count;
 	}
 
+	// Runs as the pins of a medium would see it: until a flush, or, with `stop_when_quiet`, until nothing moves; at most
+	// `most` cycles. Gives the cycles run, without those at the end in which nothing moved.
+	uint64_t run_at_pins(uint64_t most, bool stop_when_quiet) {
+		const uint64_t flushed = flushes;
+		uint64_t count = 0;
+		quiet_ = 0;
+		while (count < most && flushes == flushed && !(stop_when_quiet && quiet_ >= QUIET_CYCLES)) {
+			cycle();
+			++count;
+		}
+		return stop_when_quiet && quiet_ >= QUIET_CYCLES ? count - quiet_ : count;
+	}
+
 	std::deque<uint8_t> to_gateway;
 	std::vector<uint8_t> from_gateway;
+	// Cycles that a byte takes at the medium, in either direction; 0 for a byte in every cycle.
+	double pace = 0;
 	Memory memory;
 	std::unordered_map<uint64_t, uint8_t> behind;
 	Device device = nullptr;
@@ -150,8 +167,8 @@ public:
 
 private:
 	void cycle() {
-		const bool offered = !to_gateway.empty();
-		const bool room_left = from_gateway.size() < room;
+		const bool offered = !to_gateway.empty() && cycles >= in_due_;
+		const bool room_left = from_gateway.size() < room && cycles >= out_due_;
 		set(top_.p_in__valid, offered);
 		set(top_.p_in__data, offered ? to_gateway.front() : 0);
 		set(top_.p_in__lost, offered && lost_before_next);
@@ -160,8 +177,9 @@ private:
 		set(top_.p_wb__err, err_);
 		set(top_.p_wb__dat__i, read_data_);
 		fill(top_.p_trigger, trigger);
-		set(top_.p_clk, 0);
-		top_.step();
+		set(top_.prev_p_clk, 0);
+		set(top_.p_clk, 1);
+		top_.eval();
 
 		const bool taken = offered && get(top_.p_in__ready);
 		const bool sent = room_left && get(top_.p_out__valid);
@@ -169,9 +187,12 @@ private:
 		if (taken) {
 			to_gateway.pop_front();
 			lost_before_next = false;
+			in_due_ = next_due(in_due_);
 		}
-		if (sent)
+		if (sent) {
 			from_gateway.push_back(get(top_.p_out__data));
+			out_due_ = next_due(out_due_);
+		}
 		if (get(top_.p_out__flush))
 			++flushes;
 		const bool answered = ack_ || err_;
@@ -179,11 +200,13 @@ private:
 		if (on_bus && get(top_.p_wb__stb) && !answered)
 			access();
 
-		set(top_.p_clk, 1);
-		top_.step();
+		top_.commit();
 		++cycles;
 		quiet_ = (taken || sent || on_bus) ? 0 : quiet_ + 1;
 	}
+
+	// When the byte behind one of this cycle may pass; parts of cycles add up while bytes follow each other.
+	double next_due(double due) const { return (cycles - due < 1 ? due : cycles) + pace; }
 
 	// One access of the bus; the answer stands in the registers from the next cycle on.
 	void access() {
@@ -215,6 +238,8 @@ private:
 	bool err_ = false;
 	uint64_t read_data_ = 0;
 	uint64_t quiet_ = 0;
+	double in_due_ = 0;
+	double out_due_ = 0;
 };
 
 } // namespace
@@ -228,6 +253,10 @@ void ul_reset(Gateway *gateway) { gateway->reset(); }
 
 void ul_run(Gateway *gateway, uint64_t cycles) { gateway->run(cycles); }
 uint64_t ul_run_until_quiet(Gateway *gateway, uint64_t most) { return gateway->run_until_quiet(most); }
+uint64_t ul_run_at_pins(Gateway *gateway, uint64_t most, int stop_when_quiet) {
+	return gateway->run_at_pins(most, stop_when_quiet != 0);
+}
+void ul_set_pace(Gateway *gateway, double cycles_per_byte) { gateway->pace = cycles_per_byte; }
 uint64_t ul_cycles(const Gateway *gateway) { return gateway->cycles; }
 uint64_t ul_flushes(const Gateway *gateway) { return gateway->flushes; }
 
@@ -236,6 +265,7 @@ void ul_push(Gateway *gateway, const uint8_t *data, size_t size) {
 	gateway->to_gateway.insert(gateway->to_gateway.end(), data, data + size);
 }
 size_t ul_waiting(const Gateway *gateway) { return gateway->to_gateway.size(); }
+void ul_take_back(Gateway *gateway) { gateway->to_gateway.clear(); }
 
 // The next byte that the gateway takes carries the mark that bytes before it were lost.
 void ul_lose(Gateway *gateway) { gateway->lost_before_next = true; }

@@ -1,0 +1,72 @@
+"""The gateware itself at the chip's pins: every clock cycle of it passes in modelled time.
+
+The pins are modelled, at the rate of the datasheet for each direction; what the gateware does with a byte, and when it
+pulses SIWU#, is its own doing. It is run in slices of at most `SLICE` seconds: at the beginning of one, it is shown
+what the chip holds, and at its end, the chip gets what came out. A slice ends early behind a pulse of SIWU#, and when
+nothing moves any more, so that a request that comes alone is timed to the cycle. While nothing can move, no cycle is
+spent.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from unity_link.virtual.ft232h.chip import Mode
+
+if TYPE_CHECKING:
+    from unity_link.virtual.ft232h.chip import Chip
+    from unity_link.virtual.rtl import RtlGateway
+    from unity_link.virtual.rtl.gateway import Passage
+
+SLICE = 8e-6
+"""Seconds: 64 bytes at 8 MB/s, as `board.STEP`."""
+
+
+class RtlBoard:
+    """The compiled gateware at the pins of an asynchronous FIFO.
+
+    Args:
+        gateway: its `info` must say the clock that it is to run at.
+        bytes_per_second: rate of the pins, for each direction (`Timing.fifo_bytes_per_second`).
+    """
+
+    def __init__(self, gateway: RtlGateway, bytes_per_second: float) -> None:
+        self.gateway = gateway
+        gateway.set_pace(bytes_per_second)
+        self._clock_hz = gateway.info.clock_hz
+        self._slice_cycles = round(SLICE * self._clock_hz)
+        self._slice_bytes = round(SLICE * bytes_per_second)
+        self._passing: tuple[float, Passage] | None = None
+        """When a slice ends, and what passes the pins in it."""
+        self._blocked = False
+        """What the gateway has to send found no room."""
+
+    @property
+    def next_due(self) -> float | None:
+        """When the slice ends that is under way."""
+        return None if self._passing is None else self._passing[0]
+
+    def advance(self, chip: Chip, now: float) -> None:
+        """End the slice that is done, and begin the next, if there is anything to do."""
+        if self._passing is not None:
+            end, passage = self._passing
+            if end > now:
+                return
+            self._passing = None
+            self._end(chip, passage)
+        if chip.mode is Mode.FIFO and (chip.readable or self.gateway.ticking or (self._blocked and chip.room)):
+            self._begin(chip, now)
+
+    def _begin(self, chip: Chip, now: float) -> None:
+        room = chip.room
+        passage = self.gateway.pass_pins(bytes(chip.to_fpga[: self._slice_bytes]), self._slice_cycles, room)
+        self._blocked = len(passage.sent) == room
+        # What came too late to move anything, like a byte for a full FIFO, is looked at again after a while.
+        self._passing = (now + (passage.cycles or self._slice_cycles) / self._clock_hz, passage)
+
+    def _end(self, chip: Chip, passage: Passage) -> None:
+        chip.read(passage.taken)
+        if passage.sent:
+            chip.write(passage.sent)
+        if passage.flush:
+            chip.send_immediate()
