@@ -8,6 +8,7 @@
         print(await link.read(0x88))
 """
 
+from unity_link.connection import Reconnect
 from unity_link.errors import (
     AnswerLostError,
     ArgumentError,
@@ -24,7 +25,7 @@ from unity_link.errors import (
     UnityLinkError,
     UnsupportedError,
 )
-from unity_link.link import Link, Reconnect, Statistics, connect
+from unity_link.link import Link, Statistics, connect
 from unity_link.subscription import Sample, Subscription
 from unity_link.wire.gateway_info import Feature, GatewayInfo
 

@@ -32,6 +32,7 @@ if TYPE_CHECKING:
 
     from numpy.typing import ArrayLike
 
+    from unity_link.connection import Reconnect
     from unity_link.subscription import Sample
     from unity_link.subscription import Subscription as AsyncSubscription
     from unity_link.virtual import Gateway
@@ -41,7 +42,7 @@ if TYPE_CHECKING:
 T = TypeVar("T")
 
 
-def connect(target: str | Gateway, *, timeout: float = 5.0, reconnect: bool | asynchronous.Reconnect = False) -> Link:
+def connect(target: str | Gateway, *, timeout: float = 5.0, reconnect: bool | Reconnect = False) -> Link:
     """Open a link; `unity_link.connect` says what the arguments are and what is raised.
 
     The link is open when this returns; use it in a ``with`` block, or call `Link.close`.
@@ -52,7 +53,7 @@ def connect(target: str | Gateway, *, timeout: float = 5.0, reconnect: bool | as
 class Link:
     """A connection to one gateway; made by `connect`. `unity_link.Link` documents the methods of the same names."""
 
-    def __init__(self, target: str | Gateway, *, timeout: float, reconnect: bool | asynchronous.Reconnect) -> None:
+    def __init__(self, target: str | Gateway, *, timeout: float, reconnect: bool | Reconnect) -> None:
         self._closed = False
         with ExitStack() as stack:
             self._portal = stack.enter_context(start_blocking_portal("asyncio"))

@@ -1,13 +1,11 @@
 """Layer 2, message link: what a program holds of one gateway.
 
-`Link` checks what it is asked for, makes requests of it, and waits for their futures. `exchange` moves the requests,
-`subscription` the publishes, `handshake` begins a session; this module joins them and decides what a lost connection
-means.
+`Link` checks what it is asked for, makes requests of it, and waits for their futures. `connection` is its life,
+`exchange` moves the requests, `subscription` the publishes; this module joins them.
 """
 
 from __future__ import annotations
 
-import asyncio
 from collections.abc import Sequence
 from operator import index
 from typing import TYPE_CHECKING, Any, Literal, Self, cast
@@ -15,25 +13,18 @@ from typing import TYPE_CHECKING, Any, Literal, Self, cast
 import msgspec
 import numpy as np
 
-from unity_link.drivers import DriverUrl, load_driver, parse_url
+from unity_link.connection import Connection, Reconnect
+from unity_link.drivers import DriverUrl, parse_url, prepare
 from unity_link.errors import (
     ArgumentError,
-    ConnectError,
-    LinkClosedError,
-    LinkLostError,
-    Outcome,
     UnansweredError,
     UnityLinkError,
     UnsupportedError,
 )
-from unity_link.exchange import Exchange
-from unity_link.handshake import LAST_ANSWER, Handshake
 from unity_link.requests import Batch, BatchSource, Block, Posted, Request, WordRequest, WordsRequest, common_outcome
-from unity_link.stream import Stream
 from unity_link.subscription import Groups, Overflow, Sample, Schedule, Subscription, check_addresses
-from unity_link.wire.gateway_info import Feature, GatewayInfo
+from unity_link.wire.gateway_info import Feature
 from unity_link.wire.messages import Codec, GroupFlag, Words, hex_rows
-from unity_link.wire.window import Window
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Generator
@@ -41,20 +32,12 @@ if TYPE_CHECKING:
 
     from numpy.typing import ArrayLike, NDArray
 
+    from unity_link.errors import LinkLostError
     from unity_link.virtual import Gateway
 
 SendImmediate = Literal["off", "always", "adaptive"]
 _SEND_IMMEDIATE: dict[str, int] = {"off": 0, "always": 1, "adaptive": 2}
 _LARGEST_DIVISOR = 0xFFFF
-
-
-class Reconnect(msgspec.Struct, frozen=True, kw_only=True):
-    """How a lost connection is opened again: with pauses that double from `first_pause` to `longest_pause` seconds."""
-
-    first_pause: float = 0.1
-    longest_pause: float = 5.0
-    give_up_after: float | None = None
-    """Seconds after which the link is lost for good; None: never."""
 
 
 class Statistics(msgspec.Struct, frozen=True, kw_only=True):
@@ -85,7 +68,7 @@ class Statistics(msgspec.Struct, frozen=True, kw_only=True):
     """Smoothed round trip in seconds."""
 
 
-class Link:
+class Link(Connection):
     """A connection to one gateway; made by `connect`.
 
     Any number of tasks may use it at once. Requests are executed exactly once, and in the order of the calls; blocks
@@ -96,136 +79,24 @@ class Link:
     """
 
     def __init__(self, target: DriverUrl | Gateway, reconnect: Reconnect | None) -> None:
-        self.gateway: GatewayInfo
-        """What the gateway says of itself."""
-        self._codec: Codec
-        self._target = target
-        self._reconnect = reconnect
-        self._loop = asyncio.get_running_loop()
-        self._exchange = Exchange(self._lose)
+        super().__init__(target, reconnect)
         self._groups = Groups(self._exchange)
-        self._stream: Stream | None = None
-        self._reconnection: asyncio.Task[None] | None = None
-        self._sessions = 0
-        self._bytes_before = (0, 0)
         self._posted = False
         self._posted_error: UnityLinkError | None = None
         self._posted_failures = 0
-        self._closed = False
 
     # Life
 
-    async def open(self, timeout: float) -> None:  # noqa: ASYNC109  (it is an argument of `connect`)
-        """Connect and start the first session; `connect` calls this."""
-        name = self._target.text if isinstance(self._target, DriverUrl) else "the given gateway"
-        stream = Stream()
-        handshake = None
-        try:
-            async with asyncio.timeout(timeout):
-                await self._connect_stream(stream)
-                handshake = Handshake(stream, self._target.node if isinstance(self._target, DriverUrl) else None)
-                codec, round_trip = await handshake.run()
-                self._start(stream, codec, round_trip)
-        except BaseException as error:
-            stream.receiver = None
-            stream.abort()
-            if isinstance(error, TimeoutError):
-                heard = "the connection was not accepted" if handshake is None else handshake.describe()
-                raise ConnectError(f"no gateway answered at {name} within {timeout:g} s; {heard}") from None
-            if isinstance(error, ConnectError):
-                raise ConnectError(f"{name}: {error}") from error
-            raise
-
-    async def _connect_stream(self, stream: Stream) -> None:
-        if isinstance(self._target, DriverUrl):
-            await load_driver(self._target.scheme).connect(self._target, stream)
-        else:
-            from unity_link.virtual.serving import connect_gateway
-
-            await connect_gateway(self._target, stream)
-
-    def _start(self, stream: Stream, codec: Codec, round_trip: float) -> None:
-        """Begin a session on a stream whose gateway has said what it is."""
-        info = codec.info
-        if stream.closed:
-            raise ConnectError("the connection ended when the gateway had just answered")
-        if self._sessions and info != self.gateway:
-            raise UnsupportedError(f"another gateway answers after the reconnection: {info} instead of {self.gateway}")
-        self._sessions += 1
-        self._codec = codec
-        self._stream = stream
-        self.gateway = info
-        self._highest_address = (1 << info.address_bits) - 1
-        self._highest_word = (1 << info.data_bits) - 1
-        credit = None if Feature.FLOW_CONTROL in info.features else info.receive_fifo_bytes
+    def _begin(self, codec: Codec) -> None:
+        self._highest_address = (1 << codec.info.address_bits) - 1
+        self._highest_word = (1 << codec.info.data_bits) - 1
         self._groups.start(codec)
-        self._exchange.start(stream, codec, Window(codec.ring, credit, round_trip / LAST_ANSWER, round_trip))
 
-    def _lose(self, reason: str) -> None:
-        """End the session; and the link, if it is not to reconnect."""
-        self._drop_stream()
-        if self._closed:
-            return
-        if self._reconnect is None:
-            self._end(LinkLostError(reason))
-            return
-        self._exchange.suspend(reason)
-        if self._reconnection is None:
-            self._reconnection = self._loop.create_task(self._reopen(reason, self._reconnect))
-
-    def _drop_stream(self) -> None:
-        if self._stream is not None:
-            sent, received = self._bytes_before
-            self._bytes_before = (sent + self._stream.bytes_sent, received + self._stream.bytes_received)
-            self._stream.receiver = None
-            self._stream.abort()
-            self._stream = None
-
-    async def _reopen(self, reason: str, reconnect: Reconnect) -> None:
-        from tenacity import AsyncRetrying, RetryError, retry_if_exception_type
-        from tenacity.wait import wait_exponential, wait_random
-
-        began, longest = self._loop.time(), reconnect.give_up_after
-        attempts = AsyncRetrying(
-            retry=retry_if_exception_type((ConnectError, LinkLostError)),
-            wait=wait_exponential(reconnect.first_pause, reconnect.longest_pause)
-            + wait_random(0, reconnect.first_pause),
-            # The library's own limit looks at another clock than the loop's.
-            stop=lambda _: longest is not None and self._loop.time() - began >= longest,
-        )
-        try:
-            async for attempt in attempts:
-                with attempt:
-                    await self._open_again(reconnect.longest_pause)
-        except RetryError as error:
-            self._end(LinkLostError(f"{reason}, and no reconnection succeeded ({error.last_attempt.exception()})"))
-        except Exception as error:  # noqa: BLE001  (whatever it is, nobody must wait for a link that is gone)
-            self._end(LinkLostError(f"{reason}, and the reconnection failed ({error})"))
-        finally:
-            self._reconnection = None
-
-    async def _open_again(self, timeout: float) -> None:  # noqa: ASYNC109  (as `open`)
-        await self.open(timeout)
+    async def _restore(self) -> None:
         await self._groups.restore()
-        if self._stream is None:
-            raise LinkLostError("the connection was lost again")
 
-    def _end(self, error: LinkLostError) -> None:
-        self._closed = True
-        self._drop_stream()
-        self._exchange.end(error)
+    def _ended(self, error: LinkLostError) -> None:
         self._groups.end(error)
-
-    async def aclose(self) -> None:
-        """End the link: what still waits raises `LinkClosedError`. May be called twice."""
-        stream, task = self._stream, self._reconnection
-        if not self._closed:
-            self._end(LinkClosedError("the link was closed", Outcome.UNKNOWN))
-        if task is not None:
-            task.cancel()
-            await asyncio.wait([task])
-        if stream is not None:
-            await stream.close()
 
     async def __aenter__(self) -> Self:
         return self
@@ -611,6 +482,8 @@ class Connecting:
 
     async def _open(self) -> Link:
         target = parse_url(self._target) if isinstance(self._target, str) else self._target
+        if isinstance(target, DriverUrl):
+            await prepare(target)
         link = Link(target, self._reconnect)
         await link.open(self._timeout)
         return link
