@@ -30,8 +30,8 @@ from unity_link import (
     UnansweredError,
     UnsupportedError,
 )
+from unity_link.connection import Reconnect
 from unity_link.drivers import parse_url
-from unity_link.link import Reconnect
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.faults import Failing, Noise, NoisyLine
 from unity_link.virtual.line import SlowLine
