@@ -12,8 +12,10 @@ from __future__ import annotations
 
 import contextlib
 import errno
+import os
 import select
 import socket
+import sys
 import threading
 from typing import TYPE_CHECKING, Any
 
@@ -90,28 +92,55 @@ class ThreadHost:
         self._thread.join()
 
 
+class _Signal:
+    """A descriptor that is writable while something has ended: an eventfd, elsewhere than on Linux a socket."""
+
+    _FULL = 0xFFFF_FFFF_FFFF_FFFE
+
+    def __init__(self) -> None:
+        self._sockets: tuple[socket.socket, ...] = ()
+        if sys.platform == "linux":
+            self.descriptor = os.eventfd(0, os.EFD_NONBLOCK | os.EFD_CLOEXEC)
+        else:
+            self._sockets = socket.socketpair()
+            for end in self._sockets:
+                end.setblocking(False)  # noqa: FBT003  (its only argument)
+            # The smallest there is, as it is filled and emptied for each event.
+            self._sockets[0].setsockopt(socket.SOL_SOCKET, socket.SO_SNDBUF, 1)
+            self.descriptor = self._sockets[0].fileno()
+        self.clear()
+
+    def set(self) -> None:
+        """Make it writable."""
+        with contextlib.suppress(BlockingIOError):
+            if sys.platform == "linux":
+                os.eventfd_read(self.descriptor)
+            while self._sockets:
+                self._sockets[1].recv(65536)
+
+    def clear(self) -> None:
+        """Make it unwritable."""
+        with contextlib.suppress(BlockingIOError):
+            if sys.platform == "linux":
+                os.eventfd_write(self.descriptor, self._FULL)
+            while self._sockets:
+                self._sockets[0].send(bytes(4096))
+
+    def close(self) -> None:
+        """Let go of it."""
+        if not self._sockets:
+            os.close(self.descriptor)
+        for end in self._sockets:
+            end.close()
+
+
 class Context:
     """`usb1.USBContext` of a bus with one chip."""
 
     def __init__(self, device: VirtualFt232h) -> None:
         self._device = device
         self._ended: list[TransferRequest] = []
-        self._ready, self._peer = socket.socketpair()
-        for end in (self._ready, self._peer):
-            end.setblocking(False)  # noqa: FBT003  (its only argument)
-        self._fill()
-
-    def _fill(self) -> None:
-        """Make the descriptor unwritable."""
-        with contextlib.suppress(BlockingIOError):
-            while True:
-                self._ready.send(bytes(65536))
-
-    def _drain(self) -> None:
-        """Make the descriptor writable."""
-        with contextlib.suppress(BlockingIOError):
-            while True:
-                self._peer.recv(1 << 20)
+        self._signal = _Signal()
 
     def open(self) -> Context:
         """Begin."""
@@ -125,20 +154,19 @@ class Context:
 
     def close(self) -> None:
         """End."""
-        self._ready.close()
-        self._peer.close()
+        self._signal.close()
 
     def ended(self, request: TransferRequest) -> None:
         """Take note of an end, and signal it; in whichever thread has moved the chip along."""
         with self._device.changed:
             self._ended.append(request)
-            self._drain()
+            self._signal.set()
 
     # usb1's names
 
     def getPollFDList(self) -> list[tuple[int, int]]:  # noqa: N802
         """Give the descriptors to wait for, and for what."""
-        return [(self._ready.fileno(), select.POLLOUT)]
+        return [(self._signal.descriptor, select.POLLOUT)]
 
     def setPollFDNotifiers(self, added_cb: Any = None, removed_cb: Any = None) -> None:  # noqa: N802
         """Ignore it: the descriptor never changes."""
@@ -147,7 +175,7 @@ class Context:
         """Call back for what has ended."""
         with self._device.changed:
             ended, self._ended = self._ended, []
-            self._fill()
+            self._signal.clear()
         for request in ended:
             request.call_back()
 

@@ -38,8 +38,10 @@ class RtlBoard:
         self._slice_bytes = round(SLICE * bytes_per_second)
         self._passing: tuple[float, Passage] | None = None
         """When a slice ends, and what passes the pins in it."""
+        self._moving = False
+        """Whether the gateway may go on without anything new at the pins."""
         self._blocked = False
-        """What the gateway has to send found no room."""
+        """Whether what it has to send has found no room."""
 
     @property
     def next_due(self) -> float | None:
@@ -54,12 +56,14 @@ class RtlBoard:
                 return
             self._passing = None
             self._end(chip, passage)
-        if chip.mode is Mode.FIFO and (chip.readable or self.gateway.ticking or (self._blocked and chip.room)):
+        moving = self._moving or chip.readable or (self._blocked and chip.room)
+        if chip.mode is Mode.FIFO and (moving or self.gateway.ticking):
             self._begin(chip, now)
 
     def _begin(self, chip: Chip, now: float) -> None:
         room = chip.room
         passage = self.gateway.pass_pins(bytes(chip.to_fpga[: self._slice_bytes]), self._slice_cycles, room)
+        self._moving = passage.flush or passage.cycles == self._slice_cycles
         self._blocked = len(passage.sent) == room
         # What came too late to move anything, like a byte for a full FIFO, is looked at again after a while.
         self._passing = (now + (passage.cycles or self._slice_cycles) / self._clock_hz, passage)
