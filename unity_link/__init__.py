@@ -6,7 +6,16 @@
 
     async with unity_link.connect("sim:scara") as link:
         print(await link.read(0x88))
+
+With a spec of what stands behind the gateway, the same by names and in units::
+
+    Scara = unity_link.load("examples/scara.ul")
+
+    async with unity_link.connect("sim:scara") as link:
+        print(await Scara(link).j1.cpos.get())
 """
+
+from typing import TYPE_CHECKING
 
 from unity_link.connection import Reconnect
 from unity_link.errors import (
@@ -28,6 +37,12 @@ from unity_link.errors import (
 from unity_link.link import Link, Statistics, connect
 from unity_link.subscription import Sample, Subscription
 from unity_link.wire.gateway_info import Feature, GatewayInfo
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+    from unity_link.data.loading import LoadedRobot
+    from unity_link.spec import Spec
 
 __version__ = "0.1.0"
 
@@ -54,4 +69,24 @@ __all__ = [
     "UnityLinkError",
     "UnsupportedError",
     "connect",
+    "load",
 ]
+
+
+def load(spec: "str | Path | Spec", interface: str | None = None) -> "type[LoadedRobot]":
+    """Give the class of a robot: the public interface of a spec, with its signals as attributes.
+
+    ``Scara(link)`` is the robot behind a link. Parameters of the interface that have no value are given by name, as in
+    ``Scara(link, ctrl=0xF0)``, or left out where they are not needed. `unity_link.data` says what a robot can do.
+
+    Args:
+        spec: path of a spec, or a compiled one.
+        interface: which public interface, where there are several.
+
+    Raises:
+        SpecError: with everything that is wrong with the spec; the class is in `unity_link.spec`.
+        ArgumentError: for an interface that there is not.
+    """
+    from unity_link.data.loading import load as load_class
+
+    return load_class(spec, interface)

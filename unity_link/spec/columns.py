@@ -16,17 +16,20 @@ if TYPE_CHECKING:
 
     from numpy.typing import ArrayLike, NDArray
 
-    from unity_link.spec.kinds import Kind
+    from unity_link.spec.kinds import Kind, Value
     from unity_link.spec.model import Signal
 
     Words = NDArray[np.uint64]
+
+_NONE: NDArray[Any] = np.empty(0)
 
 
 class _Block(NamedTuple):
     """Signals of one kind: row `part` of `columns` has where the word of that number of each signal stands."""
 
     kind: Kind
-    paths: list[str]
+    places: list[int]
+    """Which of the signals these are."""
     columns: NDArray[np.intp]
     shifts: NDArray[np.uint64]
     mask: np.uint64
@@ -40,21 +43,22 @@ class Columns:
         self._width = len(addresses)
         self._word_bits = signals[0].word_bits if signals else 0
         column = {address: index for index, address in enumerate(addresses)}
-        alike: dict[tuple[Kind, int], list[Signal]] = {}
-        for signal in signals:
+        self._paths = [signal.path for signal in signals]
+        alike: dict[tuple[Kind, int], list[int]] = {}
+        for place, signal in enumerate(signals):
             missing = next((address for address in signal.addresses if address not in column), None)
             if missing is not None:
                 raise ArgumentError(f"{signal.path} has a word at {missing:#x}, which is not among the addresses")
-            alike.setdefault((signal.kind, signal.words), []).append(signal)
+            alike.setdefault((signal.kind, signal.words), []).append(place)
         self._blocks = [
             _Block(
                 kind,
-                [signal.path for signal in group],
-                np.array([[column[signal.address + part] for signal in group] for part in range(words)]),
-                np.array([signal.lowest_bit for signal in group], np.uint64),
+                places,
+                np.array([[column[signals[place].address + part] for place in places] for part in range(words)]),
+                np.array([signals[place].lowest_bit for place in places], np.uint64),
                 np.uint64((1 << kind.width) - 1),
             )
-            for (kind, words), group in alike.items()
+            for (kind, words), places in alike.items()
         ]
 
     def decode(self, words: ArrayLike) -> dict[str, NDArray[Any]]:
@@ -66,18 +70,37 @@ class Columns:
         Returns:
             Arrays of shape (...), of the type that the kind of the signal has.
         """
+        return dict(zip(self._paths, self.columns(words), strict=True))
+
+    def columns(self, words: ArrayLike) -> list[NDArray[Any]]:
+        """Give the same as a list, in the order of the signals."""
+        values: list[NDArray[Any]] = [_NONE] * len(self._paths)
+        for block in self._blocks:
+            decoded = self._decode_block(block, words)
+            for index, place in enumerate(block.places):
+                values[place] = decoded[..., index]
+        return values
+
+    def row(self, words: ArrayLike) -> list[Value]:
+        """Give the values of one sample, in the order of the signals, as Python has them; of enumerations numbers.
+
+        Args:
+            words: shape (addresses,).
+        """
+        values: list[Value] = [0] * len(self._paths)
+        for block in self._blocks:
+            for place, value in zip(block.places, self._decode_block(block, words).tolist(), strict=True):
+                values[place] = value
+        return values
+
+    def _decode_block(self, block: _Block, words: ArrayLike) -> NDArray[Any]:
         given = np.asarray(words)
         if given.shape[-1:] != (self._width,):
             raise ArgumentError(f"{self._width} words a sample were expected, and the words have shape {given.shape}")
-        given = given.astype(np.uint64, copy=False)
-        values: dict[str, NDArray[Any]] = {}
-        for block in self._blocks:
-            raw = given[..., block.columns[0]]
-            for part in range(1, len(block.columns)):
-                raw = raw | given[..., block.columns[part]] << np.uint64(part * self._word_bits)
-            decoded = block.kind.decode_array(np.ascontiguousarray(raw >> block.shifts & block.mask))
-            values.update((path, decoded[..., index]) for index, path in enumerate(block.paths))
-        return values
+        raw = given[..., block.columns[0]].astype(np.uint64, copy=False)
+        for part in range(1, len(block.columns)):
+            raw = raw | given[..., block.columns[part]].astype(np.uint64) << np.uint64(part * self._word_bits)
+        return block.kind.decode_array(np.ascontiguousarray(raw >> block.shifts & block.mask))
 
     def encode(self, values: Mapping[str, ArrayLike]) -> Words:
         """Give the words of values of all signals; bits that no signal has are 0.
@@ -95,8 +118,8 @@ class Columns:
         words = np.zeros((*shape, self._width), np.uint64)
         word_mask = np.uint64((1 << self._word_bits) - 1)
         for block in self._blocks:
-            for index, path in enumerate(block.paths):
-                raw = block.kind.encode_array(np.asarray(values[path])) << block.shifts[index]
+            for index, place in enumerate(block.places):
+                raw = block.kind.encode_array(np.asarray(values[self._paths[place]])) << block.shifts[index]
                 for part in range(len(block.columns)):
                     words[..., block.columns[part, index]] |= raw >> np.uint64(part * self._word_bits) & word_mask
         return words

@@ -1,0 +1,63 @@
+"""The paper's figure 1, unchanged, gives an object on which all four joints are read, written and published."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import pytest
+import pytest_asyncio
+
+import unity_link
+from spec_examples import FIGURE_1
+from unity_link.spec import compile_text
+
+if TYPE_CHECKING:
+    from collections.abc import AsyncIterator
+
+    from unity_link.data.loading import LoadedRobot
+
+Scara = unity_link.load(compile_text(FIGURE_1))
+SET_POINTS = (1200, -700, 345, 2000)
+"""Of joints 1 to 4, in counts; within the limits of each."""
+
+
+@pytest_asyncio.fixture(params=["sim:scara"])
+async def robot(request: pytest.FixtureRequest) -> AsyncIterator[LoadedRobot]:
+    async with unity_link.connect(request.param) as link:
+        yield Scara(link)
+
+
+@pytest.mark.asyncio
+async def test_all_joints_are_read_written_and_published(robot: LoadedRobot) -> None:
+    joints = (robot.j1, robot.j2, robot.j3, robot.j4)
+    for joint, set_point in zip(joints, SET_POINTS, strict=True):
+        assert await joint.cpos.get() == 0
+        await joint.spd_sp.set(100_000)
+        await joint.pos_sp.set(set_point)
+    async for sample in robot.groups["group_1"]:
+        positions = tuple(sample.values[joint.cpos] for joint in joints)
+        if positions == SET_POINTS:
+            break
+    assert [await joint.cpos.get() for joint in joints] == list(SET_POINTS)
+    assert [await joint.spd.get() for joint in joints] == [0, 0, 0, 0]
+
+
+@pytest.mark.asyncio
+async def test_each_joint_has_its_own_name_and_samples(robot: LoadedRobot) -> None:
+    for number, joint in enumerate((robot.j1, robot.j2, robot.j3, robot.j4), 1):
+        assert joint.cpos.id == f"joint {number}:cpos"
+        await joint.pos_sp.post(50 * number)
+        async for position in joint.cpos:
+            if position == 50 * number:
+                break
+        assert joint.cpos.value == 50 * number
+
+
+@pytest.mark.asyncio
+async def test_its_parameters_are_given_where_they_are_needed(robot: LoadedRobot) -> None:
+    Scara(robot.link)
+    Scara(robot.link, ctrl=0xF0, comm=0xF4)
+    with pytest.raises(unity_link.ArgumentError, match="no parameter 'crtl' to be given: ctrl, comm expected"):
+        Scara(robot.link, crtl=0xF0)
+    with pytest.raises(unity_link.ArgumentError, match="ctrl=256 was given, an address from 0 to 0xff expected"):
+        Scara(robot.link, ctrl=0x100)

@@ -1,0 +1,48 @@
+"""Layer 4, data proxies: the signals of a spec as typed values.
+
+::
+
+    Scara = unity_link.load("examples/scara.ul")
+
+    async with unity_link.connect("sim:scara") as link:
+        robot = Scara(link)
+        await robot.j1.pos_sp.set(30)  # degrees
+        async for position in robot.j1.cpos:
+            print(position)
+
+- `proxies`, `ports`: one signal: a value, or a queue
+- `groups`: many signals at once, of one or several gateways, by `layout` (which words they take) and `writing`
+- `sampling`, `batch`: samples of groups, one by one and many at a time
+- `feed`: samples that several readers and callbacks share
+- `robot`, `loading`: the tree of components, made from a checked model; `unity_link.load` and generated modules alike
+"""
+
+from unity_link.data.batch import Batch, GroupSample, Values
+from unity_link.data.feed import Registration
+from unity_link.data.groups import Group
+from unity_link.data.loading import load, read_interface
+from unity_link.data.ports import Port, ReadPort, WritePort
+from unity_link.data.proxies import Proxy, Readable, ReadWrite, Writable
+from unity_link.data.robot import Component, Robot, python_names
+from unity_link.data.sampling import GroupSubscription
+
+__all__ = [
+    "Batch",
+    "Component",
+    "Group",
+    "GroupSample",
+    "GroupSubscription",
+    "Port",
+    "Proxy",
+    "ReadPort",
+    "ReadWrite",
+    "Readable",
+    "Registration",
+    "Robot",
+    "Values",
+    "Writable",
+    "WritePort",
+    "load",
+    "python_names",
+    "read_interface",
+]

@@ -1,0 +1,133 @@
+"""Samples of a group: values by their proxies, one sample at a time or many as arrays.
+
+A `Batch` decodes what it is asked for and nothing else, each column once: that is what bridges and recorders take, at
+tens of thousands of samples a second. A `GroupSample` is one of its rows.
+"""
+
+from __future__ import annotations
+
+import functools
+import time
+from collections.abc import Iterator, Mapping
+from typing import TYPE_CHECKING, Any, NamedTuple, TypeVar
+
+import numpy as np
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from numpy.typing import NDArray
+
+    from unity_link.data.layout import Layout
+    from unity_link.data.proxies import Proxy
+    from unity_link.subscription import Sample
+    from unity_link.wire.messages import Words
+
+T = TypeVar("T")
+
+
+class Values(Mapping["Proxy[Any]", Any]):
+    """Values by their proxies: ``values[robot.j1.cpos]``."""
+
+    __slots__ = ("_places", "_row")
+
+    def __init__(self, places: Mapping[Proxy[Any], int], row: Sequence[Any]) -> None:
+        self._places = places
+        self._row = row
+
+    def __getitem__(self, proxy: Proxy[T]) -> T:
+        """Give the value of a signal."""
+        value: T = self._row[self._places[proxy]]
+        return value
+
+    def __iter__(self) -> Iterator[Proxy[Any]]:
+        """Give the proxies, in the order of their group."""
+        return iter(self._places)
+
+    def __len__(self) -> int:
+        """Give the number of signals."""
+        return len(self._places)
+
+    def __repr__(self) -> str:
+        """Give the values by their paths."""
+        return f"{{{', '.join(f'{proxy.path}: {value!r}' for proxy, value in self.items())}}}"
+
+
+class GroupSample(NamedTuple):
+    """The values of a group at one instant."""
+
+    sequence: int
+    """Number of the sample since the subscription began, lost ones counted."""
+    time: float | None
+    """Instant of sampling in seconds of the gateway's clock; None without timestamps, and of what the host polls."""
+    arrived: float
+    """Instant of arrival in seconds of this machine's clock (`time.time`)."""
+    values: Values
+    lost: int
+    """How many samples were lost between the one before and this one."""
+
+
+class Batch:
+    """Samples that came together, at least one, in the order of their sampling; all of one gateway.
+
+    ``batch[robot.j1.cpos]`` is the column of a signal. Iteration gives the samples one by one.
+    """
+
+    def __init__(self, layout: Layout, samples: Sequence[Sample]) -> None:
+        self.layout = layout
+        """Which signals these are, and how they stand in the words."""
+        self.at = time.monotonic() - max(0.0, time.time() - samples[-1].arrived)
+        """Instant at which the last one arrived, by `time.monotonic`."""
+        self._samples = samples
+
+    def __len__(self) -> int:
+        """Give the number of samples."""
+        return len(self._samples)
+
+    def __getitem__(self, proxy: Proxy[Any]) -> NDArray[Any]:
+        """Give the values of a signal; shape (samples,), those of an enumeration as numbers."""
+        return self.columns[proxy]
+
+    def __iter__(self) -> Iterator[GroupSample]:
+        """Give the samples one by one."""
+        proxies = self.layout.places
+        rows = zip(*(proxy.scalars(column) for proxy, column in self.columns.items()), strict=True)
+        for sample, row in zip(self._samples, rows, strict=True):
+            yield GroupSample(sample.sequence, sample.time, sample.arrived, Values(proxies, row), sample.lost)
+
+    @property
+    def proxies(self) -> tuple[Proxy[Any], ...]:
+        """The signals."""
+        return self.layout.proxies
+
+    @functools.cached_property
+    def columns(self) -> dict[Proxy[Any], NDArray[Any]]:
+        """The values of all signals, each of shape (samples,), as the type that its kind has."""
+        return self.layout.columns(self.words)
+
+    @functools.cached_property
+    def words(self) -> Words:
+        """The words as they came; shape (samples, addresses), where the addresses are those of `layout`."""
+        return np.stack([sample.values for sample in self._samples])
+
+    @functools.cached_property
+    def sequence(self) -> NDArray[np.int64]:
+        """Numbers of the samples since the subscription began, lost ones counted; shape (samples,)."""
+        return np.array([sample.sequence for sample in self._samples], np.int64)
+
+    @functools.cached_property
+    def time(self) -> NDArray[np.float64] | None:
+        """Instants of sampling in seconds of the gateway's clock, shape (samples,); None without timestamps."""
+        if self._samples[0].time is None:
+            return None
+        return np.array([sample.time for sample in self._samples], np.float64)
+
+    @functools.cached_property
+    def arrived(self) -> NDArray[np.float64]:
+        """Instants of arrival in seconds of this machine's clock, shape (samples,)."""
+        return np.array([sample.arrived for sample in self._samples], np.float64)
+
+    @functools.cached_property
+    def lost(self) -> NDArray[np.int64]:
+        """How many samples were lost before each, shape (samples,)."""
+        return np.array([sample.lost for sample in self._samples], np.int64)

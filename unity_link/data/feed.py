@@ -1,0 +1,196 @@
+"""Samples that several share: however many loops and callbacks want a group's samples, the gateway sends them once.
+
+A feed subscribes when the first one listens, and ends when the last one has left. Each listener has a buffer of its
+own, so a slow one takes nothing from the others.
+"""
+
+from __future__ import annotations
+
+import asyncio
+from collections import deque
+from typing import TYPE_CHECKING, Self, TypeVar
+
+from unity_link.errors import LinkClosedError, LinkLostError, SamplesLostError
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+    from types import TracebackType
+
+    from unity_link.data.batch import Batch
+    from unity_link.data.sampling import GroupSubscription
+    from unity_link.subscription import Overflow
+
+
+T = TypeVar("T")
+
+
+class Registration:
+    """A callback that is called until `cancel`, or until the ``with`` block of this ends."""
+
+    def __init__(self, remove: Callable[[], None], listening: Listener | None) -> None:
+        self._remove = remove
+        self._listening = listening
+
+    def cancel(self) -> None:
+        """Call it no more. May be called twice."""
+        self._remove()
+        if self._listening is not None:
+            self._listening.leave()
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        self.cancel()
+
+
+class Listener:
+    """One who wants the samples of a feed, in batches; leaves where the ``with`` block of this ends."""
+
+    def __init__(self, feed: Feed, callback: Callable[[Batch], object] | None, buffer: int, overflow: Overflow) -> None:
+        self._feed = feed
+        self._callback = callback
+        self._buffer = buffer
+        self._overflow = overflow
+        self._batches: deque[Batch] = deque()
+        self._waiting = 0
+        self._waiter: asyncio.Future[None] | None = None
+        self._error: Exception | None = None
+
+    async def next(self) -> Batch:
+        """Wait for the next batch.
+
+        Raises:
+            SamplesLostError: where more samples came than the buffer holds.
+            LinkLostError: when the link ends, after the batches that had come before.
+        """
+        while not self._batches:
+            if self._error is not None:
+                raise self._error
+            self._waiter = asyncio.get_running_loop().create_future()
+            try:
+                await self._waiter
+            finally:
+                self._waiter = None
+        batch = self._batches.popleft()
+        self._waiting -= len(batch)
+        return batch
+
+    def leave(self) -> None:
+        """Want no more samples. May be called twice."""
+        self._feed.leave(self)
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        self.leave()
+
+    # Called by the feed
+
+    def deliver(self, batch: Batch) -> None:
+        """Take a batch."""
+        if self._callback is not None:
+            call(self._callback, batch, "a callback for samples")
+            return
+        if self._error is not None or not self._buffer:
+            return
+        self._batches.append(batch)
+        self._waiting += len(batch)
+        if self._waiting > self._buffer:
+            if self._overflow == "fail":
+                self.fail(SamplesLostError(f"the reader is too slow: {self._buffer} samples are waiting for it"))
+                return
+            while self._waiting > self._buffer and len(self._batches) > 1:
+                self._waiting -= len(self._batches.popleft())
+        self._wake()
+
+    def fail(self, error: Exception) -> None:
+        """End with an error, behind the batches that wait."""
+        if self._error is None:
+            self._error = error
+        self._wake()
+
+    def is_deaf(self) -> bool:
+        """Say whether an error would reach nobody."""
+        return self._callback is not None or not self._buffer
+
+    def _wake(self) -> None:
+        if self._waiter is not None and not self._waiter.done():
+            self._waiter.set_result(None)
+
+
+class Feed:
+    """The samples of one group, for all who listen."""
+
+    def __init__(self, name: str, subscribe: Callable[[], GroupSubscription]) -> None:
+        self._name = name
+        self._subscribe = subscribe
+        self._listeners: dict[Listener, None] = {}
+        self._task: asyncio.Task[None] | None = None
+        self._deserted = False
+
+    def listen(
+        self, callback: Callable[[Batch], object] | None = None, *, buffer: int = 0, overflow: Overflow = "fail"
+    ) -> Listener:
+        """Begin to listen.
+
+        Args:
+            callback: is called with each batch.
+            buffer: most samples that wait for `Listener.next`; 0 for one who only wants proxies to see them.
+            overflow: what happens when they are more.
+        """
+        listener = Listener(self, callback, buffer, overflow)
+        self._listeners[listener] = None
+        if self._task is None:
+            self._start()
+        return listener
+
+    def leave(self, listener: Listener) -> None:
+        """Take a listener's name off; the last one ends the subscription."""
+        self._listeners.pop(listener, None)
+        if not self._listeners and self._task is not None:
+            self._deserted = True
+            self._task.cancel()
+
+    def _start(self) -> None:
+        self._deserted = False
+        self._task = asyncio.get_running_loop().create_task(self._run(), name=f"samples of {self._name}")
+
+    async def _run(self) -> None:
+        try:
+            async with self._subscribe() as subscription:
+                while True:
+                    batch = await subscription.take()
+                    for listener in tuple(self._listeners):
+                        listener.deliver(batch)
+        except StopAsyncIteration:
+            self._end(LinkLostError(f"the samples of {self._name} have ended"))
+        except Exception as error:  # noqa: BLE001  (whatever it is, nobody must wait for samples that don't come)
+            self._end(error)
+        finally:
+            self._task = None
+            # Whoever came while the subscription was being ended wants another one.
+            if self._deserted and self._listeners:
+                self._start()
+
+    def _end(self, error: Exception) -> None:
+        listeners, self._listeners = self._listeners, {}
+        for listener in listeners:
+            listener.fail(error)
+        if any(listener.is_deaf() for listener in listeners) and not isinstance(error, LinkClosedError):
+            asyncio.get_running_loop().call_exception_handler(
+                {"message": f"the samples of {self._name}, which callbacks wait for, have ended", "exception": error}
+            )
+
+
+def call(callback: Callable[[T], object], value: T, what: str) -> None:
+    """Call a function of the user's; what it raises is told to the event loop, and must not stop the samples."""
+    try:
+        callback(value)
+    except Exception as error:  # noqa: BLE001  (it may be anything)
+        asyncio.get_running_loop().call_exception_handler({"message": f"{what} raised", "exception": error})

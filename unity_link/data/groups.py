@@ -1,0 +1,299 @@
+"""Many signals at once, of one gateway or several: read, written and published together."""
+
+from __future__ import annotations
+
+import asyncio
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any
+
+import msgspec
+import numpy as np
+
+from unity_link.data.batch import Values
+from unity_link.data.feed import Feed, Registration
+from unity_link.data.layout import Layout
+from unity_link.data.proxies import BUFFER, Proxy
+from unity_link.data.sampling import GroupSubscription, Poll
+from unity_link.data.writing import write_values
+from unity_link.errors import ArgumentError, UnsupportedError
+from unity_link.wire.gateway_info import Feature
+
+if TYPE_CHECKING:
+    from collections.abc import AsyncIterator, Callable, Sequence
+
+    from numpy.typing import NDArray
+
+    from unity_link.data.batch import Batch, GroupSample
+    from unity_link.data.robot import Component
+    from unity_link.data.sampling import Source
+    from unity_link.link import Link
+    from unity_link.spec import model
+    from unity_link.subscription import Overflow
+
+_LARGEST_DIVISOR = 0xFFFF
+
+
+class Plan(msgspec.Struct, frozen=True, kw_only=True):
+    """When samples are taken; as the arguments of `unity_link.Link.subscribe`."""
+
+    rate_hz: float | None = None
+    divisor: int | None = None
+    trigger: bool = False
+    on_change: bool = False
+    immediate: bool = False
+    timestamps: bool | None = None
+    polled: bool = False
+    """Whether the host is to read by itself, though the gateway may have groups."""
+    nearest: bool = False
+    """Whether a rate that the gateway does not have stands for the nearest that it has."""
+
+    def is_known(self) -> bool:
+        """Say whether this tells when samples are taken."""
+        return self.rate_hz is not None or self.divisor is not None or self.trigger
+
+
+class Group:
+    """Signals that are read, written and published together.
+
+    ::
+
+        arm = Group(robot.j1.cpos, robot.j2.cpos, rate_hz=100)
+        values = await arm.get()
+        print(values[robot.j1.cpos])
+
+    Those that a spec declares are in `Robot.groups`.
+    """
+
+    def __init__(self, *members: Proxy[Any] | Component, rate_hz: float | None = None, name: str = "a group") -> None:
+        """Make a group.
+
+        Args:
+            members: signals, of one or several robots; a component stands for all of its own.
+            rate_hz: how often they are sampled for iteration and callbacks; without it, as their spec says.
+            name: what messages call it.
+
+        Raises:
+            ArgumentError: where there are no members, or one is there twice.
+        """
+        proxies = [
+            proxy for member in members for proxy in ((member,) if isinstance(member, Proxy) else member.signals)
+        ]
+        self.name = name
+        self.proxies: tuple[Proxy[Any], ...] = tuple(proxies)
+        self.model: model.Group | None = None
+        """What the spec says of it; None for a group that a program made."""
+        self._places = {proxy: place for place, proxy in enumerate(proxies)}
+        if not proxies or len(self._places) != len(proxies):
+            twice = next((proxy.path for proxy in proxies if proxies.count(proxy) > 1), None)
+            raise ArgumentError(f"{name}: {twice} is in it twice" if twice else f"{name}: it has no signals")
+        self._plan = Plan(rate_hz=rate_hz)
+        self._layouts: list[Layout] | None = None
+        self._feed: Feed | None = None
+
+    @classmethod
+    def declared(cls, group: model.Group, proxies: Sequence[Proxy[Any]]) -> Group:
+        """Make a group that a spec declares."""
+        made = cls(*proxies, name=group.name)
+        made.model = group
+        made._plan = Plan(
+            rate_hz=group.rate_hz,
+            divisor=group.divisor,
+            trigger=group.trigger,
+            on_change=group.on_change,
+            immediate=group.immediate,
+            timestamps=True if group.timestamps else None,
+            nearest=True,
+        )
+        return made
+
+    @classmethod
+    def polled(cls, rate_hz: float, proxies: Sequence[Proxy[Any]]) -> Group:
+        """Make a group that the host reads by itself."""
+        made = cls(*proxies, name=f"what is polled at {rate_hz:g} Hz")
+        made._plan = Plan(rate_hz=rate_hz, polled=True)
+        return made
+
+    def __repr__(self) -> str:
+        """Give the name and the size."""
+        return f"<group {self.name}: {len(self.proxies)} signals>"
+
+    def __len__(self) -> int:
+        """Give the number of signals."""
+        return len(self.proxies)
+
+    # All at once
+
+    async def get(self) -> Values:
+        """Read all signals, in one pipelined batch for each gateway.
+
+        Raises:
+            ArgumentError: where one can only be written, or is a queue.
+        """
+        layouts = self._lay_out()
+        if len(layouts) == 1:
+            row = layouts[0].row(await layouts[0].read())
+        else:
+            row = [None] * len(self.proxies)
+            words = await asyncio.gather(*(layout.read() for layout in layouts))
+            for layout, part in zip(layouts, words, strict=True):
+                for proxy, value in zip(layout.proxies, layout.row(part), strict=True):
+                    row[self._places[proxy]] = value
+        for proxy, value in zip(self.proxies, row, strict=True):
+            proxy.see(value)
+        return Values(self._places, row)
+
+    async def set(self, values: Mapping[Proxy[Any], Any] | Sequence[Any] | NDArray[Any]) -> None:
+        """Write many signals, in one pipelined batch for each gateway.
+
+        Args:
+            values: by their proxies, of some or all; or of all, in the order of the group.
+
+        Raises:
+            ArgumentError: for a value that its signal does not take, or one of another group. Nothing was sent.
+            GatewayError: the first error; the other writes may have been executed.
+        """
+        await write_values(self._by_proxy(values))
+
+    def _by_proxy(self, values: Mapping[Proxy[Any], Any] | Sequence[Any] | NDArray[Any]) -> Mapping[Proxy[Any], Any]:
+        if not isinstance(values, Mapping):
+            given = values.tolist() if isinstance(values, np.ndarray) else list(values)
+            if len(given) != len(self.proxies):
+                raise ArgumentError(f"{self.name} has {len(self.proxies)} signals, and {len(given)} values were given")
+            return dict(zip(self.proxies, given, strict=True))
+        for proxy in values:
+            if proxy not in self._places:
+                raise ArgumentError(f"{proxy!r} is not in {self.name}")
+        return values
+
+    # Samples
+
+    def subscribe(
+        self,
+        *,
+        rate_hz: float | None = None,
+        divisor: int | None = None,
+        trigger: bool = False,
+        on_change: bool = False,
+        immediate: bool = False,
+        timestamps: bool | None = None,
+        buffer: int = BUFFER,
+        overflow: Overflow = "drop_oldest",
+    ) -> GroupSubscription:
+        """Have all signals sampled again and again, by the gateway where it has groups, else by reads of the host.
+
+        Without a rate, a divisor or a trigger, when and how is what the spec says of the group. The arguments are those
+        of `unity_link.Link.subscribe`; a host that reads by itself is late where it is busy, has no timestamps, and
+        reads when it is asked for the next sample.
+
+        Raises:
+            ArgumentError: where nothing tells when to sample; and as `unity_link.Link.subscribe`.
+            UnsupportedError: as `unity_link.Link.subscribe`.
+        """
+        given = Plan(
+            rate_hz=rate_hz,
+            divisor=divisor,
+            trigger=trigger,
+            on_change=on_change,
+            immediate=immediate,
+            timestamps=timestamps,
+        )
+        plan = given if given.is_known() else self._default_plan()
+        return GroupSubscription([(layout, _source(layout, plan, buffer, overflow)) for layout in self._lay_out()])
+
+    @property
+    def feed(self) -> Feed:
+        """Its samples, shared by all who iterate and by callbacks."""
+        if self._feed is None:
+            self._feed = Feed(self.name, self.subscribe)
+        return self._feed
+
+    def __aiter__(self) -> AsyncIterator[GroupSample]:
+        """Iterate over the samples, as `samples` does."""
+        return self.samples()
+
+    async def samples(self, *, buffer: int = BUFFER, overflow: Overflow = "fail") -> AsyncIterator[GroupSample]:
+        """Iterate over its samples, which several loops and callbacks may share.
+
+        Args:
+            buffer: most samples that wait for the loop's body.
+            overflow: what happens when they are more: ``"fail"`` or ``"drop_oldest"``.
+
+        Raises:
+            ArgumentError: where nothing tells when to sample.
+            SamplesLostError: where the loop's body is too slow.
+            LinkLostError: when a link ends.
+        """
+        self._default_plan()
+        with self.feed.listen(buffer=buffer, overflow=overflow) as listener:
+            while True:
+                for sample in await listener.next():
+                    yield sample
+
+    def on_sample(self, callback: Callable[[GroupSample], object]) -> Registration:
+        """Call a function with each sample, until `Registration.cancel`. To be called where an event loop runs.
+
+        A callback that raises is told to the event loop's exception handler; that a link was lost, too.
+        """
+
+        def call_each(batch: Batch) -> None:
+            for sample in batch:
+                callback(sample)
+
+        return self.on_batch(call_each)
+
+    def on_batch(self, callback: Callable[[Batch], object]) -> Registration:
+        """Call a function with all samples that have come together: the same for many samples a second."""
+        self._default_plan()
+        return Registration(lambda: None, self.feed.listen(callback))
+
+    # The inside
+
+    def _lay_out(self) -> list[Layout]:
+        if self._layouts is None:
+            by_link: dict[Link, list[Proxy[Any]]] = {}
+            for proxy in self.proxies:
+                by_link.setdefault(proxy.link, []).append(proxy)
+            self._layouts = [Layout(proxies) for proxies in by_link.values()]
+        return self._layouts
+
+    def _default_plan(self) -> Plan:
+        if self._plan.is_known():
+            return self._plan
+        groups = {id(group): group for proxy in self.proxies if (group := proxy.robot.publishing_group(proxy))}
+        plans = {group._plan for group in groups.values()}  # noqa: SLF001  (another group's)
+        everywhere = all(proxy.robot.publishing_group(proxy) for proxy in self.proxies)
+        if self.model is None and everywhere and len(plans) == 1:
+            return plans.pop()
+        raise nothing_publishes(self.proxies)
+
+
+def nothing_publishes(proxies: Sequence[Proxy[Any]]) -> ArgumentError:
+    """Give the error for signals of which nothing says when they are sampled."""
+    names = ", ".join(proxy.path for proxy in proxies[:3]) + (", ..." if len(proxies) > 3 else "")
+    return ArgumentError(
+        f"nothing says when {names} is to be sampled: give PUBLISH or POLL in the spec, or a rate_hz to a group"
+    )
+
+
+def _source(layout: Layout, plan: Plan, buffer: int, overflow: Overflow) -> Source:
+    """Give what samples one gateway."""
+    info = layout.link.gateway
+    if plan.polled or Feature.GROUPS not in info.features:
+        if plan.trigger:
+            raise UnsupportedError("the gateway was built without groups, and a host cannot see their triggers")
+        turns = plan.rate_hz or info.base_frequency_hz / (plan.divisor or 1)
+        return Poll(layout, turns, on_change=plan.on_change, overflow=overflow)
+    rate_hz, divisor = plan.rate_hz, plan.divisor
+    if plan.nearest and plan.rate_hz is not None:
+        rate_hz, divisor = None, min(max(round(info.base_frequency_hz / plan.rate_hz), 1), _LARGEST_DIVISOR)
+    return layout.link.subscribe(
+        layout.addresses,
+        rate_hz=rate_hz,
+        divisor=divisor,
+        trigger=plan.trigger,
+        on_change=plan.on_change,
+        immediate=plan.immediate,
+        timestamps=plan.timestamps,
+        buffer=buffer,
+        overflow=overflow,
+    )

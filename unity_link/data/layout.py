@@ -1,0 +1,73 @@
+"""Which words some signals of one gateway take, and how to read and decode them together."""
+
+from __future__ import annotations
+
+import asyncio
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from unity_link.errors import ArgumentError
+from unity_link.spec.columns import Columns
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from numpy.typing import NDArray
+
+    from unity_link.data.proxies import Proxy
+    from unity_link.wire.messages import Words
+
+
+class Layout:
+    """Signals behind one link, and the words that they stand in, each address once."""
+
+    def __init__(self, proxies: Sequence[Proxy[Any]]) -> None:
+        """Lay out signals of one link.
+
+        Raises:
+            ArgumentError: for one that cannot be read like a register.
+        """
+        self.proxies = tuple(proxies)
+        self.places = {proxy: place for place, proxy in enumerate(proxies)}
+        self.link = proxies[0].link
+        for proxy in proxies:
+            if not proxy.signal.access.reads:
+                raise ArgumentError(f"{proxy.path} can only be written")
+            if proxy.signal.fifo:
+                raise ArgumentError(f"{proxy.path} is the port of a queue, from which each read takes a word")
+        signals = [proxy.signal for proxy in proxies]
+        self.addresses = tuple(dict.fromkeys(address for signal in signals for address in signal.addresses))
+        self._array = np.array(self.addresses, np.uint64)
+        # A value of several words must be read in one bus transaction, or it may be of two instants.
+        self._wide = tuple(dict.fromkeys(signal.addresses for signal in signals if signal.words > 1))
+        self._columns = Columns(signals, self.addresses)
+        self._named = [(place, proxy) for place, proxy in enumerate(proxies) if proxy.signal.kind.enumeration]
+
+    async def read(self) -> Words:
+        """Read all words in one pipelined batch; shape (addresses,)."""
+        if not self._wide:
+            return await self.link.read_many(self._array)
+        apart = {address for addresses in self._wide for address in addresses}
+        single = [address for address in self.addresses if address not in apart]
+        parts = [(addresses, self.link.read_block(addresses.start, len(addresses))) for addresses in self._wide]
+        many = [(single, self.link.read_many(single))] if single else []
+        wanted = [*many, *parts]
+        words = await asyncio.gather(*(reading for _, reading in wanted))
+        found = {
+            address: int(word)
+            for (addresses, _), part in zip(wanted, words, strict=True)
+            for address, word in zip(addresses, part, strict=True)
+        }
+        return np.array([found[address] for address in self.addresses], np.uint64)
+
+    def row(self, words: Words) -> list[Any]:
+        """Give the values in words of shape (addresses,), in the order of the proxies."""
+        row = self._columns.row(words)
+        for place, proxy in self._named:
+            row[place] = proxy.scalar(row[place])
+        return row
+
+    def columns(self, words: Words) -> dict[Proxy[Any], NDArray[Any]]:
+        """Give the values in words of shape (samples, addresses), by their proxies, each of shape (samples,)."""
+        return dict(zip(self.proxies, self._columns.columns(words), strict=True))

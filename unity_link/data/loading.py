@@ -1,0 +1,56 @@
+"""From a spec to the class of its robot."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import msgspec
+
+from unity_link.data.robot import Component, Robot
+from unity_link.spec.model import Interface, Spec
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+
+class LoadedRobot(Robot):
+    """A robot whose class was made at run time: type checkers know nothing of its attributes."""
+
+    if TYPE_CHECKING:
+
+        def __getattr__(self, name: str) -> Any: ...
+
+
+def load(spec: str | Path | Spec, interface: str | None = None) -> type[LoadedRobot]:
+    """Give the class of a public interface; `unity_link.load` says more.
+
+    Raises:
+        SpecError: with everything that is wrong with the spec.
+        ArgumentError: for an interface that there is not.
+    """
+    if not isinstance(spec, Spec):
+        from unity_link.spec import compile_file
+
+        spec = compile_file(spec)
+    described = spec.interface(interface)
+    types = sorted({part.type for part in described.root.walk() if part.path})
+    return type(
+        class_name(described.name),
+        (LoadedRobot,),
+        {
+            "__doc__": described.doc or f"The interface {described.name}.",
+            "interface": described,
+            "components": {name: type(class_name(name), (Component,), {}) for name in types},
+            "enumerations": {known.name: known.python_type for known in described.enumerations},
+        },
+    )
+
+
+def read_interface(text: str) -> Interface:
+    """Read an interface as a generated module holds it: as JSON."""
+    return msgspec.json.decode(text, type=Interface)
+
+
+def class_name(name: str) -> str:
+    """Give the name of the class for something that a spec declares: ``leg_joint`` becomes ``LegJoint``."""
+    return "".join(word[:1].upper() + word[1:] for word in name.split("_") if word) or "_"

@@ -1,0 +1,80 @@
+"""A signal that is the port of a queue: reads take values from it, writes append some."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, TypeVar
+
+import numpy as np
+
+from unity_link.data.proxies import Proxy
+from unity_link.errors import ArgumentError
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike, NDArray
+
+T = TypeVar("T")
+
+
+class ReadPort(Proxy[T]):
+    """A queue that can be read."""
+
+    __slots__ = ()
+
+    async def take(self, count: int) -> NDArray[Any]:
+        """Take `count` values; shape (count,), those of an enumeration as numbers.
+
+        Raises:
+            AnswerLostError: where values were taken from the queue, but lost on the way.
+            BusError: where the queue had fewer, if the gateware says so; those that it had are gone.
+        """
+        signal = self.signal
+        words = (await self.bus.read_queue(signal.address, count * signal.words)).astype(np.uint64)
+        raw = np.zeros(count, np.uint64)
+        for part in range(signal.words):
+            raw |= words[part :: signal.words] << np.uint64(part * signal.word_bits)
+        values = signal.kind.decode_array(raw >> np.uint64(signal.lowest_bit) & np.uint64((1 << signal.width) - 1))
+        self.see(self.scalars(values[-1:])[0])
+        return values
+
+    async def get(self) -> T:
+        """Take one value."""
+        return self.scalars((await self.take(1))[:1])[0]
+
+
+class WritePort(Proxy[T]):
+    """A queue that can be written."""
+
+    __slots__ = ()
+
+    async def append(self, values: ArrayLike) -> None:
+        """Append values.
+
+        Raises:
+            ArgumentError: for a value outside of the limits, or that the kind cannot say. Nothing was sent.
+            BusError: where there was no room for all, if the gateware says so; the first ones were appended.
+        """
+        signal = self.signal
+        given = np.atleast_1d(np.asarray(values))
+        raw = signal.kind.encode_array(given)
+        low, high = signal.limits
+        outside = (given < low) | (given > high)
+        if outside.any():
+            unit = f" {signal.unit}" if signal.unit else ""
+            wrong = given[outside][0]
+            raise ArgumentError(f"{signal.path}: {wrong} is outside of its limits, {low:.12g} to {high:.12g}{unit}")
+        raw = raw << np.uint64(signal.lowest_bit)
+        mask = np.uint64((1 << signal.word_bits) - 1)
+        parts = [raw >> np.uint64(part * signal.word_bits) & mask for part in range(signal.words)]
+        await self.bus.write_queue(signal.address, np.stack(parts, axis=-1).ravel())
+
+    async def set(self, value: T) -> None:
+        """Append one value."""
+        words = self.signal.encode(value)  # type: ignore[arg-type]
+        await self.bus.write_queue(self.signal.address, words)
+        self.see(value)
+
+
+class Port(ReadPort[T], WritePort[T]):
+    """A queue that can be read and written."""
+
+    __slots__ = ()

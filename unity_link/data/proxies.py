@@ -1,0 +1,259 @@
+"""One signal as a typed value: `Readable`, `Writable`, or both.
+
+A proxy remembers the last value that it has seen, whoever asked for it: a read, a write, a group, a subscription. Of
+samples it keeps only the batch that they came in, and decodes when it is asked.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import math
+import time
+from typing import TYPE_CHECKING, Any, Generic, TypeVar, cast
+
+from unity_link.data.feed import Registration, call
+from unity_link.errors import AnswerLostError
+from unity_link.hardware import link_under
+
+if TYPE_CHECKING:
+    from collections.abc import AsyncIterator, Callable
+
+    from numpy.typing import NDArray
+
+    from unity_link.data.batch import Batch
+    from unity_link.data.feed import Feed
+    from unity_link.data.robot import Robot
+    from unity_link.hardware import Bus
+    from unity_link.spec.model import Signal
+    from unity_link.subscription import Overflow
+
+T = TypeVar("T")
+
+BUFFER = 16_384
+"""Samples that wait for a reader, as in `unity_link.Link.subscribe`."""
+
+
+class Proxy(Generic[T]):
+    """A signal of a robot; `Readable`, `Writable`, `ReadWrite` and the ports of queues are."""
+
+    __slots__ = ("_batch", "_callbacks", "_names", "_seen", "_seen_at", "bus", "link", "robot", "signal")
+
+    def __init__(self, signal: Signal, robot: Robot, bus: Bus) -> None:
+        self.signal = signal
+        """What the spec says of it."""
+        self.robot = robot
+        self.bus = bus
+        """What it is reached over: the link, or what a module puts before it."""
+        self.link = link_under(bus)
+        self._names: dict[int, Any] | None = None
+        if signal.kind.enumeration is not None:
+            known = robot.enumeration(signal.kind.enumeration)
+            self._names = {int(member): member for member in known}
+        self._seen: T | None = None
+        self._seen_at = -math.inf
+        self._batch: Batch | None = None
+        self._callbacks: tuple[Callable[[T], object], ...] = ()
+
+    @property
+    def path(self) -> str:
+        """How it is reached from its robot: ``legs[2].coxa.cpos``."""
+        return self.signal.path
+
+    @property
+    def id(self) -> str:
+        """The name that the spec gives it for people and other systems."""
+        return self.signal.id
+
+    @property
+    def unit(self) -> str:
+        """The unit of its values; empty where they have none."""
+        return self.signal.unit
+
+    def __repr__(self) -> str:
+        """Give the path, and the last value with its age."""
+        unit = f" {self.unit}" if self.unit else ""
+        seen = "never seen" if self.value is None else f"{self.value!r}{unit}, {self.age:.3g} s ago"
+        return f"<{self.path}: {seen}>"
+
+    # What was seen
+
+    @property
+    def value(self) -> T | None:
+        """The last value that was seen, by whatever way; None where there was none yet."""
+        if self._batch is not None:
+            batch, self._batch = self._batch, None
+            self._seen = self.scalars(batch[self][-1:])[0]
+        return self._seen
+
+    @property
+    def age(self) -> float:
+        """Seconds since that value arrived, or was written; infinite where there was none yet."""
+        return time.monotonic() - self._seen_at
+
+    def on_change(self, callback: Callable[[T], object]) -> Registration:
+        """Call a function with the value whenever another one is seen than before.
+
+        A signal that is published or polled is from now on, until `Registration.cancel`; any other one is seen when it
+        is read or written. To be called where an event loop runs. A callback that raises is told to the event loop's
+        exception handler; that the link was lost, too.
+        """
+        self._callbacks = (*self._callbacks, callback)
+        feed = self.feed()
+        listening = feed.listen() if feed is not None else None
+        return Registration(lambda: self._remove(callback), listening)
+
+    def _remove(self, callback: Callable[[T], object]) -> None:
+        callbacks = list(self._callbacks)
+        if callback in callbacks:
+            callbacks.remove(callback)
+        self._callbacks = tuple(callbacks)
+
+    def feed(self) -> Feed | None:
+        """Give the samples of the group that publishes or polls it; None where nothing does."""
+        return None
+
+    # Called by groups and subscriptions
+
+    def scalars(self, values: NDArray[Any]) -> list[T]:
+        """Make Python's values of an array of this signal's; shape (n,)."""
+        numbers = values.tolist()
+        if self._names is not None:
+            names = self._names
+            numbers = [names.get(number, number) for number in numbers]
+        return cast("list[T]", numbers)
+
+    def scalar(self, value: Any) -> T:
+        """Give the member of its enumeration for a number that has a name; any other value as it is."""
+        if self._names is None:
+            return cast("T", value)
+        return cast("T", self._names.get(int(value), int(value)))
+
+    def see(self, value: T) -> None:
+        """Keep a value as the last one, and call who waits for another one."""
+        if not self._callbacks:
+            self._seen, self._seen_at, self._batch = value, time.monotonic(), None
+            return
+        before = self.value
+        self._seen, self._seen_at = value, time.monotonic()
+        if value == before or (value != value and before != before):  # noqa: PLR0124  (NaN, twice)
+            return
+        for callback in self._callbacks:
+            call(callback, value, f"a callback of {self.path}")
+
+    def see_batch(self, batch: Batch) -> None:
+        """Keep the last value of a batch, or call who waits for changes with each."""
+        if self._callbacks:
+            for value in self.scalars(batch[self]):
+                self.see(value)
+            self._seen_at = batch.at
+        else:
+            self._batch, self._seen_at = batch, batch.at
+
+
+class Readable(Proxy[T]):
+    """A signal that can be read."""
+
+    __slots__ = ()
+
+    async def get(self) -> T:
+        """Read it from the gateway; one of several words in one bus transaction."""
+        signal = self.signal
+        words = signal.words
+        if words == 1:
+            value = self.scalar(signal.decode(await self.bus.read(signal.address)))
+        else:
+            block = await self.bus.read_block(signal.address, words)
+            value = self.scalar(signal.decode(block.tolist()))
+        self.see(value)
+        return value
+
+    def feed(self) -> Feed | None:
+        """Give the samples of the group that publishes or polls it; None where nothing does."""
+        group = self.robot.publishing_group(self)
+        return None if group is None else group.feed
+
+    def __aiter__(self) -> AsyncIterator[T]:
+        """Iterate over its samples, as `samples` does."""
+        return self.samples()
+
+    async def samples(self, *, buffer: int = BUFFER, overflow: Overflow = "fail") -> AsyncIterator[T]:
+        """Iterate over the values that its group publishes, or that the host polls.
+
+        Args:
+            buffer: most samples that wait for the loop's body.
+            overflow: what happens when they are more: ``"fail"``, or ``"drop_oldest"``. Values alone do not show
+                losses, so the default is not that of `Group.subscribe`.
+
+        Raises:
+            ArgumentError: where nothing publishes or polls it.
+            SamplesLostError: where the loop's body is too slow.
+            LinkLostError: when the link ends.
+        """
+        from unity_link.data.groups import nothing_publishes
+
+        feed = self.feed()
+        if feed is None:
+            raise nothing_publishes([self])
+        with feed.listen(buffer=buffer, overflow=overflow) as listener:
+            while True:
+                for value in self.scalars((await listener.next())[self]):
+                    yield value
+
+
+class Writable(Proxy[T]):
+    """A signal that can be written."""
+
+    __slots__ = ()
+
+    async def set(self, value: T) -> None:
+        """Write it; when this returns it is on the bus.
+
+        One of several words is written in one bus transaction, and a field leaves the other bits of its word alone.
+
+        Args:
+            value: in the signal's unit, it goes to the nearest one that there is; an enumeration takes names too.
+
+        Raises:
+            ArgumentError: for a value outside of the limits, or that the kind cannot say. Nothing was sent.
+            UnsupportedError: for a field, where the gateway was built without masked writes.
+        """
+        signal = self.signal
+        words = signal.encode(cast("Any", value))
+        if signal.is_field:
+            for index, word in enumerate(words):
+                mask = signal.mask >> (index * signal.word_bits) & ((1 << signal.word_bits) - 1)
+                # It was executed then; only the old word was lost, and nobody wants it.
+                with contextlib.suppress(AnswerLostError):
+                    await self.bus.write_masked(signal.address + index, word, mask)
+        elif len(words) == 1:
+            await self.bus.write(signal.address, words[0])
+        else:
+            await self.bus.write_block(signal.address, words)
+        self.see(self.scalar(signal.decode(words)))
+
+    async def post(self, value: T) -> None:
+        """Write it without waiting for the execution; errors are raised by the link's next `fence`.
+
+        A field, and a value of several words, need an answer and are written as by `set`.
+
+        Raises:
+            ArgumentError: as by `set`.
+        """
+        signal = self.signal
+        if signal.is_field or signal.words > 1:
+            await self.set(value)
+            return
+        (word,) = signal.encode(cast("Any", value))
+        await self.bus.post(signal.address, word)
+        self.see(self.scalar(signal.decode(word)))
+
+    @property
+    def limits(self) -> tuple[float, float]:
+        """Smallest and largest value that it takes, in its unit."""
+        return self.signal.limits
+
+
+class ReadWrite(Readable[T], Writable[T]):
+    """A signal that can be read and written."""
+
+    __slots__ = ()

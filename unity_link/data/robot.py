@@ -1,0 +1,255 @@
+"""The tree that a program holds: a robot of components of signals, made from a checked model.
+
+`unity_link.load` makes the classes at run time, `unity_link generate python` writes them into a module where editors
+and type checkers see them; both are subclasses of `Component` and `Robot` with nothing but annotations, and what
+happens is all here.
+
+Attributes have the names of the spec. One that Python needs for itself (`class`), or that `Robot` has (`link`), gets
+``_`` behind it.
+"""
+
+from __future__ import annotations
+
+import functools
+import keyword
+from typing import TYPE_CHECKING, Any, ClassVar
+
+from unity_link.data.groups import Group
+from unity_link.data.ports import Port, ReadPort, WritePort
+from unity_link.data.proxies import Proxy, Readable, ReadWrite, Writable
+from unity_link.errors import ArgumentError, UnsupportedError
+from unity_link.hardware import Module, module_type
+from unity_link.spec.model import Access, ComponentArray, ParameterReference
+
+if TYPE_CHECKING:
+    import enum
+    from collections.abc import Iterable, Iterator, Mapping
+
+    from unity_link.hardware import Bus
+    from unity_link.link import Link
+    from unity_link.spec import model
+    from unity_link.spec.kinds import Enumeration
+
+
+class Component:
+    """A part of a robot. Its signals, parts and modules are attributes."""
+
+    _model: model.Component
+    _members: tuple[Proxy[Any] | Component, ...]
+
+    @property
+    def signals(self) -> tuple[Proxy[Any], ...]:
+        """All signals in it and in its parts, in the order of the spec."""
+        return tuple(_walk(self._members))
+
+    def __repr__(self) -> str:
+        """Give the path, and the signals with their last values, one a line."""
+        name = self._model.path or self._model.name
+        return "\n".join([f"<{type(self).__name__} {name}>", *(f"  {signal!r}" for signal in self.signals)])
+
+
+class Robot(Component):
+    """A public interface of a spec, behind a link. `unity_link.load` and generated modules make subclasses."""
+
+    interface: ClassVar[model.Interface]
+    """What the spec says of it."""
+    components: ClassVar[Mapping[str, type[Component]]] = {}
+    """The classes of its components by the names of their declarations."""
+    enumerations: ClassVar[Mapping[str, type[enum.IntEnum]]] = {}
+    """The classes of its enumerations by their names."""
+
+    link: Link
+    """The link that it is reached over."""
+    groups: dict[str, Group]
+    """The groups that the spec declares, by their names."""
+
+    def __init__(self, link: Link, **parameters: int | None) -> None:
+        """Put the robot of the spec behind a link.
+
+        Args:
+            link: an open link.
+            parameters: those of the interface that have no value; one that is not needed can be left out.
+
+        Raises:
+            ArgumentError: for a parameter that there is not.
+            UnsupportedError: where the gateway's words are not those of the spec, or its addresses too few.
+        """
+        interface = self.interface
+        _check_gateway(interface, link)
+        self.link = link
+        self._given = _check_parameters(interface, parameters)
+        self._modules = _make_modules(interface, link, self._given)
+        self._by_path: dict[str, Proxy[Any]] = {}
+        self._fill(self, interface.root)
+        self._by_id = {proxy.id: proxy for proxy in self._by_path.values()}
+        self.groups = {
+            group.name: Group.declared(group, [self._by_path[path] for path in group.signals])
+            for group in interface.groups
+        }
+
+    def __getitem__(self, name: str) -> Proxy[Any]:
+        """Give a signal by its path or its ID.
+
+        Raises:
+            ArgumentError: where there is none.
+        """
+        proxy = self._by_path.get(name) or self._by_id.get(name)
+        if proxy is None:
+            from unity_link.spec.diagnostics import did_you_mean
+
+            hint = did_you_mean(name, [*self._by_path, *self._by_id])
+            raise ArgumentError(f"{self.interface.name} has no signal {name!r}" + (f": {hint}" if hint else ""))
+        return proxy
+
+    def publishing_group(self, proxy: Proxy[Any]) -> Group | None:
+        """Give the group that the gateway or the host samples a signal with, None where nothing does."""
+        if proxy.signal.group is not None:
+            return self.groups[proxy.signal.group]
+        return None if proxy.signal.poll_hz is None else self._polled[proxy.signal.poll_hz]
+
+    @classmethod
+    def enumeration(cls, enumeration: Enumeration) -> type[enum.IntEnum]:
+        """Give the class of an enumeration."""
+        return cls.enumerations.get(enumeration.name) or enumeration.python_type
+
+    @functools.cached_property
+    def written_bits(self) -> dict[int, int]:
+        """The bits of each word that signals write, by its address."""
+        bits: dict[int, int] = {}
+        for proxy in self._by_path.values():
+            signal = proxy.signal
+            if signal.access.writes:
+                for part, address in enumerate(signal.addresses):
+                    mask = signal.mask >> (part * signal.word_bits) & ((1 << signal.word_bits) - 1)
+                    bits[address] = bits.get(address, 0) | mask
+        return bits
+
+    @functools.cached_property
+    def _polled(self) -> dict[float, Group]:
+        by_rate: dict[float, list[Proxy[Any]]] = {}
+        for proxy in self._by_path.values():
+            signal = proxy.signal
+            if signal.poll_hz is not None and signal.group is None and signal.access.reads:
+                by_rate.setdefault(signal.poll_hz, []).append(proxy)
+        return {rate: Group.polled(rate, proxies) for rate, proxies in by_rate.items()}
+
+    # The tree
+
+    def _fill(self, component: Component, part: model.Component) -> None:
+        """Give a component its members."""
+        members: list[Proxy[Any] | Component] = []
+        attributes: dict[str, Any] = {}
+        for signal in part.signals:
+            proxy = self._make_proxy(signal)
+            members.append(proxy)
+            attributes[signal.name] = proxy
+        for below in part.parts:
+            if isinstance(below, ComponentArray):
+                items = tuple(self._make_component(item) for item in below.items)
+                members += items
+                attributes[below.name] = items
+            else:
+                attributes[below.name] = self._make_component(below)
+                members.append(attributes[below.name])
+        for number in part.modules:
+            _add_module(attributes, self.interface.modules[number], self._modules[number])
+        component._model = part  # noqa: SLF001  (it is made here)
+        component._members = tuple(members)  # noqa: SLF001
+        for name, attribute in zip(python_names(attributes), attributes.values(), strict=True):
+            setattr(component, name, attribute)
+
+    def _make_component(self, part: model.Component) -> Component:
+        component = self.components.get(part.type, Component)()
+        self._fill(component, part)
+        return component
+
+    def _make_proxy(self, signal: model.Signal) -> Proxy[Any]:
+        bus = self.link if signal.module is None else self._modules[signal.module].bus
+        proxy = proxy_type(signal)(signal, self, bus)
+        self._by_path[signal.path] = proxy
+        return proxy
+
+
+def _walk(members: Iterable[Proxy[Any] | Component]) -> Iterator[Proxy[Any]]:
+    for member in members:
+        if isinstance(member, Proxy):
+            yield member
+        else:
+            yield from member.signals
+
+
+def proxy_type(signal: model.Signal) -> type[Proxy[Any]]:
+    """Give the class of a signal's proxy."""
+    if signal.fifo:
+        return {Access.READ: ReadPort, Access.WRITE: WritePort, Access.READWRITE: Port}[signal.access]
+    return {Access.READ: Readable, Access.WRITE: Writable, Access.READWRITE: ReadWrite}[signal.access]
+
+
+def python_names(names: Iterable[str]) -> list[str]:
+    """Give the names of attributes for the members of a component, in the same order.
+
+    A name that Python or `Robot` has taken gets ``_`` behind it, as many as it needs.
+    """
+    given = list(names)
+    taken = set(given)
+    made = []
+    for name in given:
+        # Two underscores at the front have a meaning of their own in a class.
+        free = "_" + name.lstrip("_") if name.startswith("__") else name
+        while keyword.iskeyword(free) or hasattr(Robot, free) or free in _OWN or (free != name and free in taken):
+            free += "_"
+        taken.add(free)
+        made.append(free)
+    return made
+
+
+_OWN = frozenset({*Robot.__annotations__, *Component.__annotations__, "_given", "_modules", "_by_path", "_by_id"})
+
+
+def _add_module(attributes: dict[str, Any], described: model.Module, module: Module) -> None:
+    assert described.name is not None
+    if described.path is not None and described.path.endswith("]"):
+        attributes[described.name] = (*attributes.get(described.name, ()), module)
+    else:
+        attributes[described.name] = module
+
+
+def _check_gateway(interface: model.Interface, link: Link) -> None:
+    info = link.gateway
+    if info.data_bits != interface.data_bits:
+        raise UnsupportedError(
+            f"the spec of {interface.name} is for words of {interface.data_bits} bits, and the gateway's have "
+            f"{info.data_bits}: its GATEWAY(DATA_BITS={info.data_bits}) is missing or wrong"
+        )
+    highest = max((signal.addresses[-1] for signal in interface.signals.values()), default=0)
+    if highest >> info.address_bits:
+        raise UnsupportedError(
+            f"the spec of {interface.name} has addresses up to {highest:#x}, and those of the gateway end at "
+            f"{(1 << info.address_bits) - 1:#x}"
+        )
+
+
+def _check_parameters(interface: model.Interface, given: Mapping[str, int | None]) -> dict[str, int | None]:
+    open_parameters = [parameter.name for parameter in interface.parameters if parameter.value is None]
+    for name, value in given.items():
+        if name not in open_parameters:
+            expected = ", ".join(open_parameters) or "none"
+            raise ArgumentError(f"{interface.name} has no parameter {name!r} to be given: {expected} expected")
+        if value is not None and not 0 <= value < 1 << interface.address_bits:
+            raise ArgumentError(
+                f"{name}={value!r} was given, an address from 0 to {(1 << interface.address_bits) - 1:#x} expected"
+            )
+    return dict(given)
+
+
+def _make_modules(interface: model.Interface, link: Link, given: Mapping[str, int | None]) -> list[Module]:
+    """Make the proxies of all hardware modules; one stands on the bus of the one around it."""
+    modules: list[Module] = []
+    for described in interface.modules:
+        bus: Bus = link if described.parent is None else modules[described.parent].bus
+        arguments = {
+            name.lower(): given.get(value.name) if isinstance(value, ParameterReference) else value
+            for name, value in described.arguments.items()
+        }
+        modules.append(module_type(described.type)(bus, described.base, size=described.words, **arguments))
+    return modules

@@ -1,0 +1,201 @@
+"""Where samples of a group come from: subscriptions of the gateway, or reads that the host repeats.
+
+Both give lists of `Sample` by `take`. A group of several gateways has one source each.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import time
+from contextlib import AsyncExitStack
+from typing import TYPE_CHECKING, Protocol, Self
+
+import numpy as np
+
+from unity_link.data.batch import Batch
+from unity_link.errors import ArgumentError, SamplesLostError
+from unity_link.subscription import Sample
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+    from types import TracebackType
+
+    from unity_link.data.batch import GroupSample
+    from unity_link.data.layout import Layout
+    from unity_link.subscription import Overflow
+    from unity_link.wire.messages import Words
+
+
+class Source(Protocol):
+    """A stream of samples of one gateway: `unity_link.Subscription` is one."""
+
+    lost: int
+    received: int
+
+    @property
+    def rate_hz(self) -> float | None:
+        """Samples a second."""
+
+    async def take(self) -> list[Sample]:
+        """Wait until there is a sample, and give all that wait."""
+
+    async def publish(self) -> None:
+        """Have one sample taken now."""
+
+    async def __aenter__(self) -> Self: ...
+
+    async def __aexit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None: ...
+
+
+class Poll:
+    """Reads that the host repeats at a rate, each when it is asked for; what comes too late for its turn is lost."""
+
+    def __init__(self, layout: Layout, rate_hz: float, *, on_change: bool, overflow: Overflow) -> None:
+        if not rate_hz > 0:
+            raise ArgumentError(f"a rate of {rate_hz:g} Hz was asked for, expected more than 0")
+        self.lost = 0
+        self.received = 0
+        self._layout = layout
+        self._rate_hz = rate_hz
+        self._on_change = on_change
+        self._overflow = overflow
+        self._turn = 0
+        self._began: float | None = None
+        self._last: Words | None = None
+        self._lost = 0
+
+    @property
+    def rate_hz(self) -> float | None:
+        """Samples a second."""
+        return self._rate_hz
+
+    async def take(self) -> list[Sample]:
+        """Wait for the next turn, and read.
+
+        Raises:
+            SamplesLostError: where turns were missed, and the overflow is ``"fail"``.
+        """
+        while True:
+            await self._wait_for_turn()
+            words = await self._layout.read()
+            if not self._on_change or self._last is None or not np.array_equal(words, self._last):
+                break
+        return [self._sample(words)]
+
+    async def publish(self) -> None:
+        """Read again at once."""
+        self._began = None
+
+    async def __aenter__(self) -> Self:
+        return self
+
+    async def __aexit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        return
+
+    async def _wait_for_turn(self) -> None:
+        now = asyncio.get_running_loop().time()
+        if self._began is None:
+            self._began = now - self._turn / self._rate_hz
+        late = (now - self._began) * self._rate_hz - self._turn
+        if late < 0:
+            await asyncio.sleep(-late / self._rate_hz)
+        elif late >= 1:
+            missed = int(late)
+            self._turn += missed
+            self._lost += missed
+            self.lost += missed
+            if self._overflow == "fail":
+                raise SamplesLostError(f"the reader is too slow: {missed} turns of {self._rate_hz:g} Hz were missed")
+
+    def _sample(self, words: Words) -> Sample:
+        self._last = words
+        sample = Sample(self._turn, None, time.time(), words, self._lost)
+        self._turn += 1
+        self._lost = 0
+        self.received += 1
+        return sample
+
+
+class GroupSubscription:
+    """A stream of samples of a group; made by `Group.subscribe`, to be used in an ``async with`` block.
+
+    Iteration gives `GroupSample`, one by one. A group of several gateways gets samples of each as they come, with the
+    values of that one. Iteration ends with `LinkLostError` when a link ends, after the samples that had come before.
+    """
+
+    def __init__(self, sources: Sequence[tuple[Layout, Source]]) -> None:
+        self._sources = sources
+        self._stack = AsyncExitStack()
+        self._waiting: dict[asyncio.Task[Batch], int] = {}
+        self._rest: list[GroupSample] = []
+
+    @property
+    def rate_hz(self) -> float | None:
+        """Samples a second, of the first gateway; None where they are not periodic."""
+        return self._sources[0][1].rate_hz
+
+    @property
+    def lost(self) -> int:
+        """Samples lost so far."""
+        return sum(source.lost for _, source in self._sources)
+
+    @property
+    def received(self) -> int:
+        """Samples that arrived so far."""
+        return sum(source.received for _, source in self._sources)
+
+    async def publish(self) -> None:
+        """Have one sample taken now, of each gateway, besides those that are due by themselves."""
+        await asyncio.gather(*(source.publish() for _, source in self._sources))
+
+    async def take(self) -> Batch:
+        """Wait until there is a sample, and give all that wait as one batch.
+
+        Raises:
+            StopAsyncIteration: when the ``async with`` block has ended.
+        """
+        if len(self._sources) == 1:
+            return await self._take(0)
+        for number in set(range(len(self._sources))) - set(self._waiting.values()):
+            self._waiting[asyncio.create_task(self._take(number))] = number
+        done, _ = await asyncio.wait(self._waiting, return_when=asyncio.FIRST_COMPLETED)
+        # The one whose turn is longest past comes first: a busy gateway must not silence the others.
+        task = next(task for task in self._waiting if task in done)
+        del self._waiting[task]
+        return task.result()
+
+    async def _take(self, number: int) -> Batch:
+        layout, source = self._sources[number]
+        batch = Batch(layout, await source.take())
+        for proxy in layout.proxies:
+            proxy.see_batch(batch)
+        return batch
+
+    async def __aenter__(self) -> Self:
+        async with AsyncExitStack() as stack:
+            for _, source in self._sources:
+                await stack.enter_async_context(source)
+            self._stack = stack.pop_all()
+        return self
+
+    async def __aexit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        waiting, self._waiting = self._waiting, {}
+        for task in waiting:
+            task.cancel()
+        if waiting:
+            await asyncio.gather(*waiting, return_exceptions=True)
+        await self._stack.aclose()
+
+    def __aiter__(self) -> Self:
+        return self
+
+    async def __anext__(self) -> GroupSample:
+        if not self._rest:
+            self._rest = list(await self.take())[::-1]
+        return self._rest.pop()

@@ -1,0 +1,80 @@
+"""Many values written together: all are checked first, then all are sent at once.
+
+Fields that make up all that is written in a word go as one word; a field alone needs a masked write of its own, and a
+value of several words a bus transaction of its own. All are under way at the same time, in order.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+from typing import TYPE_CHECKING, Any
+
+from unity_link.errors import AnswerLostError, ArgumentError
+
+if TYPE_CHECKING:
+    from collections.abc import Coroutine, Mapping
+
+    from unity_link.data.proxies import Proxy
+    from unity_link.hardware import Bus
+
+
+async def write_values(values: Mapping[Proxy[Any], Any]) -> None:
+    """Write values, each to its signal.
+
+    Raises:
+        ArgumentError: for a value that its signal does not take. Nothing was sent.
+        GatewayError: the first error; the other writes may have been executed.
+    """
+    encoded = [(proxy, _encode(proxy, value)) for proxy, value in values.items()]
+    by_bus: dict[int, tuple[Bus, list[tuple[Proxy[Any], tuple[int, ...]]]]] = {}
+    for proxy, words in encoded:
+        by_bus.setdefault(id(proxy.bus), (proxy.bus, []))[1].append((proxy, words))
+    work = [writing for bus, items in by_bus.values() for writing in _writings(bus, items)]
+    if len(work) == 1:
+        await work[0]
+    else:
+        await asyncio.gather(*work)
+    for proxy, words in encoded:
+        proxy.see(proxy.scalar(proxy.signal.decode(words)))
+
+
+def _encode(proxy: Proxy[Any], value: Any) -> tuple[int, ...]:
+    if not proxy.signal.access.writes:
+        raise ArgumentError(f"{proxy.path} can only be read")
+    if proxy.signal.fifo:
+        raise ArgumentError(f"{proxy.path} is the port of a queue, to which each write appends a word")
+    return proxy.signal.encode(value)
+
+
+def _writings(bus: Bus, items: list[tuple[Proxy[Any], tuple[int, ...]]]) -> list[Coroutine[Any, Any, None]]:
+    """Give what is to be done on one bus, as coroutines that have not begun."""
+    whole: dict[int, int] = {}
+    fields: dict[int, tuple[int, int]] = {}
+    blocks: list[Coroutine[Any, Any, None]] = []
+    for proxy, words in items:
+        signal = proxy.signal
+        if signal.is_field:
+            word_mask = (1 << signal.word_bits) - 1
+            for part, (address, word) in enumerate(zip(signal.addresses, words, strict=True)):
+                value, mask = fields.get(address, (0, 0))
+                fields[address] = (value | word, mask | signal.mask >> (part * signal.word_bits) & word_mask)
+        elif len(words) == 1:
+            whole[signal.address] = words[0]
+        else:
+            blocks.append(bus.write_block(signal.address, words))
+    masked = []
+    robot = items[0][0].robot
+    for address, (word, mask) in fields.items():
+        if mask == robot.written_bits.get(address):
+            whole[address] = word
+        else:
+            masked.append(_write_masked(bus, address, word, mask))
+    many = [bus.write_many(list(whole), list(whole.values()))] if whole else []
+    return [*many, *masked, *blocks]
+
+
+async def _write_masked(bus: Bus, address: int, word: int, mask: int) -> None:
+    # It was executed then; only the old word was lost, and nobody wants it.
+    with contextlib.suppress(AnswerLostError):
+        await bus.write_masked(address, word, mask)

@@ -1,0 +1,136 @@
+"""What all hardware modules have in common: addresses that count from the module's own first word.
+
+A module stands on a `Bus`, and gives one to what stands in it: the link itself, or what an outer module puts before
+it, as a TosNet network does to commit what was written.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, ClassVar
+
+import numpy as np
+
+from unity_link.errors import ArgumentError
+from unity_link.hardware.bus import link_under
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Sequence
+
+    from numpy.typing import ArrayLike
+
+    from unity_link.hardware.bus import Bus
+    from unity_link.spec.arguments import Slot
+    from unity_link.subscription import Sample, Subscription
+    from unity_link.wire.messages import Words
+
+_KINDS: dict[str, type[Module]] = {}
+"""The classes of modules by their words in a spec."""
+
+
+class Module:
+    """A module on the bus. Addresses in it are offsets: 0 is its first word.
+
+    A subclass is a kind of module. With ``word="STEPPER"`` in its list of bases, specs can name it, with ``slots`` for
+    parameters beside BASE and SIZE.
+
+    Raises:
+        ArgumentError: by all methods, for an offset outside of the module.
+    """
+
+    SIZE: ClassVar[int | None] = None
+    """How many words modules of this kind take, where that is always the same."""
+
+    def __init_subclass__(cls, *, word: str | None = None, slots: Sequence[Slot] = (), **options: Any) -> None:
+        super().__init_subclass__(**options)
+        if word is not None:
+            _KINDS[word] = cls
+            _teach_spec(cls, word, tuple(slots))
+
+    def __init__(self, bus: Bus, base: int = 0, *, size: int | None = None, **parameters: Any) -> None:
+        """Stand on a link, or on another module's `bus`.
+
+        Args:
+            bus: what to read and write through.
+            base: address of the first word on the gateway's bus.
+            size: number of words; None where it is not known.
+            parameters: what else a spec says of the module, in small letters; subclasses name theirs.
+        """
+        self.outer = bus
+        """What it stands on."""
+        self.link = link_under(bus)
+        self.base = base
+        self.size = self.SIZE if size is None else size
+        self.parameters = parameters
+        if self.size is not None and self.size < 1:
+            raise ArgumentError(f"a module of {self.size} words was asked for, at least 1 is needed")
+
+    def __repr__(self) -> str:
+        """Give the kind and where it is."""
+        size = "" if self.size is None else f", {self.size} words"
+        return f"<{type(self).__name__} at {self.base:#x}{size}>"
+
+    @property
+    def bus(self) -> Bus:
+        """What signals and modules inside of this one are to be reached over."""
+        return self.outer
+
+    def address(self, offset: int, count: int = 1) -> int:
+        """Give the address on the gateway's bus of `count` words from `offset` on."""
+        if offset < 0 or (self.size is not None and offset + count > self.size):
+            end = "" if self.size is None else f" to {self.size - count}"
+            words = f"{count} words at offset" if count > 1 else "offset"
+            raise ArgumentError(f"{self!r}: {words} {offset} asked for, 0{end} expected")
+        return self.base + offset
+
+    async def read(self, offset: int) -> int:
+        """Read the word at `offset`."""
+        return await self.bus.read(self.address(offset))
+
+    async def write(self, offset: int, value: int) -> None:
+        """Write `value` to `offset`."""
+        await self.bus.write(self.address(offset), value)
+
+    async def write_masked(self, offset: int, value: int, mask: int) -> int:
+        """Replace the bits that are 1 in `mask`, atomically, and give the word as it was before."""
+        return await self.bus.write_masked(self.address(offset), value, mask)
+
+    async def post(self, offset: int, value: int) -> None:
+        """Send a write without waiting for its execution."""
+        await self.bus.post(self.address(offset), value)
+
+    async def read_block(self, offset: int, count: int) -> Words:
+        """Read `count` words from `offset` on; shape (count,)."""
+        return await self.bus.read_block(self.address(offset, count), count)
+
+    async def write_block(self, offset: int, values: ArrayLike) -> None:
+        """Write words from `offset` on."""
+        words = np.asarray(values)
+        await self.bus.write_block(self.address(offset, words.size), words)
+
+    async def read_many(self, offsets: Sequence[int]) -> Words:
+        """Read many words in one pipelined batch."""
+        return await self.bus.read_many([self.address(offset) for offset in offsets])
+
+    async def write_many(self, offsets: Sequence[int], values: ArrayLike) -> None:
+        """Write one word to each of many offsets in one pipelined batch."""
+        await self.bus.write_many([self.address(offset) for offset in offsets], values)
+
+    def subscribe(
+        self, offsets: Sequence[int], *, callback: Callable[[Sample], object] | None = None, **options: Any
+    ) -> Subscription:
+        """Have the gateway sample offsets by itself; `unity_link.Link.subscribe` documents the options."""
+        return self.link.subscribe([self.address(offset) for offset in offsets], callback=callback, **options)
+
+
+def module_type(word: str) -> type[Module]:
+    """Give the class for a word of a spec; `Module` itself where there is none."""
+    return _KINDS.get(word, Module)
+
+
+def _teach_spec(kind: type[Module], word: str, slots: tuple[Slot, ...]) -> None:
+    """Let specs name a module that the language does not know by itself."""
+    from unity_link.spec.modules import MODULES, ModuleType
+
+    if word not in MODULES:
+        doc = (kind.__doc__ or word).strip().splitlines()[0].rstrip(".")
+        MODULES[word] = ModuleType(doc, slots, lambda _: kind.SIZE)
