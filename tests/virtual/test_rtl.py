@@ -2,15 +2,19 @@
 
 from __future__ import annotations
 
+import asyncio
+import ctypes
 import itertools
+import os
 import shutil
+from concurrent.futures import ThreadPoolExecutor
 from typing import TYPE_CHECKING
 
 import pytest
 
 from unity_link.errors import ArgumentError, ConnectError
 from unity_link.virtual import AccessError
-from unity_link.virtual.rtl import RtlGateway, configurations, library
+from unity_link.virtual.rtl import RtlGateway, choose, compiling, configurations, library
 from unity_link.wire.crc import Crc
 from unity_link.wire.messages import ErrorCode
 
@@ -144,20 +148,138 @@ def test_samples_without_room_are_overruns(gateway: RtlGateway) -> None:
     assert any((later - earlier) % 256 > 1 for earlier, later in itertools.pairwise(numbers))
 
 
-def test_every_configuration_says_what_it_is(gateway: RtlGateway) -> None:
-    assert "default" in configurations()
-    assert (gateway.info.data_bits, gateway.info.address_bits) == (32, 8)
+@pytest.mark.parametrize("name", configurations())
+def test_every_configuration_is_what_its_file_says(name: str) -> None:
+    assert RtlGateway(name).info == configurations()[name].info
 
 
 def test_an_unknown_configuration_is_named() -> None:
-    with pytest.raises(ArgumentError, match="there is no gateware 'huge': this installation has default"):
+    with pytest.raises(ArgumentError, match=r"no gateware .huge.: this installation has .*default"):
         RtlGateway("huge")
 
 
-def test_without_a_compiler_it_says_what_to_install(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+@pytest.mark.parametrize(
+    ("fields", "node", "name"),
+    [
+        ({}, None, "default"),
+        ({"data_bits": 32, "clock_hz": 500_000}, None, "default"),
+        ({"data_bits": 64}, None, "wide"),
+        ({"groups": 0}, None, "minimal"),
+        ({"crc_bits": 32}, None, "crc_32"),
+        ({}, 5, "node"),
+    ],
+)
+def test_a_configuration_is_chosen_by_its_fields_and_else_as_the_default_is(
+    fields: dict[str, int], node: int | None, name: str
+) -> None:
+    assert choose(fields, node).name == name
+
+
+@pytest.mark.parametrize(
+    ("fields", "node", "message"),
+    [
+        ({"data_bits": 16}, None, "with data_bits=16: there are data_bits=8, data_bits=9, data_bits=32, data_bits=64$"),
+        ({"data_bits": 64, "id_digits": 2}, None, "data_bits=64&id_digits=2: there are .*, data_bits=64&id_digits=3$"),
+        ({}, 6, "with node=6: there are node=5, no node$"),
+    ],
+)
+def test_what_was_not_compiled_is_answered_with_what_was(
+    fields: dict[str, int], node: int | None, message: str
+) -> None:
+    with pytest.raises(ArgumentError, match=message):
+        choose(fields, node)
+
+
+# The compiler and its cache
+
+
+def fresh_load(name: str = "minimal") -> None:
+    """Load a library as a new process does."""
+    library.load.__wrapped__(name)
+
+
+@pytest.mark.parametrize("cxx", [None, ""])
+def test_without_a_compiler_it_says_what_to_install(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path, cxx: str | None
+) -> None:
     monkeypatch.setenv("PATH", str(tmp_path))
     monkeypatch.delenv("CXX", raising=False)
-    library.load.cache_clear()
-    with pytest.raises(ConnectError, match=r"apt install g\+\+"):
-        RtlGateway()
-    library.load.cache_clear()
+    if cxx is not None:
+        monkeypatch.setenv("CXX", cxx)
+    with pytest.raises(ConnectError, match=r"no C\+\+ compiler is there: apt install g\+\+"):
+        fresh_load()
+
+
+def test_a_compiler_that_is_not_there_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("CXX", "ccc++ -m64")
+    with pytest.raises(ConnectError, match=r"'ccc\+\+', is not there: unset CXX"):
+        fresh_load()
+
+
+def compiler(monkeypatch: pytest.MonkeyPatch, folder: Path, script: str) -> None:
+    """Put a program in the place of the C++ compiler."""
+    path = folder / "c++"
+    path.write_text(f"#!/bin/sh\n{script}\n")
+    path.chmod(0o755)
+    monkeypatch.setenv("CXX", str(path))
+    monkeypatch.setenv("XDG_CACHE_HOME", str(folder / "cache"))
+
+
+def test_a_compiler_that_fails_is_quoted_and_leaves_nothing(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    compiler(monkeypatch, tmp_path, "echo 'In file included from' >&2; echo 'x.cc:1: error: no <vector>' >&2; exit 1")
+    with pytest.raises(ConnectError, match=r"could not be compiled by .*: x.cc:1: error: no <vector>$"):
+        fresh_load()
+    assert list((tmp_path / "cache" / "unity-link" / "rtl").iterdir()) == []
+
+
+def test_what_a_compiler_made_is_kept(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    compiler(monkeypatch, tmp_path, f'echo "$@" >> {tmp_path}/calls; for last; do :; done; echo no library > "$last"')
+    monkeypatch.setattr(compiling, "_OPTIONS", ())
+    for _ in range(2):
+        # It is no library, which shows where it is kept.
+        with pytest.raises(ConnectError, match=r"cache/unity-link/rtl/minimal-.*\.so can't be loaded"):
+            fresh_load()
+    calls = (tmp_path / "calls").read_text().splitlines()
+    assert [call for call in calls if "--version" not in call] == calls[1:2]
+
+
+def test_a_folder_that_can_not_be_written_is_named(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    (tmp_path / "file").touch()
+    folder = tmp_path / "unity-link"
+    folder.mkdir()
+    (folder / "rtl").symlink_to("/proc/self")
+    for place in (tmp_path / "file", tmp_path):
+        monkeypatch.setenv("XDG_CACHE_HOME", str(place))
+        with pytest.raises(ConnectError, match=f"can't be kept in {place}/unity-link/rtl .*XDG_CACHE_HOME"):
+            fresh_load()
+
+
+@pytest.mark.asyncio
+async def test_a_cancelled_compilation_ends_the_compiler_and_what_it_started(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    started, ended = tmp_path / "started", tmp_path / "ended"
+    os.mkfifo(started)
+    os.mkfifo(ended)
+    # The inner process holds a FIFO open for as long as it lives.
+    compiler(monkeypatch, tmp_path, f'[ "$1" = --version ] || sh -c "exec 3>{ended}; echo >{started}; sleep 1000"')
+    task = asyncio.create_task(compiling.compile_beside(configurations()["minimal"].source))
+    watch = os.open(ended, os.O_RDONLY | os.O_NONBLOCK)
+    await asyncio.to_thread(started.read_text)
+    task.cancel()
+    with pytest.raises(asyncio.CancelledError):
+        await task
+    # Were somebody left, this would block; the end of all writers is the end of the file.
+    os.set_blocking(watch, True)
+    assert await asyncio.wait_for(asyncio.to_thread(os.read, watch, 1), 60) == b""
+    os.close(watch)
+    assert list((tmp_path / "cache" / "unity-link" / "rtl").iterdir()) == []
+
+
+def test_two_programs_may_compile_at_once(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
+    monkeypatch.setattr(compiling, "_OPTIONS", ("-O0", *compiling._OPTIONS[1:]))
+    with ThreadPoolExecutor(2) as threads:
+        for path in threads.map(compiling.compiled, [configurations()["minimal"].source] * 2):
+            assert ctypes.CDLL(str(path)).ul_create is not None
+    assert len(list((tmp_path / "unity-link" / "rtl").iterdir())) == 1

@@ -1,7 +1,8 @@
 """Layer 0, device drivers: one file a medium, one URL scheme each, imported only when its scheme is asked for.
 
 A driver module has a coroutine ``connect(url, protocol)`` that opens the medium and gives an `asyncio` transport that
-feeds `protocol`, and ``OPTIONS``, the names of the URL options that it takes.
+feeds `protocol`, and ``OPTIONS``, the names of the URL options that it takes. It may have a coroutine ``prepare(url)``
+for what takes its time once on a machine and says nothing about the gateway: no time-out counts it.
 """
 
 from __future__ import annotations
@@ -23,6 +24,7 @@ _MODULES = {
     "unix": "unix",
     "udp": "udp",
     "sim": "virtual",
+    "rtl": "virtual",
     "ftdi": "ft232h",
     "ftdi-async": "ft232h_async",
 }
@@ -129,3 +131,15 @@ def parse_url(url: str) -> DriverUrl:
 def load_driver(scheme: str) -> Driver:
     """Import the driver of a scheme."""
     return cast("Driver", importlib.import_module(f"unity_link.drivers.{_MODULES[scheme]}"))
+
+
+async def prepare(url: DriverUrl) -> None:
+    """Do what must be done once before a medium of this kind can be opened.
+
+    Raises:
+        ArgumentError: for a URL of something that there is not.
+        ConnectError: where it can't be done here.
+    """
+    preparing = getattr(load_driver(url.scheme), "prepare", None)
+    if preparing is not None:
+        await preparing(url)

@@ -1,6 +1,7 @@
 """What stands in for hardware.
 
 - `gateway`: the protocol as a model; `commands`, `groups` and `bus` are its inside
+- `rtl`: the gateware itself, compiled
 - `scara`: a robot behind the bus
 - `line`, `faults`: what can happen between a gateway and a host; each is a gateway in front of another one
 - `transport`, `serving`: gateways on an event loop, in the process and for other programs
@@ -9,6 +10,6 @@ Everything that takes a `Gateway` takes any of them.
 """
 
 from unity_link.virtual.bus import AccessError, Device
-from unity_link.virtual.gateway import Gateway, VirtualGateway
+from unity_link.virtual.gateway import BareGateway, Gateway, VirtualGateway
 
-__all__ = ["AccessError", "Device", "Gateway", "VirtualGateway"]
+__all__ = ["AccessError", "BareGateway", "Device", "Gateway", "VirtualGateway"]

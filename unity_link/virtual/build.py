@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from unity_link.errors import ArgumentError, UnsupportedError
 from unity_link.virtual.faults import Noise, NoisyLine
-from unity_link.virtual.gateway import Gateway, VirtualGateway
+from unity_link.virtual.gateway import BareGateway, Gateway, VirtualGateway
 from unity_link.virtual.line import SlowLine
 from unity_link.virtual.scara import attach_scara
 from unity_link.wire.gateway_info import Feature, GatewayInfo
@@ -14,7 +14,7 @@ from unity_link.wire.gateway_info import Feature, GatewayInfo
 if TYPE_CHECKING:
     from collections.abc import Callable, Mapping
 
-ROBOTS: dict[str, Callable[[VirtualGateway], object]] = {"": lambda _: None, "scara": attach_scara}
+ROBOTS: dict[str, Callable[[BareGateway], object]] = {"": lambda _: None, "scara": attach_scara}
 """What can stand behind the bus, by name; the empty name is plain memory."""
 CHANCES = ("loss", "flip", "double")
 """Probabilities of `Noise` that a user can choose."""
@@ -27,6 +27,7 @@ def build_gateway(
     robot: str = "",
     configuration: Mapping[str, int] | None = None,
     *,
+    rtl: bool = False,
     node: int | None = None,
     chances: Mapping[str, float] | None = None,
     seed: int = 0,
@@ -37,25 +38,33 @@ def build_gateway(
     Args:
         robot: a name from `ROBOTS`.
         configuration: fields of `GatewayInfo` that are not as in the gateware's default build.
+        rtl: take the compiled gateware, of the configurations that there are, instead of the model.
         node: its number on a shared medium.
         chances: probabilities of `CHANCES`, for each byte in both directions.
         seed: chooses the course of the noise; both directions have their own.
         bytes_per_second: rate of a line with the FIFOs of the configuration, None for one without limit.
 
     Raises:
-        ArgumentError: for an unknown robot, or a value that no gateway can have.
+        ArgumentError: for an unknown robot, a value that no gateway can have, or one that was not compiled.
+        ConnectError: where the gateware can't be compiled here.
     """
     if robot not in ROBOTS:
         known = ", ".join(name for name in ROBOTS if name)
         raise ArgumentError(f"no robot {robot!r} is known: {known} was expected, or none for plain memory")
-    model = VirtualGateway(_info(configuration or {}), node=node)
-    ROBOTS[robot](model)
-    gateway: Gateway = model
+    bare = _compiled(configuration or {}, node) if rtl else VirtualGateway(_info(configuration or {}), node=node)
+    ROBOTS[robot](bare)
+    gateway: Gateway = bare
     if bytes_per_second is not None:
-        gateway = SlowLine(model, bytes_per_second)
+        gateway = SlowLine(bare, bytes_per_second)
     if chances:
         gateway = NoisyLine(gateway, Noise(2 * seed, **chances), Noise(2 * seed + 1, **chances))
     return gateway
+
+
+def _compiled(configuration: Mapping[str, int], node: int | None) -> BareGateway:
+    from unity_link.virtual.rtl import RtlGateway, choose
+
+    return RtlGateway(choose(configuration, node).name)
 
 
 def _info(configuration: Mapping[str, int]) -> GatewayInfo:

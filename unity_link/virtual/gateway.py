@@ -68,6 +68,25 @@ class Gateway(Protocol):
         """
 
 
+class BareGateway(Gateway, Protocol):
+    """A gateway without a line before it, whose bus and pins are at hand: this model, or the compiled gateware."""
+
+    def reset(self) -> None:
+        """Go back to the state after power-up. What is behind the bus stays as it is."""
+
+    def attach(self, device: Device, addresses: Iterable[int]) -> None:
+        """Put a device behind addresses, in place of what was there; the first is its offset 0."""
+
+    def detach(self, addresses: Iterable[int]) -> None:
+        """Make addresses plain memory again."""
+
+    def overflow(self) -> None:
+        """Lose bytes before the next one received: the frame that they belong to is answered by error 09."""
+
+    def trigger(self, now: float) -> None:
+        """Give a rising edge to all external triggers; the publishes come out of the next call."""
+
+
 class VirtualGateway:
     """A gateway with plain memory at every address.
 

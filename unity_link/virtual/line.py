@@ -19,7 +19,7 @@ from unity_link.wire.gateway_info import Feature
 if TYPE_CHECKING:
     from collections.abc import Callable, MutableMapping
 
-    from unity_link.virtual.gateway import VirtualGateway
+    from unity_link.virtual.gateway import BareGateway
 
 _TO_END = re.compile(rb"[^\r\n]*[\r\n]?")
 
@@ -35,7 +35,7 @@ class SlowLine:
         ArgumentError: for a rate of 0 or less.
     """
 
-    def __init__(self, gateway: VirtualGateway, bytes_per_second: float) -> None:
+    def __init__(self, gateway: BareGateway, bytes_per_second: float) -> None:
         if bytes_per_second <= 0:
             raise ArgumentError(f"bytes_per_second={bytes_per_second} is no rate: more than 0 was expected")
         self.info = gateway.info

@@ -28,7 +28,7 @@ from unity_link.virtual.bus import AccessError
 from unity_link.wire.messages import ErrorCode
 
 if TYPE_CHECKING:
-    from unity_link.virtual.gateway import VirtualGateway
+    from unity_link.virtual.gateway import BareGateway
 
 COUNTS_PER_REVOLUTION = 4000
 SPEED, POSITION, POSITION_SET_POINT, SPEED_SET_POINT = 0x80, 0x88, 0x8C, 0x94
@@ -174,7 +174,7 @@ class Scara:
             raise AccessError(ErrorCode.BUS_ERROR)
 
 
-def attach_scara(gateway: VirtualGateway) -> Scara:
+def attach_scara(gateway: BareGateway) -> Scara:
     """Put the robot behind a gateway.
 
     Raises:

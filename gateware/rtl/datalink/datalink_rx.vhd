@@ -120,11 +120,17 @@ architecture rtl of datalink_rx is
 
   end function holds;
 
-  -- Whether a character is the hex digit of one half of a node's number.
-  function is_digit_of (code : std_logic_vector(7 downto 0); number, place : natural) return std_logic is
+  -- Whether a character is the first or the second hex digit of a node's number.
+  function is_digit_of (code : std_logic_vector(7 downto 0); number : natural; first : boolean) return std_logic is
+
+    constant digits : std_logic_vector(7 downto 0) := std_logic_vector(to_unsigned(number, 8));
+
   begin
 
-    return is_hex(code) and to_std_logic(to_integer(unsigned(hex_value(code))) = number / 16 ** (1 - place) mod 16);
+    if first then
+      return is_hex(code) and to_std_logic(hex_value(code) = digits(7 downto 4));
+    end if;
+    return is_hex(code) and to_std_logic(hex_value(code) = digits(3 downto 0));
 
   end function is_digit_of;
 
@@ -219,8 +225,8 @@ begin
         v.to_me  := to_std_logic(in_data = character_z);
         v.to_all := v.to_me;
       else
-        v.to_me  := r.to_me and is_digit_of(in_data, maximum(node, 0), to_integer(r.prefix) - 1);
-        v.to_all := r.to_all and is_digit_of(in_data, 255, to_integer(r.prefix) - 1);
+        v.to_me  := r.to_me and is_digit_of(in_data, maximum(node, 0), r.prefix = 1);
+        v.to_all := r.to_all and is_digit_of(in_data, 255, r.prefix = 1);
       end if;
 
     end procedure take_prefix;

@@ -3,11 +3,12 @@
 - `shim.cc`: the clock, the medium and the bus around the compiled gateware, in C++
 - `generated/`: the gateware as C++, one file for each configuration; `make rtl` writes it from the VHDL
 - `cxxrtl_runtime/`: the headers that it includes, from Yosys, under their own licence (ISC, in each of them)
-- `library`: compiles the three at first use and loads them
+- `configurations`: which of them there are, and which one a user means
+- `compiling`, `library`: compile the three at first use, and load them
 - `gateway`: `RtlGateway`, what everything else uses
 """
 
+from unity_link.virtual.rtl.configurations import choose, configurations
 from unity_link.virtual.rtl.gateway import RtlGateway
-from unity_link.virtual.rtl.library import configurations
 
-__all__ = ["RtlGateway", "configurations"]
+__all__ = ["RtlGateway", "choose", "configurations"]

@@ -21,6 +21,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from unity_link.errors import ArgumentError, ConnectError
 from unity_link.virtual.bus import AccessError, Device
+from unity_link.virtual.rtl.configurations import find
 from unity_link.virtual.rtl.library import DeviceFunction, load
 from unity_link.wire.gateway_info import GatewayInfo
 from unity_link.wire.messages import ErrorCode
@@ -97,6 +98,8 @@ class RtlGateway:
     """
 
     def __init__(self, configuration: str = "default") -> None:
+        build = find(configuration)
+        self._prefix = b"" if build.node is None else b"Z%02X" % build.node
         self._library = load(configuration)
         self._handle = int(self._library.ul_create())
         self._free = weakref.finalize(self, self._library.ul_destroy, self._handle)
@@ -235,11 +238,12 @@ class RtlGateway:
     # The inside
 
     def _ask_for_info(self) -> GatewayInfo:
-        answer = self.receive(b"Q\r", 0.0)
+        beginning = self._prefix + b"Q"
+        answer = self.receive(beginning + b"\r", 0.0)
         self.reset()
-        if not answer.startswith(b"Q"):
+        if not answer.startswith(beginning):
             raise ConnectError(f"the gateware answered {answer!r} to Q: it was not built as it should be")
-        return GatewayInfo.from_hex(answer[1:-2])
+        return GatewayInfo.from_hex(answer[len(beginning) : -2])
 
     def _time(self) -> float:
         """The gateway's time in the caller's seconds."""
@@ -267,7 +271,8 @@ class RtlGateway:
     def _watch_stops(self, sent: bytes) -> None:
         """Take note of the answer to K: all groups have stopped."""
         seen = self._last_sent + sent
-        at = max(seen.rfind(b"\nK"), 0 if self._last_sent == b"" and seen.startswith(b"K") else -1)
+        end = self._prefix + b"K"
+        at = max(seen.rfind(b"\n" + end), 0 if self._last_sent == b"" and seen.startswith(end) else -1)
         if at >= 0:
             self._ticking = b"GN" in seen[at:] or b"gn" in seen[at:]
         self._last_sent = seen[-1:]

@@ -8,7 +8,7 @@ from ctypes import POINTER, c_double, c_int, c_size_t, c_uint8, c_uint64, c_void
 
 from unity_link.errors import ConnectError
 from unity_link.virtual.rtl.compiling import compiled
-from unity_link.virtual.rtl.configurations import configuration
+from unity_link.virtual.rtl.configurations import find
 
 DeviceFunction = ctypes.CFUNCTYPE(c_int, c_void_p, c_uint64, c_int, POINTER(c_uint64))
 """`Device` of shim.cc: context, address, whether it is a write, the word; gives an Answer."""
@@ -47,7 +47,7 @@ def load(name: str) -> ctypes.CDLL:
         ArgumentError: for a configuration that there is not.
         ConnectError: where no C++ compiler is installed, or it fails, or what it made cannot be kept or loaded.
     """
-    path = compiled(configuration(name).source)
+    path = compiled(find(name).source)
     try:
         library = ctypes.CDLL(str(path))
     except OSError as error:

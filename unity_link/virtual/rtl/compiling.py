@@ -1,0 +1,135 @@
+"""Compiles the gateware's C++ at first use, and keeps the result.
+
+A compiled library is kept in the user's cache under a hash of its sources, of the compiler and of its options, so that
+it is never stale; half a minute is spent once after an installation or an update. Two programs may do so at once: each
+puts its own in place as a whole, and both are the same.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+import hashlib
+import logging
+import os
+import shlex
+import shutil
+import signal
+import subprocess
+import tempfile
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import msgspec
+
+from unity_link.errors import ConnectError
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+_HERE = Path(__file__).parent
+_RUNTIME = _HERE / "cxxrtl_runtime"
+_SHIM = _HERE / "shim.cc"
+_COMPILERS = ("c++", "g++", "clang++")
+# Of what compilers offer, -O3 makes the quickest gateware: twice that of -O2.
+_OPTIONS = ("-O3", "-std=c++14", "-shared", "-fPIC")
+log = logging.getLogger("unity_link.rtl")
+
+
+def compiled(source: Path) -> Path:
+    """Give the shared library of a generated file, compiled unless that was done before.
+
+    Raises:
+        ConnectError: where no C++ compiler is installed, it fails, or the result cannot be kept.
+    """
+    plan = _Plan.of(source)
+    if not plan.library.exists():
+        with plan.compiling() as command, _running(command) as process:
+            plan.check(process.communicate()[1], process.returncode)
+    return plan.library
+
+
+async def compile_beside(source: Path) -> None:
+    """Do what `compiled` does while the event loop goes on; cancellation ends the compiler.
+
+    Raises:
+        ConnectError: as `compiled`.
+    """
+    plan = _Plan.of(source)
+    if plan.library.exists():
+        return
+    with plan.compiling() as command, _running(command) as process:
+        # A thread waits, for processes of asyncio need a loop that watches children.
+        errors = (await asyncio.to_thread(process.communicate))[1]
+        plan.check(errors, process.returncode)
+
+
+class _Plan(msgspec.Struct, frozen=True):
+    """What is compiled by what, and where it is kept."""
+
+    compiler: list[str]
+    source: Path
+    library: Path
+
+    @classmethod
+    def of(cls, source: Path) -> _Plan:
+        compiler = _compiler()
+        version = subprocess.run([*compiler, "--version"], check=False, capture_output=True).stdout  # noqa: S603
+        digest = hashlib.sha256(b"\0".join((version, *(option.encode() for option in _OPTIONS))))
+        for part in (source, _SHIM, *sorted(_RUNTIME.rglob("*.h"))):
+            digest.update(part.read_bytes())
+        return cls(compiler, source, _cache_folder() / f"{source.stem}-{digest.hexdigest()[:16]}.so")
+
+    @contextlib.contextmanager
+    def compiling(self) -> Iterator[list[str]]:
+        """Give the command to run; what it made is kept if the block ends well."""
+        log.warning("compiling the gateware by %s: once, this takes a while", self.compiler[0])
+        try:
+            self.library.parent.mkdir(parents=True, exist_ok=True)
+            with tempfile.TemporaryDirectory(dir=self.library.parent, ignore_cleanup_errors=True) as scratch:
+                built = Path(scratch, self.library.name)
+                model = f'-DUL_MODEL="{self.source}"'
+                yield [*self.compiler, *_OPTIONS, f"-I{_RUNTIME}", model, str(_SHIM), "-o", str(built)]
+                built.replace(self.library)
+        except OSError as error:
+            raise ConnectError(
+                f"the compiled gateware can't be kept in {self.library.parent} ({error.strerror or error}): "
+                "name another folder in XDG_CACHE_HOME"
+            ) from error
+
+    def check(self, errors: bytes, code: int) -> None:
+        """Raise `ConnectError` where the compiler has failed."""
+        if code:
+            lines = errors.decode(errors="replace").strip().splitlines()
+            reason = next((line for line in lines if "error" in line), lines[0] if lines else f"exit code {code}")
+            raise ConnectError(f"the gateware could not be compiled by {self.compiler[0]}: {reason}")
+
+
+@contextlib.contextmanager
+def _running(command: list[str]) -> Iterator[subprocess.Popen[bytes]]:
+    """Run a command that does not outlive the block, nor do the processes that it starts."""
+    process = subprocess.Popen(  # noqa: S603
+        command, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, process_group=0
+    )
+    try:
+        yield process
+    finally:
+        if process.poll() is None:
+            with contextlib.suppress(ProcessLookupError):
+                os.killpg(process.pid, signal.SIGKILL)
+            process.wait()
+
+
+def _compiler() -> list[str]:
+    chosen = shlex.split(os.environ.get("CXX", ""))
+    for candidate in [chosen] if chosen else [[name] for name in _COMPILERS]:
+        if shutil.which(candidate[0]):
+            return candidate
+    if chosen:
+        raise ConnectError(f"the C++ compiler that CXX names, {chosen[0]!r}, is not there: unset CXX, or install it")
+    raise ConnectError("the gateware is compiled at its first use, and no C++ compiler is there: apt install g++")
+
+
+def _cache_folder() -> Path:
+    base = os.environ.get("XDG_CACHE_HOME")
+    return (Path(base) if base else Path.home() / ".cache") / "unity-link" / "rtl"
