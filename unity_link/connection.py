@@ -138,10 +138,10 @@ class Connection:
         if self._reconnection is None:
             self._reconnection = self._loop.create_task(self._reopen(reason, self._reconnect))
 
-    def open_when_there(self, reconnect: Reconnect) -> None:
+    def open_when_there(self) -> None:
         """Open as soon as the gateway is there, in a task of its own, as a lost connection is opened again."""
-        if self._reconnection is None:
-            self._reconnection = self._loop.create_task(self._reopen("", reconnect))
+        if self._reconnection is None and self._reconnect is not None:
+            self._reconnection = self._loop.create_task(self._reopen("", self._reconnect))
 
     def _drop_stream(self) -> None:
         if self._stream is not None:

@@ -1,4 +1,7 @@
-"""``tcp://host:port``: a gateway behind a serial device server, or a served virtual one."""
+"""``tcp://host:port``: a gateway behind a serial device server, a served virtual one, or a shared link.
+
+What shares a link may want a token; it goes before everything else (protocol, "Shared links").
+"""
 
 from __future__ import annotations
 
@@ -7,11 +10,12 @@ import socket
 from typing import TYPE_CHECKING
 
 from unity_link.errors import ArgumentError, ConnectError
+from unity_link.wire.frames import LF, TOKEN_LINE
 
 if TYPE_CHECKING:
     from unity_link.drivers import DriverUrl
 
-OPTIONS: frozenset[str] = frozenset()
+OPTIONS = frozenset({"token"})
 
 
 def address(url: DriverUrl) -> tuple[str, int]:
@@ -36,4 +40,6 @@ async def connect(url: DriverUrl, protocol: asyncio.Protocol) -> asyncio.Transpo
         ) from error
     connection: socket.socket = transport.get_extra_info("socket")
     connection.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
+    if "token" in url.options:
+        transport.write(TOKEN_LINE + url.options["token"].encode() + LF)
     return transport

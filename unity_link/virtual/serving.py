@@ -13,29 +13,26 @@ from __future__ import annotations
 
 import asyncio
 import contextlib
-import errno
 import io
 import os
-import socket
 import tty
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from unity_link.errors import ConnectError
+from unity_link.listening import LOOPBACK, listen_tcp, listen_unix, port_error
 from unity_link.virtual.transport import GatewayTransport
 from unity_link.wire.frames import datagrams
 
 if TYPE_CHECKING:
-    from collections.abc import AsyncIterator
+    from collections.abc import AsyncIterator, Iterator
 
     from unity_link.virtual.gateway import Gateway
 
 BUSY = b"this gateway serves another client; try again when that has gone\r\n"
 GRACE = 0.1
 """Seconds that a new client waits for the one before to go: hanging up may be heard later than calling again."""
-LOOPBACK = "127.0.0.1"
 _LONGEST_REST = 65536
-_OWNER_ONLY = 0o177
 
 
 async def connect_gateway(gateway: Gateway, protocol: asyncio.Protocol) -> asyncio.Transport:
@@ -138,16 +135,14 @@ async def _counter(gateway: Gateway) -> AsyncIterator[Counter]:
         counter.gateway.abort()
 
 
-@contextlib.asynccontextmanager
-async def _serving(server: asyncio.Server, counter: Counter) -> AsyncIterator[None]:
-    """Serve a stream until the end of the context, and hang up then."""
+@contextlib.contextmanager
+def _hanging_up(counter: Counter) -> Iterator[None]:
+    """Hang up on the client at the end."""
     try:
         yield
     finally:
-        server.close()
         if counter.sender is not None:
             counter.sender.abort()
-        await server.wait_closed()
 
 
 @contextlib.asynccontextmanager
@@ -157,14 +152,9 @@ async def serve_tcp(gateway: Gateway, port: int = 0, host: str = LOOPBACK) -> As
     Raises:
         ConnectError: where the port can't be opened.
     """
-    async with _counter(gateway) as counter:
-        loop = asyncio.get_running_loop()
-        try:
-            server = await loop.create_server(lambda: _Client(counter), host, port)
-        except (OSError, OverflowError) as error:
-            raise _port_error("TCP", host, port, error) from error
-        async with _serving(server, counter):
-            yield f"tcp://{host}:{server.sockets[0].getsockname()[1]}"
+    async with _counter(gateway) as counter, listen_tcp(lambda: _Client(counter), port, host) as url:
+        with _hanging_up(counter):
+            yield url
 
 
 @contextlib.asynccontextmanager
@@ -174,39 +164,9 @@ async def serve_unix(gateway: Gateway, path: str | os.PathLike[str]) -> AsyncIte
     Raises:
         ConnectError: where something else is at the path, or it can't be used.
     """
-    async with _counter(gateway) as counter:
-        place = _absolute(path)
-        listener = _unix_listener(place)
-        try:
-            server = await asyncio.get_running_loop().create_unix_server(lambda: _Client(counter), sock=listener)
-            async with _serving(server, counter):
-                yield f"unix:{place}"
-        finally:
-            listener.close()
-            place.unlink(missing_ok=True)
-
-
-def _unix_listener(place: Path) -> socket.socket:
-    """Bind a socket; one that a program left behind without removing it is replaced."""
-    if place.is_socket():
-        with socket.socket(socket.AF_UNIX) as probe, contextlib.suppress(ConnectionRefusedError):
-            probe.connect(str(place))
-            raise ConnectError(f"{place} is already served by another program: choose another path")
-        place.unlink(missing_ok=True)
-    elif place.exists():
-        raise ConnectError(f"{place} exists and is no socket: remove it, or choose another path")
-    listener = socket.socket(socket.AF_UNIX)
-    mask = os.umask(_OWNER_ONLY)
-    try:
-        listener.bind(str(place))
-    except OSError as error:
-        listener.close()
-        raise ConnectError(
-            f"no socket can be made at {place} ({error.strerror or error}): choose another path"
-        ) from error
-    finally:
-        os.umask(mask)
-    return listener
+    async with _counter(gateway) as counter, listen_unix(lambda: _Client(counter), path) as url:
+        with _hanging_up(counter):
+            yield url
 
 
 class _Datagrams(asyncio.DatagramProtocol, asyncio.WriteTransport):
@@ -259,18 +219,11 @@ async def serve_udp(gateway: Gateway, port: int = 0, host: str = LOOPBACK) -> As
         try:
             transport, _ = await loop.create_datagram_endpoint(lambda: _Datagrams(counter), local_addr=(host, port))
         except (OSError, OverflowError) as error:
-            raise _port_error("UDP", host, port, error) from error
+            raise port_error("UDP", host, port, error) from error
         try:
             yield f"udp://{host}:{transport.get_extra_info('sockname')[1]}"
         finally:
             transport.close()
-
-
-def _port_error(kind: str, host: str, port: int, error: Exception) -> ConnectError:
-    if isinstance(error, OSError) and error.errno == errno.EADDRINUSE:
-        return ConnectError(f"{kind} port {port} of {host} is in use: choose another, or 0 for any free one")
-    reason = getattr(error, "strerror", None) or error
-    return ConnectError(f"{kind} port {port} of {host} can't be opened ({reason}): choose another")
 
 
 class _PtySide(_Client):

@@ -16,6 +16,8 @@ if TYPE_CHECKING:
 LF = b"\n"
 CR = b"\r"
 _CR_BYTE = CR[0]
+TOKEN_LINE = b"token "
+"""What the first line of a connection begins with where a token is wanted; no command begins so."""
 LARGEST_DATAGRAM = 1400
 """Bytes of frames that are put together into one datagram: what passes an Ethernet in one piece."""
 _FRAME = re.compile(rb"[^\r\n]*[\r\n]+")

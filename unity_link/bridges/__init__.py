@@ -1,0 +1,8 @@
+"""Bridges: one link, carried to other programs and in other forms.
+
+Each bridge is a room of its own. Its package offers what a program calls; a thin file in `unity_link.cli` makes a
+command of it, and holds all that is said to people. A bridge reports through a callable that it is given, ends when its
+context ends, and says by one exception why it can't go on.
+
+- `serve`: the protocol itself, for several programs at once
+"""

@@ -1,0 +1,89 @@
+"""One link, many programs: the protocol itself, served on a Unix socket or a TCP port.
+
+    clients          Client: frames, order, groups of each    \
+    in their turns   Turns                                     >  SharedLink: one window, one gateway
+    groups           Slots: who holds which                   /
+
+- `door`: who is let in
+- `client`: what one client says and is told
+- `requests`: a client's request on its way through the link's window
+- `turns`: whose request is next
+- `groups`: the groups of all clients on those of the gateway
+- `shared`: the link, and what happens when the gateway comes and goes
+"""
+
+from __future__ import annotations
+
+import contextlib
+from typing import TYPE_CHECKING
+
+from unity_link.bridges.serve.door import Door
+from unity_link.bridges.serve.shared import SharedLink
+from unity_link.drivers import parse_url
+from unity_link.listening import LOOPBACK, listen_tcp, listen_unix
+
+if TYPE_CHECKING:
+    import os
+    from collections.abc import AsyncIterator, Callable
+
+    from unity_link.virtual import Gateway
+
+
+class Server:
+    """A link that is being shared; made by `serve`."""
+
+    def __init__(self, shared: SharedLink) -> None:
+        self.urls: list[str] = []
+        """Where it can be connected to. A token is not part of them."""
+        self._shared = shared
+
+    @property
+    def clients(self) -> int:
+        """Number of clients."""
+        return len(self._shared.clients)
+
+    async def wait(self) -> None:
+        """Wait until the link has ended for good.
+
+        Raises:
+            LinkLostError: it says why: another gateway answers, or one that this program can't talk to.
+        """
+        await self._shared.ended
+
+
+@contextlib.asynccontextmanager
+async def serve(
+    target: str | Gateway,
+    *,
+    unix: str | os.PathLike[str] | None = None,
+    tcp: int | None = None,
+    host: str = LOOPBACK,
+    token: str | None = None,
+    report: Callable[[str], None] = lambda _: None,
+) -> AsyncIterator[Server]:
+    """Share one link between several programs, until the end of the context.
+
+    The gateway may be away at the beginning and at any time: clients wait for it.
+
+    Args:
+        target: the URL of a gateway, or one of this process.
+        unix: path of a Unix socket, which only this user may open.
+        tcp: a TCP port; 0 for any free one.
+        host: the address that the TCP port is opened at: this machine alone unless it is said.
+        token: what clients on TCP must know, as in ``tcp://host:port?token=TOKEN``.
+        report: is told in a sentence when the gateway comes and goes.
+
+    Raises:
+        ArgumentError: for a URL that no driver knows.
+        ConnectError: where a socket or port can't be opened.
+    """
+    async with contextlib.AsyncExitStack() as stack:
+        shared = SharedLink(parse_url(target) if isinstance(target, str) else target, report)
+        stack.push_async_callback(shared.finish)
+        server = Server(shared)
+        if unix is not None:
+            server.urls.append(await stack.enter_async_context(listen_unix(lambda: Door(shared, None), unix)))
+        if tcp is not None:
+            server.urls.append(await stack.enter_async_context(listen_tcp(lambda: Door(shared, token), tcp, host)))
+        shared.open_when_there()
+        yield server

@@ -1,0 +1,82 @@
+"""The door: who may come in, and how many.
+
+Where a token is wanted, the first line of a connection is `TOKEN_LINE` and the token (protocol, "Shared links"). Until
+it was right nothing else is looked at, and nothing is said; who takes longer than `HURRY` seconds, or says anything
+else, is hung up on.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import hmac
+from typing import TYPE_CHECKING
+
+from unity_link.bridges.serve.client import Client
+from unity_link.wire.frames import TOKEN_LINE
+
+if TYPE_CHECKING:
+    from unity_link.bridges.serve.shared import SharedLink
+
+HURRY = 5.0
+"""Seconds within which the token must have come."""
+MOST_CLIENTS = 256
+LONGEST_TOKEN = 256
+
+
+class Door(asyncio.Protocol):
+    """A connection that has not been let in yet.
+
+    Args:
+        shared: the link that it leads to.
+        token: what lets in; None: everyone may.
+    """
+
+    def __init__(self, shared: SharedLink, token: str | None) -> None:
+        self._shared = shared
+        self._token = None if token is None else token.encode()
+        self._transport: asyncio.Transport
+        self._said = b""
+        self._timer: asyncio.TimerHandle | None = None
+
+    def connection_made(self, transport: asyncio.BaseTransport) -> None:
+        """Let in, ask for the token, or hang up where there are too many."""
+        assert isinstance(transport, asyncio.Transport)
+        self._transport = transport
+        if len(self._shared.clients) + len(self._shared.callers) >= MOST_CLIENTS:
+            transport.abort()
+        elif self._token is None:
+            self._let_in()
+        else:
+            self._shared.callers.add(self)
+            self._timer = self._shared.loop.call_later(HURRY, transport.abort)
+
+    def data_received(self, data: bytes) -> None:
+        """Compare the first line with what lets in."""
+        self._said += data
+        line, end, rest = self._said.partition(b"\n")
+        if end and self._token is not None and hmac.compare_digest(line.rstrip(b"\r"), TOKEN_LINE + self._token):
+            self._leave()
+            self._let_in(rest)
+        elif end or len(line) > len(TOKEN_LINE) + LONGEST_TOKEN:
+            self._transport.abort()
+
+    def connection_lost(self, exc: Exception | None) -> None:  # noqa: ARG002
+        """Forget the caller."""
+        self._leave()
+
+    def hang_up(self) -> None:
+        """End the connection."""
+        self._transport.abort()
+
+    def _leave(self) -> None:
+        self._shared.callers.discard(self)
+        if self._timer is not None:
+            self._timer.cancel()
+            self._timer = None
+
+    def _let_in(self, rest: bytes = b"") -> None:
+        client = Client(self._shared)
+        self._transport.set_protocol(client)
+        client.connection_made(self._transport)
+        if rest:
+            client.data_received(rest)

@@ -1,0 +1,125 @@
+"""Who is next: the requests of all clients take turns on the way into the one link's window.
+
+Deficit round robin (Shreedhar and Varghese, 1995) over bytes: at its turn a client may send for `QUANTUM` bytes of
+requests and answers, and what it overdraws is taken off its next turns. So one that moves blocks and one that reads
+words get the same share of the line, and one that has little to ask waits for one turn of each of the others at most.
+"""
+
+from __future__ import annotations
+
+from collections import deque
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from unity_link.bridges.serve.requests import Relayed
+    from unity_link.errors import UnityLinkError
+    from unity_link.exchange import Exchange
+    from unity_link.requests import Message
+
+QUANTUM = 512
+
+
+class Queue:
+    """What one client has asked for and is not sent."""
+
+    __slots__ = ("balance", "in_line", "requests")
+
+    def __init__(self) -> None:
+        self.requests: deque[Relayed] = deque()
+        self.balance = QUANTUM
+        self.in_line = False
+
+
+class Turns:
+    """All queues, as one source of requests.
+
+    Args:
+        exchange: of the link.
+    """
+
+    def __init__(self, exchange: Exchange) -> None:
+        self._exchange = exchange
+        self._line: deque[Queue] = deque()
+        self._held = False
+        self._submitted = False
+
+    def join(self, queue: Queue) -> None:
+        """Take note that a queue has requests."""
+        if queue.requests and not queue.in_line:
+            queue.in_line = True
+            self._line.append(queue)
+        self._submit()
+
+    def leave(self, queue: Queue) -> list[Relayed]:
+        """Empty a queue, and give what was in it."""
+        dropped = list(queue.requests)
+        queue.requests.clear()
+        if queue.in_line:
+            queue.in_line = False
+            self._line.remove(queue)
+        return dropped
+
+    def hold(self) -> None:
+        """Send nothing until `release`."""
+        self._held = True
+
+    def release(self) -> None:
+        """Send again."""
+        self._held = False
+        self._submit()
+
+    def _submit(self) -> None:
+        if self._line and not self._held and not self._submitted:
+            self._submitted = True
+            self._exchange.submit(self)
+
+    def _first(self) -> Queue:
+        line = self._line
+        queue = line[0]
+        while queue.balance <= 0:
+            queue.balance += QUANTUM
+            line.rotate(-1)
+            queue = line[0]
+        return queue
+
+    # A source, called by the exchange
+
+    @property
+    def size(self) -> int:
+        """Characters of the next request."""
+        return self._first().requests[0].size
+
+    @property
+    def posted(self) -> bool:
+        """Whether the next request is a posted write."""
+        return self._first().requests[0].posted
+
+    def least(self) -> int:
+        """Give one."""
+        return 1
+
+    def take(self, room: int) -> Message:
+        """Give the next request."""
+        queue = self._first()
+        request = queue.requests.popleft()
+        queue.balance -= request.cost
+        if not queue.requests:
+            queue.in_line = False
+            self._line.popleft()
+        return request.take(room)
+
+    def exhausted(self) -> bool:
+        """Say whether there is nothing to send; the exchange forgets this source then."""
+        self._submitted = bool(self._line) and not self._held
+        return not self._submitted
+
+    def unwanted(self) -> bool:
+        """Say the same before a turn."""
+        return self.exhausted()
+
+    def fail(self, error: UnityLinkError) -> None:
+        """End all requests: the link has ended."""
+        self._submitted = False
+        for queue in list(self._line):
+            for request in self.leave(queue):
+                request.fail(error)

@@ -1,0 +1,97 @@
+"""Sockets that other programs connect to: where they may be opened, who may open them, and what is said if they can't.
+
+A Unix socket belongs to this user alone, and one that a program left behind is replaced only if nobody listens at it.
+TCP is for this machine alone unless the caller names another address.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+import errno
+import os
+import socket
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from unity_link.errors import ConnectError
+
+if TYPE_CHECKING:
+    from collections.abc import AsyncIterator, Callable
+
+LOOPBACK = "127.0.0.1"
+_OWNER_ONLY = 0o177
+
+
+@contextlib.asynccontextmanager
+async def listen_tcp(
+    factory: Callable[[], asyncio.Protocol], port: int = 0, host: str = LOOPBACK
+) -> AsyncIterator[str]:
+    """Listen at a TCP port until the end of the context; 0 chooses a free one. Gives the URL.
+
+    Raises:
+        ConnectError: where the port can't be opened.
+    """
+    try:
+        server = await asyncio.get_running_loop().create_server(factory, host, port)
+    except (OSError, OverflowError) as error:
+        raise port_error("TCP", host, port, error) from error
+    try:
+        yield f"tcp://{f'[{host}]' if ':' in host else host}:{server.sockets[0].getsockname()[1]}"
+    finally:
+        server.close()
+
+
+@contextlib.asynccontextmanager
+async def listen_unix(factory: Callable[[], asyncio.Protocol], path: str | os.PathLike[str]) -> AsyncIterator[str]:
+    """Listen at a Unix socket that only this user may open, and that is removed at the end. Gives the URL.
+
+    Raises:
+        ConnectError: where something else is at the path, or it can't be used.
+    """
+    place, listener = _bind(path)
+    mine = place.stat().st_ino
+    try:
+        server = await asyncio.get_running_loop().create_unix_server(factory, sock=listener)
+        try:
+            yield f"unix:{place}"
+        finally:
+            server.close()
+    finally:
+        listener.close()
+        # Whoever removed ours may have put another one in its place.
+        with contextlib.suppress(FileNotFoundError):
+            if place.stat().st_ino == mine:
+                place.unlink()
+
+
+def _bind(path: str | os.PathLike[str]) -> tuple[Path, socket.socket]:
+    """Bind a socket; one that a program left behind without removing it is replaced."""
+    place = Path(path).absolute()
+    if place.is_socket():
+        with socket.socket(socket.AF_UNIX) as probe, contextlib.suppress(ConnectionRefusedError):
+            probe.connect(str(place))
+            raise ConnectError(f"{place} is already served by another program: choose another path")
+        place.unlink(missing_ok=True)
+    elif place.exists():
+        raise ConnectError(f"{place} exists and is no socket: remove it, or choose another path")
+    listener = socket.socket(socket.AF_UNIX)
+    mask = os.umask(_OWNER_ONLY)
+    try:
+        listener.bind(str(place))
+    except OSError as error:
+        listener.close()
+        raise ConnectError(
+            f"no socket can be made at {place} ({error.strerror or error}): choose another path"
+        ) from error
+    finally:
+        os.umask(mask)
+    return place, listener
+
+
+def port_error(kind: str, host: str, port: int, error: Exception) -> ConnectError:
+    """Say why a port can't be opened."""
+    if isinstance(error, OSError) and error.errno == errno.EADDRINUSE:
+        return ConnectError(f"{kind} port {port} of {host} is in use: choose another, or 0 for any free one")
+    reason = getattr(error, "strerror", None) or error
+    return ConnectError(f"{kind} port {port} of {host} can't be opened ({reason}): choose another")
