@@ -38,7 +38,7 @@ app = typer.Typer(
     name="unity-link",
     help="Connect to an FPGA: read, write and watch its bus, or try all of it on a virtual gateway.",
     epilog="URL is where the gateway is: serial:/dev/ttyUSB0?baud=12000000, tcp://host:port, unix:/path, "
-    "udp://host:port, or sim: and sim:scara, which need no hardware.",
+    "udp://host:port; or sim: and sim:scara, which need no hardware, and rtl: and rtl:scara, the gateware compiled.",
     no_args_is_help=True,
     pretty_exceptions_enable=False,
     context_settings={"help_option_names": ["-h", "--help"]},

@@ -71,6 +71,10 @@ def simulate(  # noqa: PLR0913  (each is an option)
     robot: Annotated[
         str, typer.Option(metavar="NAME", help="What stands behind the bus: scara; or plain memory.")
     ] = "",
+    rtl: Annotated[
+        bool,
+        typer.Option("--rtl", help="The gateware itself, compiled, instead of a model: needs a C++ compiler once."),
+    ] = False,
     settings: Annotated[
         list[str] | None,
         typer.Option("--set", metavar="NAME=NUMBER", help="Build it otherwise: --set data_bits=16. May be repeated."),
@@ -87,10 +91,13 @@ def simulate(  # noqa: PLR0913  (each is an option)
     Prints one line, its URL, when it is ready: give that to a program or to another command. For --usbip it is the
     command that attaches it, for root. Ctrl-C ends it.
     """
-    from unity_link.virtual.build import build_gateway
+    from unity_link.virtual.build import build_gateway, compile_gateway
 
     chances = {name: chance for name, chance in (("loss", loss), ("flip", flip), ("double", double)) if chance}
-    gateway = build_gateway(robot, _configuration(settings or []), chances=chances, seed=seed)
+    configuration = _configuration(settings or [])
+    if rtl:
+        run(compile_gateway(configuration))
+    gateway = build_gateway(robot, configuration, rtl=rtl, chances=chances, seed=seed)
     if link is not None and not pty:
         raise ArgumentError("--link goes with --pty alone")
     ways: list[AbstractAsyncContextManager[str]] = []

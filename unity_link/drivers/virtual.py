@@ -13,7 +13,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from unity_link.errors import ArgumentError
-from unity_link.virtual.build import CHANCES, CONFIGURATION, build_gateway
+from unity_link.virtual.build import CHANCES, CONFIGURATION, build_gateway, compile_gateway
 from unity_link.virtual.serving import connect_gateway
 
 if TYPE_CHECKING:
@@ -33,10 +33,7 @@ async def prepare(url: DriverUrl) -> None:
         ConnectError: where it can't be compiled here.
     """
     if url.scheme == RTL:
-        from unity_link.virtual.rtl import choose
-        from unity_link.virtual.rtl.compiling import compile_beside
-
-        await compile_beside(choose(_configuration(url), url.node).source)
+        await compile_gateway(_configuration(url), url.node)
 
 
 async def connect(url: DriverUrl, protocol: asyncio.Protocol) -> asyncio.Transport:

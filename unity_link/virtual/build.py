@@ -61,6 +61,19 @@ def build_gateway(
     return gateway
 
 
+async def compile_gateway(configuration: Mapping[str, int], node: int | None = None) -> None:
+    """Compile what `build_gateway` will take for `rtl`, if it is wanted for the first time, while the loop goes on.
+
+    Raises:
+        ArgumentError: for a configuration that there is not.
+        ConnectError: where the gateware can't be compiled here.
+    """
+    from unity_link.virtual.rtl import choose
+    from unity_link.virtual.rtl.compiling import compile_beside
+
+    await compile_beside(choose(configuration, node).source)
+
+
 def _compiled(configuration: Mapping[str, int], node: int | None) -> BareGateway:
     from unity_link.virtual.rtl import RtlGateway, choose
 
