@@ -110,6 +110,10 @@ class Link:
         """Send a write without waiting for its execution."""
         self._call(self._link.post, address, value)
 
+    def post_many(self, addresses: ArrayLike, values: ArrayLike) -> None:
+        """Send many writes without waiting for their execution."""
+        self._call(self._link.post_many, addresses, values)
+
     def fence(self) -> None:
         """Wait until everything that was asked for before has been executed."""
         self._call(self._link.fence)

@@ -21,7 +21,17 @@ from unity_link.errors import (
     UnityLinkError,
     UnsupportedError,
 )
-from unity_link.requests import Batch, BatchSource, Block, Posted, Request, WordRequest, WordsRequest, common_outcome
+from unity_link.requests import (
+    Batch,
+    BatchSource,
+    Block,
+    Posted,
+    PostedBatch,
+    Request,
+    WordRequest,
+    WordsRequest,
+    common_outcome,
+)
 from unity_link.subscription import Groups, Overflow, Sample, Schedule, Subscription, check_addresses
 from unity_link.wire.gateway_info import Feature
 from unity_link.wire.messages import Codec, GroupFlag, Words, hex_rows
@@ -264,12 +274,22 @@ class Link(Connection):
         Raises:
             GatewayError: the first error; the other writes may have been executed.
         """
-        where, what = self._addresses(addresses), self._words(values)
-        if len(where) != len(what):
-            raise ArgumentError(f"{len(where)} addresses were given, and {len(what)} values")
+        where, what = self._write_arguments(addresses, values)
         info = self.gateway
         fields = np.concatenate((hex_rows(where, info.address_digits), hex_rows(what, info.data_digits)), axis=1)
         await self._batch("W", fields)
+
+    async def post_many(self, addresses: ArrayLike, values: ArrayLike) -> None:
+        """Send many writes as `post` does; returns when the last one is sent.
+
+        The quickest way to write words that lie apart: nothing but the requests is on the line.
+        """
+        where, what = self._write_arguments(addresses, values)
+        self._check_count(len(where))
+        batch = PostedBatch(self._codec, where, what, self._loop, self._note_posted)
+        self._posted = True
+        self._exchange.submit(batch)
+        await batch.future
 
     # Publishing
 
@@ -396,6 +416,12 @@ class Link(Connection):
             for request in requests:
                 if not request.future.cancel() and not request.future.cancelled():
                     request.future.exception()
+
+    def _write_arguments(self, addresses: ArrayLike, values: ArrayLike) -> tuple[Words, Words]:
+        where, what = self._addresses(addresses), self._words(values)
+        if len(where) != len(what):
+            raise ArgumentError(f"{len(where)} addresses were given, and {len(what)} values")
+        return where, what
 
     async def _batch(self, command: str, fields: NDArray[np.uint8]) -> Words:
         self._check_count(len(fields))

@@ -22,17 +22,19 @@ from unity_link.errors import (
     UnansweredError,
     UnityLinkError,
 )
-from unity_link.wire.messages import Codec, Words, parse_words
+from unity_link.wire.messages import Codec, Words, hex_rows, parse_words
 from unity_link.wire.window import Run
 
 if TYPE_CHECKING:
     import asyncio
-    from collections.abc import Iterable
+    from collections.abc import Callable, Iterable
 
     from numpy.typing import NDArray
 
 SMALLEST_BATCH = 32
 """Requests of a batch that are worth a turn of numpy: room for so many is waited for while others are under way."""
+_POSTED_RUNS = 8
+"""One run of posted writes takes this part of the ring: a quarter of the window, behind which a fence is due."""
 REPEATABLE = frozenset({"R", "RM", "H"})
 """Commands that change nothing: a new session may send them again."""
 _ERRORS: dict[int, tuple[type[GatewayError], str]] = {
@@ -456,3 +458,98 @@ class BatchRun(Message):
         if self.command not in REPEATABLE:
             return None
         return BatchSource(self._batch, self._offset + offset, self._offset + offset + count)
+
+
+class PostedBatch:
+    """Many stateless writes: a source of runs that nobody waits for once they are sent.
+
+    Args:
+        codec: the messages of the gateway.
+        addresses: of the words.
+        values: the words; as many.
+        loop: the loop of the future, which ends when all have been sent.
+        report: takes the errors of those that were sent.
+    """
+
+    posted = True
+
+    def __init__(
+        self,
+        codec: Codec,
+        addresses: Words,
+        values: Words,
+        loop: asyncio.AbstractEventLoop,
+        report: Callable[[UnityLinkError], None],
+    ) -> None:
+        self.codec = codec
+        self.report = report
+        self.future: asyncio.Future[None] = loop.create_future()
+        self.size = codec.head_sizes["WS"] + codec.info.address_digits + codec.info.data_digits
+        self._addresses, self._values = addresses, values
+        self._start = 0
+
+    def least(self) -> int:
+        """Give a number that is worth a turn."""
+        return min(SMALLEST_BATCH, len(self._values) - self._start)
+
+    def take(self, room: int) -> Message:
+        """Give the next run: part of the window, so that a fence can confirm it while the next part is sent."""
+        start, info = self._start, self.codec.info
+        end = self._start = start + min(room, self.codec.ring // _POSTED_RUNS, len(self._values) - start)
+        if self.exhausted() and not self.future.done():
+            self.future.set_result(None)
+        # Only now, while those before them are on the line.
+        where = hex_rows(self._addresses[start:end], info.address_digits)
+        what = hex_rows(self._values[start:end], info.data_digits)
+        return PostedRun(self.codec, np.concatenate((where, what), axis=1), self.report)
+
+    def exhausted(self) -> bool:
+        """Say whether all has been taken."""
+        return self._start == len(self._values)
+
+    def unwanted(self) -> bool:
+        """Say whether whoever waited has left: what was not sent by then never is."""
+        return self.future.cancelled()
+
+    def fail(self, error: UnityLinkError) -> None:
+        """Raise `error` in who waits for the rest to be sent."""
+        if self.future.done():
+            return
+        if isinstance(error, UnansweredError) and self._start:
+            error = error.about(Outcome.UNKNOWN)
+        self.future.set_exception(error)
+
+
+class PostedRun(Message):
+    """The part of a `PostedBatch` that was sent in one turn."""
+
+    __slots__ = ("_fields", "_frames", "_report")
+
+    def __init__(self, codec: Codec, fields: NDArray[np.uint8], report: Callable[[UnityLinkError], None]) -> None:
+        super().__init__(codec, "WS", fields.shape[1], None, len(fields))
+        self._fields = fields
+        self._report = report
+        self._frames = b""
+
+    def encode(self, offset: int, count: int) -> bytes:
+        """Give the frames of `count` requests from `offset` on."""
+        if not self._frames:
+            self._frames = self.codec.request_rows(self.command, self.first, self._fields)
+        return self._frames[offset * self.size : (offset + count) * self.size]
+
+    def accept(self, offset: int, body: bytes, position: int) -> bool:  # noqa: ARG002
+        """Take nothing: a stateless write has no response."""
+        return False
+
+    def fail(self, error: UnityLinkError) -> None:
+        """Keep the error for the next fence."""
+        self._report(error)
+
+    def fields_at(self, offset: int) -> bytes:
+        """Give the fields of one request."""
+        fields: bytes = self._fields[offset].tobytes()
+        return fields
+
+    def again(self, offset: int, count: int) -> Source | None:  # noqa: ARG002
+        """Give nothing: it could be executed twice."""
+        return None

@@ -36,8 +36,10 @@ if TYPE_CHECKING:
 
 __all__ = ["OPTIONS", "connect"]
 
-READ_SIZE = 16384
-"""Bytes of one posted transfer. Large ones do not make an answer late: a short packet ends them."""
+READ_SIZE = 8192
+"""Bytes of one posted transfer. Large ones do not make a lone answer late: a short packet ends them. But a stream of
+short answers fills the link's window before it fills a transfer of twice this size, and then waits for the latency
+timer; with half of it, the program works more for each byte (docs/paper.md)."""
 POSTED_READS = 8
 MOST_WRITES = 4
 """Transfers to the chip at a time."""

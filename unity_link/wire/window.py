@@ -50,7 +50,8 @@ MOST_SILENT_TRIES = 8
 MOST_TRIES = 32
 MOST_REFUSALS = 3
 FEWEST_IN_FLIGHT = 8
-SHORTEST_TIMEOUT = 0.010
+SHORTEST_TIMEOUT = 0.025
+"""An answer may stay in a USB chip until its latency timer ends: 16 ms by default, whatever the last round trip was."""
 LONGEST_TIMEOUT = 2.0
 FIRST_TIMEOUT = 0.25
 FENCE_DELAY = 0.001
