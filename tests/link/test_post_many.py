@@ -1,0 +1,119 @@
+"""Many posted writes in one call."""
+
+from __future__ import annotations
+
+import asyncio
+
+import numpy as np
+import pytest
+
+import unity_link
+from recorded_bus import RecordedBus
+from simulated_time import on_simulated_time, run_simulated
+from unity_link import ArgumentError, BusError, LinkLostError, blocking
+from unity_link.errors import Outcome
+from unity_link.virtual import VirtualGateway
+from unity_link.virtual.faults import Noise, NoisyLine
+from unity_link.wire.gateway_info import GatewayInfo
+from valve import Valve, cut
+
+COUNT = 1000
+"""More than four windows of two-digit IDs."""
+ADDRESSES = np.arange(COUNT) % 200
+VALUES = np.arange(COUNT)
+WRITES = list(zip(ADDRESSES.tolist(), VALUES.tolist(), strict=True))
+
+
+@on_simulated_time
+async def test_all_are_written_once_and_in_order_when_the_fence_returns() -> None:
+    model = VirtualGateway()
+    bus = RecordedBus(model)
+    async with unity_link.connect(model) as link:
+        await link.post_many(ADDRESSES, VALUES)
+        await link.fence()
+        assert bus.writes == WRITES
+
+
+@on_simulated_time
+async def test_other_calls_take_turns_with_a_long_batch() -> None:
+    model = VirtualGateway()
+    bus = RecordedBus(model)
+    async with unity_link.connect(model) as link:
+        posting = asyncio.ensure_future(link.post_many(ADDRESSES, VALUES))
+        await asyncio.sleep(0)
+        await link.write(0xC8, 1)
+        await posting
+    assert (0xC8, 1) in bus.writes[:-1]
+    assert [write for write in bus.writes if write != (0xC8, 1)] == WRITES
+
+
+@pytest.mark.parametrize("seed", range(20))
+def test_a_line_that_loses_and_damages_bytes_changes_nothing(seed: int) -> None:
+    async def run() -> None:
+        model = VirtualGateway(GatewayInfo(crc_bits=32, crc_polynomial=0x04C11DB7))
+        bus = RecordedBus(model)
+        noise = [Noise(2 * seed + way, loss=0.001, flip=0.001) for way in range(2)]
+        async with unity_link.connect(NoisyLine(model, *noise), timeout=60) as link:
+            await link.post_many(ADDRESSES, VALUES)
+            await link.fence()
+            assert link.statistics.repetitions
+        assert bus.writes == WRITES
+
+    run_simulated(run())
+
+
+@on_simulated_time
+async def test_the_fence_raises_the_first_error_and_counts_the_others() -> None:
+    model = VirtualGateway()
+    RecordedBus(model, failing=frozenset({3}))
+    async with unity_link.connect(model) as link:
+        await link.post_many([1, 3, 2, 3], [0, 0, 0, 0])
+        with pytest.raises(BusError, match="posted write at 0x03") as caught:
+            await link.fence()
+    assert caught.value.__notes__ == ["1 more posted writes failed as well"]
+
+
+@on_simulated_time
+async def test_one_that_is_cancelled_has_written_what_was_sent_and_nothing_else() -> None:
+    model = VirtualGateway()
+    bus, gateway = RecordedBus(model), Valve(model)
+    async with unity_link.connect(gateway) as link:
+        gateway.requests_pass = False
+        posting = asyncio.ensure_future(link.post_many(ADDRESSES, VALUES))
+        await asyncio.sleep(0)
+        posting.cancel()
+        gateway.requests_pass = True
+        await link.write(0xC8, 1)
+    assert 0 < len(bus.writes) - 1 < COUNT
+    assert bus.writes == [*WRITES[: len(bus.writes) - 1], (0xC8, 1)]
+
+
+@on_simulated_time
+async def test_a_link_that_is_lost_on_the_way_leaves_open_what_was_executed() -> None:
+    model = VirtualGateway()
+    gateway = Valve(model)
+    async with unity_link.connect(gateway) as link:
+        gateway.requests_pass = False
+        posting = asyncio.ensure_future(link.post_many(ADDRESSES, VALUES))
+        await asyncio.sleep(0)
+        cut(link)
+        with pytest.raises(LinkLostError) as caught:
+            await posting
+    assert caught.value.outcome is Outcome.UNKNOWN
+
+
+@on_simulated_time
+async def test_what_does_not_fit_raises_before_anything_is_sent() -> None:
+    async with unity_link.connect(VirtualGateway()) as link:
+        sent = link.statistics.requests
+        for addresses, values, words in (([1, 2], [1], "2 addresses"), ([], [], "0"), ([256], [1], "0x100")):
+            with pytest.raises(ArgumentError, match=words):
+                await link.post_many(addresses, values)
+        assert link.statistics.requests == sent
+
+
+def test_the_blocking_link_has_it() -> None:
+    with blocking.connect("sim:") as link:
+        link.post_many([1, 2], [10, 20])
+        link.fence()
+        assert link.read_many([1, 2]).tolist() == [10, 20]
