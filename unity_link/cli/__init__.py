@@ -8,6 +8,7 @@ One file for each family of commands. They parse, show and explain; what they do
 - `info`, `access` (read, write), `watch`, `simulate`, `terminal` with `explain`, `demo` with `demo_view` are commands
 - `spec` has the commands about specs: check, fmt, show, import, export; `generate` writes code from one
 - `ft232h` has those about the chip's EEPROM
+- `serve` shares a link; `service` tells systemd of a command that runs for long
 - `plots` draws curves
 
 Modules import at their top only what every command needs; what is slow to load is imported where it is used, so that
@@ -26,7 +27,7 @@ from typing import Annotated
 import typer
 
 import unity_link
-from unity_link.cli import access, demo, ft232h, generate, info, simulate, spec, terminal, watch
+from unity_link.cli import access, demo, ft232h, generate, info, serve, simulate, spec, terminal, watch
 from unity_link.cli.output import print_error
 from unity_link.cli.running import INTERRUPTED
 from unity_link.errors import ArgumentError, UnityLinkError
@@ -65,6 +66,7 @@ info.add_to(app)
 access.add_to(app)
 watch.add_to(app)
 simulate.add_to(app)
+serve.add_to(app)
 terminal.add_to(app)
 spec.add_to(app)
 generate.add_to(app)

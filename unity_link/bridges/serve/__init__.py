@@ -17,9 +17,10 @@ from __future__ import annotations
 import contextlib
 from typing import TYPE_CHECKING
 
-from unity_link.bridges.serve.door import Door
+from unity_link.bridges.serve.door import LONGEST_TOKEN, Door
 from unity_link.bridges.serve.shared import SharedLink
 from unity_link.drivers import parse_url
+from unity_link.errors import ArgumentError
 from unity_link.listening import LOOPBACK, listen_tcp, listen_unix
 
 if TYPE_CHECKING:
@@ -46,7 +47,7 @@ class Server:
         """Wait until the link has ended for good.
 
         Raises:
-            LinkLostError: it says why: another gateway answers, or one that this program can't talk to.
+            ConnectError: it says why: another gateway answers, or one that this program can't talk to.
         """
         await self._shared.ended
 
@@ -74,9 +75,13 @@ async def serve(
         report: is told in a sentence when the gateway comes and goes.
 
     Raises:
-        ArgumentError: for a URL that no driver knows.
+        ArgumentError: for a URL that no driver knows, or a token that can't stand in a line.
         ConnectError: where a socket or port can't be opened.
     """
+    if token is not None and not (
+        token.isascii() and token.isprintable() and " " not in token and 0 < len(token) <= LONGEST_TOKEN
+    ):
+        raise ArgumentError(f"a token of 1 to {LONGEST_TOKEN} printable characters without blanks was expected")
     async with contextlib.AsyncExitStack() as stack:
         shared = SharedLink(parse_url(target) if isinstance(target, str) else target, report)
         stack.push_async_callback(shared.finish)
