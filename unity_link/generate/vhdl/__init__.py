@@ -1,0 +1,105 @@
+"""VHDL: the gateway, its register bank and its bench, as an interface describes them.
+
+- `names`, `types`, `records`, `bank`: the interface in VHDL's terms
+- `stimuli`: what the bench does, and what it must see
+- `layout`: the columns of the text
+- the templates: a package, the register bank, gateway and bank as one entity, boards without further logic, the bench
+
+The bank is a Wishbone B4 slave; `registers.vhd.jinja` says at its top how it behaves.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import math
+from typing import TYPE_CHECKING, Any
+
+from unity_link.generate import GeneratedFile
+from unity_link.generate.vhdl import types
+from unity_link.generate.vhdl.bank import Bank, is_bit, slice_at
+from unity_link.generate.vhdl.layout import align
+from unity_link.generate.vhdl.names import identifier
+from unity_link.generate.vhdl.stimuli import Stimuli
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from unity_link.generate import Templates
+    from unity_link.spec import Group, Interface
+
+DOC = "VHDL: a package, the register bank on Wishbone, gateway and bank as one entity, and a bench of the bank"
+FILTERS = {"bits": types.bit_literal, "real": types.real_literal, "comment": types.comment, "oneline": types.one_line}
+
+_LEAST_GROUPS = 16
+_LEAST_GROUP_WORDS = 32
+_LEAST_SAMPLE_DEPTH = 256
+"""What a gateway has by itself: room for the subscriptions of programs beside the groups of the spec."""
+_MEDIA = ("uart", "ft245", "ft245_sync")
+_BASE_HZ = 100_000
+"""The gateway's own base frequency, which divisors in specs count from."""
+
+
+def files(interface: Interface, templates: Templates) -> Iterator[GeneratedFile]:
+    """Make the files of an interface.
+
+    Raises:
+        UnsupportedError: where addresses belong to two modules alike.
+    """
+    bank = Bank(interface)
+    name = identifier(interface.name)
+    values: dict[str, Any] = {
+        "interface": interface,
+        "prefix": name,
+        "bank": bank,
+        "generics": gateway_generics(interface),
+        "is_bit": is_bit,
+        "slice_at": slice_at,
+        "vhdl": types,
+    }
+    texts = {
+        f"{name}_map": ("map", values),
+        f"{name}_registers": ("registers", values),
+        f"{name}_gateway": ("gateway", values),
+        **{f"{name}_on_{medium}": ("board", values | {"medium": medium}) for medium in _MEDIA},
+        f"{name}_bench": ("bench", values | {"stimuli": Stimuli(bank)}),
+    }
+    for file, (template, given) in texts.items():
+        yield GeneratedFile(f"{file}.vhd", align(templates.render(f"{template}.vhd", **given)))
+
+
+def gateway_generics(interface: Interface) -> dict[str, int | str]:
+    """Give the generics of `unity_link` that follow from an interface."""
+    published = [group for group in interface.groups if group.number is not None]
+    words = max([_LEAST_GROUP_WORDS, *(len(group.addresses) for group in published)])
+    numbers = [group.number + 1 for group in published if group.number is not None]
+    return {
+        "address_bits": interface.address_bits,
+        "data_bits": interface.data_bits,
+        "groups": max([_LEAST_GROUPS, *numbers]),
+        "group_words": words,
+        "sample_depth": max(_LEAST_SAMPLE_DEPTH, 1 << (2 * (words + 2) - 1).bit_length()),
+        "base_frequency_millihertz": _base_hz(published) * 1000,
+        "build_id": fingerprint(interface),
+    }
+
+
+def _base_hz(groups: list[Group]) -> int:
+    """Give the base frequency that has all rates: the gateway's own, or the next lower one that they divide.
+
+    Where a group has a divisor, it is the gateway's own: the author has counted from that.
+    """
+    rates = [group.rate_hz for group in groups if group.rate_hz is not None]
+    if any(group.divisor is not None for group in groups) or not all(rate.is_integer() for rate in map(float, rates)):
+        return _BASE_HZ
+    common = math.lcm(*(int(rate) for rate in rates))
+    return _BASE_HZ if common > _BASE_HZ else _BASE_HZ // common * common
+
+
+def fingerprint(interface: Interface) -> str:
+    """Give 8 hex digits that name the map: those of another layout, access or kind are others."""
+    lines = (
+        f"{signal.path} {signal.address} {signal.lowest_bit} {signal.kind} {signal.access} {signal.fifo}"
+        for signal in interface.signals.values()
+    )
+    widths = f"{interface.name} {interface.address_bits} {interface.data_bits}"
+    return hashlib.sha256("\n".join([widths, *lines]).encode()).hexdigest()[:8].upper()

@@ -1,0 +1,304 @@
+"""The register bank as data: what stands at each address, what waits behind it, and which addresses belong to modules.
+
+Signals are registers of the bank, but for those in hardware modules: a module is hardware of its own, and the addresses
+that it takes are handed on to it. A `MEMORY` without a name is no such hardware, only a base for the registers in it. A
+module whose size the spec does not tell reaches up to the next one, or to the end of the addresses.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, NamedTuple
+
+from unity_link.errors import UnsupportedError
+from unity_link.generate.vhdl.names import Scope, identifier
+from unity_link.generate.vhdl.records import Pins, Records
+from unity_link.generate.vhdl.types import bit_literal, enumeration_type, from_bits, to_bits
+from unity_link.spec import Access, KindName
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Iterator
+
+    from unity_link.spec import Interface, Module, Signal
+
+
+ELSEWHERE = "elsewhere"
+_CONSTANTS = (
+    "address_t",
+    "address_bits",
+    "data_bits",
+    "groups",
+    "group_words",
+    "sample_depth",
+    "base_frequency_millihertz",
+    "build_id",
+)
+"""What the package has of the gateway, behind the name of the interface."""
+
+
+class Slice(NamedTuple):
+    """The part of a signal that stands in one word."""
+
+    high: int
+    low: int
+    """Bits of the word."""
+    first: int
+    """The lowest of the signal's own bits that are meant."""
+
+    @property
+    def last(self) -> int:
+        """The highest of them."""
+        return self.first + self.high - self.low
+
+
+def slice_at(signal: Signal, address: int) -> Slice:
+    """Give what a signal has of the word at an address."""
+    part = address - signal.address
+    low = signal.lowest_bit if part == 0 else 0
+    first = part * signal.word_bits
+    return Slice(min(low + signal.width - first, signal.word_bits) - 1, low, first)
+
+
+class Register(NamedTuple):
+    """A signal of the bank."""
+
+    signal: Signal
+    name: str
+    """Its path as one word, of which the names of its constants and of its register are made."""
+    pins: Pins
+
+    chain: str = ""
+    """Its bits on the chain of shift registers of a board, as a range of VHDL."""
+
+    @property
+    def got_bits(self) -> str:
+        """Write the bits of what hardware gets."""
+        return to_bits(self.signal.kind, self.pins.got)
+
+    @property
+    def is_held(self) -> bool:
+        """Whether what is read of it is kept for the rest of a transaction, as it takes several words."""
+        return self.signal.access is Access.READ and self.signal.words > 1
+
+    @property
+    def is_register(self) -> bool:
+        """Whether it is written and stays."""
+        return self.signal.access.writes and not self.signal.fifo
+
+    @property
+    def is_gathered(self) -> bool:
+        """Whether several words are written before it changes."""
+        return self.is_register and self.signal.words > 1
+
+    @property
+    def reads_back(self) -> bool:
+        """Whether reading gives what was written: for a field, since it is written by reading first."""
+        return self.is_register and (self.signal.access is Access.READWRITE or self.signal.is_field)
+
+    @property
+    def can_be_read(self) -> bool:
+        """Whether its address can be read."""
+        return self.signal.access.reads or self.reads_back
+
+    @property
+    def given_bits(self) -> str:
+        """Write the bits of what hardware gives."""
+        return to_bits(self.signal.kind, self.pins.given)
+
+    def read_at(self, address: int) -> str:
+        """Write what a read of an address gives of it: a vector, or of a bool from hardware a single bit."""
+        if self.is_register or self.is_held:
+            part = slice_at(self.signal, address)
+            return f"{self.name}_{'held' if self.is_held else 'bits'}({part.last} downto {part.first})"
+        return self.given_bits
+
+
+class Word(NamedTuple):
+    """One address of the bank."""
+
+    address: int
+    read: tuple[Register, ...]
+    written: tuple[Register, ...]
+
+    @property
+    def allowed(self) -> str:
+        """Write whether an access is allowed."""
+        return "'1'" if self.read and self.written else "wb_we" if self.written else "not wb_we"
+
+    @property
+    def paths(self) -> str:
+        """What stands there, in the words of the spec."""
+        signals = (register.signal for register in self.read + self.written)
+        return ", ".join(dict.fromkeys(f"{signal.path}{self._part(signal)}" for signal in signals))
+
+    def _part(self, signal: Signal) -> str:
+        return f", word {self.address - signal.address} of {signal.words}" if signal.words > 1 else ""
+
+
+class Window(NamedTuple):
+    """Addresses that are handed on."""
+
+    name: str
+    """What its ports begin with."""
+    first: int
+    last: int
+    module: Module | None
+    """To which module; None for the addresses of none."""
+
+
+class Bank:
+    """All that the templates say of the registers of an interface.
+
+    Raises:
+        UnsupportedError: where addresses belong to two modules alike.
+    """
+
+    def __init__(self, interface: Interface) -> None:
+        self.interface = interface
+        name = identifier(interface.name)
+        self._scope = Scope(*(f"{name}_{constant}" for constant in _CONSTANTS))
+        self.enumerations = {
+            enumeration.name: enumeration_type(enumeration, self._scope) for enumeration in interface.enumerations
+        }
+        signals = {
+            path: signal for path, signal in interface.signals.items() if _owner(interface, signal.module) is None
+        }
+        self.records = Records(interface, signals, self.enumerations, self._scope)
+        endings = ("_address", "_low", "_high", "_words", "_scale", "_offset", "_depth", "_bits", "_held", "_gathered")
+        self.names = {path: self._scope.unique(path, *endings) for path in interface.signals}
+        """Of all signals, those of modules too."""
+        self.group_names = {
+            group.name: self._scope.unique(f"group_{group.name}", "_divisor") for group in interface.groups
+        }
+        self.registers = tuple(
+            Register(signal, self.names[path], self.records.pins[path]) for path, signal in signals.items()
+        )
+        self.words = tuple(_words(self.registers))
+        self.windows = tuple(_windows(interface))
+
+    @property
+    def chained_to(self) -> list[Register]:
+        """What hardware gets, each with its place on a chain of shift registers."""
+        return _chained(register for register in self.registers if register.is_register)
+
+    @property
+    def chained_from(self) -> list[Register]:
+        """What hardware gives, likewise."""
+        return _chained(
+            register
+            for register in self.registers
+            if register.signal.access is Access.READ and not register.signal.fifo
+        )
+
+    @property
+    def ports(self) -> tuple[Window, ...]:
+        """All Wishbone masters: those of the modules, and the one for the addresses that belong to nothing."""
+        return (*self.windows, Window(ELSEWHERE, 0, (1 << self.interface.address_bits) - 1, None))
+
+    @property
+    def choices(self) -> Iterator[tuple[str, str]]:
+        """Give the ports in the order in which an address is looked for, each with its condition; empty: always."""
+        highest = (1 << self.interface.address_bits) - 1
+        for port in self.ports:
+            low = f"unsigned(wb_adr) >= {self._address(port.first)}" if port.first > 0 else ""
+            high = f"unsigned(wb_adr) <= {self._address(port.last)}" if port.last < highest else ""
+            yield " and ".join(filter(None, (low, high))), port.name
+            if not (low or high):
+                return
+
+    def _address(self, address: int) -> str:
+        return f"unsigned'({bit_literal(address, self.interface.address_bits)})"
+
+    @property
+    def streams(self) -> tuple[Register, ...]:
+        """The FIFO ports."""
+        return tuple(register for register in self.registers if register.signal.fifo)
+
+    def got(self, register: Register) -> str:
+        """Write the value that hardware gets of a register."""
+        return self.given(register, f"{register.name}_bits{'(0)' if _is_bool(register) else ''}")
+
+    def given(self, register: Register, bits: str) -> str:
+        """Write the value of bits of which hardware gives a register."""
+        return from_bits(register.signal.kind, bits, self.enumerations)
+
+    def stream_word(self, register: Register) -> str:
+        """Write the value that the FIFO port of a register gets from the bus."""
+        part = slice_at(register.signal, register.signal.address)
+        bits = str(part.low) if _is_bool(register) else f"{part.high} downto {part.low}"
+        return self.given(register, f"wb_dat_i({bits})")
+
+    def zero(self, register: Register) -> str:
+        """Write 0 for what hardware gives."""
+        bits = "'0'" if _is_bool(register) else bit_literal(0, register.signal.width)
+        return self.given(register, bits) if register.signal.kind.enumeration is not None else bits
+
+
+def _chained(registers: Iterable[Register]) -> list[Register]:
+    chained, first = [], 0
+    for register in registers:
+        width = register.signal.width
+        # One bit of a vector is a range, too, but a bool is taken by its index.
+        place = str(first) if _is_bool(register) else f"{first + width - 1} downto {first}"
+        chained.append(register._replace(chain=place))
+        first += width
+    return chained
+
+
+def is_bit(register: Register) -> bool:
+    """Whether `read_at` writes a single bit."""
+    return _is_bool(register) and not (register.is_register or register.is_held)
+
+
+def _is_bool(register: Register) -> bool:
+    return register.signal.kind.name is KindName.BOOL
+
+
+def _words(registers: Iterable[Register]) -> Iterator[Word]:
+    reads: dict[int, list[Register]] = {}
+    writes: dict[int, list[Register]] = {}
+    for register in registers:
+        for address in register.signal.addresses:
+            if register.can_be_read:
+                reads.setdefault(address, []).append(register)
+            if register.signal.access.writes:
+                writes.setdefault(address, []).append(register)
+    for address in sorted(reads.keys() | writes.keys()):
+        yield Word(address, tuple(reads.get(address, ())), tuple(writes.get(address, ())))
+
+
+def _is_base_only(module: Module) -> bool:
+    return module.type == "MEMORY" and module.name is None
+
+
+def _owner(interface: Interface, index: int | None) -> int | None:
+    """Give the outermost piece of hardware that a module stands in, or is; None where it is a base only."""
+    found = None
+    while index is not None:
+        module = interface.modules[index]
+        if not _is_base_only(module):
+            found = index
+        index = module.parent
+    return found
+
+
+def _windows(interface: Interface) -> Iterator[Window]:
+    modules = [module for index, module in enumerate(interface.modules) if _owner(interface, index) == index]
+    sizes = {id(module): 1 if module.type == "FIFO" and module.words is None else module.words for module in modules}
+    bases = sorted(module.base for module in modules)
+    scope = Scope(ELSEWHERE)
+    open_at: dict[int, Module] = {}
+    # Those of known size come first: an open one has only what they leave.
+    for module in sorted(modules, key=lambda one: (sizes[id(one)] is None, one.base)):
+        name = scope.unique(module.path or module.type)
+        words = sizes[id(module)]
+        if words is not None:
+            yield Window(name, module.base, module.base + words - 1, module)
+            continue
+        other = open_at.setdefault(module.base, module)
+        if other is not module:
+            raise UnsupportedError(
+                f"{other.type} and {module.type} both begin at address {module.base:#x}, and neither has a SIZE: "
+                "give one of them its SIZE, so that its addresses are known"
+            )
+        end = next((base for base in bases if base > module.base), 1 << interface.address_bits)
+        yield Window(name, module.base, end - 1, module)

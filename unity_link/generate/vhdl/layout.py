@@ -1,0 +1,103 @@
+"""Columns: what stands below each other in VHDL is aligned, so that templates need not count blanks.
+
+In consecutive lines of the same depth, ``:``, ``:=``, ``=>`` and ``<=`` each stand in one column, as vsg asks for and
+as the sources of the gateware are written; calls may stand between them. A blank line, a comment or a line of another
+depth ends a block. Comments are filled to the length of a line.
+"""
+
+from __future__ import annotations
+
+import re
+import textwrap
+from itertools import groupby
+from typing import NamedTuple
+
+LINE = 120
+_DECLARATION = re.compile(
+    r"(?P<head> *(?:(?:constant|signal|variable) )?\w+) *:(?!=) *(?P<type>[^:]*?)(?: *:= *(?P<value>.*))?$"
+)
+_PORT_MODE = re.compile(r"(in|out|inout) +(?=\S)")
+_PAIR = re.compile(r"(?P<head> *[\w.()]+(?: downto [\w]+\))?) *(?P<sign><=|=>|:=) *(?P<rest>.*)$")
+_CALL = re.compile(r" *\w+(\(.*\))?;$")
+_NO_COLUMNS = ("when ", "if ", "elsif ", "type ", "subtype ", "function ", "report ", "assert ", "end ", "null;", "--")
+_NO_TYPES = ("process", "entity", "if", "for")
+
+
+class _Line(NamedTuple):
+    text: str
+    depth: int
+    sign: str
+    """What is aligned in it: a sign, ":" for a declaration, "()" for a call, or nothing."""
+
+
+def align(text: str) -> str:
+    """Align the columns of a whole file, fill its comments, and end each line where its last letter is."""
+    lines = [_classify(line.rstrip()) for line in _filled(text.splitlines())]
+    aligned: list[str] = []
+    start = 0
+    while start < len(lines):
+        end = start + 1
+        while end < len(lines) and _goes_on(lines[start], lines[end]):
+            end += 1
+        aligned += _aligned(lines[start:end])
+        start = end
+    return re.sub(r"\n{3,}", "\n\n", "\n".join(aligned)) + "\n"
+
+
+def _filled(lines: list[str]) -> list[str]:
+    """Fill the paragraphs of comments: those at the top always, others where a line is too long."""
+    filled: list[str] = []
+    at_top = True
+    for is_prose, some in groupby(lines, key=lambda line: re.match(r" *-- \S", line) is not None):
+        paragraph = list(some)
+        at_top = at_top and all(line.startswith("--") for line in paragraph)
+        if is_prose and (at_top or max(map(len, paragraph)) > LINE):
+            prefix = paragraph[0][: paragraph[0].index("--")] + "-- "
+            words = " ".join(line.strip().removeprefix("-- ") for line in paragraph)
+            paragraph = textwrap.wrap(words, LINE, initial_indent=prefix, subsequent_indent=prefix)
+        filled += paragraph
+    return filled
+
+
+def _classify(line: str) -> _Line:
+    code = line.lstrip()
+    depth = len(line) - len(code)
+    if not code or code.startswith(_NO_COLUMNS):
+        return _Line(line, depth, "")
+    pair = _PAIR.match(line)
+    if pair is not None:
+        return _Line(line, depth, pair["sign"])
+    declaration = _DECLARATION.match(line)
+    if declaration is not None and not declaration["type"].startswith(_NO_TYPES):
+        return _Line(line, depth, ":")
+    return _Line(line, depth, "()" if _CALL.match(line) else "")
+
+
+def _goes_on(first: _Line, line: _Line) -> bool:
+    return first.sign not in {"", "()"} and line.depth == first.depth and line.sign in {first.sign, "()"}
+
+
+def _aligned(block: list[_Line]) -> list[str]:
+    sign = block[0].sign
+    if sign == ":":
+        return _align_declarations([line.text for line in block])
+    if sign in {"", "()"}:
+        return [line.text for line in block]
+    matches = [_PAIR.match(line.text) if line.sign == sign else None for line in block]
+    width = max(len(match["head"]) for match in matches if match is not None)
+    return [
+        line.text if match is None else f"{match['head']:{width}} {sign} {match['rest']}"
+        for line, match in zip(block, matches, strict=True)
+    ]
+
+
+def _align_declarations(lines: list[str]) -> list[str]:
+    matches = [match for line in lines if (match := _DECLARATION.match(line)) is not None]
+    types = [_PORT_MODE.sub(lambda mode: f"{mode[1]:6}", match["type"], count=1) for match in matches]
+    width = max(len(match["head"]) for match in matches)
+    longest = max(len(one.rstrip(";")) for one in types)
+    aligned = []
+    for match, one in zip(matches, types, strict=True):
+        value = f" := {match['value']}" if match["value"] is not None else ""
+        aligned.append(f"{match['head']:{width}} : " + (f"{one:{longest}}{value}" if value else one))
+    return aligned

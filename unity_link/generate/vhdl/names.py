@@ -1,0 +1,41 @@
+"""Names of a spec as VHDL takes them: of any case, never a reserved word, each once in its scope."""
+
+from __future__ import annotations
+
+import re
+
+RESERVED = frozenset(
+    """abs access after alias all and architecture array assert assume assume_guarantee attribute begin block body
+    buffer bus case component configuration constant context cover default disconnect downto else elsif end entity exit
+    fairness file for force function generate generic group guarded if impure in inertial inout is label library linkage
+    literal loop map mod nand new next nor not null of on open or others out package parameter port postponed private
+    procedure process property protected pure range record register reject release rem report restrict
+    restrict_guarantee return rol ror select sequence severity shared signal sla sll sra srl strong subtype then to
+    transport type unaffected units until use variable view vmode vprop vunit wait when while with xnor xor""".split()  # noqa: SIM905  (a line for each word would be a page)
+)
+"""Words of VHDL up to its version of 2019; one of them as a name gets ``_x`` behind it."""
+
+
+def identifier(text: str) -> str:
+    """Write a name or a path of a spec in small letters, as VHDL allows: ``legs[2].__Case`` is ``legs_2_case``."""
+    name = re.sub(r"[\W_]+", "_", text).strip("_").lower() or "x"
+    if not name[0].isalpha():
+        name = f"x_{name}"
+    return f"{name}_x" if name in RESERVED else name
+
+
+class Scope:
+    """The names that are taken in one region of VHDL text."""
+
+    def __init__(self, *taken: str) -> None:
+        self._taken = set(taken)
+
+    def unique(self, text: str, *endings: str) -> str:
+        """Give a name for a text, numbered where it is taken; with endings, it is free with each of them too."""
+        name = first = identifier(text)
+        number = 1
+        while any(name + ending in self._taken for ending in ("", *endings)):
+            number += 1
+            name = f"{first}_{number}"
+        self._taken.update(name + ending for ending in ("", *endings))
+        return name

@@ -1,0 +1,284 @@
+"""What the bench does to a register bank, and what it must see: computed from the signals, not from the bank.
+
+Which words a value has is what `Signal.encode` says of it to every client, so that a bank which passes agrees with the
+programs that are generated from the same spec. Values are random, but the same for the same spec. Each signal gets
+several, all signals at once, so that one that answers for another is seen.
+"""
+
+from __future__ import annotations
+
+import random
+from typing import TYPE_CHECKING, NamedTuple
+
+from unity_link.generate.vhdl.types import bit_literal
+from unity_link.spec import Access, KindName, Signal
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Iterator
+
+    from unity_link.generate.vhdl.bank import Bank, Register, Word
+
+ROUNDS = 3
+_UNUSED_ADDRESSES = 8
+"""How many addresses without a signal are tried."""
+
+
+class Section(NamedTuple):
+    """Some statements that try one thing."""
+
+    title: str
+    statements: tuple[str, ...]
+
+
+class Stimuli:
+    """The statements of the bench's one process, and the order in which it watches pulses."""
+
+    def __init__(self, bank: Bank) -> None:
+        self._bank = bank
+        self._address_bits = bank.interface.address_bits
+        self._data_bits = bank.interface.data_bits
+        self._given: dict[str, int] = {}
+        self._stored: dict[str, int] = {
+            register.signal.path: 0 for register in bank.registers if register.signal.access.writes
+        }
+        self.strobes = tuple(register for word in bank.words for register in self._struck(word))
+        """The registers whose pulses are watched; those of one word stand side by side."""
+
+    @property
+    def sections(self) -> Iterator[Section]:
+        """Give all that the bench tries, in this order."""
+        parts = (
+            ("After reset, everything that was written is 0.", self._reset()),
+            *((f"What hardware gives can be read, round {one}.", self._reads(one)) for one in range(1, ROUNDS + 1)),
+            *((f"What is written reaches hardware, round {one}.", self._writes(one)) for one in range(1, ROUNDS + 1)),
+            ("Fields of one word are written by reading it first.", self._fields()),
+            ("A value of several words is read from one instant.", self._instants()),
+            ("A FIFO port moves each word once, and refuses what it cannot move.", self._streams()),
+            ("A module gets the accesses to its addresses, counted from its base.", self._windows()),
+            ("Everything else is refused.", self._refusals()),
+        )
+        for title, statements in parts:
+            some = tuple(statements)
+            if some:
+                yield Section(title, some)
+
+    # What stands where
+
+    def _struck(self, word: Word) -> list[Register]:
+        """Give the registers that pulse when a word is written."""
+        return [
+            register
+            for register in word.written
+            if register.is_register and word.address == register.signal.addresses[-1]
+        ]
+
+    def _raw_of(self, register: Register) -> int:
+        path = register.signal.path
+        return self._stored[path] if register.is_register else self._given.get(path, 0)
+
+    def _word(self, address: int) -> int:
+        """Give what an address must read as."""
+        (word,) = (one for one in self._bank.words if one.address == address)
+        return sum(_part_of(register.signal, self._raw_of(register), address) for register in word.read)
+
+    def _readable(self) -> list[Word]:
+        return [word for word in self._bank.words if word.read and not any(one.signal.fifo for one in word.read)]
+
+    # Statements
+
+    def _literal(self, register: Register, raw: int) -> str:
+        kind = register.signal.kind
+        if kind.name is KindName.BOOL:
+            return f"'{raw}'"
+        if kind.enumeration is None:
+            return bit_literal(raw, kind.width)
+        type_ = self._bank.enumerations[kind.enumeration.name]
+        names = dict(zip((one.value for one in kind.enumeration.values), type_.literals, strict=True))
+        return names.get(raw, type_.unnamed).name
+
+    def _at(self, address: int) -> str:
+        return bit_literal(address, self._address_bits)
+
+    def _data(self, word: int) -> str:
+        return bit_literal(word, self._data_bits)
+
+    def _read(self, address: int, *, keep: bool = False) -> str:
+        return f"read({self._at(address)}, {self._data(self._word(address))}, {str(keep).lower()});"
+
+    def _see(self, register: Register) -> str:
+        value = self._literal(register, self._stored[register.signal.path])
+        return f'check({register.pins.got} = {value}, "{register.signal.path} on the hardware\'s side");'
+
+    def _give(self, register: Register, raw: int) -> str:
+        self._given[register.signal.path] = raw
+        return f"{register.pins.given} <= {self._literal(register, raw)};"
+
+    def _write(self, word: Word, value: int) -> Iterator[str]:
+        """Write a word, and see what hardware gets of it."""
+        struck = self._struck(word)
+        first = self.strobes.index(struck[0]) if struck else 0
+        for register in struck:
+            part = _part_mask(register.signal, word.address) & value
+            self._stored[register.signal.path] = _joined(register.signal, self._gathered, word.address, part)
+        if not struck:
+            self._gathered[word.address] = value
+        yield f"write({self._at(word.address)}, {self._data(value)}, {first}, {len(struck)});"
+        yield from (self._see(register) for register in word.written if register.is_register)
+        if struck and any(register.reads_back for register in struck):
+            yield self._read(word.address)
+
+    _gathered: dict[int, int]
+
+    # Sections
+
+    def _reset(self) -> Iterator[str]:
+        for register in self._bank.registers:
+            if register.is_register:
+                yield self._see(register)
+
+    def _chance(self, *what: object) -> random.Random:
+        return random.Random(" ".join(map(str, (self._bank.interface.name, *what))))  # noqa: S311  (not for secrets)
+
+    def _raw(self, register: Register, what: object) -> int:
+        """Give a raw that hardware can give: of an enumeration, one with a name."""
+        chance, kind = self._chance(register.signal.path, what), register.signal.kind
+        if kind.enumeration is not None:
+            return chance.choice(kind.enumeration.values).value
+        return chance.getrandbits(kind.width)
+
+    def _reads(self, round_: int) -> Iterator[str]:
+        given = [
+            register
+            for register in self._bank.registers
+            if register.signal.access is Access.READ and not register.signal.fifo
+        ]
+        yield from (self._give(register, self._raw(register, round_)) for register in given)
+        if given:
+            yield "pass(2);"
+            yield from (self._read(word.address) for word in self._readable())
+
+    def _writes(self, round_: int) -> Iterator[str]:
+        self._gathered = {}
+        chance = self._chance("writes", round_)
+        words = [word for word in self._bank.words if any(register.is_register for register in word.written)]
+        for word in words:
+            yield from self._write(word, chance.getrandbits(self._data_bits))
+        for register in self._bank.registers:
+            if register.is_register and len(words) > 1:
+                yield self._see(register)
+
+    def _fields(self) -> Iterator[str]:
+        for word in self._bank.words:
+            fields = [register for register in word.written if register.signal.is_field]
+            for field in fields:
+                mask = _part_mask(field.signal, word.address)
+                changed = self._word(word.address) ^ mask
+                yield self._read(word.address, keep=True)
+                yield from self._write(word, changed)
+                yield from (self._see(register) for register in fields)
+
+    def _instants(self) -> Iterator[str]:
+        for register in self._bank.registers:
+            if not register.is_held:
+                continue
+            addresses = register.signal.addresses
+            kept = [self._read(address, keep=address != addresses[-1]) for address in addresses]
+            yield from (kept[0], self._give(register, self._raw(register, "changed")), "pass(2);", *kept[1:])
+            yield "pass(2);"
+            yield from (self._read(address) for address in addresses)
+
+    def _streams(self) -> Iterator[str]:
+        for index, register in enumerate(self._bank.streams):
+            signal, pins = register.signal, register.pins
+            at = self._at(signal.address)
+            if signal.access.reads:
+                yield f"refuse({at}, '0');"
+                for round_ in range(ROUNDS):
+                    yield self._give(register, self._raw(register, round_))
+                    yield f"{pins.given_valid} <= {_after(round_)};"
+                    yield self._read(signal.address)
+                    yield f"{pins.given_valid} <= '0';"
+                yield f'check(taken({index}) = {ROUNDS}, "{signal.path}: words taken");'
+            if signal.access.writes:
+                yield f"refuse({at}, '1');"
+                chance = self._chance("streams", signal.path)
+                for round_ in range(ROUNDS):
+                    value = chance.getrandbits(self._data_bits)
+                    raw = (value & signal.mask) >> signal.lowest_bit
+                    yield f"{pins.got_ready} <= {_after(round_)};"
+                    yield f"write({at}, {self._data(value)}, 0, 0);"
+                    yield f"{pins.got_ready} <= '0';"
+                    yield f'check(stream_{index} = {self._literal(register, raw)}, "{signal.path}: word given");'
+                yield f'check(given({index}) = {ROUNDS}, "{signal.path}: words given");'
+
+    def _windows(self) -> Iterator[str]:
+        for index, window in enumerate(self._bank.windows):
+            chance = self._chance("window", window.name)
+            for address in self._window_addresses(window.first, window.last, index):
+                relative = address - window.first
+                answer = (relative + 3 * index + 1) % (1 << self._data_bits)
+                value = chance.getrandbits(self._data_bits)
+                yield f"read({self._at(address)}, {self._data(answer)}, false);"
+                yield f"write({self._at(address)}, {self._data(value)}, 0, 0);"
+                yield f'check(window_adr({index}) = {self._at(relative)}, "{window.name}: address");'
+                yield f'check(window_word({index}) = {self._data(value)}, "{window.name}: word");'
+                yield "window_fails <= '1';"
+                yield f"refuse({self._at(address)}, '0');"
+                yield "window_fails <= '0';"
+
+    def _window_addresses(self, first: int, last: int, index: int) -> Iterable[int]:
+        """Give some addresses that go to a window: those of no register and no window before it."""
+        taken = {word.address for word in self._bank.words}
+        before = [range(window.first, window.last + 1) for window in self._bank.windows[:index]]
+        tried = dict.fromkeys((first, first + 1, (first + last) // 2, last))
+        return [
+            address
+            for address in tried
+            if first <= address <= last and address not in taken and not any(address in one for one in before)
+        ]
+
+    def _refusals(self) -> Iterator[str]:
+        for word in self._bank.words:
+            if not word.read:
+                yield f"refuse({self._at(word.address)}, '0');"
+            if not word.written:
+                yield f"refuse({self._at(word.address)}, '1');"
+        for address in self._unused():
+            yield f"refuse({self._at(address)}, '0');"
+            yield f"refuse({self._at(address)}, '1');"
+
+    def _unused(self) -> list[int]:
+        """Give some addresses that belong to nothing: beside what is there, and the last one."""
+        taken = {word.address for word in self._bank.words}
+        windows = [range(window.first, window.last + 1) for window in self._bank.windows]
+        highest = (1 << self._address_bits) - 1
+        near = sorted({address + step for address in taken for step in (-1, 1)} | {0, highest})
+        some = [
+            address
+            for address in near
+            if 0 <= address <= highest and address not in taken and not any(address in one for one in windows)
+        ]
+        return [*some[: _UNUSED_ADDRESSES - 1], *some[_UNUSED_ADDRESSES - 1 :][-1:]]
+
+
+def _after(round_: int) -> str:
+    """Write a '1' that comes at once in the first round, and later in each further one, never with a rising edge."""
+    return f"'0', '1' after {3 * round_} * period + period / 4" if round_ else "'1'"
+
+
+def _part_mask(signal: Signal, address: int) -> int:
+    """Give the bits that a signal has of the word at an address."""
+    return signal.mask >> (address - signal.address) * signal.word_bits & (1 << signal.word_bits) - 1
+
+
+def _part_of(signal: Signal, raw: int, address: int) -> int:
+    """Give what a signal adds to the word at an address."""
+    return raw << signal.lowest_bit >> (address - signal.address) * signal.word_bits & (1 << signal.word_bits) - 1
+
+
+def _joined(signal: Signal, gathered: dict[int, int], last: int, value: int) -> int:
+    """Give the raw that a signal has once its last word is written."""
+    words = [gathered[address] for address in signal.addresses[:-1]] + [value]
+    assert signal.addresses[-1] == last
+    whole = sum(word << (index * signal.word_bits) for index, word in enumerate(words))
+    return (whole & signal.mask) >> signal.lowest_bit

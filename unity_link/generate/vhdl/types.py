@@ -1,0 +1,111 @@
+"""What a kind is in VHDL: its type on the hardware's side, and the way between that and the bits on the bus."""
+
+from __future__ import annotations
+
+import textwrap
+from typing import TYPE_CHECKING, NamedTuple
+
+from unity_link.spec import KindName
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping, Sequence
+
+    from unity_link.generate.vhdl.names import Scope
+    from unity_link.spec import Enumeration, Kind
+
+_VECTORS = {
+    KindName.UNSIGNED: "unsigned",
+    KindName.SIGNED: "signed",
+    KindName.FIXED: "signed",
+    KindName.UFIXED: "unsigned",
+    KindName.FLOAT: "std_logic_vector",
+}
+ENUMERATION_BITS = 64
+"""Width of the numbers of enumerations between `to_bits` and its inverse: that of the widest signal."""
+
+
+class Literal(NamedTuple):
+    """One value of an enumeration."""
+
+    name: str
+    bits: str
+    """Its number as a VHDL literal."""
+    doc: str
+
+
+class EnumerationType(NamedTuple):
+    """An enumeration as a VHDL type; its last literal stands for all numbers that have no name."""
+
+    source: Enumeration
+    type: str
+    literals: tuple[Literal, ...]
+    unnamed: Literal
+    decode: str
+    """Name of the function that gives a literal for bits."""
+
+
+def enumeration_type(enumeration: Enumeration, scope: Scope) -> EnumerationType:
+    """Name the type of an enumeration and its literals, which begin with its name."""
+    name = scope.unique(enumeration.name, "_t").removesuffix("_x")
+    literals = [
+        Literal(scope.unique(f"{name}_{value.name}"), bit_literal(value.value, ENUMERATION_BITS), value.doc)
+        for value in enumeration.values
+    ]
+    numbers = {value.value for value in enumeration.values}
+    free = next(number for number in range(len(numbers) + 1) if number not in numbers)
+    unnamed = Literal(scope.unique(f"{name}_unnamed"), bit_literal(free, ENUMERATION_BITS), "")
+    return EnumerationType(enumeration, f"{name}_t", tuple(literals), unnamed, scope.unique(f"to_{name}"))
+
+
+def bit_literal(number: int, width: int) -> str:
+    """Write a number as so many bits: in hexadecimal digits where there are more than four."""
+    if width <= 4:
+        return f'"{number:0{width}b}"'
+    size = str(width) if width % 4 else ""
+    return f'{size}x"{number:0{-(-width // 4)}X}"'
+
+
+def real_literal(number: float) -> str:
+    """Write a number as VHDL's type `real`."""
+    mantissa, _, exponent = repr(float(number)).partition("e")
+    whole = mantissa if "." in mantissa else f"{mantissa}.0"
+    return whole + (f"e{int(exponent)}" if exponent else "")
+
+
+def vhdl_type(kind: Kind, enumerations: Mapping[str, EnumerationType]) -> str:
+    """Give the type of a signal of a kind."""
+    if kind.name is KindName.BOOL:
+        return "std_logic"
+    if kind.enumeration is not None:
+        return enumerations[kind.enumeration.name].type
+    return f"{_VECTORS[kind.name]}({kind.width - 1} downto 0)"
+
+
+def to_bits(kind: Kind, expression: str) -> str:
+    """Write the bits of a value, a `std_logic_vector`; of a bool, a `std_logic`."""
+    if kind.name in {KindName.BOOL, KindName.FLOAT}:
+        return expression
+    if kind.enumeration is not None:
+        return f"to_bits({expression}, {kind.width})"
+    return f"std_logic_vector({expression})"
+
+
+def from_bits(kind: Kind, expression: str, enumerations: Mapping[str, EnumerationType]) -> str:
+    """Write the value of bits, a `std_logic_vector`; of a bool, of a `std_logic`."""
+    if kind.name is KindName.BOOL:
+        return expression
+    if kind.enumeration is not None:
+        return f"{enumerations[kind.enumeration.name].decode}({expression})"
+    return expression if kind.name is KindName.FLOAT else f"{_VECTORS[kind.name]}({expression})"
+
+
+def comment(text: str, indent: int = 0, width: int = 120) -> Sequence[str]:
+    """Write a text as lines of comment."""
+    prefix = " " * indent + "-- "
+    lines = (textwrap.wrap(one, width - len(prefix)) or [""] for one in text.splitlines())
+    return [(prefix + line).rstrip() for some in lines for line in some]
+
+
+def one_line(text: str) -> str:
+    """Write a text so that it cannot end a comment."""
+    return " ".join(text.split())
