@@ -24,6 +24,8 @@ if TYPE_CHECKING:
 GATEWARE = Path(__file__).resolve().parent.parent
 _BUILD = GATEWARE / "build" / "bench"
 _STD = "--std=08"
+# cocotb has pytest explain assertions; pytest's plugins have no business in a simulation, and take two seconds to load.
+_INSIDE = {"PYTHONWARNINGS": "error", "PYTEST_DISABLE_PLUGIN_AUTOLOAD": "1"}
 _PICOSECONDS = {"fs": 0.001, "ps": 1, "ns": 10**3, "us": 10**6, "ms": 10**9, "s": 10**12}
 
 
@@ -97,7 +99,7 @@ def run_bench(
             test_args=[_STD, f"--workdir={build_dir}"],
             plusargs=["--ieee-asserts=disable-at-0"],
             parameters={name: _as_vhdl(value) for name, value in (generics or {}).items()},
-            extra_env={"PYTHONWARNINGS": "error", **(extra_env or {})},
+            extra_env={**_INSIDE, **(extra_env or {})},
             timescale=("1ns", "1ps"),
             log_file=log_file,
         )

@@ -1,7 +1,12 @@
-"""VHDL to Verilog: one entity with chosen generics, all of its hierarchy in one file."""
+"""VHDL to Verilog: one entity with chosen generics, all of its hierarchy in one file.
+
+A warning is an error here: GHDL warns of what is never assigned, and refuses latches.
+"""
 
 from __future__ import annotations
 
+import os
+import re
 import subprocess
 import tempfile
 from pathlib import Path
@@ -30,7 +35,7 @@ def to_verilog(top: str, generics: Mapping[str, object] | None = None, extra_sou
         extra_sources: VHDL files beside those in `gateware/rtl`.
 
     Raises:
-        ConversionError: if GHDL refuses the sources.
+        ConversionError: if GHDL refuses the sources, or warns of something in them.
         ToolMissingError: if there is no GHDL that can be used.
     """
     sources = [*vhdl_sources(), *(Path(source).resolve() for source in extra_sources)]
@@ -43,14 +48,21 @@ def to_verilog(top: str, generics: Mapping[str, object] | None = None, extra_sou
     with tempfile.TemporaryDirectory() as scratch:
         try:
             # Imported first, so that GHDL itself finds the order in which the sources depend on each other.
-            ghdl.run("import", _STD, f"--workdir={scratch}", *map(str, sources), cwd=Path(scratch))
-            ghdl.run("make", _STD, f"--workdir={scratch}", top, cwd=Path(scratch))
-            arguments = [_STD, f"--workdir={scratch}", "--out=verilog", *options, top]
-            text = ghdl.run("synth", *arguments, cwd=Path(scratch))
+            work = [_STD, f"--workdir={scratch}"]
+            steps = (
+                ghdl.run("import", *work, *map(str, sources), cwd=Path(scratch)),
+                ghdl.run("make", *work, top, cwd=Path(scratch)),
+                ghdl.run("synth", *work, "--out=verilog", *options, top, cwd=Path(scratch)),
+            )
         except subprocess.CalledProcessError as error:
             first_lines = "\n".join(error.stderr.strip().splitlines()[:_ERROR_LINES])
             raise ConversionError(f"{top} with {dict(generics or {})}: {first_lines}") from error
-    partial = result.with_suffix(".partial")
+    warnings = [line for step in steps for line in step.stderr.splitlines() if ":warning:" in line]
+    if warnings:
+        raise ConversionError(f"{top} with {dict(generics or {})}: " + "\n".join(warnings[:_ERROR_LINES]))
+    # The remarks name files of this machine.
+    text = re.sub(r"^ */\*.*?\*/\n", "", steps[-1].stdout, flags=re.MULTILINE)
+    partial = result.with_suffix(f".{os.getpid()}")
     partial.write_text(text)
     partial.replace(result)
     return result

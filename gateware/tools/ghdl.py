@@ -37,8 +37,8 @@ class Ghdl:
     command: tuple[str, ...]
     environment: dict[str, str]
 
-    def run(self, *arguments: str, cwd: Path | None = None) -> str:
-        """Run it and return its standard output.
+    def run(self, *arguments: str, cwd: Path | None = None) -> subprocess.CompletedProcess[str]:
+        """Run it and return what it said.
 
         Raises:
             subprocess.CalledProcessError: if it fails; `stderr` holds what it said.
@@ -50,11 +50,11 @@ class Ghdl:
             check=True,
             capture_output=True,
             text=True,
-        ).stdout
+        )
 
     def version(self) -> str:
         """Return the version line, which is part of the name of what this GHDL made."""
-        return self.run("--version").splitlines()[0]
+        return self.run("--version").stdout.splitlines()[0]
 
 
 def converting_ghdl() -> Ghdl:

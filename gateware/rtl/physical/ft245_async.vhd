@@ -242,7 +242,9 @@ begin
         rxf_seen    <= '1';
         txe_meta    <= '1';
         txe_seen    <= '1';
+        rx_data     <= (others => '0');
         received    <= '0';
+        tx_byte     <= (others => '0');
         tx_held     <= '0';
         wrote_last  <= '0';
         data_oe     <= '0';

@@ -244,6 +244,7 @@ begin
       moved        <= 0;
       rd_active    <= '0';
       wr_active    <= '0';
+      out_byte     <= (others => '0');
       out_held     <= '0';
       captured_one <= '0';
       rxf_seen     <= '1';

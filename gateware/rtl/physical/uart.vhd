@@ -230,6 +230,7 @@ begin
       end if;
 
       if rst = '1' then
+        held        <= (others => '0');
         held_valid  <= '0';
         rx_lost_one <= '0';
       end if;

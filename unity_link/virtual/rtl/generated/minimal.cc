@@ -1,4 +1,4 @@
-// 76e549c2159320d8 names what this was made from: unity_link_fifo in its configuration 'minimal', by GHDL and Yosys 0.70.0.
+// d1aad0fff5cb004d names what this was made from: unity_link_fifo in its configuration 'minimal', by GHDL and Yosys 0.70.0.
 // Answers Q with 0108080208000000070100002000009896800007A12001000100001000000000.
 // Made by `make rtl`: change the VHDL in gateware/rtl instead.
 
@@ -984,7 +984,7 @@ bool p_unity__link__fifo::eval(performer *performer) {
 		p_unity__link__inst_2e_core__inst_2e_rx__fifo__inst_2e_bypass.next = (p_rst ? value<9>{0u} : (p_unity__link__inst_2e_core__inst_2e_rx__fifo__inst_2e_n274__o ? p_in__lost.concat(p_in__data).val() : p_unity__link__inst_2e_core__inst_2e_rx__fifo__inst_2e_bypass.curr));
 	}
 	if (posedge_p_clk) {
-		p_unity__link__inst_2e_core__inst_2e_rx__fifo__inst_2e_n336__q.next = (p_rst ? value<1>{0u} : (p_unity__link__inst_2e_core__inst_2e_rx__fifo__inst_2e_n274__o ? value<1>{0x1u} : (p_unity__link__inst_2e_core__inst_2e_rx__fifo__inst_2e_n241__o ? value<1>{0u} : p_unity__link__inst_2e_core__inst_2e_rx__fifo__inst_2e_n336__q.curr)));
+		p_unity__link__inst_2e_core__inst_2e_rx__fifo__inst_2e_n336__q.next = (p_rst ? value<1>{0x1u} : (p_unity__link__inst_2e_core__inst_2e_rx__fifo__inst_2e_n274__o ? value<1>{0x1u} : (p_unity__link__inst_2e_core__inst_2e_rx__fifo__inst_2e_n241__o ? value<1>{0u} : p_unity__link__inst_2e_core__inst_2e_rx__fifo__inst_2e_n336__q.curr)));
 	}
 	if (posedge_p_clk) {
 		p_unity__link__inst_2e_core__inst_2e_rx__fifo__inst_2e_n337__data.next = (p_unity__link__inst_2e_core__inst_2e_rx__fifo__inst_2e_n241__o ? i_flatten_5c_unity__link__inst_2e__5c_core__inst_2e__5c_rx__fifo__inst_2e__24_memrd_24__5c_memory_24_top_2e_v_3a_8778_24_2315__DATA : p_unity__link__inst_2e_core__inst_2e_rx__fifo__inst_2e_n337__data.curr);
@@ -1062,7 +1062,7 @@ bool p_unity__link__fifo::eval(performer *performer) {
 		p_unity__link__inst_2e_core__inst_2e_tx__fifo__inst_2e_n5165__data.next = (p_unity__link__inst_2e_core__inst_2e_tx__fifo__inst_2e_n5069__o ? i_flatten_5c_unity__link__inst_2e__5c_core__inst_2e__5c_tx__fifo__inst_2e__24_memrd_24__5c_memory_24_top_2e_v_3a_192_24_48__DATA : p_unity__link__inst_2e_core__inst_2e_tx__fifo__inst_2e_n5165__data.curr);
 	}
 	if (posedge_p_clk) {
-		p_unity__link__inst_2e_core__inst_2e_tx__fifo__inst_2e_n5164__q.next = (p_rst ? value<1>{0u} : (p_unity__link__inst_2e_core__inst_2e_tx__fifo__inst_2e_n5102__o ? value<1>{0x1u} : (p_unity__link__inst_2e_core__inst_2e_tx__fifo__inst_2e_n5069__o ? value<1>{0u} : p_unity__link__inst_2e_core__inst_2e_tx__fifo__inst_2e_n5164__q.curr)));
+		p_unity__link__inst_2e_core__inst_2e_tx__fifo__inst_2e_n5164__q.next = (p_rst ? value<1>{0x1u} : (p_unity__link__inst_2e_core__inst_2e_tx__fifo__inst_2e_n5102__o ? value<1>{0x1u} : (p_unity__link__inst_2e_core__inst_2e_tx__fifo__inst_2e_n5069__o ? value<1>{0u} : p_unity__link__inst_2e_core__inst_2e_tx__fifo__inst_2e_n5164__q.curr)));
 	}
 	if (posedge_p_clk) {
 		p_unity__link__inst_2e_core__inst_2e_tx__fifo__inst_2e_bypass.next = (p_rst ? value<10>{0u} : (p_unity__link__inst_2e_core__inst_2e_tx__fifo__inst_2e_n5102__o ? p_unity__link__inst_2e_core__inst_2e_with__datalink__tx__datalink__tx__inst_2e_n5061__q.curr.slice<24,15>().val() : p_unity__link__inst_2e_core__inst_2e_tx__fifo__inst_2e_bypass.curr));

@@ -1,0 +1,49 @@
+"""Every entity that has a reset has defined outputs after it, read from its sources: a new one is tested unasked."""
+
+from __future__ import annotations
+
+import json
+import re
+from typing import TYPE_CHECKING
+
+import pytest
+
+from gateware.bench.runner import rtl_sources, run_bench
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+# What a block RAM shows before anything was written into it: nobody looks, because nothing is valid.
+MEMORY_OUTPUTS = {
+    "fifo_async": ["out_data"],
+    "ft245_sync": ["rx_data"],
+    "subscription_manager": ["access_address"],
+    "word_ring": ["read_data"],
+}
+CONFIGURATIONS = [
+    *(("unity_link", {"physical": medium}) for medium in ("fifo", "uart", "ft245", "ft245_sync")),
+    ("unity_link", {"groups": 0}),
+    ("unity_link_core", {"checked_frames": False}),
+]
+
+
+def ports_of(source: Path) -> tuple[list[str], list[str]]:
+    """Give the names of the inputs and outputs of the entity in a file."""
+    head = re.search(r"^entity .*?^end entity", source.read_text(), re.DOTALL | re.MULTILINE)
+    found = re.findall(r"^\s*(\w+)\s*:\s*(in|out)\s", head[0] if head else "", re.MULTILINE)
+    return [name for name, way in found if way == "in"], [name for name, way in found if way == "out"]
+
+
+PORTS = {source.stem: ports_of(source) for source in rtl_sources()}
+WITH_RESET = [name for name, (inputs, _) in PORTS.items() if {"rst", "in_rst"} & {*inputs}]
+
+
+@pytest.mark.parametrize(("entity", "generics"), [*((name, {}) for name in WITH_RESET), *CONFIGURATIONS])
+def test_no_output_is_undefined_after_a_reset(entity: str, generics: dict[str, object]) -> None:
+    inputs, outputs = PORTS[entity]
+    run_bench(
+        entity,
+        "gateware.bench.reset.bench_reset",
+        generics=generics,
+        extra_env={"PORTS": json.dumps([inputs, outputs, MEMORY_OUTPUTS.get(entity, [])])},
+    )
