@@ -160,6 +160,13 @@ class Feed:
     def _start(self) -> None:
         self._deserted = False
         self._task = asyncio.get_running_loop().create_task(self._run(), name=f"samples of {self._name}")
+        self._task.add_done_callback(self._stopped)
+
+    def _stopped(self, _: asyncio.Task[None]) -> None:
+        self._task = None
+        # Whoever came while the subscription was being ended wants another one.
+        if self._deserted and self._listeners:
+            self._start()
 
     async def _run(self) -> None:
         try:
@@ -172,11 +179,6 @@ class Feed:
             self._end(LinkLostError(f"the samples of {self._name} have ended"))
         except Exception as error:  # noqa: BLE001  (whatever it is, nobody must wait for samples that don't come)
             self._end(error)
-        finally:
-            self._task = None
-            # Whoever came while the subscription was being ended wants another one.
-            if self._deserted and self._listeners:
-                self._start()
 
     def _end(self, error: Exception) -> None:
         listeners, self._listeners = self._listeners, {}

@@ -62,6 +62,7 @@ class Poll:
         self._on_change = on_change
         self._overflow = overflow
         self._turn = 0
+        self._sequence = 0
         self._began: float | None = None
         self._last: Words | None = None
         self._lost = 0
@@ -80,6 +81,7 @@ class Poll:
         while True:
             await self._wait_for_turn()
             words = await self._layout.read()
+            self._turn += 1
             if not self._on_change or self._last is None or not np.array_equal(words, self._last):
                 break
         return [self._sample(words)]
@@ -113,8 +115,9 @@ class Poll:
 
     def _sample(self, words: Words) -> Sample:
         self._last = words
-        sample = Sample(self._turn, None, time.time(), words, self._lost)
-        self._turn += 1
+        self._sequence += self._lost
+        sample = Sample(self._sequence, None, time.time(), words, self._lost)
+        self._sequence += 1
         self._lost = 0
         self.received += 1
         return sample

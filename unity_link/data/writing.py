@@ -50,23 +50,23 @@ def _encode(proxy: Proxy[Any], value: Any) -> tuple[int, ...]:
 def _writings(bus: Bus, items: list[tuple[Proxy[Any], tuple[int, ...]]]) -> list[Coroutine[Any, Any, None]]:
     """Give what is to be done on one bus, as coroutines that have not begun."""
     whole: dict[int, int] = {}
-    fields: dict[int, tuple[int, int]] = {}
+    fields: dict[int, tuple[int, int, int]] = {}
     blocks: list[Coroutine[Any, Any, None]] = []
     for proxy, words in items:
         signal = proxy.signal
         if signal.is_field:
             word_mask = (1 << signal.word_bits) - 1
             for part, (address, word) in enumerate(zip(signal.addresses, words, strict=True)):
-                value, mask = fields.get(address, (0, 0))
-                fields[address] = (value | word, mask | signal.mask >> (part * signal.word_bits) & word_mask)
+                value, mask, written = fields.get(address, (0, 0, 0))
+                mask |= signal.mask >> (part * signal.word_bits) & word_mask
+                fields[address] = (value | word, mask, written | proxy.robot.written_bits[address])
         elif len(words) == 1:
             whole[signal.address] = words[0]
         else:
             blocks.append(bus.write_block(signal.address, words))
     masked = []
-    robot = items[0][0].robot
-    for address, (word, mask) in fields.items():
-        if mask == robot.written_bits.get(address):
+    for address, (word, mask, written) in fields.items():
+        if mask == written:
             whole[address] = word
         else:
             masked.append(_write_masked(bus, address, word, mask))

@@ -1,0 +1,199 @@
+"""Many signals at once: one pipelined batch, whichever robots and gateways they belong to."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import unity_link
+from recorded_bus import RecordedBus
+from simulated_time import on_simulated_time
+from unity_link import ArgumentError, BusError
+from unity_link.data import Group
+from unity_link.spec import compile_text
+from unity_link.virtual import VirtualGateway
+
+EXAMPLES = Path(__file__).parents[2] / "examples"
+WALKER = unity_link.load(EXAMPLES / "walker.ul")
+ROBOT = unity_link.load(
+    compile_text("""
+    group arm;
+    public robot() {
+      @enable = 0x10[0]: bool READWRITE();
+      @level = 0x10[7:1]: signed READWRITE(GROUP(arm));
+      @angle = 0x12: signed 16 READWRITE(SCALE=0.5, MIN=-10, MAX=10, GROUP(arm));
+      @clock = 0x13: unsigned 64 READWRITE(GROUP(arm));
+      @command = 0x15: WRITE();
+      @actual = 0x15: READ();
+      @queue = 0x16: READWRITE(FIFO(16));
+      tools[2]: tool() @(0x18 + i);
+    }
+    tool(): @(force) { @force: unsigned 8 READWRITE(); }
+    """)
+)
+
+
+@on_simulated_time
+async def test_72_values_of_the_walker_take_one_request_for_each_word_and_wait_once() -> None:
+    gateway = VirtualGateway()
+    bus = RecordedBus(gateway)
+    bus.words.update({address: address for address in range(256)})
+    async with unity_link.connect(gateway) as link:
+        walker = WALKER(link)
+        group = Group(walker)
+        assert len(group) == 72
+        before = link.statistics
+        values = await group.get()
+        after = link.statistics
+    assert after.requests - before.requests == 72
+    assert bus.reads == list(range(0x10, 0x10 + 72))
+    assert [values[proxy] for proxy in walker.signals] == [
+        pytest.approx(address * 2 * np.pi / 65536) for address in range(0x10, 0x10 + 72)
+    ]
+
+
+@on_simulated_time
+async def test_many_set_points_are_written_in_one_batch_in_order() -> None:
+    gateway = VirtualGateway()
+    bus = RecordedBus(gateway)
+    async with unity_link.connect(gateway) as link:
+        walker = WALKER(link)
+        targets = Group(*(proxy for proxy in walker.signals if proxy.path.endswith("pos_sp")))
+        before = link.statistics.requests
+        await targets.set(np.linspace(-1, 1, 18))
+        assert link.statistics.requests == before + 18
+        assert [address for address, _ in bus.writes] == list(range(0x12, 0x10 + 72, 4))
+        np.testing.assert_allclose(list((await targets.get()).values()), np.linspace(-1, 1, 18), atol=1e-4)
+
+
+@on_simulated_time
+async def test_nothing_is_sent_if_one_value_is_wrong() -> None:
+    gateway = VirtualGateway()
+    bus = RecordedBus(gateway)
+    async with unity_link.connect(gateway) as link:
+        robot = ROBOT(link)
+        arm = robot.groups["arm"]
+        with pytest.raises(ArgumentError, match="angle: 11 is outside of its limits, -10 to 10"):
+            await arm.set({robot.level: 1, robot.angle: 11})
+        with pytest.raises(ArgumentError, match="arm has 3 signals, and 2 values were given"):
+            await arm.set([1, 2])
+        with pytest.raises(ArgumentError, match=r"command: .* is not in arm"):
+            await arm.set({robot.command: 1})
+        with pytest.raises(ArgumentError, match="actual can only be read"):
+            await Group(robot.actual).set([1])
+    assert bus.writes == []
+
+
+@on_simulated_time
+async def test_signals_that_cannot_be_in_a_group_are_named() -> None:
+    async with unity_link.connect(VirtualGateway()) as link:
+        robot = ROBOT(link)
+        for proxy, message in (
+            (robot.command, "command can only be written"),
+            (robot.queue, "queue is the port of a queue"),
+        ):
+            with pytest.raises(ArgumentError, match=message):
+                await Group(robot.angle, proxy).get()
+        with pytest.raises(ArgumentError, match="queue is the port of a queue"):
+            await Group(robot.queue).set([1])
+        with pytest.raises(ArgumentError, match="angle is in it twice"):
+            Group(robot.angle, robot.angle)
+        with pytest.raises(ArgumentError, match="it has no signals"):
+            Group()
+
+
+@on_simulated_time
+async def test_fields_of_a_group_are_written_as_one_word_where_they_are_all_that_is_written_in_it() -> None:
+    gateway = VirtualGateway()
+    bus = RecordedBus(gateway)
+    async with unity_link.connect(gateway) as link:
+        robot = ROBOT(link)
+        await Group(robot.enable, robot.level).set([True, 5])
+        assert (bus.reads, bus.writes) == ([], [(0x10, 0b1011)])
+        await Group(robot.level, robot.angle).set([-1, 1])
+        assert sorted(bus.writes[1:]) == [(0x10, 0xFF), (0x12, 2)], "read, and written back with its own bits"
+        assert bus.reads == [0x10]
+
+
+@on_simulated_time
+async def test_values_of_several_words_are_whole_in_a_group() -> None:
+    gateway = VirtualGateway()
+    async with unity_link.connect(gateway) as link:
+        robot = ROBOT(link)
+        arm = robot.groups["arm"]
+        before = link.statistics.requests
+        await arm.set([1, 2, 0xFEDC_BA98_7654_3210])
+        assert link.statistics.requests == before + 3, "one for the word, one masked, one for the block"
+        assert list((await arm.get()).values()) == [1, 2, 0xFEDC_BA98_7654_3210]
+        assert robot.clock.value == 0xFEDC_BA98_7654_3210
+
+
+@on_simulated_time
+async def test_a_group_spans_robots_on_several_gateways_and_on_the_same() -> None:
+    first, second = VirtualGateway(), VirtualGateway()
+    async with unity_link.connect(first) as left, unity_link.connect(second) as right:
+        a, b, c = ROBOT(left), ROBOT(right), WALKER(right)
+        group = Group(a.angle, b.angle, c.legs[1].coxa.pos_sp, a.tools[1])
+        await group.set([1, 2, 0.5, 9])
+        values = await group.get()
+        assert (values[a.angle], values[b.angle], values[a.tools[1].force]) == (1, 2, 9)
+        assert values[c.legs[1].coxa.pos_sp] == pytest.approx(0.5, abs=1e-4)
+        assert (first.memory[0x12], second.memory[0x12]) == (2, 4)
+
+
+@on_simulated_time
+async def test_one_bus_error_is_raised_and_leaves_the_other_writes() -> None:
+    gateway = VirtualGateway()
+    bus = RecordedBus(gateway, failing=frozenset({0x12}))
+    async with unity_link.connect(gateway) as link:
+        robot = ROBOT(link)
+        with pytest.raises(BusError, match="write at 0x12"):
+            await Group(robot.angle, robot.tools[0].force).set([1, 2])
+        assert bus.words == {0x18: 2}
+        with pytest.raises(BusError, match="read at 0x12"):
+            await Group(robot.angle, robot.tools[0].force).get()
+
+
+@on_simulated_time
+async def test_queues_take_and_give_values_of_their_kind() -> None:
+    kinds = unity_link.load(
+        compile_text("""
+        enum mode { off, on }
+        public robot() {
+          @both = 0: signed 16 READWRITE(FIFO(16), SCALE=0.5, MIN=-4, MAX=4);
+          @from = 1: mode 4 READ(FIFO);
+          @to = 2: WRITE(FIFO);
+        }
+        """)
+    )
+    gateway = VirtualGateway()
+
+    class Queue:
+        def __init__(self) -> None:
+            self.words: list[int] = []
+
+        def read(self, offset: int, now: float) -> int:
+            return self.words.pop(0)
+
+        def write(self, offset: int, value: int, now: float) -> None:
+            self.words.append(value)
+
+    queues = [Queue(), Queue(), Queue()]
+    for address, queue in enumerate(queues):
+        gateway.attach(queue, [address])
+    async with unity_link.connect(gateway) as link:
+        robot = kinds(link)
+        await robot.both.append([1, -2.5, 4])
+        assert queues[0].words == [2, 0xFFFB, 8]
+        await robot.both.set(0.5)
+        assert (await robot.both.take(3)).tolist() == [1, -2.5, 4]
+        assert await robot.both.get() == 0.5
+        with pytest.raises(ArgumentError, match=r"both: 4\.5 is outside of its limits, -4 to 4"):
+            await robot.both.append([1, 4.5])
+        assert queues[0].words == []
+        queues[1].words = [1, 0]
+        assert await robot["from"].get() is kinds.enumerations["mode"]["on"]  # type: ignore[attr-defined]
+        await robot.to.append(range(300))
+        assert queues[2].words == list(range(300)), "more than one request holds"

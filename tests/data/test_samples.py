@@ -1,0 +1,375 @@
+"""Samples of groups: published by the gateway, or polled by the host; as values, one by one and in batches."""
+
+from __future__ import annotations
+
+import asyncio
+import gc
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+import pytest
+
+import unity_link
+from simulated_time import on_simulated_time
+from unity_link import (
+    ArgumentError,
+    Feature,
+    GatewayInfo,
+    LinkClosedError,
+    LinkLostError,
+    SamplesLostError,
+    UnsupportedError,
+)
+from unity_link.data import Group
+from unity_link.spec import compile_text
+from unity_link.virtual import VirtualGateway
+from valve import Valve
+
+if TYPE_CHECKING:
+    from unity_link.data import Batch, GroupSample
+
+INFO = GatewayInfo(base_frequency_millihertz=1_000_000)
+WITHOUT_GROUPS = GatewayInfo(base_frequency_millihertz=1_000_000, features=GatewayInfo().features & ~Feature.GROUPS)
+ROBOT = unity_link.load(
+    compile_text("""
+    enum mode { off, on }
+    group state(1, 10);
+    group fast(RATE=1e9);
+    group edges(3, TRIGGER);
+    public robot() {
+      @count = 0x10: READ(PUBLISH(state));
+      @time = 0x11: signed READWRITE(PUBLISH(state), SCALE=0.5);
+      @slow = 0x12: READ(POLL(20));
+      @mode = 0x13[1:0]: mode READ(POLL(20));
+      @quick = 0x14: READ(PUBLISH(fast));
+      @silent = 0x15: READWRITE();
+      @edge = 0x16: READ(PUBLISH(edges));
+    }
+    """)
+)
+
+
+class Counter:
+    """A device that counts its reads, so that no two samples are the same."""
+
+    def __init__(self) -> None:
+        self.count = 0
+
+    def read(self, offset: int, now: float) -> int:
+        self.count += 1
+        return self.count
+
+    def write(self, offset: int, value: int, now: float) -> None:
+        self.count = value
+
+
+def counting(info: GatewayInfo = INFO) -> VirtualGateway:
+    gateway = VirtualGateway(info)
+    for address in (0x10, 0x12, 0x14):
+        gateway.attach(Counter(), [address])
+    return gateway
+
+
+def tasks_of_feeds() -> list[str]:
+    return [task.get_name() for task in asyncio.all_tasks() if task.get_name().startswith("samples of")]
+
+
+# One signal
+
+
+@on_simulated_time
+async def test_iteration_gives_each_value_that_the_group_publishes() -> None:
+    gateway = counting()
+    async with unity_link.connect(gateway) as link:
+        robot = ROBOT(link)
+        seen = []
+        async for value in robot.count:
+            seen.append(value)
+            if len(seen) == 50:
+                break
+        assert seen == list(range(1, 51))
+        assert robot.count.value >= 50
+        assert robot.time.value == 0, "all of the group are seen"
+
+
+@on_simulated_time
+async def test_the_gateway_is_asked_once_however_many_listen_and_told_when_the_last_has_left() -> None:
+    gateway = counting()
+    async with unity_link.connect(gateway) as link:
+        robot = ROBOT(link)
+
+        async def first(count: int) -> list[int]:
+            seen = []
+            async for value in robot.count:
+                seen.append(value)
+                if len(seen) == count:
+                    return seen
+            raise AssertionError
+
+        several = await asyncio.gather(first(5), first(10), first(20))
+        assert several[2][:10] == several[1]
+        assert several[1][:5] == several[0]
+        assert link.statistics.samples <= 25
+        await asyncio.sleep(0.1)
+        assert not tasks_of_feeds()
+        samples = link.statistics.samples
+        await asyncio.sleep(1)
+        assert link.statistics.samples == samples, "nothing is published to nobody"
+        assert len(await first(3)) == 3, "and the next one begins again"
+
+
+@on_simulated_time
+async def test_leaving_and_coming_back_at_once_loses_nobody() -> None:
+    async with unity_link.connect(counting()) as link:
+        robot = ROBOT(link)
+        for _ in range(20):
+            async for _value in robot.count:
+                break
+            gc.collect()
+
+
+@on_simulated_time
+async def test_what_nothing_publishes_is_not_iterated_over() -> None:
+    async with unity_link.connect(counting()) as link:
+        robot = ROBOT(link)
+        message = "nothing says when silent is to be sampled: give PUBLISH or POLL in the spec, or a rate_hz to a group"
+        with pytest.raises(ArgumentError, match=message):
+            async for _ in robot.silent:
+                pass
+        with pytest.raises(ArgumentError, match="nothing says when count, silent"):
+            Group(robot.count, robot.silent).subscribe()
+
+
+@on_simulated_time
+async def test_on_change_has_published_signals_published() -> None:
+    gateway = counting()
+    async with unity_link.connect(gateway) as link:
+        robot = ROBOT(link)
+        counts: list[int] = []
+        times: list[float] = []
+        registrations = [robot.count.on_change(counts.append), robot.time.on_change(times.append)]
+        await asyncio.sleep(0.205)
+        await link.write(0x11, 6)
+        await asyncio.sleep(0.2)
+        for registration in registrations:
+            registration.cancel()
+        await asyncio.sleep(0.1)
+        assert counts == list(range(1, len(counts) + 1))
+        assert len(counts) in range(38, 42)
+        assert times == [0, 3]
+        assert not tasks_of_feeds()
+
+
+@on_simulated_time
+async def test_a_slow_loop_is_told_that_it_lost_samples_and_takes_nothing_from_others() -> None:
+    async with unity_link.connect(counting()) as link:
+        robot = ROBOT(link)
+
+        async def slow() -> None:
+            async for _ in robot.count.samples(buffer=5):
+                await asyncio.sleep(1)
+
+        async def steady() -> list[int]:
+            seen = []
+            async for value in robot.count:
+                seen.append(value)
+                if len(seen) == 200:
+                    return seen
+            raise AssertionError
+
+        results = await asyncio.gather(slow(), steady(), return_exceptions=True)
+        assert isinstance(results[0], SamplesLostError)
+        assert str(results[0]) == "the reader is too slow: 5 samples are waiting for it"
+        assert results[1] == list(range(1, 201))
+
+        newest = robot.count.samples(buffer=5, overflow="drop_oldest")
+        first = await anext(newest)
+        await asyncio.sleep(1)
+        assert await anext(newest) > first + 90
+
+
+# The end of a link
+
+
+@on_simulated_time
+async def test_a_lost_link_ends_every_iteration_and_tells_callbacks() -> None:
+    told: list[dict[str, Any]] = []
+    asyncio.get_running_loop().set_exception_handler(lambda _, context: told.append(context))
+    gateway = Valve(counting())
+    async with unity_link.connect(gateway) as link:
+        robot = ROBOT(link)
+        robot.slow.on_change(lambda _: None)
+
+        async def endless(samples: Any) -> None:
+            async for _ in samples:
+                pass
+
+        async def cut() -> None:
+            await asyncio.sleep(0.5)
+            link._lose("the cable was pulled")
+
+        tasks = [robot.count, robot.slow, robot.groups["state"], Group(robot.silent, rate_hz=10)]
+        results = await asyncio.gather(*(endless(samples) for samples in tasks), cut(), return_exceptions=True)
+        assert [type(result) for result in results[:-1]] == [LinkLostError] * len(tasks)
+        with pytest.raises(LinkLostError):
+            await anext(aiter(robot.count))
+        assert not tasks_of_feeds()
+    assert [context["message"] for context in told] == [
+        "the samples of what is polled at 20 Hz, which callbacks wait for, have ended"
+    ]
+
+
+@on_simulated_time
+async def test_closing_the_link_ends_iterations_and_callbacks_quietly() -> None:
+    told: list[dict[str, Any]] = []
+    asyncio.get_running_loop().set_exception_handler(lambda _, context: told.append(context))
+    async with unity_link.connect(counting()) as link:
+        robot = ROBOT(link)
+        robot.count.on_change(lambda _: None)
+        waiting = asyncio.ensure_future(anext(aiter(Group(robot.silent, rate_hz=0.1).samples())))
+        second = asyncio.ensure_future(anext(aiter(robot.edge)))
+        await asyncio.sleep(0.1)
+        assert waiting.done()
+    with pytest.raises(LinkClosedError):
+        await second
+    await asyncio.sleep(1)
+    assert not tasks_of_feeds()
+    assert told == []
+
+
+# Groups
+
+
+@on_simulated_time
+async def test_a_declared_group_has_its_own_schedule_and_a_program_may_choose_another() -> None:
+    async with unity_link.connect(counting()) as link:
+        robot = ROBOT(link)
+        state = robot.groups["state"]
+        for subscription, rate in (
+            (state.subscribe(), 100),
+            (state.subscribe(rate_hz=500), 500),
+            (state.subscribe(divisor=4), 250),
+        ):
+            async with subscription as samples:
+                assert samples.rate_hz == rate
+                first, second = await anext(samples), await anext(samples)
+            assert (first.sequence, second.sequence, second.lost) == (0, 1, 0)
+            assert second.time is not None
+            assert first.time is not None
+            assert second.time - first.time == pytest.approx(1 / rate)
+            assert second.values[robot.count] == first.values[robot.count] + 1
+        async with robot.groups["fast"].subscribe() as samples:
+            assert samples.rate_hz == 1000, "the nearest that the gateway has"
+        async with Group(robot.count, robot.time).subscribe() as samples:
+            assert samples.rate_hz == 100, "both are of one group"
+
+
+@on_simulated_time
+async def test_a_batch_has_a_column_for_each_signal() -> None:
+    gateway = counting()
+    gateway.memory[0x11] = 0xFFFF_FFFE
+    async with unity_link.connect(gateway) as link:
+        robot = ROBOT(link)
+        async with Group(robot.time, robot.count).subscribe(rate_hz=1000) as samples:
+            await asyncio.sleep(0.5)
+            batch = await samples.take()
+        assert len(batch) > 400
+        assert batch[robot.count].dtype == np.uint32
+        np.testing.assert_array_equal(batch[robot.count], 1 + np.arange(len(batch)))
+        np.testing.assert_array_equal(batch[robot.time], np.full(len(batch), -1.0))
+        np.testing.assert_array_equal(batch.sequence, np.arange(len(batch)))
+        assert batch.time is not None
+        np.testing.assert_allclose(np.diff(batch.time), 1e-3, atol=1e-7)
+        assert batch.lost.sum() == 0
+        assert batch.words.shape == (len(batch), 2)
+        assert [sample.values[robot.count] for sample in batch] == batch[robot.count].tolist()
+        assert robot.count.value == len(batch)
+
+
+@on_simulated_time
+async def test_samples_and_batches_can_be_called_back_with() -> None:
+    async with unity_link.connect(counting()) as link:
+        robot = ROBOT(link)
+        samples: list[GroupSample] = []
+        batches: list[Batch] = []
+        state = robot.groups["state"]
+        with state.on_sample(samples.append), state.on_batch(batches.append):
+            await asyncio.sleep(0.5)
+        assert [sample.values[robot.count] for sample in samples] == list(range(1, len(samples) + 1))
+        assert sum(map(len, batches)) == len(samples) >= 49
+        with pytest.raises(ArgumentError, match="nothing says when silent"):
+            Group(robot.silent).on_sample(samples.append)
+
+
+@on_simulated_time
+async def test_a_group_of_two_gateways_gets_samples_of_each() -> None:
+    async with unity_link.connect(counting()) as left, unity_link.connect(counting(WITHOUT_GROUPS)) as right:
+        a, b = ROBOT(left), ROBOT(right)
+        group = Group(a.count, b.count, rate_hz=50)
+        seen: dict[Any, list[int]] = {a.count: [], b.count: []}
+        async with group.subscribe() as samples:
+            async for sample in samples:
+                ((proxy, value),) = sample.values.items()
+                seen[proxy].append(value)
+                if min(map(len, seen.values())) == 20:
+                    break
+        for values in seen.values():
+            assert values == list(range(1, len(values) + 1))
+            assert len(values) <= 25
+
+
+# Polling
+
+
+@on_simulated_time
+async def test_the_host_polls_at_the_rate_of_the_spec() -> None:
+    gateway = counting()
+    gateway.memory[0x13] = 1
+    async with unity_link.connect(gateway) as link:
+        robot = ROBOT(link)
+        loop = asyncio.get_running_loop()
+        began = loop.time()
+        values = []
+        async for value in robot.slow:
+            values.append(value)
+            if len(values) == 41:
+                break
+        assert loop.time() - began == pytest.approx(2, abs=0.06)
+        assert values == list(range(1, 42))
+        assert robot.mode.value is ROBOT.enumerations["mode"]["on"], "all of one rate are read together"
+
+
+@on_simulated_time
+async def test_a_gateway_without_groups_is_polled_at_their_rates() -> None:
+    async with unity_link.connect(counting(WITHOUT_GROUPS)) as link:
+        robot = ROBOT(link)
+        async with robot.groups["state"].subscribe() as samples:
+            assert samples.rate_hz == 100
+            first, second = await anext(samples), await anext(samples)
+            assert (first.sequence, second.sequence) == (0, 1)
+            assert (first.time, second.values[robot.count]) == (None, 2)
+            await asyncio.sleep(1)
+            later = await anext(samples)
+            assert later.lost == pytest.approx(100, abs=2)
+            assert samples.lost == later.lost
+            assert later.sequence == 2 + later.lost
+        async with robot.groups["state"].subscribe(overflow="fail", rate_hz=100) as samples:
+            await anext(samples)
+            await asyncio.sleep(1)
+            with pytest.raises(SamplesLostError, match="turns of 100 Hz were missed"):
+                await anext(samples)
+        with pytest.raises(UnsupportedError, match="without groups, and a host cannot see their triggers"):
+            robot.groups["edges"].subscribe()
+
+
+@on_simulated_time
+async def test_a_polled_group_can_wait_for_changes() -> None:
+    async with unity_link.connect(VirtualGateway(WITHOUT_GROUPS)) as link:
+        robot = ROBOT(link)
+        async with Group(robot.silent).subscribe(rate_hz=100, on_change=True) as samples:
+            assert (await anext(samples)).values[robot.silent] == 0
+            waiting = asyncio.ensure_future(anext(samples))
+            await asyncio.sleep(1)
+            assert not waiting.done()
+            await robot.silent.set(7)
+            assert (await waiting).values[robot.silent] == 7

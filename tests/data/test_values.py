@@ -1,0 +1,263 @@
+"""One signal as a typed value: read, written, remembered, watched."""
+
+from __future__ import annotations
+
+import asyncio
+import math
+from typing import TYPE_CHECKING, Any
+
+import hypothesis.strategies as st
+import pytest
+from hypothesis import given
+
+import unity_link
+from generate.every_kind import WORD_BITS, every_kind, good_values
+from recorded_bus import RecordedBus
+from simulated_time import on_simulated_time
+from unity_link import ArgumentError, BusError, Feature, GatewayInfo, UnsupportedError
+from unity_link.data import Group, Readable, ReadWrite, Writable
+from unity_link.spec import Access, compile_text
+from unity_link.virtual import VirtualGateway
+
+if TYPE_CHECKING:
+    from unity_link.spec import Signal, Value
+
+ROBOT = unity_link.load(
+    compile_text("""
+    enum mode { off, manual = 4, class = 7 }
+    public robot() {
+      @enable = 0x10[0]: bool READWRITE();
+      @level = 0x10[7:1]: signed READWRITE();
+      @mode = 0x11: mode 4 READWRITE(ID="the mode");
+      @angle = 0x12: signed 16 READWRITE(SCALE=0.5, MIN=-10, MAX=10, UNIT="deg");
+      @clock = 0x13: unsigned 64 READWRITE();
+      @actual = 0x15: float READ();
+      @command = 0x15: float WRITE();
+      @class = 0x16: READ();
+      @signals = 0x17: READ();
+      @signals_ = 0x18: READ();
+      @broken = 0x20: READWRITE();
+    }
+    """)
+)
+BROKEN = 0x20
+
+
+KINDS = {bits: unity_link.load(every_kind(bits)) for bits in WORD_BITS}
+
+
+def values_of(signal: Signal) -> st.SearchStrategy[Value]:
+    low, high = signal.limits
+    raws = st.integers(0, (1 << signal.width) - 1).map(signal.kind.decode)
+    return st.one_of(raws.filter(lambda value: low <= value <= high), st.sampled_from(good_values(signal)))
+
+
+@given(st.sampled_from(WORD_BITS), st.data())
+def test_any_value_of_any_kind_survives_write_and_read(word_bits: int, data: st.DataObject) -> None:
+    kind = KINDS[word_bits]
+    paths = [path for path, signal in kind.interface.signals.items() if signal.access is Access.READWRITE]
+    chosen = data.draw(st.lists(st.sampled_from(paths), min_size=1, max_size=5, unique=True))
+    values = {path: data.draw(values_of(kind.interface.signals[path])) for path in chosen}
+
+    @on_simulated_time
+    async def check() -> None:
+        async with unity_link.connect(VirtualGateway(GatewayInfo(data_bits=word_bits))) as link:
+            one_by_one = kind(link)
+            for path, value in values.items():
+                await one_by_one[path].set(value)  # type: ignore[attr-defined]
+            for path, value in values.items():
+                assert await one_by_one[path].get() == value  # type: ignore[attr-defined]
+        async with unity_link.connect(VirtualGateway(GatewayInfo(data_bits=word_bits))) as link:
+            robot = kind(link)
+            group = Group(*(robot[path] for path in values))
+            await group.set({robot[path]: value for path, value in values.items()})
+            assert {proxy.path: value for proxy, value in (await group.get()).items()} == values
+            async with group.subscribe(rate_hz=1000) as samples:
+                sample = await anext(samples)
+            assert {proxy.path: value for proxy, value in sample.values.items()} == values
+
+    check()
+
+
+@on_simulated_time
+async def test_a_field_leaves_the_other_bits_of_its_word_alone() -> None:
+    gateway = VirtualGateway()
+    gateway.memory[0x10] = 0xABCDEF00
+    async with unity_link.connect(gateway) as link:
+        robot = ROBOT(link)
+        await robot.enable.set(True)
+        await robot.level.set(-2)
+        assert gateway.memory[0x10] == 0xABCDEF00 | 1 | 0x7E << 1
+        assert (await robot.enable.get(), await robot.level.get()) == (True, -2)
+
+
+@on_simulated_time
+async def test_a_field_needs_a_gateway_with_masked_writes() -> None:
+    without = GatewayInfo(features=GatewayInfo().features & ~Feature.MASKED_WRITE)
+    async with unity_link.connect(VirtualGateway(without)) as link:
+        robot = ROBOT(link)
+        with pytest.raises(UnsupportedError, match="without masked writes"):
+            await robot.enable.set(True)
+        # All that is written in a word can be written at once.
+        await Group(robot.enable, robot.level).set([True, 3])
+        assert await robot.level.get() == 3
+
+
+@on_simulated_time
+async def test_a_value_of_several_words_is_read_and_written_in_one_transaction() -> None:
+    gateway = VirtualGateway()
+    async with unity_link.connect(gateway) as link:
+        robot = ROBOT(link)
+        requests = link.statistics.requests
+        await robot.clock.set(0x1_2345_6789)
+        assert (gateway.memory[0x13], gateway.memory[0x14]) == (0x2345_6789, 1)
+        assert await robot.clock.get() == 0x1_2345_6789
+        assert link.statistics.requests == requests + 2
+
+
+@on_simulated_time
+async def test_limits_are_checked_before_anything_is_sent() -> None:
+    gateway = VirtualGateway()
+    bus = RecordedBus(gateway)
+    async with unity_link.connect(gateway) as link:
+        robot = ROBOT(link)
+        wrong: list[tuple[Any, Any, str]] = [
+            (robot.angle, 10.5, "angle: 10.5 is outside of its limits, -10 to 10 deg"),
+            (robot.level, 64, "level: 64 is outside of -64 to 63, the range of signed 7"),
+            (robot.mode, "on", "mode: 'on' is no value of mode: off, manual, class are"),
+            (robot.angle, math.nan, "angle: nan is no value of signed 16: a finite number was expected"),
+        ]
+        for proxy, value, message in wrong:
+            for write in (proxy.set, proxy.post, lambda v, p=proxy: Group(robot.command, p).set([1.0, v])):
+                with pytest.raises(ArgumentError, match=message):
+                    await write(value)
+        assert robot.angle.limits == (-10, 10)
+    assert bus.writes == []
+
+
+@on_simulated_time
+async def test_an_enumeration_reads_as_its_members_and_is_written_by_them_or_their_names() -> None:
+    gateway = VirtualGateway()
+    async with unity_link.connect(gateway) as link:
+        robot = ROBOT(link)
+        mode = ROBOT.enumerations["mode"]
+        await robot.mode.set("manual")
+        assert await robot.mode.get() is mode["manual"]
+        await robot.mode.set(mode["class"])
+        assert gateway.memory[0x11] == 7
+        assert (await Group(robot.mode).get())[robot.mode] is mode["class"]
+        gateway.memory[0x11] = 9
+        unnamed = await robot.mode.get()
+        assert unnamed == 9
+        assert not isinstance(unnamed, mode)
+
+
+@on_simulated_time
+async def test_a_proxy_remembers_the_last_value_seen_and_its_age(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("time.monotonic", lambda: asyncio.get_running_loop().time())
+    async with unity_link.connect(VirtualGateway()) as link:
+        robot = ROBOT(link)
+        angle: ReadWrite[float] = robot.angle
+        assert (angle.value, angle.age) == (None, math.inf)
+        assert repr(angle) == "<angle: never seen>"
+        await angle.set(2.6)
+        assert angle.value == 2.5, "the nearest one that there is"
+        await asyncio.sleep(3)
+        assert angle.age == pytest.approx(3, abs=0.1)
+        await link.write(0x12, 4)
+        assert angle.value == 2.5
+        assert await angle.get() == 2
+        assert angle.value == 2
+        assert angle.age < 0.1
+        await link.write(0x12, 6)
+        await Group(angle).get()
+        assert angle.value == 3
+        assert repr(angle).startswith("<angle: 3.0 deg, ")
+        await angle.post(1)
+        assert angle.value == 1
+
+
+@on_simulated_time
+async def test_errors_of_the_bus_are_those_of_the_link() -> None:
+    gateway = VirtualGateway()
+    RecordedBus(gateway, failing=frozenset({BROKEN}))
+    async with unity_link.connect(gateway) as link:
+        robot = ROBOT(link)
+        with pytest.raises(BusError, match="read at 0x20"):
+            await robot.broken.get()
+        with pytest.raises(BusError, match="write at 0x20"):
+            await robot.broken.set(1)
+        assert robot.broken.value is None
+        await robot.broken.post(1)
+        with pytest.raises(BusError, match="posted write at 0x20"):
+            await link.fence()
+
+
+@on_simulated_time
+async def test_a_callback_hears_of_each_change_that_is_seen() -> None:
+    async with unity_link.connect(VirtualGateway()) as link:
+        robot = ROBOT(link)
+        seen: list[float] = []
+        registration = robot.angle.on_change(seen.append)
+        await robot.angle.set(1)
+        await robot.angle.set(1)
+        await robot.angle.get()
+        await link.write(0x12, 4)
+        await robot.angle.get()
+        registration.cancel()
+        registration.cancel()
+        await robot.angle.set(5)
+        assert seen == [1, 2]
+        with robot.angle.on_change(seen.append):
+            await robot.angle.set(6)
+        await robot.angle.set(7)
+        assert seen == [1, 2, 6]
+
+
+@on_simulated_time
+async def test_a_callback_that_raises_is_told_to_the_event_loop_and_stops_nobody() -> None:
+    told: list[dict[str, Any]] = []
+    asyncio.get_running_loop().set_exception_handler(lambda _, context: told.append(context))
+    async with unity_link.connect(VirtualGateway()) as link:
+        robot = ROBOT(link)
+        seen: list[float] = []
+        robot.angle.on_change(lambda _: 1 / 0)
+        robot.angle.on_change(seen.append)
+        await robot.angle.set(1)
+        assert seen == [1]
+    assert [context["message"] for context in told] == ["a callback of angle raised"]
+    assert isinstance(told[0]["exception"], ZeroDivisionError)
+
+
+@on_simulated_time
+async def test_signals_are_found_by_path_and_id_and_by_attributes() -> None:
+    async with unity_link.connect(VirtualGateway()) as link:
+        robot = ROBOT(link)
+        assert robot["mode"] is robot["the mode"] is robot.mode
+        with pytest.raises(ArgumentError, match="no signal 'the mod': did you mean"):
+            robot["the mod"]
+        assert robot.class_.path == "class"
+        # The robot's own `signals` are all of them.
+        assert robot.signals__.path == "signals"
+        assert robot.signals_.path == "signals_"
+        assert len(robot.signals) == len(ROBOT.interface.signals)
+        assert (type(robot.actual), type(robot.command), type(robot.angle)) == (Readable, Writable, ReadWrite)
+
+
+@pytest.mark.parametrize(
+    ("info", "message"),
+    [
+        (GatewayInfo(data_bits=16), "for words of 32 bits, and the gateway's have 16: its GATEWAY.DATA_BITS=16. is"),
+        (GatewayInfo(address_bits=8), "addresses up to 0x100, and those of the gateway end at 0xff"),
+    ],
+)
+def test_a_gateway_of_other_widths_is_refused(info: GatewayInfo, message: str) -> None:
+    spec = compile_text("public robot() { GATEWAY(ADDRESS_BITS=12); @x = 0x100: READ(); }")
+
+    @on_simulated_time
+    async def check() -> None:
+        async with unity_link.connect(VirtualGateway(info)) as link:
+            with pytest.raises(UnsupportedError, match=message):
+                unity_link.load(spec)(link)
+
+    check()
