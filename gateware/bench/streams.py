@@ -37,13 +37,32 @@ async def start(clk: LogicObject, rst: LogicObject, period_ns: float = 20.0) -> 
     await RisingEdge(clk)
 
 
+class Joined:
+    """Several signals as one value, the first one lowest: what goes through a stream beside its data."""
+
+    def __init__(self, *parts: tuple[LogicArrayObject | LogicObject, int]) -> None:
+        """Take the signals and the bits of each."""
+        self._parts = parts
+
+    @property
+    def value(self) -> int:
+        """Only written."""
+        raise NotImplementedError
+
+    @value.setter
+    def value(self, entry: int) -> None:
+        for signal, bits in self._parts:
+            signal.value = entry & (1 << bits) - 1
+            entry >>= bits
+
+
 class Source:
     """Offers entries on a stream, with pauses of its own in a share of the cycles."""
 
     def __init__(
         self,
         clk: LogicObject,
-        data: LogicArrayObject,
+        data: LogicArrayObject | Joined,
         valid: LogicObject,
         ready: LogicObject,
         *,

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import cocotb
 
-from gateware.bench.streams import Sink, Source, start
+from gateware.bench.streams import Joined, Sink, Source, start
 from unity_link.wire.crc import Crc
 
 if TYPE_CHECKING:
@@ -29,7 +29,9 @@ class _Bench:
         # A negative generic is read as a large number.
         self.node = int(dut.node.value) if int(dut.node.value) < 255 else -1
         self.prefix = b"" if self.node < 0 else b"Z%02X" % self.node
-        self._source = Source(dut.clk, _Joined(dut), dut.in_valid, dut.in_ready, pause=pause)
+        self._source = Source(
+            dut.clk, Joined((dut.in_data, 8), (dut.in_lost, 1)), dut.in_valid, dut.in_ready, pause=pause
+        )
         signals = (dut.out_last, dut.out_data, dut.out_plain, dut.out_error, dut.out_silent)
         self._sink = Sink(dut.clk, signals, dut.out_valid, dut.out_ready, pause=pause)
 
@@ -51,22 +53,6 @@ class _Bench:
 
     def checked(self, body: bytes) -> bytes:
         return self.prefix + body + self.crc.text(self.prefix + body) + b"\n"
-
-
-class _Joined:
-    """Character and loss as one value."""
-
-    def __init__(self, dut: SimHandleBase) -> None:
-        self._dut = dut
-
-    @property
-    def value(self) -> int:
-        raise NotImplementedError
-
-    @value.setter
-    def value(self, entry: int) -> None:
-        self._dut.in_data.value = entry & 0xFF
-        self._dut.in_lost.value = entry >> 8
 
 
 async def _bench(dut: SimHandleBase, pause: float = 0.0) -> _Bench:

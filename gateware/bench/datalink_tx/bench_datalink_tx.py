@@ -8,29 +8,15 @@ from typing import TYPE_CHECKING
 import cocotb
 from cocotb.triggers import RisingEdge
 
-from gateware.bench.streams import Sink, Source, start
+from gateware.bench.streams import Joined, Sink, Source, start
 from unity_link.wire.crc import Crc
 
 if TYPE_CHECKING:
     from cocotb.handle import SimHandleBase
 
 
-class _Joined:
-    """Character, last, plain and mark as one value."""
-
-    def __init__(self, dut: SimHandleBase) -> None:
-        self._dut = dut
-
-    @property
-    def value(self) -> int:
-        raise NotImplementedError
-
-    @value.setter
-    def value(self, entry: int) -> None:
-        self._dut.in_data.value = entry & 0xFF
-        self._dut.in_last.value = entry >> 8 & 1
-        self._dut.in_plain.value = entry >> 9 & 1
-        self._dut.in_mark.value = entry >> 10
+def _joined(dut: SimHandleBase) -> Joined:
+    return Joined((dut.in_data, 8), (dut.in_last, 1), (dut.in_plain, 1), (dut.in_mark, 2))
 
 
 def _entries(body: bytes, plain: int, mark: int) -> list[int]:
@@ -40,9 +26,9 @@ def _entries(body: bytes, plain: int, mark: int) -> list[int]:
 async def _send(dut: SimHandleBase, bodies: list[tuple[bytes, int, int]], pause: float) -> list[tuple[int, ...]]:
     dut.in_valid.value = 0
     dut.out_ready.value = 0
-    _Joined(dut).value = 0
+    _joined(dut).value = 0
     await start(dut.clk, dut.rst)
-    source = Source(dut.clk, _Joined(dut), dut.in_valid, dut.in_ready, pause=pause)
+    source = Source(dut.clk, _joined(dut), dut.in_valid, dut.in_ready, pause=pause)
     sink = Sink(dut.clk, (dut.out_data, dut.out_mark), dut.out_valid, dut.out_ready, pause=pause)
     await source.send(entry for body in bodies for entry in _entries(*body))
     for _ in range(60):
@@ -99,10 +85,10 @@ async def a_frame_follows_the_next_without_a_gap(dut: SimHandleBase) -> None:
     bodies = [(b"R0A00000012", 0, 0)] * 20
     task = None
     dut.in_valid.value = 0
-    _Joined(dut).value = 0
+    _joined(dut).value = 0
     await start(dut.clk, dut.rst)
     task = cocotb.start_soon(watch())
-    source = Source(dut.clk, _Joined(dut), dut.in_valid, dut.in_ready)
+    source = Source(dut.clk, _joined(dut), dut.in_valid, dut.in_ready)
     await source.send(entry for body in bodies for entry in _entries(*body))
     task.cancel()
     assert gaps == 0

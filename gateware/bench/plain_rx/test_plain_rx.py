@@ -1,0 +1,9 @@
+"""What stands in place of the datalink layer, inwards."""
+
+from __future__ import annotations
+
+from gateware.bench.runner import run_bench
+
+
+def test_plain_rx() -> None:
+    run_bench("plain_rx", "gateware.bench.plain_rx.bench_plain_rx")

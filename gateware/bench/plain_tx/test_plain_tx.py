@@ -1,0 +1,9 @@
+"""What stands in place of the datalink layer, outwards."""
+
+from __future__ import annotations
+
+from gateware.bench.runner import run_bench
+
+
+def test_plain_tx() -> None:
+    run_bench("plain_tx", "gateware.bench.plain_tx.bench_plain_tx")
