@@ -10,7 +10,8 @@ from hypothesis import strategies as st
 
 from unity_link.errors import ArgumentError
 from unity_link.virtual import VirtualGateway
-from unity_link.virtual.scara import JOINTS, Joint, Scara, attach_scara, plan
+from unity_link.virtual.scara import JOINTS, Scara, attach_scara
+from unity_link.virtual.servo import Joint, plan
 from unity_link.wire.gateway_info import GatewayInfo
 
 COMMANDS = st.lists(

@@ -9,12 +9,17 @@ from unity_link.virtual.faults import Noise, NoisyLine
 from unity_link.virtual.gateway import BareGateway, Gateway, VirtualGateway
 from unity_link.virtual.line import SlowLine
 from unity_link.virtual.scara import attach_scara
+from unity_link.virtual.walker import attach_walker
 from unity_link.wire.gateway_info import Feature, GatewayInfo
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Mapping
 
-ROBOTS: dict[str, Callable[[BareGateway], object]] = {"": lambda _: None, "scara": attach_scara}
+ROBOTS: dict[str, Callable[[BareGateway], object]] = {
+    "": lambda _: None,
+    "scara": attach_scara,
+    "walker": attach_walker,
+}
 """What can stand behind the bus, by name; the empty name is plain memory."""
 CHANCES = ("loss", "flip", "double")
 """Probabilities of `Noise` that a user can choose."""
@@ -50,7 +55,7 @@ def build_gateway(
     """
     if robot not in ROBOTS:
         known = ", ".join(name for name in ROBOTS if name)
-        raise ArgumentError(f"no robot {robot!r} is known: {known} was expected, or none for plain memory")
+        raise ArgumentError(f"no robot {robot!r} is known: one of {known} was expected, or none for plain memory")
     bare = _compiled(configuration or {}, node) if rtl else VirtualGateway(_info(configuration or {}), node=node)
     ROBOTS[robot](bare)
     gateway: Gateway = bare

@@ -13,18 +13,16 @@ any time, and the motion goes over into the new one without a jump of the speed.
 the joint move it to the limit, speeds beyond its most speed count as that. After power-up all joints stand at 0, with
 a quarter of their most speed as set point. Writing an actual value is a bus error.
 
-Motion is computed in closed form from the last change of a set point, so it does not depend on when anyone looks.
+`servo` says how a joint moves.
 """
 
 from __future__ import annotations
 
-import math
 from typing import TYPE_CHECKING
-
-import msgspec
 
 from unity_link.errors import ArgumentError
 from unity_link.virtual.bus import AccessError
+from unity_link.virtual.servo import Joint, JointType
 from unity_link.wire.messages import ErrorCode
 
 if TYPE_CHECKING:
@@ -35,18 +33,6 @@ SPEED, POSITION, POSITION_SET_POINT, SPEED_SET_POINT = 0x80, 0x88, 0x8C, 0x94
 """Addresses of joint 1; those of the other joints follow."""
 WORD_BITS = 32
 """Width of a word that holds every position."""
-
-
-class JointType(msgspec.Struct, frozen=True):
-    """What a joint is able to do, in counts and seconds."""
-
-    name: str
-    unit: str
-    counts_per_unit: float
-    lowest: int
-    highest: int
-    most_speed: int
-    acceleration: int
 
 
 def _joint_type(name: str, unit: str, counts_per_unit: float, span: tuple[float, float], speed: float) -> JointType:
@@ -63,81 +49,6 @@ JOINTS = (
     _joint_type("z", "mm", COUNTS_PER_REVOLUTION / 10, (0, 150), 500),
     _joint_type("wrist", "degree", 20 * COUNTS_PER_REVOLUTION / 360, (-360, 360), 900),
 )
-
-
-class Segment(msgspec.Struct, frozen=True):
-    """A stretch of motion at constant acceleration."""
-
-    duration: float
-    acceleration: float
-
-
-def plan(distance: float, speed: float, most_speed: float, acceleration: float) -> list[Segment]:
-    """Plan the quickest motion that ends at rest.
-
-    Args:
-        distance: to the target, signed.
-        speed: at the beginning, signed; it may be more than `most_speed`.
-        most_speed: the speed that the motion keeps to as soon as it can; 0 stops it as soon as it can.
-        acceleration: of speeding up and slowing down.
-    """
-    braking = Segment(abs(speed) / acceleration, -math.copysign(acceleration, speed))
-    overshoot = distance - speed * abs(speed) / (2 * acceleration)
-    if most_speed == 0 or overshoot == 0:
-        return [braking]
-    # From here on the target is ahead: `towards` is the speed in its direction.
-    sign = math.copysign(1.0, overshoot)
-    towards, ahead = sign * speed, sign * distance
-    peak = min(math.sqrt(acceleration * ahead + towards**2 / 2), most_speed)
-    to_peak = math.copysign(acceleration, peak - towards)
-    cruise = ahead - (peak**2 - towards**2) / (2 * to_peak) - peak**2 / (2 * acceleration)
-    return [
-        Segment(abs(peak - towards) / acceleration, sign * to_peak),
-        Segment(max(0.0, cruise) / peak, 0.0),
-        Segment(peak / acceleration, -sign * acceleration),
-    ]
-
-
-class Joint:
-    """One joint: registers, and the motion that they command."""
-
-    def __init__(self, kind: JointType) -> None:
-        self.kind = kind
-        self.set_point = 0
-        self.speed_set_point = kind.most_speed // 4
-        self._began = 0.0
-        self._position = self._speed = 0.0
-        self._segments: list[Segment] = []
-        self._target = 0.0
-
-    def command(self, now: float, *, set_point: int | None = None, speed_set_point: int | None = None) -> None:
-        """Change a set point at the time `now`, in seconds."""
-        self._position, self._speed = self.state(now)
-        self._began = now
-        if set_point is not None:
-            self.set_point = set_point
-        if speed_set_point is not None:
-            self.speed_set_point = speed_set_point
-        kind = self.kind
-        target = min(max(self.set_point, kind.lowest), kind.highest)
-        most_speed = min(self.speed_set_point, kind.most_speed)
-        self._segments = plan(target - self._position, self._speed, most_speed, kind.acceleration)
-        self._target = target if most_speed else self._position + self._braking_distance()
-
-    def _braking_distance(self) -> float:
-        return self._speed * abs(self._speed) / (2 * self.kind.acceleration)
-
-    def state(self, now: float) -> tuple[float, float]:
-        """Give position in counts and speed in counts/s at the time `now`, in seconds."""
-        left, position, speed = now - self._began, self._position, self._speed
-        for segment in self._segments:
-            time = min(left, segment.duration)
-            position += speed * time + segment.acceleration * time**2 / 2
-            speed += segment.acceleration * time
-            left -= time
-            if left <= 0:
-                return position, speed
-        return (self._target, 0.0) if self._segments else (position, speed)
 
 
 class Scara:
