@@ -13,7 +13,7 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from unity_link.errors import LinkLostError, Outcome, UnansweredError, UnityLinkError, UnsupportedError
-from unity_link.requests import BatchRun, Message, Request, Source, Unawaited, gateway_error
+from unity_link.requests import Message, Request, Rows, Source, Unawaited, gateway_error
 from unity_link.wire.frames import FrameError
 from unity_link.wire.window import Window
 
@@ -59,6 +59,8 @@ class Exchange:
         self._codec: Codec
         self._window: Window[Message] = Window(2)
         self._closed: LinkLostError | None = None
+        self._batching = False
+        """Whether answers to many requests may be under way."""
 
     # Sessions
 
@@ -103,7 +105,8 @@ class Exchange:
             if source is not None:
                 again.append(source)
             else:
-                part.run.fail(error.about(Outcome.EXECUTED if part.executed else Outcome.UNKNOWN))
+                outcome = Outcome.EXECUTED if part.executed else Outcome.UNKNOWN
+                part.run.fail_part(part.offset, part.size, error.about(outcome))
         self._window = Window(2)
         return again
 
@@ -157,6 +160,8 @@ class Exchange:
         """Give a run its IDs, and the frames to send."""
         self.counters.requests += run.count
         self._window.send(run, self._now())
+        if run.count > 1:
+            self._batching = True
         if self._timer is None or run.posted:
             self._set_timer()
         return run.encode(0, run.count)
@@ -206,10 +211,11 @@ class Exchange:
         now = self._now()
         self._window.heard = True
         start = 0
-        batched = len(data) >= FEWEST_BYTES
+        window = self._window
+        batched = self._batching and len(data) >= FEWEST_BYTES
         while True:
-            if batched:
-                # Looked for at the start of a read and behind what interrupts a batch, not at each line.
+            if batched and isinstance(window.find(window.oldest), Rows):
+                # Looked for once for what can't be taken so, not at each line.
                 before, start = start, self._receive_rows(data, start, now)
                 batched = start != before
             end = data.find(b"\n", start)
@@ -220,6 +226,8 @@ class Exchange:
             start = end + 1
             if start == len(data):
                 break
+        if window.oldest == window.next:
+            self._batching = False
         if self._stream is not None:
             if self._window.wants_repetition:
                 self._repeat()
@@ -233,7 +241,7 @@ class Exchange:
         while True:
             number = window.oldest
             run = window.find(number)
-            if not isinstance(run, BatchRun):
+            if not isinstance(run, Rows):
                 return start
             offset = number - run.first & self._codec.ring - 1
             rows = min(run.count - offset, (len(data) - start) // run.reply_size)
@@ -292,7 +300,7 @@ class Exchange:
     def _fail(self, run: Message, offset: int, code: bytes) -> None:
         self.counters.errors += 1
         what = run.describe(offset)
-        run.fail(gateway_error(_number_of(code), what))
+        run.fail_part(offset, 1, gateway_error(_number_of(code), what))
 
     def _receive_error(self, body: bytes, now: float) -> None:
         """Take an error without an ID."""

@@ -130,6 +130,10 @@ class Message(Run):
         """Tell who waits that there will be no answer."""
         raise NotImplementedError
 
+    def fail_part(self, offset: int, count: int, error: UnityLinkError) -> None:  # noqa: ARG002
+        """Tell who waits that there will be no answer to these requests of the run."""
+        self.fail(error)
+
     def describe(self, offset: int) -> str:
         """Name one request for an error message."""
         fields = self.fields_at(offset).decode()
@@ -143,6 +147,16 @@ class Message(Run):
 
     def again(self, offset: int, count: int) -> Source | None:
         """Give what a new session has to send for this part of the run, None where that could execute it twice."""
+        raise NotImplementedError
+
+
+class Rows(Message):
+    """A run of many requests whose answers are taken many at a time."""
+
+    __slots__ = ()
+
+    def accept_rows(self, offset: int, frames: bytes) -> int:
+        """Take the responses to requests from `offset` on; give how many of the frames were such responses."""
         raise NotImplementedError
 
 
@@ -400,7 +414,7 @@ class BatchSource:
         self._batch.fail(error)
 
 
-class BatchRun(Message):
+class BatchRun(Rows):
     """The part of a batch that was sent in one turn."""
 
     __slots__ = ("_batch", "_exhausted", "_frames", "_offset")

@@ -194,6 +194,29 @@ class Codec:
         ends = np.full((count, 1), 10, np.uint8)
         return np.concatenate((covered, self.framing.crc.of_rows(covered), ends), axis=1).tobytes()
 
+    def matching_rows(self, command: str, first: int, data: bytes, digits: int) -> NDArray[np.uint8]:
+        """Check frames of one command under consecutive IDs, be they requests or responses.
+
+        Args:
+            command: the command, in upper case.
+            first: ID of the first.
+            data: whole frames of equal size.
+            digits: characters between the ID and the CRC.
+
+        Returns:
+            These characters, shape (n, digits), of the frames up to the first that is anything else than expected.
+        """
+        head = np.frombuffer(self.framing.prefix + self.lower[command], np.uint8)
+        crc_digits = self.framing.crc.digits
+        before = len(head) + self.info.id_digits
+        rows = np.frombuffer(data, np.uint8).reshape(-1, before + digits + crc_digits + 1)
+        ids = self._id_rows.take(np.arange(first, first + len(rows)), axis=0, mode="wrap")
+        good = (rows[:, : len(head)] == head).all(axis=1)
+        good &= (rows[:, len(head) : before] == ids).all(axis=1)
+        good &= (rows[:, -1 - crc_digits : -1] == self.framing.crc.of_rows(rows[:, : before + digits])).all(axis=1)
+        good &= rows[:, -1] == 10
+        return rows[: len(rows) if good.all() else int(good.argmin()), before : before + digits]
+
     def response_rows(self, command: str, first: int, data: bytes, digits: int) -> Words | None:
         """Read the responses to many requests of one command under consecutive IDs, as long as they are as expected.
 
@@ -207,22 +230,13 @@ class Codec:
             The words of the frames up to the first that is anything else than the expected response (zeros where
             `digits` is 0), or None where there is none.
         """
-        head = np.frombuffer(self.framing.prefix + self.lower[command], np.uint8)
-        crc_digits = self.framing.crc.digits
-        before = len(head) + self.info.id_digits
-        rows = np.frombuffer(data, np.uint8).reshape(-1, before + digits + crc_digits + 1)
-        ids = self._id_rows.take(np.arange(first, first + len(rows)), axis=0, mode="wrap")
-        good = (rows[:, : len(head)] == head).all(axis=1)
-        good &= (rows[:, len(head) : before] == ids).all(axis=1)
-        good &= (rows[:, -1 - crc_digits : -1] == self.framing.crc.of_rows(rows[:, : before + digits])).all(axis=1)
-        good &= rows[:, -1] == 10
-        count = len(rows) if good.all() else int(good.argmin())
-        if not count:
+        rows = self.matching_rows(command, first, data, digits)
+        if not len(rows):
             return None
         if not digits:
-            return np.zeros(count, self.word_type)
+            return np.zeros(len(rows), self.word_type)
         try:
-            return parse_rows(rows[:count, before : before + digits])
+            return parse_rows(rows)
         except ValueError:
             return None
 

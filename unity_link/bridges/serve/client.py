@@ -11,12 +11,13 @@ read, is not listened to until that has changed; samples that it does not read a
 from __future__ import annotations
 
 import asyncio
-import re
 from collections import deque
 from typing import TYPE_CHECKING
 
+import numpy as np
+
 from unity_link.bridges.serve.groups import ClientGroup
-from unity_link.bridges.serve.requests import Relayed, Said, answer_digits
+from unity_link.bridges.serve.requests import Relayed, RelayedRows, Said, answer_digits
 from unity_link.bridges.serve.turns import Queue
 from unity_link.wire.messages import COMMANDS, Codec, ErrorCode, Repetition, Request, RequestError
 from unity_link.wire.reception import Place, Reception, Sequence, group_fits
@@ -27,11 +28,14 @@ if TYPE_CHECKING:
 
 MOST_UNDER_WAY = 65_536
 """Bytes of requests and answers under way for one client, beyond which it is not listened to."""
+FEWEST_ROWS = 8
+"""Requests side by side that are worth a turn of numpy."""
 MOST_UNSENT = 65_536
 """Bytes that wait for the client to read them, beyond which it is slow."""
 ADAPTIVE = 2
-_ENDS = re.compile(rb"([\r\n])")
 _HEX = b"0123456789ABCDEF"
+_IS_HEX = np.zeros(256, np.bool_)
+_IS_HEX[list(_HEX)] = True
 _R, _W = b"rw"
 
 
@@ -53,7 +57,7 @@ class Client(asyncio.Protocol):
         self._codec: Codec | None = None
         self._transport: asyncio.Transport | None = None
         self._rest = b""
-        self._pending: deque[Relayed | Said] = deque()
+        self._pending: deque[Relayed | RelayedRows | Said] = deque()
         self._under_way = 0
         self._out: list[bytes] = []
         self._flushing = False
@@ -104,9 +108,10 @@ class Client(asyncio.Protocol):
         """Leave: nothing of it is sent any more, and what it has set up ends."""
         self._transport = None
         for request in self._shared.turns.leave(self.queue):
-            self._over(request)
+            if isinstance(request, Relayed):
+                self._over(request)
         for entry in self._pending:
-            if isinstance(entry, Relayed):
+            if not isinstance(entry, Said):
                 entry.given_up = True
         self._pending.clear()
         self._shared.leave(self)
@@ -133,32 +138,39 @@ class Client(asyncio.Protocol):
     def _read(self) -> None:
         """Take all whole frames, or as many as there is room for."""
         data, self._rest = self._rest, b""
-        if b"\r" in data:
-            pieces = _ENDS.split(data)
-            tail = self._take_any(pieces)
-        else:
-            lines = data.split(b"\n")
-            tail = self._take_checked(lines)
-        self._rest = tail if not self._listening else tail[: self._most_kept]
+        start, batched = 0, True
+        while self._listening:
+            if batched:
+                # Looked for at the start of a read and behind what interrupts a batch, not at each line.
+                before, start = start, self._take_rows(data, start)
+                batched = start != before
+                continue
+            end = data.find(b"\n", start)
+            if end < 0:
+                break
+            line = data[start:end]
+            start = end + 1
+            if not self._relay_quickly(line):
+                self._take_lines(line)
+                batched = True
+        self._rest = data[start:]
+        if self._listening:
+            self._take_tail()
         self._shared.turns.join(self.queue)
 
-    def _take_checked(self, lines: list[bytes]) -> bytes:
-        """Take frames that all end in LF; give what is left."""
-        for index in range(len(lines) - 1):
-            if not self._listening:
-                return b"\n".join(lines[index:])
-            line = lines[index]
-            if not self._relay_quickly(line):
-                self._take(line, plain=False)
-        return lines[-1]
+    def _take_lines(self, line: bytes) -> None:
+        """Take what stood before an LF: one frame, or several of which all but the last end in CR."""
+        *plain, checked = line.split(b"\r")
+        for frame in plain:
+            self._take(frame, plain=True)
+        self._take(checked, plain=False)
 
-    def _take_any(self, pieces: list[bytes]) -> bytes:
-        """Take frames with any ends; give what is left."""
-        for index in range(0, len(pieces) - 1, 2):
-            if not self._listening:
-                return b"".join(pieces[index:])
-            self._take(pieces[index], plain=pieces[index + 1] == b"\r")
-        return pieces[-1]
+    def _take_tail(self) -> None:
+        """Take plain frames that no LF follows, and keep what may be the beginning of another."""
+        *plain, rest = self._rest.split(b"\r")
+        for frame in plain:
+            self._take(frame, plain=True)
+        self._rest = rest[: self._most_kept]
 
     def _take(self, line: bytes, *, plain: bool) -> None:
         """Take one frame."""
@@ -261,7 +273,7 @@ class Client(asyncio.Protocol):
         """Tell the client that the gateway is away; nothing that it waits for will be executed any more."""
         dropped = self._shared.turns.leave(self.queue)
         for entry in (*self._pending, *dropped):
-            if isinstance(entry, Relayed) and entry.reply is None:
+            if isinstance(entry, RelayedRows) or (isinstance(entry, Relayed) and entry.reply is None):
                 entry.refuse()
 
     # The short way for single words
@@ -275,6 +287,49 @@ class Client(asyncio.Protocol):
         self._crc_digits = codec.framing.crc.digits
         self._id_digits = info.id_digits
         self._id_number = codec.id_number
+
+    def _take_rows(self, data: bytes, start: int) -> int:
+        """Hand on the reads or writes of one word that stand side by side; give where they end."""
+        letter = data[start : start + 1]
+        if letter == b"r":
+            command, size, digits = "R", self._read_size + 1, self._data_digits
+        elif letter == b"w":
+            command, size, digits = "W", self._write_size + 1, 0
+        else:
+            return start
+        codec, expected = self._known, self._sequence.expected
+        last = start + (FEWEST_ROWS - 1) * size
+        number = codec.id_text[expected + FEWEST_ROWS - 1 & self._sequence.mask]
+        if data[last : last + 1 + self._id_digits] != letter + number or self._shared.away:
+            return start
+        room = (MOST_UNDER_WAY - self._under_way) // (2 * size) + FEWEST_ROWS
+        count = min((len(data) - start) // size, room, codec.ring // 2)
+        head = 1 + self._id_digits
+        width = size - head - self._crc_digits - 1
+        fields = codec.matching_rows(command, expected, data[start : start + count * size], width)
+        good = _IS_HEX[fields].all(axis=1)
+        count = len(fields) if good.all() else int(good.argmin())
+        if not count:
+            return start
+        self._sequence.advance(count)
+        self._hand_on_rows(RelayedRows(codec, command, fields[:count], digits, self, expected))
+        return start + count * size
+
+    def _hand_on_rows(self, rows: RelayedRows) -> None:
+        self._under_way += rows.cost * rows.count
+        self._mark(rows.number, rows.count, self._awaited, 1)
+        rows.awaited = self._awaited
+        self._pending.append(rows)
+        self.queue.requests.append(rows)
+        if self._under_way >= MOST_UNDER_WAY:
+            self._listen()
+
+    @staticmethod
+    def _mark(first: int, count: int, awaited: bytearray, value: int) -> None:
+        """Note of consecutive IDs whether they are under way."""
+        before_wrap = min(count, len(awaited) - first)
+        awaited[first : first + before_wrap] = bytes([value]) * before_wrap
+        awaited[: count - before_wrap] = bytes([value]) * (count - before_wrap)
 
     def _relay_quickly(self, line: bytes) -> bool:
         """Hand on `r`, `w` or `ws` with the expected ID in the usual spelling, or leave it to the long way."""
@@ -401,12 +456,38 @@ class Client(asyncio.Protocol):
             # Whoever waits for one behind it learns of its error first.
             self._write(request.reply)
             return
-        while pending and (reply := pending[0].reply) is not None:
-            entry = pending.popleft()
-            if isinstance(entry, Said):
-                self._under_way -= len(reply)
-            if reply:
-                self._write(reply)
+        if pending and pending[0] is request:
+            self._answer_on()
+
+    def answer_rows(self, rows: RelayedRows) -> None:
+        """Take note of answers to many requests."""
+        if self._pending and self._pending[0] is rows:
+            self._answer_on()
+
+    def _answer_on(self) -> None:
+        """Send what is the next in the order, as far as it is there."""
+        pending = self._pending
+        while pending:
+            entry = pending[0]
+            if isinstance(entry, RelayedRows):
+                self._write_rows(entry)
+                if entry.answered < entry.count:
+                    return
+            elif entry.reply is None:
+                return
+            else:
+                if isinstance(entry, Said):
+                    self._under_way -= len(entry.reply)
+                self._write(entry.reply)
+            pending.popleft()
+
+    def _write_rows(self, rows: RelayedRows) -> None:
+        first = rows.number + rows.answered & self._sequence.mask
+        count, frames = rows.ready()
+        if count:
+            self._under_way -= count * rows.cost
+            self._mark(first, count, rows.awaited, 0)
+            self._write(frames)
 
     def sent(self, request: Relayed) -> None:
         """Take note that a posted write is on its way: unless it fails, nothing more is heard of it."""

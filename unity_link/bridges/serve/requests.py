@@ -9,13 +9,19 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Protocol
 
 from unity_link.errors import GatewayError, Outcome, UnansweredError, UnityLinkError, UnsupportedError
-from unity_link.requests import REPEATABLE, Message
+from unity_link.requests import REPEATABLE, Message, Rows
 from unity_link.wire.messages import COMMANDS, Codec, ErrorCode, Repetition
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
+    import numpy as np
+    from numpy.typing import NDArray
+
     from unity_link.requests import Source
+
+SMALLEST_RUN = 64
+"""Requests for which room is waited for while others are under way: half the window of a gateway with short IDs."""
 
 
 class Asker(Protocol):
@@ -33,6 +39,13 @@ def answer_digits(codec: Codec, command: str, count: int) -> int | None:
     if command == "WS":
         return None
     return codec.info.data_digits * {"": 0, "d": 1, "D": count}[COMMANDS[command].reads]
+
+
+class RowsAsker(Protocol):
+    """Who is answered many at a time."""
+
+    def answer_rows(self, rows: RelayedRows) -> None:
+        """Take note that some of the answers to many requests are there."""
 
 
 class Relayed(Message):
@@ -135,6 +148,194 @@ class Relayed(Message):
     def exhausted(self) -> bool:
         """Say that one turn is enough."""
         return True
+
+
+class RelayedRows:
+    """Many requests of one client for single words: a source of runs, and one place in the order of the answers.
+
+    Args:
+        codec: the messages of the gateway, and of the client.
+        command: ``R`` or ``W``.
+        fields: hex digits, shape (n, width).
+        digits: hex digits of the data of each answer.
+        asker: who is answered.
+        number: the client's ID of the first.
+    """
+
+    posted = False
+
+    def __init__(
+        self, codec: Codec, command: str, fields: NDArray[np.uint8], digits: int, asker: RowsAsker, number: int
+    ) -> None:
+        self.codec = codec
+        self.command = command
+        self.fields = fields
+        self.digits = digits
+        self.asker = asker
+        self.number = number
+        self.count = len(fields)
+        self.size: int = codec.head_sizes[command] + fields.shape[1]
+        self.cost = self.size + codec.head_sizes[command] + digits
+        """Bytes that each takes of the gateway's line."""
+        self.given_up = False
+        self.awaited: bytearray
+        self.answered = 0
+        """How many have been answered to the client."""
+        self._sent = 0
+        self._early: dict[int, tuple[int, bytes]] = {}
+
+    def take(self, room: int) -> Message:
+        """Give the next run, of at most `room` requests."""
+        run = RelayedRun(self, self._sent, min(room, self.count - self._sent))
+        self._sent += run.count
+        return run
+
+    def exhausted(self) -> bool:
+        """Say whether all has been taken."""
+        return self._sent == self.count
+
+    def least(self) -> int:
+        """Give a number that is worth a turn."""
+        return min(SMALLEST_RUN, self.count - self._sent)
+
+    def answer(self, offset: int, count: int, frames: bytes) -> None:
+        """Take the frames that answer some of the requests, and hand on those that are next in the order."""
+        self._early.setdefault(offset, (count, frames))
+        self.asker.answer_rows(self)
+
+    def ready(self) -> tuple[int, bytes]:
+        """Give how many more can be answered in order, and the frames."""
+        frames = []
+        before = self.answered
+        while (part := self._early.pop(self.answered, None)) is not None:
+            self.answered += part[0]
+            frames.append(part[1])
+        return self.answered - before, b"".join(frames)
+
+    def refuse(self) -> None:
+        """End all that is not answered: nothing on the bus answered."""
+        self.given_up = True
+        known = {offset + index for offset, (count, _) in self._early.items() for index in range(count)}
+        for offset in range(self.answered, self.count):
+            if offset not in known:
+                self._early[offset] = (1, self.error(offset, ErrorCode.BUS_TIMEOUT))
+        self.asker.answer_rows(self)
+
+    def error(self, offset: int, code: ErrorCode) -> bytes:
+        """Give the frame of an error for the client."""
+        return self.codec.framing.checked(self.codec.error(code, self._number(offset)))
+
+    def reply(self, offset: int, data: bytes) -> bytes:
+        """Give the frame of an answer for the client."""
+        codec = self.codec
+        return codec.framing.checked(codec.lower[self.command] + codec.id_text[self._number(offset)] + data)
+
+    def replies(self, offset: int, data: NDArray[np.uint8]) -> bytes:
+        """Give the frames of many answers for the client."""
+        return self.codec.request_rows(self.command, self._number(offset), data)
+
+    def _number(self, offset: int) -> int:
+        number: int = self.number + offset & self.codec.ring - 1
+        return number
+
+
+class RelayedRun(Rows):
+    """Some of the requests, under the IDs that the link's window has given them.
+
+    Args:
+        rows: all of them.
+        start: the first that is meant.
+        count: how many.
+    """
+
+    __slots__ = ("_frames", "_rows", "_start")
+
+    def __init__(self, rows: RelayedRows, start: int, count: int) -> None:
+        super().__init__(rows.codec, rows.command, rows.fields.shape[1], rows.digits, count)
+        self._rows = rows
+        self._start = start
+        self._frames = b""
+
+    def encode(self, offset: int, count: int) -> bytes:
+        """Give the frames of `count` requests from `offset` on."""
+        if not self._frames:
+            fields = self._rows.fields[self._start : self._start + self.count]
+            self._frames = self.codec.request_rows(self.command, self.first, fields)
+        return self._frames[offset * self.size : (offset + count) * self.size]
+
+    def accept(self, offset: int, body: bytes, position: int) -> bool:
+        """Hand on the answer to one request."""
+        command = self.codec.lower[self.command]
+        if not body.startswith(command) or len(body) + self.codec.framing.overhead != self.reply_size:
+            return False
+        self._rows.answer(self._start + offset, 1, self._rows.reply(self._start + offset, body[position:]))
+        return True
+
+    def accept_rows(self, offset: int, frames: bytes) -> int:
+        """Hand on the answers to requests from `offset` on, as far as the frames are that."""
+        number = self.first + offset & self.codec.ring - 1
+        data = self.codec.matching_rows(self.command, number, frames, self._rows.digits)
+        if len(data):
+            self._rows.answer(self._start + offset, len(data), self._rows.replies(self._start + offset, data))
+        return len(data)
+
+    def unwanted(self) -> bool:
+        """Say whether nobody waits for it any more."""
+        return self.given_up or self._rows.given_up
+
+    def fail(self, error: UnityLinkError) -> None:
+        """Tell the client what the protocol has words for, of all that is not answered."""
+        self.fail_part(0, self.count, error)
+
+    def fail_part(self, offset: int, count: int, error: UnityLinkError) -> None:
+        """Tell the same of some."""
+        rows, code = self._rows, _code_of(error, self.command)
+        for position in range(self._start + offset, self._start + offset + count):
+            rows.answer(position, 1, rows.reply(position, b"") if code is None else rows.error(position, code))
+
+    def fields_at(self, offset: int) -> bytes:
+        """Give the fields of one request."""
+        fields: bytes = self._rows.fields[self._start + offset].tobytes()
+        return fields
+
+    def again(self, offset: int, count: int) -> Source | None:
+        """Give some of the requests where they change nothing."""
+        if self.command not in REPEATABLE:
+            return None
+        return Again(self._rows, self._start + offset, count)
+
+
+class Again:
+    """Requests of a lost session that a new one takes again."""
+
+    posted = False
+
+    def __init__(self, rows: RelayedRows, start: int, count: int) -> None:
+        self._rows, self._start, self._count = rows, start, count
+        self.size = rows.size
+
+    def least(self) -> int:
+        """Give a number that is worth a turn."""
+        return min(SMALLEST_RUN, self._count)
+
+    def take(self, room: int) -> Message:
+        """Give the next run, of at most `room` requests."""
+        run = RelayedRun(self._rows, self._start, min(room, self._count))
+        self._start += run.count
+        self._count -= run.count
+        return run
+
+    def exhausted(self) -> bool:
+        """Say whether all has been taken."""
+        return not self._count
+
+    def unwanted(self) -> bool:
+        """Say whether nobody waits for it any more."""
+        return self._rows.given_up
+
+    def fail(self, error: UnityLinkError) -> None:
+        """Tell the client."""
+        RelayedRun(self._rows, self._start, self._count).fail(error)
 
 
 def _code_of(error: UnityLinkError, command: str) -> ErrorCode | None:

@@ -11,12 +11,12 @@ from collections import deque
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from unity_link.bridges.serve.requests import Relayed
+    from unity_link.bridges.serve.requests import Relayed, RelayedRows
     from unity_link.errors import UnityLinkError
     from unity_link.exchange import Exchange
     from unity_link.requests import Message
 
-QUANTUM = 512
+QUANTUM = 2048
 
 
 class Queue:
@@ -25,7 +25,7 @@ class Queue:
     __slots__ = ("balance", "in_line", "requests")
 
     def __init__(self) -> None:
-        self.requests: deque[Relayed] = deque()
+        self.requests: deque[Relayed | RelayedRows] = deque()
         self.balance = QUANTUM
         self.in_line = False
 
@@ -50,7 +50,7 @@ class Turns:
             self._line.append(queue)
         self._submit()
 
-    def leave(self, queue: Queue) -> list[Relayed]:
+    def leave(self, queue: Queue) -> list[Relayed | RelayedRows]:
         """Empty a queue, and give what was in it."""
         dropped = list(queue.requests)
         queue.requests.clear()
@@ -95,18 +95,24 @@ class Turns:
         return self._first().requests[0].posted
 
     def least(self) -> int:
-        """Give one."""
-        return 1
+        """Give for how many requests room is wanted."""
+        return self._first().requests[0].least()
 
     def take(self, room: int) -> Message:
-        """Give the next request."""
-        queue = self._first()
-        request = queue.requests.popleft()
-        queue.balance -= request.cost
-        if not queue.requests:
-            queue.in_line = False
-            self._line.popleft()
-        return request.take(room)
+        """Give what the next client may send in one go."""
+        queue, alone = self._first(), len(self._line) == 1
+        request = queue.requests[0]
+        cost = request.cost
+        run = request.take(room if alone else min(room, -(-queue.balance // cost)))
+        queue.balance -= cost * run.count
+        if alone:
+            queue.balance = max(queue.balance, -QUANTUM)
+        if request.exhausted():
+            queue.requests.popleft()
+            if not queue.requests:
+                queue.in_line = False
+                self._line.popleft()
+        return run
 
     def exhausted(self) -> bool:
         """Say whether there is nothing to send; the exchange forgets this source then."""
@@ -117,9 +123,8 @@ class Turns:
         """Say the same before a turn."""
         return self.exhausted()
 
-    def fail(self, error: UnityLinkError) -> None:
-        """End all requests: the link has ended."""
+    def fail(self, error: UnityLinkError) -> None:  # noqa: ARG002  (the clients are hung up on)
+        """Drop all requests: the link has ended."""
         self._submitted = False
         for queue in list(self._line):
-            for request in self.leave(queue):
-                request.fail(error)
+            self.leave(queue)
