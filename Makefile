@@ -17,7 +17,7 @@ PYTHON ?=
 # More options for pytest, as in `make test PYTEST_ARGS="-k window"`.
 PYTEST_ARGS ?=
 
-.PHONY: help venv demo test lint format bench docs lock upgrade clean
+.PHONY: help venv demo test lint format bench table1 docs lock upgrade clean
 
 help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z0-9-]+:.*## / { printf "  make %-10s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
@@ -42,6 +42,9 @@ format: $(ALL) ## put the Python sources into the project's form
 
 bench: $(ALL) ## measure, and write benchmarks/RESULTS.md
 	@$(BIN)/python -m benchmarks
+
+table1: $(ALL) ## the paper's experiment again, into benchmarks/TABLE1.md and plots; takes minutes
+	@$(BIN)/unity-link bench paper --output benchmarks
 
 docs: $(ALL) ## the documentation as HTML, warnings are errors
 	@$(BIN)/sphinx-build --fail-on-warning --keep-going --quiet docs docs/_build/html

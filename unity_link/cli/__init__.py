@@ -27,7 +27,7 @@ from typing import Annotated
 import typer
 
 import unity_link
-from unity_link.cli import access, demo, ft232h, generate, info, serve, simulate, spec, terminal, watch
+from unity_link.cli import access, bench, demo, ft232h, generate, info, serve, simulate, spec, terminal, watch
 from unity_link.cli.output import print_error
 from unity_link.cli.running import INTERRUPTED
 from unity_link.errors import ArgumentError, UnityLinkError
@@ -71,6 +71,7 @@ terminal.add_to(app)
 spec.add_to(app)
 generate.add_to(app)
 ft232h.add_to(app)
+bench.add_to(app)
 
 
 def main() -> None:

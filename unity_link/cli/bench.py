@@ -1,0 +1,113 @@
+"""`unity-link bench`: measurements that need no board."""
+
+from __future__ import annotations
+
+from pathlib import Path  # noqa: TC003  (typer reads it)
+from typing import TYPE_CHECKING, Annotated, Literal
+
+import typer
+
+from unity_link.cli.arguments import Json  # noqa: TC001  (typer reads it)
+from unity_link.cli.output import out, print_line, print_note
+from unity_link.errors import ArgumentError
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable
+
+    from unity_link.paper import Results
+
+_FAILED = 1
+
+
+def add_to(app: typer.Typer) -> None:
+    """Add the commands of this file."""
+    commands = typer.Typer(help="Measure what needs no board.", no_args_is_help=True)
+    commands.callback()(_bench)
+    commands.command()(paper)
+    app.add_typer(commands, name="bench")
+
+
+def _bench() -> None:
+    """Have a command that is named, although there is one only."""
+
+
+def paper(
+    *,
+    output: Annotated[
+        Path | None, typer.Option("--output", metavar="FOLDER", help="Also write page, data and plots there.")
+    ] = None,
+    gateway: Annotated[
+        Literal["rtl", "model"] | None,
+        typer.Option(help="Behind the chip: the gateware itself, or its model. By default rtl, with a C++ compiler."),
+    ] = None,
+    quick: Annotated[bool, typer.Option("--quick", help="Half a minute instead of minutes; not to be quoted.")] = False,
+    json: Json = False,
+) -> None:
+    """Run the paper's experiment on the virtual FT232H, and show its figures beside the paper's.
+
+    Exits with 1 where one is not what it must be, unless the run was quick.
+    """
+    from unity_link.paper import run_experiment
+
+    if output is not None and output.exists() and not output.is_dir():
+        raise ArgumentError(f"--output {output} is no folder")
+    results = run_experiment(gateway=gateway, quick=quick, tell=lambda what: print_note(f"{what} ..."))
+    if json:
+        print_line(results.to_json(indent=0).decode())
+    else:
+        _show(results)
+    if output is not None:
+        _write(results, output)
+    if not quick and not all(check.met for check in results.checks):
+        raise typer.Exit(_FAILED)
+
+
+def _write(results: Results, folder: Path) -> None:
+    from unity_link.paper.report import write_report
+
+    try:
+        files, reason = write_report(results, folder)
+    except OSError as error:
+        raise ArgumentError(f"--output {folder} can't be written: {error.strerror}") from None
+    if reason:
+        print_note(reason)
+    print_note("written: " + ", ".join(str(file) for file in files))
+
+
+def _show(results: Results) -> None:
+    from unity_link.paper import tables
+
+    if (figures := results.gateware) is not None:
+        clock = f"at {figures.clock_hz / 1e6:g} MHz"
+        _table("The gateware alone, clock-exact", 1, ("", "cycles", clock, "paper"), tables.gateware_rows(figures))
+    _table(
+        "One access, µs",
+        4,
+        ("stack", "access", "when", "send-immediate", "clock-exact", "modelled", "measured", "together", "paper"),
+        tables.latency_rows(results.latencies),
+    )
+    _table(
+        "Long bursts, Mb/s",
+        3,
+        ("stack", "accesses", "send-immediate", "modelled", "measured as well", "of 64", "paper"),
+        tables.throughput_rows(results.throughputs),
+    )
+    _table(
+        "The limit of publishing, kHz",
+        0,
+        ("words", "bytes", "8 MB/s carry", "modelled", "measured as well", "paper"),
+        tables.publish_rows(results.publish_limits),
+    )
+    _table("What must hold", 4, ("what", "found", "wanted", "met"), tables.check_rows(results.checks))
+
+
+def _table(title: str, names: int, head: tuple[str, ...], rows: Iterable[tuple[str, ...]]) -> None:
+    """Print a table, of which the first columns are names and the others numbers."""
+    from rich.table import Table
+
+    shown = Table(title=title, title_justify="left")
+    for index, name in enumerate(head):
+        shown.add_column(name, justify="left" if index < names else "right")
+    for row in rows:
+        shown.add_row(*row)
+    out().print(shown)
