@@ -21,7 +21,7 @@ SET_POINTS = (1200, -700, 345, 2000)
 """Of joints 1 to 4, in counts; within the limits of each."""
 
 
-@pytest_asyncio.fixture(params=["sim:scara"])
+@pytest_asyncio.fixture(params=["sim:scara", pytest.param("rtl:scara", marks=pytest.mark.rtl)])
 async def robot(request: pytest.FixtureRequest) -> AsyncIterator[LoadedRobot]:
     async with unity_link.connect(request.param) as link:
         yield Scara(link)

@@ -142,7 +142,7 @@ class TosnetNetwork(Module, word="TOSNET"):
             ArgumentError: where no CTRL was given.
             UnityLinkError: where the network does not run.
         """
-        await self._bus_with_control().commit(COMMIT_READ)
+        await self._bus_with_control().commit_read()
 
     async def commit_write(self) -> None:
         """Send what was written, and wait until it is on its way. Writes through proxies do so by themselves.
@@ -151,7 +151,7 @@ class TosnetNetwork(Module, word="TOSNET"):
             ArgumentError: where no CTRL was given.
             UnityLinkError: where the network does not run.
         """
-        await self._bus_with_control().commit(COMMIT_WRITE)
+        await self._bus_with_control().commit_write()
 
     def _bus_with_control(self) -> CommittingBus:
         if self._committing is None:
@@ -249,19 +249,29 @@ class CommittingBus:
 
     async def write_many(self, addresses: ArrayLike, values: ArrayLike) -> None:
         """Write words and commit."""
+        new = dict(zip(np.asarray(addresses).tolist(), np.asarray(values).tolist(), strict=True))
         async with self._lock:
-            # Until the buffers have changed places, a write would come into the one that may be leaving.
-            await self._settle(COMMIT_WRITE)
-            new = zip(np.asarray(addresses).tolist(), np.asarray(values).tolist(), strict=True)
-            everything = self._written | dict(new)
-            await self._under.write_many([*everything, self._ctrl], [*everything.values(), COMMIT_WRITE])
-            self._written = everything
+            await self._send(new)
 
-    async def commit(self, which: int) -> None:
-        """Commit and wait until the buffers have changed places."""
+    async def commit_write(self) -> None:
+        """Commit what was written, and wait until the buffers have changed places."""
         async with self._lock:
-            await self._under.write(self._ctrl, which)
-            await self._settle(which)
+            await self._send({})
+            await self._settle(COMMIT_WRITE)
+
+    async def commit_read(self) -> None:
+        """Commit the buffer that is read, and wait until it has changed places with the newest."""
+        async with self._lock:
+            await self._settle(COMMIT_WRITE)
+            await self._under.write(self._ctrl, COMMIT_READ)
+            await self._settle(COMMIT_READ)
+
+    async def _send(self, new: dict[int, int]) -> None:
+        # Until the buffers have changed places, a write would come into the one that may be leaving.
+        await self._settle(COMMIT_WRITE)
+        everything = self._written | new
+        await self._under.write_many([*everything, self._ctrl], [*everything.values(), COMMIT_WRITE])
+        self._written = everything
 
     async def _settle(self, which: int) -> None:
         for _ in range(_LOST_CYCLES):

@@ -1,0 +1,184 @@
+"""A TosNet network, behind the double buffers that it really has: they change places with the next cycle."""
+
+from __future__ import annotations
+
+import itertools
+from typing import TYPE_CHECKING
+
+import pytest
+
+import unity_link
+from simulated_time import on_simulated_time
+from spec_examples import FIGURE_1
+from unity_link import ArgumentError, GatewayInfo, UnityLinkError
+from unity_link.data import Group
+from unity_link.hardware import TosnetNetwork
+from unity_link.spec import compile_text
+from unity_link.virtual import VirtualGateway
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+CTRL, COMM = 0x7F0, 0x7F4
+BASE = 0x400
+
+
+class Memory:
+    """TosNet's shared memory as tal_top.vhd has it: two buffers, and a swap at the cycle after each commit.
+
+    The network sends what is in the buffer that is not the user's. A cycle takes `cycle` accesses of the bus.
+    """
+
+    def __init__(self, cycle: int = 3) -> None:
+        self.buffers: list[dict[int, int]] = [{}, {}]
+        self.committed = False
+        self.cycles = 0
+        self.sent: list[dict[int, int]] = []
+        """What the network has sent, as of each swap."""
+        self._accesses = 0
+        self._cycle = cycle
+
+    def step(self) -> None:
+        self._accesses += 1
+        if self._accesses % self._cycle == 0:
+            self.cycles += 1
+            if self.committed:
+                self.committed = False
+                self.buffers.reverse()
+                self.sent.append(dict(self.buffers[1]))
+
+    def read(self, offset: int, now: float) -> int:
+        self.step()
+        return self.buffers[0].get(offset, 0)
+
+    def write(self, offset: int, value: int, now: float) -> None:
+        self.step()
+        self.buffers[0][offset] = value
+
+
+class Control:
+    """The words at CTRL and COMM."""
+
+    def __init__(self, memory: Memory) -> None:
+        self.memory = memory
+        self.online = True
+
+    def read(self, offset: int, now: float) -> int:
+        self.memory.step()
+        if offset == 0:
+            return int(self.memory.committed)
+        return {4: 0b0011, 5: 2, 6: self.memory.cycles, 7: 9}.get(offset, 0)
+
+    def write(self, offset: int, value: int, now: float) -> None:
+        self.memory.step()
+        self.memory.committed = bool(value & 1)
+
+
+def network(cycle: int = 3) -> tuple[VirtualGateway, Memory]:
+    gateway = VirtualGateway(GatewayInfo(address_bits=12))
+    memory = Memory(cycle)
+    gateway.attach(memory, range(BASE, BASE + 15 * 64))
+    gateway.attach(Control(memory), range(CTRL, CTRL + 8))
+    return gateway, memory
+
+
+@pytest.mark.parametrize("cycle", [1, 2, 3, 5, 7, 50])
+def test_no_set_point_goes_back_to_an_older_one_however_the_cycles_fall(cycle: int) -> None:
+    @on_simulated_time
+    async def check() -> None:
+        gateway, memory = network(cycle)
+        async with unity_link.connect(gateway) as link:
+            tosnet = TosnetNetwork(link, BASE, ctrl=CTRL, nodes=15)
+            node = tosnet.node(2)
+            for number in range(1, 8):
+                await node.write(4, number)
+                await node.write(5 + number % 2, number)
+            await tosnet.commit_write()
+        words = [tuple(sent.get(2 * 64 + offset, 0) for offset in (4, 5, 6)) for sent in memory.sent]
+        for before, after in itertools.pairwise(words):
+            assert all(old <= new for old, new in zip(before, after, strict=True))
+        assert words[-1] == (7, 6, 7)
+
+    check()
+
+
+@on_simulated_time
+async def test_figure_1_commits_where_ctrl_is_given_and_does_not_where_it_is_not() -> None:
+    wide = FIGURE_1.replace("TOSNET(", "GATEWAY(ADDRESS_BITS=12); TOSNET(").replace("BASE=0", f"BASE={BASE}")
+    scara = unity_link.load(compile_text(wide))
+    gateway, memory = network()
+    node_2 = [0x80 + offset for offset in (0x0C, 0x0D)]
+    async with unity_link.connect(gateway) as link:
+        robot = scara(link)
+        await robot.j1.pos_sp.set(1200)
+        assert not memory.sent
+        assert memory.buffers[0][node_2[0]] == 1200
+    gateway, memory = network()
+    async with unity_link.connect(gateway) as link:
+        robot = scara(link, ctrl=CTRL, comm=COMM)
+        await robot.j1.pos_sp.set(1200)
+        await Group(robot.j1.pos_sp, robot.j2.pos_sp).set([1300, 5])
+        await robot.j2.pos_sp.post(6)
+        await link.read_many([CTRL] * 10)
+        assert [memory.sent[-1][address] for address in node_2] == [1300, 6]
+
+
+@on_simulated_time
+async def test_nodes_have_registers_of_four_words_in_each_direction() -> None:
+    gateway = VirtualGateway(GatewayInfo(address_bits=12))
+    async with unity_link.connect(gateway) as link:
+        node = TosnetNetwork(link, BASE).node(2)
+        await node.send(1, [1, 2, 3, 4])
+        assert [gateway.memory[BASE + 0x8C + word] for word in range(4)] == [1, 2, 3, 4]
+        gateway.memory[BASE + 0x88 + 3] = 9
+        assert (await node.sent_by(1)).tolist() == [0, 0, 0, 9]
+        assert (await node.sent_to(1)).tolist() == [1, 2, 3, 4]
+        wrong: list[tuple[Callable[[], object], str]] = [
+            (lambda: node.sent_by(8), "register 8 asked for, 0 to 7 expected"),
+            (lambda: node.send(0, range(5)), "5 words were given for a register, 1 to 4 expected"),
+            (lambda: node.read(64), "offset 64 asked for, 0 to 63 expected"),
+        ]
+        for call, message in wrong:
+            with pytest.raises(ArgumentError, match=message):
+                await call()  # type: ignore[misc]
+        with pytest.raises(ArgumentError, match="node 16 asked for, 0 to 15 expected"):
+            TosnetNetwork(link, BASE).node(16)
+
+
+@on_simulated_time
+async def test_the_state_of_the_network_is_behind_comm_and_commits_behind_ctrl() -> None:
+    gateway, memory = network()
+    async with unity_link.connect(gateway) as link:
+        state = await TosnetNetwork(link, BASE, comm=COMM, nodes=15).state()
+        assert (state.online, state.is_master, state.packet_error, state.system_halt) == (True, True, False, False)
+        assert (state.resets, state.errors) == (2, 9)
+        assert state.packets <= memory.cycles
+        without = TosnetNetwork(link, BASE, nodes=15)
+        with pytest.raises(ArgumentError, match="its state is behind COMM, which was not given"):
+            await without.state()
+        with pytest.raises(ArgumentError, match="commits are behind CTRL, which was not given"):
+            await without.commit_write()
+
+
+@on_simulated_time
+async def test_a_network_that_does_not_run_is_an_error_and_no_endless_wait() -> None:
+    gateway = VirtualGateway(GatewayInfo(address_bits=12))
+    async with unity_link.connect(gateway) as link:
+        tosnet = TosnetNetwork(link, BASE, ctrl=CTRL)
+        await tosnet.node(1).write(4, 1)
+        with pytest.raises(UnityLinkError, match=r"CTRL at 0x7f0 stays 1\): is the network online"):
+            await tosnet.node(1).write(4, 2)
+        with pytest.raises(UnityLinkError, match="is the network online"):
+            await tosnet.commit_read()
+
+
+@on_simulated_time
+async def test_fields_change_what_was_written_last_and_not_what_the_other_buffer_reads_back() -> None:
+    gateway, memory = network()
+    async with unity_link.connect(gateway) as link:
+        node = TosnetNetwork(link, BASE, ctrl=CTRL, nodes=15).node(1)
+        assert await node.write_masked(4, 0x11, 0xFF) == 0
+        assert await node.write_masked(4, 0x2200, 0xFF00) == 0x11
+        await node.write_block(5, [1, 2])
+        await link.read_many([CTRL] * 10)
+        assert [memory.sent[-1][64 + offset] for offset in (4, 5, 6)] == [0x2211, 1, 2]
