@@ -1,0 +1,212 @@
+"""MATLAB: a class of an interface, and what it stands on, for MATLAB from R2020b and GNU Octave from 7.
+
+- ``scara.m``, from `interface.m`: a class with the signals as nested structs, so that ``robot.legs(2).coxa.cpos.get()``
+  is what a program writes; arrays begin at 1, as all of them do there
+- ``+unity_link/``, from the folder `runtime`: the link (`Link`, over `Exchange`, `Framing`, `Port`), its subscriptions,
+  and what a signal does. The same for every spec but for the first lines
+
+Written in what both languages have: no ``enumeration`` blocks, no `arguments` blocks, no string objects, and of Octave
+nothing of its own. The package keeps the names of both out of the way of the user's.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from pathlib import Path
+from typing import TYPE_CHECKING, NamedTuple
+
+from unity_link.errors import UnsupportedError
+from unity_link.generate import GeneratedFile
+from unity_link.generate.matlab.names import MEMBERS, identifiers
+from unity_link.spec import ComponentArray
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from unity_link.generate import Templates
+    from unity_link.spec import Component, Group, Interface, Signal
+
+DOC = "MATLAB and GNU Octave: a class with the signals, and the package that it stands on"
+PACKAGE = "unity_link"
+_RUNTIME = Path(__file__).with_name("runtime")
+_LINE_LENGTH = 116
+_FLAGS = {False: "false", True: "true"}
+_EXACT = 1 << 53
+"""A double holds whole numbers below."""
+
+
+class Line(NamedTuple):
+    """A line of the constructor: something at a place in the tree of structs."""
+
+    path: str
+    signal: Signal | None
+    """What is put there; None for a component without signals of its own."""
+    copies: int = 1
+    """Of such a component in a row."""
+
+
+class Property(NamedTuple):
+    """A property of the class."""
+
+    name: str
+    doc: str
+
+
+def files(interface: Interface, templates: Templates) -> Iterator[GeneratedFile]:
+    """Make the files of an interface."""
+    name = identifiers([interface.name], [PACKAGE])[interface.name]
+    lines = list(_lines(interface.root, "", [*MEMBERS, name]))
+    paths = {line.signal.path: line.path for line in lines if line.signal is not None}
+    text = templates.render(
+        "interface.m",
+        interface=interface,
+        class_name=name,
+        properties=_properties(interface.root, [*MEMBERS, name]),
+        lines=lines,
+        paths=paths,
+        groups=_groups(interface),
+        examples=_examples(lines),
+        arguments=_arguments,
+        settings=_settings,
+        call=_call,
+    )
+    yield GeneratedFile(f"{name}.m", text)
+    for template in sorted(_RUNTIME.glob("*.jinja")):
+        yield GeneratedFile(f"+{PACKAGE}/{template.stem}", templates.render(f"runtime/{template.stem}"))
+
+
+def _members(part: Component) -> list[str]:
+    return [member.name for member in (*part.signals, *part.parts)]
+
+
+def _properties(root: Component, taken: list[str]) -> list[Property]:
+    names = identifiers(_members(root), taken)
+    return [Property(names[member.name], comment(member.doc)) for member in (*root.signals, *root.parts)]
+
+
+def _lines(part: Component, path: str, taken: list[str] | None = None) -> Iterator[Line]:
+    """Give the lines of a component that stands at a path; empty for the root."""
+    names = identifiers(_members(part), taken or ())
+    before = f"{path}." if path else ""
+    for signal in part.signals:
+        yield Line(before + names[signal.name], signal)
+    for member in part.parts:
+        inside = before + names[member.name]
+        items = member.items if isinstance(member, ComponentArray) else (member,)
+        if not _members(items[0]):
+            yield Line(inside, None, len(items))
+        for number, item in enumerate(items, 1):
+            yield from _lines(item, f"{inside}({number})" if isinstance(member, ComponentArray) else inside)
+
+
+def _groups(interface: Interface) -> list[tuple[Group, str]]:
+    groups = [group for group in interface.groups if group.signals]
+    names = identifiers(group.name for group in groups)
+    return [(group, names[group.name]) for group in groups]
+
+
+def _examples(lines: list[Line]) -> list[str]:
+    """Give what a program may write: the first signal that it can read, and the first that it can write."""
+    signals = [(line.path, line.signal.access) for line in lines if line.signal is not None]
+    read = next((f"value = robot.{path}.get();" for path, access in signals if access.reads), None)
+    written = next((f"robot.{path}.set(0);" for path, access in signals if access.writes), None)
+    return [example for example in (read, written) if example]
+
+
+def _call(beginning: str, arguments: list[str]) -> str:
+    """Write a call on as many lines as it needs."""
+    lines = [beginning]
+    for number_, argument in enumerate(arguments):
+        piece = argument + (");" if number_ == len(arguments) - 1 else ",")
+        if len(lines[-1]) + len(piece) > _LINE_LENGTH and number_:
+            lines.append("        ")
+        lines[-1] += piece if lines[-1].endswith(("(", "        ")) else f" {piece}"
+    return " ...\n".join(lines)
+
+
+def _settings(group: Group) -> list[str]:
+    """Give what a spec says of publishing, as arguments of `struct`."""
+    given: dict[str, str] = {
+        "group": _optional(group.number),
+        "rate_hz": _optional(group.rate_hz),
+        "divisor": _optional(group.divisor),
+        "trigger": _FLAGS[group.trigger],
+        "on_change": _FLAGS[group.on_change],
+        "immediate": _FLAGS[group.immediate],
+    }
+    if group.timestamps:
+        given["timestamps"] = _FLAGS[True]
+    return [f"'{name}', {value}" for name, value in given.items()]
+
+
+def _optional(value: float | None) -> str:
+    return "[]" if value is None else number(value)
+
+
+def _arguments(line: Line) -> list[str]:
+    """Give the arguments of `Signal`: its place and kind, and properties with their values."""
+    signal = line.signal
+    assert signal is not None
+    place = [text(line.path), str(signal.address), text(str(signal.kind)), str(signal.width), text(signal.access.value)]
+    return [*place, *(f"'{name}', {value}" for name, value in _options(signal))]
+
+
+def _options(signal: Signal) -> list[tuple[str, str]]:
+    kind = signal.kind
+    given = [
+        ("id", text(signal.id), signal.id != signal.path),
+        ("lowest_bit", number(signal.lowest_bit), signal.lowest_bit),
+        ("scaled", "true", kind.is_scaled),
+        ("step", number(kind.step), kind.is_scaled),
+        ("offset", number(kind.offset), kind.offset),
+        ("unit", text(signal.unit), signal.unit),
+        ("minimum", number(signal.minimum or 0), signal.minimum is not None),
+        ("maximum", number(signal.maximum or 0), signal.maximum is not None),
+        ("is_field", "true", signal.is_field),
+        ("fifo", "true", signal.fifo),
+    ]
+    if kind.enumeration is not None:
+        values = kind.enumeration.values
+        given.append(("labels", f"{{{', '.join(text(value.name) for value in values)}}}", True))
+        given.append(("numbers", f"[{' '.join(_numbers([value.value for value in values]))}]", True))
+    return [(name, expression) for name, expression, is_given in given if is_given]
+
+
+def _numbers(values: list[int]) -> list[str]:
+    """Write numbers of one type: where one is too large for a double, all as uint64."""
+    if max(values) < _EXACT:
+        return [number(value) for value in values]
+    return [f"unity_link.Hex.to_numbers('{value:X}')" for value in values]
+
+
+def number(value: float) -> str:
+    """Write a number that MATLAB reads as the same number."""
+    if isinstance(value, int) and abs(value) >= _EXACT:
+        whole = f"unity_link.Hex.to_numbers('{value & (1 << 64) - 1:X}')"
+        return whole if value > 0 else f"typecast({whole}, 'int64')"
+    if not math.isfinite(value):
+        raise UnsupportedError(f"{value} is no number that MATLAB code can have here")
+    return repr(value)
+
+
+def text(value: str) -> str:
+    """Write a char array."""
+    pieces = [piece for piece in re.split(r"([\x00-\x1f\x7f]+)", value) if piece]
+    written = [
+        f"char([{' '.join(str(ord(letter)) for letter in piece)}])"
+        if piece[0] < " " or piece[0] == "\x7f"
+        else "'" + piece.replace("'", "''") + "'"
+        for piece in pieces
+    ]
+    if len(written) == 1:
+        return written[0]
+    return f"[{', '.join(written)}]" if written else "''"
+
+
+def comment(value: str) -> str:
+    """Put a doc string on one line."""
+    return " ".join(value.split())
+
+
+FILTERS = {"text": text, "comment": comment}

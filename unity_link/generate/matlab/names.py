@@ -1,0 +1,56 @@
+"""Names of a spec as MATLAB and Octave take them.
+
+A name of UL-spec is an identifier of both but for three things: it may begin with ``_``, be longer than 63 characters,
+or be a word of their languages. A property of the class must, besides, be none of the class's own.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable
+
+LONGEST = 63
+"""`namelengthmax` of MATLAB."""
+_KEYWORDS = """
+    arguments break case catch classdef continue do else elseif end end_try_catch end_unwind_protect endarguments
+    endclassdef endenumeration endevents endfor endfunction endif endmethods endparfor endproperties endspmd endswitch
+    endwhile enumeration events for function global if import methods otherwise parfor persistent properties return spmd
+    switch try until unwind_protect unwind_protect_cleanup while
+"""
+_MEMBERS = """
+    addlistener close delete eq findobj findprop ge groups gt isvalid le link listener lt ne notify
+"""
+KEYWORDS = frozenset(_KEYWORDS.split())
+"""`iskeyword` of MATLAB and of Octave, and the words that begin the blocks of a class."""
+MEMBERS = frozenset(_MEMBERS.split())
+"""What the generated class has itself, and what every handle class inherits."""
+
+
+def identifiers(names: Iterable[str], taken: Iterable[str] = ()) -> dict[str, str]:
+    """Give each name of one scope an identifier; names that are identifiers already, and are not taken, stay."""
+    wanted = list(names)
+    used = {*KEYWORDS, *taken}
+    kept = {name for name in wanted if name == _shaped(name) and name not in used}
+    result = {}
+    for name in wanted:
+        made = _shaped(name)
+        if name not in kept:
+            while made in used or made in kept:
+                made = f"{made[: LONGEST - 1]}_" if len(made) < LONGEST else _counted(made)
+            used.add(made)
+        result[name] = made
+    return result
+
+
+def _shaped(name: str) -> str:
+    shaped = f"x{name}" if name.startswith("_") else name
+    return shaped[:LONGEST]
+
+
+def _counted(name: str) -> str:
+    """Give another name of the longest size: its last digits count."""
+    stem = name.rstrip("0123456789")
+    number = str(int(name[len(stem) :] or 0) + 1)
+    return name[: LONGEST - len(number)] + number
