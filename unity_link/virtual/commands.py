@@ -8,23 +8,18 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any, TypeAlias
 
-from unity_link.wire.gateway_info import Feature, GatewayInfo
-from unity_link.wire.messages import ErrorCode, GroupFlag
+from unity_link.wire.messages import ErrorCode
+from unity_link.wire.reception import group_fits
 
 if TYPE_CHECKING:
     from unity_link.virtual.bus import Bus
     from unity_link.virtual.groups import Groups
+    from unity_link.wire.gateway_info import GatewayInfo
 
 Reads: TypeAlias = int | Sequence[int] | None
 
 ADAPTIVE = 2
 """Send-immediate mode after a reset and after `K` (protocol section 4)."""
-_NEEDED_FEATURES = {
-    GroupFlag.TRIGGER: Feature.EXTERNAL_TRIGGERS,
-    GroupFlag.IMMEDIATE: Feature.SEND_IMMEDIATE,
-    GroupFlag.TIMESTAMP: Feature.TIMESTAMPS,
-}
-_UNCONDITIONAL = GroupFlag.PERIODIC | GroupFlag.ON_CHANGE | GroupFlag.PLAIN
 
 
 class FieldRangeError(Exception):
@@ -48,9 +43,6 @@ class Commands:
         self._groups = groups
         self._last_address = (1 << info.address_bits) - 1
         self._last_word = (1 << info.data_bits) - 1
-        self._flags = int(
-            _UNCONDITIONAL | sum(flag for flag, feature in _NEEDED_FEATURES.items() if feature in info.features)
-        )
         self.send_immediate = ADAPTIVE
         """Send-immediate mode of responses; it changes nothing here, as nothing here waits for a full packet."""
         self.published = b""
@@ -127,12 +119,9 @@ class Commands:
         self._bus.write(address, old & ~mask | word & mask, now)
         return old
 
-    def _set_group(self, _: float, number: int, flags: int, divisor: int, count: int, addresses: list[int]) -> Reads:
-        if number >= self._info.groups or flags & ~self._flags or not divisor:
+    def _set_group(self, _: float, number: int, flags: int, divisor: int, _count: int, addresses: list[int]) -> Reads:
+        if not group_fits(self._info, number, flags, divisor, addresses):
             raise FieldRangeError
-        if not 1 <= count <= self._info.group_words:
-            raise FieldRangeError
-        self._check(max(addresses))
         self._groups.set(number, flags, divisor, addresses)
         return None
 

@@ -4,8 +4,8 @@ Bytes and the time go in, bytes come out; the gateware answers the same bytes. E
 happens inside `receive` and `advance`, so a test can stop the world between any two bytes. The order of the checks is
 that of protocol section 2: each step below either answers or hands on to the next.
 
-`receive` -> `_answer` (node) -> `_checked_line` (overflow, length, CRC) -> `_request` (command, form) -> `_in_sequence`
--> `_execute` (range, bus). Reads and writes of one word with the expected ID are most of the traffic and take a short
+`receive` -> `_answer` (node) -> `_body` (overflow to form: `unity_link.wire.reception`) -> `_in_sequence` -> `_execute`
+(range, bus). Reads and writes of one word with the expected ID are most of the traffic and take a short
 way, `_quick_read` and `_quick_write`, which gives exactly what the long way would, or gives up before anything changes.
 
 The model answers at once and takes as many bytes as it is given. What a line and its FIFOs do to that is modelled in
@@ -25,6 +25,7 @@ from unity_link.virtual.commands import Commands, FieldRangeError
 from unity_link.virtual.groups import Groups
 from unity_link.wire.gateway_info import Feature, GatewayInfo
 from unity_link.wire.messages import COMMANDS, Codec, ErrorCode, Repetition, Request, RequestError
+from unity_link.wire.reception import Place, Reception, Sequence
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, MutableMapping
@@ -112,22 +113,24 @@ class VirtualGateway:
         self._framing = self._codec.framing
         self.groups = Groups(self.info, self.bus, self._frame)
         self._commands = Commands(self.info, self.bus, self.groups)
-        self._longest = self.info.longest_request
-        self._most_kept = self._longest + len(self._framing.prefix) + 1
-        self._ring_mask = self._codec.ring - 1
-        self._half_ring = self._codec.ring // 2
+        self._reception = Reception(self._codec)
+        self._most_kept = self._reception.longest + len(self._framing.prefix) + 1
+        self._sequence = Sequence(self._codec.ring)
         self._prepare_quick_ways()
         self.reset()
 
     def reset(self) -> None:
         """Go back to the state after power-up. What is behind the bus stays as it is."""
-        self.expected = 0
-        """The next ID expected."""
-        self._gap_told = False
+        self._sequence.start(0)
         self._tail = b""
         self._bytes_lost = False
         self.groups.reset()
         self._commands.reset()
+
+    @property
+    def expected(self) -> int:
+        """The next ID expected."""
+        return self._sequence.expected
 
     # What is behind the bus
 
@@ -241,32 +244,16 @@ class VirtualGateway:
             muted = number == _BROADCAST
         if not line and not bytes_lost:
             return b""
-        body = self._checked_line(prefix, line, now, plain=plain, bytes_lost=bytes_lost)
+        body = self._body(prefix, line, now, plain=plain, bytes_lost=bytes_lost)
         published, self._commands.published = self._commands.published, b""
         if not body or muted:
             return published
         return published + self._frame(body, plain)
 
-    def _checked_line(self, prefix: bytes, line: bytes, now: float, *, plain: bool, bytes_lost: bool) -> bytes:
-        """Check overflow, length and CRC; gives the body of the reply."""
-        if bytes_lost:
-            return self._codec.error(ErrorCode.RECEIVE_OVERFLOW)
-        if len(line) > self._longest:
-            return self._codec.error(ErrorCode.TOO_LONG)
-        if plain:
-            return self._request(line, now, plain=True)
-        digits = self._framing.crc.digits
-        body, check = line[:-digits], line[-digits:]
-        if self._framing.crc.text(prefix + body) != check.upper():
-            return self._codec.error(ErrorCode.CRC)
-        return self._request(body, now, plain=False)
-
-    # Requests
-
-    def _request(self, body: bytes, now: float, *, plain: bool) -> bytes:
-        """Check command and form; gives the body of the reply."""
+    def _body(self, prefix: bytes, line: bytes, now: float, *, plain: bool, bytes_lost: bool) -> bytes:
+        """Give the body of the reply."""
         try:
-            request = self._codec.decode_plain_request(body) if plain else self._codec.decode_request(body)
+            request = self._reception.read(line, plain=plain, prefix=prefix, bytes_lost=bytes_lost)
         except RequestError as refusal:
             return self._codec.error(refusal.code)
         if request.command == "Q":
@@ -278,33 +265,28 @@ class VirtualGateway:
             return self._execute(request, now)
         return self._in_sequence(request, request.id, now)
 
+    # Requests
+
     def _start_session(self, expected: int) -> None:
-        self.expected = expected
-        self._gap_told = False
+        self._sequence.start(expected)
         self.groups.stop_all()
         self._commands.reset()
 
     def _in_sequence(self, request: Request, number: int, now: float) -> bytes:
         """Execute a request with the expected ID, and no other (protocol section 3)."""
-        distance = number - self.expected & self._ring_mask
-        if distance == 0:
-            self._advance_sequence()
+        place = self._sequence.place(number)
+        if place is Place.NEXT:
             return self._execute(request, now)
-        if distance < self._half_ring:
-            if self._gap_told:
-                return b""
-            self._gap_told = True
-            return self._codec.out_of_sequence(self.expected)
+        if place is Place.FIRST_AHEAD:
+            return self._codec.out_of_sequence(self._sequence.expected)
+        if place is Place.AHEAD:
+            return b""
         repetition = COMMANDS[request.command].repetition
         if repetition is Repetition.READ_AGAIN:
             return self._execute(request, now)
         if repetition is Repetition.REFUSE:
             return self._codec.error(ErrorCode.ALREADY_EXECUTED, number)
         return b"" if repetition is Repetition.SILENCE else self._codec.response(request)
-
-    def _advance_sequence(self) -> None:
-        self.expected = self.expected + 1 & self._ring_mask
-        self._gap_told = False
 
     def _execute(self, request: Request, now: float) -> bytes:
         try:
@@ -341,10 +323,9 @@ class VirtualGateway:
         except ValueError:
             return None
         number, address = fields >> self._address_shift, fields & self._address_field
-        if number != self.expected or address > self._last_address or address in self.bus.devices:
+        if number != self._sequence.expected or address > self._last_address or address in self.bus.devices:
             return None
-        self.expected = number + 1 & self._ring_mask
-        self._gap_told = False
+        self._sequence.advance()
         body = self._word_form % (self._codec.id_text[number], self.bus.memory[address])
         return b"%b%b\n" % (body, text(body))
 
@@ -359,12 +340,11 @@ class VirtualGateway:
             return None
         rest, word = fields >> self._data_shift, fields & self._data_field
         number, address = rest >> self._address_shift, rest & self._address_field
-        if number != self.expected or address > self._last_address or word > self._last_word:
+        if number != self._sequence.expected or address > self._last_address or word > self._last_word:
             return None
         if address in self.bus.devices:
             return None
-        self.expected = number + 1 & self._ring_mask
-        self._gap_told = False
+        self._sequence.advance()
         dict.__setitem__(self.bus.memory, address, word)
         if head > 1:
             return b""

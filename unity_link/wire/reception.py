@@ -63,10 +63,10 @@ class Reception:
 
 def group_fits(info: GatewayInfo, number: int, flags: int, divisor: int, addresses: list[int]) -> bool:
     """Say whether a gateway takes the settings of a group; otherwise it answers error 06 (protocol section 2)."""
-    known = _ALWAYS_KNOWN
+    known = int(_ALWAYS_KNOWN)
     for flag, feature in _NEEDED_FEATURES.items():
         if feature in info.features:
-            known |= flag
+            known |= int(flag)
     return (
         number < info.groups
         and not flags & ~known
