@@ -61,6 +61,8 @@ class GatewayBoard:
 
     def __init__(self, gateway: Gateway, mode: Mode = Mode.FIFO, *, step: int = STEP) -> None:
         self.gateway = gateway
+        # Asked once: what a protocol has is slow to look up.
+        self._sends_immediately = gateway if isinstance(gateway, SendsImmediately) else None
         self.mode = mode
         self._step = step
         self._received = bytearray()
@@ -132,15 +134,16 @@ class GatewayBoard:
         due = gateway.next_due
         if due is not None and due <= now:
             self._sent += gateway.advance(now, room)
-            if isinstance(gateway, SendsImmediately) and gateway.flush_wanted:
-                gateway.flush_wanted = False
+            immediate = self._sends_immediately
+            if immediate is not None and immediate.flush_wanted:
+                immediate.flush_wanted = False
                 self._pulses.append((self._written + len(self._sent), True))
 
     def _answer(self, now: float) -> None:
         """Hand on requests, until a response fills the transmit FIFO."""
         gateway, received = self.gateway, self._received
         size = gateway.info.transmit_fifo_bytes
-        mode = gateway.send_immediate if isinstance(gateway, SendsImmediately) else _OFF
+        mode = _OFF if self._sends_immediately is None else self._sends_immediately.send_immediate
         while received and len(self._sent) <= size:
             end = received.find(b"\n") + 1
             plain_end = received.find(b"\r", 0, end or None) + 1
