@@ -11,6 +11,7 @@ knows exactly which frame was lost, where the noise of `simulate --loss` only te
 
 from __future__ import annotations
 
+import asyncio
 import contextlib
 import os
 import re
@@ -25,9 +26,13 @@ from typing import TYPE_CHECKING, Literal, Self
 
 import msgspec
 
+from unity_link.virtual.serving import serve_tcp
+
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator, Sequence
     from types import TracebackType
+
+    from unity_link.virtual import Gateway
 
 PROGRAM = str(Path(sys.executable).parent / "unity-link")
 Medium = Literal["pty", "tcp"]
@@ -47,6 +52,22 @@ def simulate(medium: Literal["pty", "tcp", "unix", "udp"], *arguments: str) -> I
             yield url
         finally:
             process.terminate()
+
+
+@contextlib.contextmanager
+def serve(gateway: Gateway) -> Iterator[str]:
+    """Serve a gateway of this process by TCP, for what `simulate` has not: devices, nodes. Gives its URL."""
+    loop = asyncio.new_event_loop()
+    served = serve_tcp(gateway)
+    thread = threading.Thread(target=loop.run_forever, daemon=True)
+    thread.start()
+    try:
+        yield asyncio.run_coroutine_threadsafe(served.__aenter__(), loop).result()
+        asyncio.run_coroutine_threadsafe(served.__aexit__(None, None, None), loop).result()
+    finally:
+        loop.call_soon_threadsafe(loop.stop)
+        thread.join()
+        loop.close()
 
 
 class Fault(msgspec.Struct):

@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 
     from unity_link.spec import Interface, Spec
 
-TARGETS: tuple[str, ...] = ("c", "cpp", "matlab", "vhdl")
+TARGETS: tuple[str, ...] = ("c", "matlab", "python", "vhdl")
 """Each is a folder of this package."""
 
 

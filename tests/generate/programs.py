@@ -1,0 +1,100 @@
+"""Compiling generated clients as a careful user would, and driving them from a test."""
+
+from __future__ import annotations
+
+import subprocess
+from pathlib import Path
+from typing import TYPE_CHECKING, Self
+
+from unity_link.generate import generate, write
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+    from types import TracebackType
+
+    from unity_link.spec import Spec
+
+C = ("gcc", "-std=c99")
+CPP = ("g++", "-std=c++17")
+STRICT = ("-pedantic", "-Wall", "-Wextra", "-Werror", "-Wshadow", "-Wconversion", "-O1")
+SANITIZED = ("-g", "-fsanitize=address,undefined", "-fno-sanitize-recover=all")
+HERE = Path(__file__).parent
+PATIENCE = 120
+"""Seconds after which a program hangs: for a loaded machine, and never reached."""
+
+
+def generated(target: str, spec: Spec, directory: Path) -> list[Path]:
+    """Write the files of a target, and give their paths."""
+    return write(generate(target, spec), directory)
+
+
+def compiled(compiler: Sequence[str], sources: Sequence[Path], directory: Path, *options: str) -> list[Path]:
+    """Compile sources without a warning, and give the objects."""
+    objects = []
+    for source in sources:
+        made = directory / f"{source.name}.o"
+        _run([*compiler, *STRICT, *options, f"-I{directory}", "-c", str(source), "-o", str(made)])
+        objects.append(made)
+    return objects
+
+
+def linked(compiler: Sequence[str], objects: Sequence[Path], program: Path, *options: str) -> Path:
+    """Link objects to a program."""
+    _run([*compiler, *options, *map(str, objects), "-o", str(program)])
+    return program
+
+
+def _run(command: list[str]) -> None:
+    result = subprocess.run(command, capture_output=True, text=True, check=False, timeout=PATIENCE)
+    assert result.returncode == 0, result.stderr[:4000]
+    assert not result.stderr, result.stderr[:4000]
+
+
+def output(program: Path, *arguments: str) -> str:
+    """Run a program that is to succeed, and give what it prints."""
+    result = subprocess.run([program, *arguments], capture_output=True, text=True, timeout=PATIENCE, check=False)
+    assert result.returncode == 0, result.stderr[:4000]
+    return result.stdout
+
+
+class Driven:
+    """A client that takes commands, as `driver.c` has them, and answers each with a line."""
+
+    def __init__(self, program: Path) -> None:
+        self._process = subprocess.Popen([program], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        if error is not None:
+            self._process.kill()
+        self._process.communicate(timeout=PATIENCE)
+        # The sanitizers end a program that did wrong with another code.
+        assert error is not None or self._process.returncode == 0
+
+    def __call__(self, command: str) -> str:
+        """Do a command, and give the answer."""
+        self.send(command)
+        return self.answer()
+
+    def send(self, command: str) -> None:
+        """Do a command without waiting for the answer."""
+        assert self._process.stdin is not None
+        self._process.stdin.write(f"{command}\n")
+        self._process.stdin.flush()
+
+    def answer(self) -> str:
+        """Give the answer to a command."""
+        assert self._process.stdout is not None
+        line = self._process.stdout.readline()
+        assert line, "the program has ended"
+        return line.rstrip("\n")
+
+    def words(self, command: str) -> list[int]:
+        """Do a command that is to succeed, and give its numbers."""
+        status, *numbers = self(command).split()
+        assert status == "0", f"{command} gives {status} {' '.join(numbers)}"
+        return [int(number) for number in numbers]

@@ -1,0 +1,517 @@
+"""The generated client in C does what the protocol and the docs say, against real gateways on real media."""
+
+from __future__ import annotations
+
+import math
+import re
+import socket
+from itertools import pairwise
+from typing import TYPE_CHECKING
+
+import pytest
+
+from generate.every_kind import WORD_BITS, bad_values, every_kind, written
+from generate.peers import MEDIA, Fault, FaultyLine, Medium, damage, double, lose, replace, serve, simulate
+from generate.programs import CPP, HERE, SANITIZED, C, Driven, compiled, generated, linked, output
+from spec_examples import FIGURE_1
+from unity_link.generate import generate
+from unity_link.generate.c.layout import Layout
+from unity_link.spec import KindName, compile_file, compile_text
+from unity_link.virtual import VirtualGateway
+from unity_link.virtual.build import build_gateway
+from unity_link.virtual.faults import Failing
+from unity_link.wire.crc import Crc
+from unity_link.wire.frames import Framing
+from unity_link.wire.messages import ErrorCode
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterator
+    from pathlib import Path
+
+    from unity_link.spec import Signal, Value
+
+BUS_ERROR, BUS_TIMEOUT, ANSWER_LOST = "4 ", "5 ", "8 "
+LOST, LOST_EXECUTED, LOST_NOT_EXECUTED, UNANSWERED, NO_CONNECTION, UNSUPPORTED, BAD_ARGUMENT, NO_SAMPLE = (
+    f"{number} " for number in range(32, 40)
+)
+EXAMPLES = HERE.parents[1] / "examples"
+
+
+@pytest.fixture(scope="session")
+def driver(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The client as a program that takes commands, with sanitizers in it."""
+    directory = tmp_path_factory.mktemp("driver")
+    generated("c", compile_text(FIGURE_1), directory)
+    sources = [directory / "unity_link.c", directory / "unity_link_posix.c", HERE / "driver.c"]
+    return linked(C, compiled(C, sources, directory, *SANITIZED), directory / "driver", *SANITIZED)
+
+
+@pytest.fixture
+def client(driver: Path) -> Iterator[Driven]:
+    with Driven(driver) as client:
+        yield client
+
+
+# Compiling
+
+
+@pytest.mark.parametrize("word_bits", [None, *WORD_BITS])
+def test_generated_code_compiles_without_a_warning_in_c_and_its_headers_in_cpp(
+    word_bits: int | None, tmp_path: Path
+) -> None:
+    spec = compile_text(FIGURE_1) if word_bits is None else every_kind(word_bits)
+    files = generated("c", spec, tmp_path)
+    compiled(C, [path for path in files if path.suffix == ".c"], tmp_path)
+    name = spec.interface().name
+    (tmp_path / "program.cc").write_text(f'#include "{name}.h"\nint main() {{ return sizeof {name} == 0; }}\n')
+    compiled(CPP, [tmp_path / "program.cc"], tmp_path)
+
+
+def test_the_protocol_needs_nothing_of_posix(tmp_path: Path) -> None:
+    generated("c", compile_text(FIGURE_1), tmp_path)
+    headers = re.findall(r"#include <(\S+)>", (tmp_path / "unity_link.c").read_text())
+    assert headers == ["string.h"]
+    assert "alloc" not in (tmp_path / "unity_link.c").read_text().replace("allocated", "")
+
+
+def test_output_is_the_same_each_time_and_names_its_source() -> None:
+    first, second = (generate("c", compile_file(EXAMPLES / "scara.ul")) for _ in range(2))
+    assert first == second
+    assert all("scara.ul, SHA-256" in file.text.splitlines()[0] for file in first)
+
+
+def test_names_that_c_or_cpp_keep_for_themselves_get_an_underscore(tmp_path: Path) -> None:
+    spec = compile_text(
+        "enum class { int, double, union }\n"
+        "group template;\n"
+        "public signal() {\n"
+        "  @int = 1: READWRITE(GROUP(template)); @int_ = 2: READWRITE(); @errno = 3: class READWRITE();\n"
+        '  new: struct(); @linux = 5: READWRITE(UNIT="*/ ??/ \\\\ \\"");\n'
+        "}\n"
+        "/// Not the end: */ ??/\n"
+        "struct() { @while = 4: float READWRITE(GROUP(template)); }\n"
+    )
+    files = generated("c", spec, tmp_path)
+    (tmp_path / "program.c").write_text(
+        '#include "signal_.h"\n'
+        "int main(void) { return (int)(signal_.int_.signal.address + signal_.int__.signal.address\n"
+        "    + signal_.errno_.signal.address + signal_.new_.while_.signal.address + SIGNAL__CLASS_UNION); }\n"
+    )
+    sources = [*(path for path in files if path.suffix == ".c"), tmp_path / "program.c"]
+    compiled(C, sources, tmp_path)
+    (tmp_path / "program.cc").write_text((tmp_path / "program.c").read_text().replace("(void)", "()"))
+    compiled(CPP, [tmp_path / "program.cc"], tmp_path)
+
+
+# Words
+
+
+@pytest.mark.parametrize("medium", MEDIA)
+def test_words_blocks_batches_and_posted_writes_arrive(client: Driven, medium: Medium) -> None:
+    with simulate(medium) as url:
+        client.words(f"connect {url} 5")
+        client.words("write 10 2A")
+        assert client.words("read 10") == [42]
+        assert client.words("masked 10 FF F0") == [42]
+        assert client.words("read 10") == [0xFA]
+        client.words("wblock 20 " + " ".join(f"{3 * index:X}" for index in range(100)))
+        assert client.words("rblock 20 64") == [3 * index for index in range(100)]
+        assert client.words("rmany 20 22 21 FF") == [0, 6, 3, 0]
+        client.words("wmany 30 1 31 2 32 3")
+        assert client.words("rblock 30 3") == [1, 2, 3]
+        assert client.words("batch 30 FFFFFFFF") == [1, 0xFFFFFFFF]
+        for index in range(300):
+            client.words(f"post 40 {index:X}")
+        client.words("fence")
+        assert client.words("read 40") == [299]
+        client.words("immediate 1")
+        client.words("close")
+        assert client("read 40").startswith(LOST_NOT_EXECUTED)
+
+
+def test_a_unix_socket_is_as_good(client: Driven, tmp_path: Path) -> None:
+    with simulate("unix", str(tmp_path / "socket")) as url:
+        client.words(f"connect {url} 5")
+        client.words("write 10 1")
+        assert client.words("read 10") == [1]
+
+
+def test_blocks_longer_than_the_gateway_takes_travel_in_parts(client: Driven) -> None:
+    with simulate("tcp", "--set", "block_words=7", "--set", "data_bits=64", "--set", "address_bits=12") as url:
+        client.words(f"connect {url} 5")
+        values = [(0x9E3779B97F4A7C15 * index) % 2**64 for index in range(600)]
+        client.words("wblock 100 " + " ".join(f"{value:X}" for value in values))
+        assert client.words("rblock 100 258") == values
+
+
+@pytest.mark.parametrize(
+    "settings",
+    [
+        {"data_bits": 8, "crc_bits": 16, "id_digits": 3},
+        {"data_bits": 13, "address_bits": 17, "crc_bits": 32},
+        {"data_bits": 64, "address_bits": 32, "crc_polynomial": 0x1D},
+        {"data_bits": 33, "crc_bits": 16, "crc_polynomial": 0x8005, "features": 0x60, "receive_fifo_bytes": 64},
+    ],
+    ids=str,
+)
+def test_gateways_of_any_width_are_understood(client: Driven, settings: dict[str, int]) -> None:
+    most, last = (1 << settings["data_bits"]) - 1, (1 << settings.get("address_bits", 8)) - 1
+    with simulate("tcp", *(f"--set={name}={value}" for name, value in settings.items())) as url:
+        client.words(f"connect {url} 5")
+        client.words(f"write {last:X} {most:X}")
+        assert client.words(f"read {last:X}") == [most]
+        assert client.words("rmany " + f"{last:X} " * 300) == [most] * 300
+        for _ in range(50):
+            client.words(f"post 0 {most:X}")
+        client.words("fence")
+        assert client.words("read 0") == [most]
+        if last < 2**32 - 1:
+            assert client(f"write {last + 1:X} 0").startswith(BAD_ARGUMENT)
+        if most < 2**64 - 1:
+            assert client(f"write 0 {most + 1:X}").startswith(BAD_ARGUMENT)
+            assert client(f"wblock 0 0 {most + 1:X}").startswith(BAD_ARGUMENT)
+        assert client.words("statistics")[2:] == [0, 0, 0, 0]
+
+
+def test_a_gateway_on_a_shared_medium_is_reached_by_its_number(client: Driven) -> None:
+    with serve(build_gateway(node=5)) as url:
+        client.words(f"connect {url}?node=5 5")
+        client.words("write 10 7")
+        assert client.words("read 10") == [7]
+        client.words("subscribe 0 0 - 10")
+        client.words("publish 0")
+        assert client("next 0 5").startswith("0 0 0 ")
+    with serve(build_gateway(node=6)) as url:
+        assert client(f"connect {url}?node=5 0.5").startswith(NO_CONNECTION)
+
+
+# Errors
+
+
+@pytest.mark.parametrize("medium", MEDIA)
+def test_an_error_of_the_bus_names_the_request_and_leaves_the_others_alone(client: Driven, medium: Medium) -> None:
+    with simulate(medium, "--robot", "scara") as url:
+        client.words(f"connect {url} 5")
+        assert client("write 88 1") == "4 write at 0x88: the bus refused the access"
+        assert client("wmany 10 1 88 2 11 3") == "4 write at 0x88: the bus refused the access"
+        assert client.words("rmany 10 11") == [1, 3]
+        client.words("post 12 1")
+        client.words("post 89 1")
+        client.words("post 13 1")
+        assert client("fence") == "4 posted write at 0x89: the bus refused the access"
+        client.words("fence")
+        assert client.words("rmany 12 13") == [1, 1]
+
+
+def test_every_error_code_has_a_sentence(client: Driven) -> None:
+    gateway = VirtualGateway()
+    gateway.attach(Failing(ErrorCode.BUS_TIMEOUT), [0x20])
+    gateway.attach(Failing(ErrorCode.BUS_ERROR), [0x22])
+    with serve(gateway) as url:
+        client.words(f"connect {url} 5")
+        assert client("read 20") == "5 read at 0x20: nothing on the bus answered"
+        assert client("rblock 1F 3").startswith(BUS_TIMEOUT)
+        client.words("write 21 5")
+        assert client("wblock 21 9 9 9").startswith(BUS_ERROR)
+        assert client.words("read 21") == [9]
+        assert client("immediate 3") == (
+            "6 choice of send-immediate at 0x03: the gateway says that a value is out of its range"
+        )
+
+
+def test_what_the_gateway_was_built_without_is_said(client: Driven) -> None:
+    with simulate("tcp", "--set", "features=0") as url:
+        client.words(f"connect {url} 5")
+        for command in ("masked 0 1 1", "rqueue 0 2", "wqueue 0 1", "immediate 1", "subscribe 0 10 - 10"):
+            assert client(command).startswith(UNSUPPORTED)
+        assert client.words("read 0") == [0]
+
+
+@pytest.mark.parametrize(
+    ("url", "status", "words"),
+    [
+        ("http://robot", BAD_ARGUMENT, "should begin with serial:, tcp:// or unix:"),
+        ("tcp://robot", BAD_ARGUMENT, "expected as in"),
+        ("serial:/dev/x?speed=9600", BAD_ARGUMENT, "expected as in"),
+        ("serial:/dev/nosuch", NO_CONNECTION, "there is no such port"),
+        ("unix:/nosuch", NO_CONNECTION, "there is no such port"),
+        ("tcp://127.0.0.1:1", NO_CONNECTION, "nothing accepts the connection"),
+    ],
+)
+def test_what_cannot_be_opened_is_told_in_a_sentence(client: Driven, url: str, status: str, words: str) -> None:
+    answer = client(f"connect {url} 1")
+    assert answer.startswith(f"{status}{url}: ")
+    assert words in answer
+    assert client("read 0").startswith(LOST_NOT_EXECUTED)
+
+
+def test_a_port_at_which_nobody_speaks_is_no_gateway(client: Driven) -> None:
+    with socket.create_server(("127.0.0.1", 0)) as silent:
+        assert client(f"connect tcp://127.0.0.1:{silent.getsockname()[1]} 0.3").startswith(NO_CONNECTION)
+
+
+# Exactly once
+
+
+@pytest.mark.parametrize("medium", MEDIA)
+@pytest.mark.parametrize("fault", [lose, damage])
+def test_a_lost_answer_is_asked_for_again_and_nothing_is_done_twice(
+    client: Driven, medium: Medium, fault: Callable[[str], Fault]
+) -> None:
+    with simulate("tcp") as gateway, FaultyLine(gateway, medium, [fault("^w00"), fault("^r02")]) as line:
+        client.words(f"connect {line.url} 5")
+        client.words("write 10 1")
+        client.words("write 10 2")
+        assert client.words("read 10") == [2]
+        assert line.count("^w00") == 2
+        assert line.count("^w01") == 1
+        assert line.count("^r02") == 2
+        client.words("close")
+
+
+class Counting:
+    """A queue that gives 0, 1, 2...; and counts what is written to it."""
+
+    def __init__(self) -> None:
+        self.given = 0
+        self.taken: list[int] = []
+
+    def read(self, offset: int, now: float) -> int:
+        self.given += 1
+        return self.given - 1
+
+    def write(self, offset: int, value: int, now: float) -> None:
+        self.taken.append(value)
+
+
+def test_what_cannot_be_repeated_is_done_once_and_says_that_its_answer_is_lost(client: Driven) -> None:
+    gateway, queue = VirtualGateway(), Counting()
+    gateway.attach(queue, [0x20])
+    with serve(gateway) as url, FaultyLine(url, "tcp", [lose("^rq"), lose("^wk"), lose("^wq")]) as line:
+        client.words(f"connect {line.url} 5")
+        assert client("rqueue 20 2") == ("8 queue read at 0x20: the request was executed once, but its answer was lost")
+        assert client.words("rqueue 20 2") == [2, 3]
+        assert client("masked 30 F 3").startswith(ANSWER_LOST)
+        assert client.words("read 30") == [3]
+        client.words("wqueue 20 7 8 9")
+        assert queue.taken == [7, 8, 9]
+
+
+@pytest.mark.parametrize("fault", [lose, damage, double])
+def test_requests_that_arrive_wrong_are_sent_again_in_order(client: Driven, fault: Callable[[str], Fault]) -> None:
+    gateway, queue = VirtualGateway(), Counting()
+    gateway.attach(queue, [0x20])
+    faults = [fault(f"^ws?{number:02X}") for number in (1, 5, 6, 20, 21, 60)]
+    with serve(gateway) as url, FaultyLine(url, "tcp", requests=faults) as line:
+        client.words(f"connect {line.url} 5")
+        client.words("wmany " + " ".join(f"20 {value:X}" for value in range(30)))
+        for value in range(30, 100):
+            client.words(f"post 20 {value:X}")
+        client.words("fence")
+        assert queue.taken == list(range(100))
+
+
+def test_a_posted_write_that_is_lost_is_sent_again_before_anything_behind_it_is_done(client: Driven) -> None:
+    with simulate("tcp") as gateway, FaultyLine(gateway, "tcp", requests=[lose("^ws00")]) as line:
+        client.words(f"connect {line.url} 5")
+        client.words("post 10 7")
+        assert client.words("read 10") == [7]
+        assert line.count("^ws00") == 2
+
+
+def test_a_request_that_the_gateway_never_understands_is_given_up_and_those_behind_it_go_on(client: Driven) -> None:
+    malformed = Framing(Crc()).checked(b"w00")
+    with simulate("tcp") as gateway, FaultyLine(gateway, "tcp", requests=[replace("^w00", malformed, 99)]) as line:
+        client.words(f"connect {line.url} 5")
+        assert client("wmany 10 7 11 8") == "3 write at 0x10: the gateway expects fields of another width"
+        assert client.words("rmany 10 11") == [0, 8]
+        assert line.count("^w00") == 3
+        assert line.count("^h00") == 1
+
+
+@pytest.mark.parametrize("medium", MEDIA)
+def test_a_noisy_line_loses_nothing(client: Driven, medium: Medium) -> None:
+    noise = ("--set", "crc_bits=32", "--loss", "0.0002", "--flip", "0.0002", "--double", "0.0002", "--seed", "3")
+    with simulate(medium, *noise) as url:
+        client.words(f"connect {url} 30")
+        client.words("wmany " + " ".join(f"{index:X} {index:X}" for index in range(256)))
+        for turn in range(5):
+            assert client.words("rmany " + " ".join(f"{index:X}" for index in range(256))) == [
+                index + turn for index in range(256)
+            ]
+            client.words("wmany " + " ".join(f"{index:X} {index + turn + 1:X}" for index in range(256)))
+        assert client.words("statistics")[2] > 0
+
+
+def test_a_gateway_that_goes_away_ends_the_calls(client: Driven) -> None:
+    with simulate("tcp") as url:
+        client.words(f"connect {url} 5")
+        client.words("write 10 1")
+    assert client("write 10 1").startswith((LOST, LOST_NOT_EXECUTED))
+    assert client("read 10").startswith(LOST_NOT_EXECUTED)
+    client.words("close")
+    with simulate("tcp") as url:
+        client.words(f"connect {url} 5")
+        assert client.words("read 10") == [0]
+
+
+# Samples
+
+
+@pytest.mark.parametrize("medium", MEDIA)
+def test_samples_come_in_order_with_their_times(client: Driven, medium: Medium) -> None:
+    with simulate(medium, "--robot", "scara") as url:
+        client.words(f"connect {url} 5")
+        client.words("write 10 63")
+        client.words("subscribe 0 100 t 10 88")
+        samples = [client("next 0 10").split() for _ in range(5)]
+        assert [int(sample[1]) for sample in samples] == list(range(5))
+        times = [float.fromhex(sample[3]) for sample in samples]
+        assert [round(later - sooner, 6) for sooner, later in pairwise(times)] == [0.01] * 4
+        assert all(sample[2] == "0" and sample[4:] == ["99", "0"] for sample in samples)
+        client.words("unsubscribe 0")
+        assert client("next 1 0").startswith(NO_SAMPLE)
+
+
+def test_samples_lost_on_the_way_and_in_the_storage_are_counted(client: Driven) -> None:
+    lost = [lose(r"^P..0[23]", times=2), damage(r"^P..05")]
+    with simulate("tcp") as gateway, FaultyLine(gateway, "tcp", lost) as line:
+        client.words(f"connect {line.url} 5")
+        client.words("subscribe 0 0 - 10 11")
+        for _ in range(8):
+            client.words("publish 0")
+        seen = [client("next 0 5").split()[1:3] for _ in range(5)]
+        assert seen == [["0", "0"], ["1", "0"], ["4", "2"], ["6", "1"], ["7", "0"]]
+        assert client.words("lost 0") == [3]
+        # The storage of this client holds 8.
+        for _ in range(11):
+            client.words("publish 0")
+        assert client("next 0 5").split()[1:3] == ["11", "3"]
+        assert client.words("lost 0") == [6]
+        assert [client("next 0 5").split()[1] for _ in range(7)] == [str(number) for number in range(12, 19)]
+        assert client("next 0 0").startswith(NO_SAMPLE)
+
+
+def test_callbacks_get_each_sample_and_may_use_the_link(client: Driven) -> None:
+    with simulate("tcp") as url:
+        client.words(f"connect {url} 5")
+        client.words("subscribe 0 0 b 10")
+        client.words("subscribe 1 0 - 11")
+        for _ in range(3):
+            client.words("publish 0")
+        client.words("publish 1")
+        assert client.words("poll 0") == [0, 1, 2]
+        assert client.words("read 7F") == [2]
+        client.words("publish 0")
+        assert client.words("poll 0.05") == [3]
+        assert client("next 1 5").startswith("0 0 0 ")
+
+
+def test_samples_on_change_come_only_with_one(client: Driven) -> None:
+    with simulate("tcp") as url:
+        client.words(f"connect {url} 5")
+        client.words("subscribe 0 1000 c 10")
+        assert client("next 0 5") == "0 0 0 0x0p+0 0"
+        client.words("write 10 5")
+        assert client("next 0 5") == "0 1 0 0x0p+0 5"
+
+
+def test_a_subscription_that_cannot_be_is_refused(client: Driven) -> None:
+    with simulate("tcp", "--set", "groups=1", "--set", "group_words=3") as url:
+        client.words(f"connect {url} 5")
+        for command in ("subscribe 0 1e9 - 10", "subscribe 0 10 -", "subscribe 0 10 - 1 2 3 4", "subscribe 0 10 - 100"):
+            assert client(command).startswith(BAD_ARGUMENT)
+        client.words("subscribe 0 10 - 10")
+        assert client("subscribe 1 10 - 10").startswith(UNSUPPORTED)
+        client.words("unsubscribe 0")
+        client.words("subscribe 1 10 - 10")
+
+
+# Signals
+
+
+def c_value(signal: Signal, value: Value) -> str:
+    if signal.kind.is_float:
+        return float(value).hex() if abs(value) != float("inf") else f"{'-' if value < 0 else ''}INFINITY"
+    cast = "int64_t" if signal.kind.is_signed else "uint64_t"
+    return f"({cast})UINT64_C({int(value) % 2**64})"
+
+
+def accessor(signal: Signal) -> tuple[str, str, str]:
+    """Give type, printf format and name of the functions of a signal of `every_kind`."""
+    if signal.kind.is_float:
+        return "double", "%a", "ul_{}_real"
+    if signal.kind.name is KindName.BOOL:
+        return "bool", "%d", "ul_{}_bool"
+    if signal.kind.enumeration is not None:
+        return "robot_mode", '%" PRIu64 "', "robot_mode_{}"
+    if signal.kind.is_signed:
+        return "int64_t", '%" PRId64 "', "ul_{}_signed"
+    return "uint64_t", '%" PRIu64 "', "ul_{}_unsigned"
+
+
+def step(signal: Signal, expression: str, value: Value) -> str:
+    """Write C that sets a signal, and prints the status, its words on the bus, and the value that is read back."""
+    kind, form, function = accessor(signal)
+    return (
+        f"{{ {kind} value = {c_value(signal, value)}; uint64_t words[8];\n"
+        f'  printf("%d", {function.format("set")}(&the_link, &{expression}, value));\n'
+        f"  check(ul_fence(&the_link)); check(ul_read_block(&the_link, {signal.address}, words, {signal.words}));\n"
+        f'  for (int index = 0; index < {signal.words}; index++) printf(" %" PRIu64, words[index]);\n'
+        f'  check({function.format("get")}(&the_link, &{expression}, &value)); printf(" {form}\\n", value); }}\n'
+    )
+
+
+PROGRAM = """\
+#include "robot.h"
+#include <inttypes.h>
+#include <math.h>
+#include <stdio.h>
+static ul_link the_link;
+static void check(ul_status status) {{ if (status) printf(" %s\\n", ul_error(&the_link)); }}
+{functions}
+int main(int count, char **arguments) {{
+    (void)count;
+    check(ul_connect(&the_link, arguments[1], 5.0));
+    {calls}
+    check(ul_close(&the_link));
+    return 0;
+}}
+"""
+
+
+@pytest.mark.parametrize("word_bits", WORD_BITS)
+def test_values_of_every_kind_stand_on_the_bus_and_come_back_as_in_python(word_bits: int, tmp_path: Path) -> None:
+    spec = every_kind(word_bits)
+    expressions = Layout(spec.interface()).expressions
+    steps, expected = [], []
+    for signal, value in written(spec.interface()):
+        steps.append(step(signal, expressions[signal.path], value))
+        expected.append(("0", signal, value))
+    for signal in spec.interface().signals.values():
+        for value in bad_values(signal) if signal.access.writes and signal.access.reads else []:
+            if signal.kind.is_float and not math.isnan(value):
+                steps.append(step(signal, expressions[signal.path], value))
+                expected.append(("38", signal, value))
+    functions = "".join(f"static void f{index}(void) {text}" for index, text in enumerate(steps))
+    calls = " ".join(f"f{index}();" for index in range(len(steps)))
+    (tmp_path / "program.c").write_text(PROGRAM.format(functions=functions, calls=calls))
+    files = generated("c", spec, tmp_path)
+    sources = [*(path for path in files if path.suffix == ".c"), tmp_path / "program.c"]
+    objects = compiled(C, sources, tmp_path, *SANITIZED, "-O0")
+    program = linked(C, objects, tmp_path / "program", *SANITIZED)
+    with simulate("tcp", "--set", f"data_bits={word_bits}") as url:
+        lines = output(program, url).splitlines()
+    assert len(lines) == len(expected)
+    held: dict[int, int] = {}
+    for line, (status, signal, value) in zip(lines, expected, strict=True):
+        if status == "0":
+            mask = signal.mask if signal.is_field else (1 << signal.words * word_bits) - 1
+            for index, word in enumerate(signal.encode(value)):
+                kept = held.get(signal.address + index, 0) & ~(mask >> index * word_bits)
+                held[signal.address + index] = kept | word
+        words = [held.get(address, 0) for address in signal.addresses]
+        got_status, *got_words, got_value = line.split()
+        assert (got_status, got_words) == (status, [str(word) for word in words]), (signal.path, value, line)
+        decoded = signal.decode(words)
+        assert (float.fromhex(got_value) if signal.kind.is_float else int(got_value)) == decoded, (signal.path, line)

@@ -1,0 +1,47 @@
+"""Target ``c``: a client in C99 that allocates nothing.
+
+A header and a source are of the spec: constants that describe its signals, in structures that mirror its components.
+What they lean on, the link itself, is the same for every spec, and is copied beside them as a header and a source of
+its own, for two robots in one program share it; the third source holds the transports of POSIX, so that a
+microcontroller can leave it out.
+
+The runtime is written as files of C in ``runtime/``, one a part; ``unity_link.c.jinja`` puts them together.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from unity_link.generate import GeneratedFile
+from unity_link.generate.c.layout import Layout
+from unity_link.generate.c.names import comment, number, string
+from unity_link.generate.c.signals import decoding, describe, examples, initializer, schedule
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from unity_link.generate import Templates
+    from unity_link.spec import Interface
+
+DOC = "a client in C99, without allocation, with transports for POSIX"
+FILTERS = {
+    "comment": comment,
+    "decoding": decoding,
+    "describe": describe,
+    "number": number,
+    "pad": str.ljust,
+    "schedule": schedule,
+    "string": string,
+}
+RUNTIME = ("unity_link.h", "unity_link.c", "unity_link_posix.c")
+
+
+def files(interface: Interface, templates: Templates) -> Iterator[GeneratedFile]:
+    """Make the header and the source of an interface, and the runtime."""
+    layout = Layout(interface)
+    values = {"layout": layout, "prefix": layout.prefix}
+    body = initializer(layout)
+    yield GeneratedFile(f"{layout.prefix}.h", templates.render("interface.h", examples=examples(layout), **values))
+    yield GeneratedFile(f"{layout.prefix}.c", templates.render("interface.c", initializer=body, **values))
+    for name in RUNTIME:
+        yield GeneratedFile(name, templates.render(name))

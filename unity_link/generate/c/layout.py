@@ -1,0 +1,364 @@
+"""An interface as C sees it: structures of signals that mirror the components, so that paths stay what they are.
+
+The path ``legs[2].coxa.cpos`` of a spec is ``walker.legs[2].coxa.cpos`` in C and ``robot.legs[2].coxa.cpos`` in C++.
+Each declaration of a component becomes a type, and each signal in it has a type by its value. What may differ from
+one place to another (addresses, scales, units, limits) is data.
+
+A declaration of which one place has arrays longer than another becomes several types, numbered.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, NamedTuple
+
+from unity_link.errors import UnsupportedError
+from unity_link.generate.c.names import GLOBAL, Names
+from unity_link.spec.kinds import KindName
+from unity_link.spec.model import Component, ComponentArray
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator, Sequence
+
+    from unity_link.spec.kinds import Enumeration
+    from unity_link.spec.model import Group, Interface, Module, Signal
+
+MOST_GROUP_WORDS = 255
+_INT_MAX = 0x7FFF_FFFF
+
+
+class Constant(NamedTuple):
+    """A value of an enumeration."""
+
+    name: str
+    """In C."""
+    short: str
+    """In C++."""
+    value: int
+    doc: str
+
+    @property
+    def is_int(self) -> bool:
+        """Whether an enumerator of C can have the value."""
+        return self.value <= _INT_MAX
+
+
+class EnumerationType(NamedTuple):
+    """An enumeration."""
+
+    name: str
+    """Of the type of its values."""
+    short: str
+    signal: str
+    """Of the type of its signals."""
+    bits: int
+    constants: tuple[Constant, ...]
+    doc: str
+
+
+class ValueType(NamedTuple):
+    """The type of a signal's value."""
+
+    value: str
+    """In C."""
+    signal: str
+    """The structure around the `ul_signal`."""
+    coding: str
+    """Ending of the functions of the runtime."""
+    cpp: str
+
+    @property
+    def is_enumeration(self) -> bool:
+        """Whether it is one of the spec's own."""
+        return not self.signal.startswith("ul_")
+
+
+class SignalMember(NamedTuple):
+    """A signal of a component."""
+
+    name: str
+    type: ValueType
+    signal: Signal
+    """The one of the first place."""
+    varies: bool
+    """Whether its unit or limits are not the same everywhere."""
+
+    @property
+    def declaration(self) -> str:
+        """As a member of a structure."""
+        return f"{self.type.signal} {self.name};"
+
+
+class PartMember(NamedTuple):
+    """A component, an array of components, or modules."""
+
+    name: str
+    type: str
+    short: str
+    size: int | None
+    doc: str
+
+    @property
+    def declaration(self) -> str:
+        """As a member of a structure."""
+        return f"{self.type} {self.name}{'' if self.size is None else f'[{self.size}]'};"
+
+
+class PartType(NamedTuple):
+    """The type of a component."""
+
+    name: str
+    short: str
+    doc: str
+    signals: tuple[SignalMember, ...]
+    parts: tuple[PartMember, ...]
+    modules: tuple[PartMember, ...]
+
+    @property
+    def column(self) -> int:
+        """Where comments begin."""
+        return _column([*self.signals, *self.parts, *self.modules])
+
+
+class GroupMember(NamedTuple):
+    """A signal of a group."""
+
+    name: str
+    type: ValueType
+    signal: Signal
+    expression: str
+    """Its structure in C."""
+    words: str
+    """Where its words stand in a sample, in C."""
+
+    @property
+    def declaration(self) -> str:
+        """As a member of the structure of values."""
+        return f"{self.type.value} {self.name};"
+
+
+class GroupType(NamedTuple):
+    """A group."""
+
+    name: str
+    short: str
+    group: Group
+    members: tuple[GroupMember, ...]
+    addresses: tuple[int, ...]
+    """Words of a sample."""
+    reads: tuple[str, ...]
+    """The structures of the signals that together have these words, in order."""
+
+    @property
+    def column(self) -> int:
+        """Where comments begin."""
+        return _column(self.members)
+
+    @property
+    def reads_all(self) -> bool:
+        """Whether all of it can be read."""
+        return all(member.signal.access.reads for member in self.members)
+
+    @property
+    def is_published(self) -> bool:
+        """Whether the gateway publishes it."""
+        return self.group.number is not None and self.reads_all
+
+    @property
+    def writes_all(self) -> bool:
+        """Whether all of it can be written."""
+        return all(member.signal.access.writes for member in self.members)
+
+
+BOOL = ValueType("bool", "ul_bool", "bool", "bool")
+UNSIGNED = ValueType("uint64_t", "ul_unsigned", "unsigned", "std::uint64_t")
+SIGNED = ValueType("int64_t", "ul_signed", "signed", "std::int64_t")
+REAL = ValueType("double", "ul_real", "real", "double")
+
+
+class Layout:
+    """The types and names of an interface.
+
+    Raises:
+        UnsupportedError: for an array of which no C type can be made.
+    """
+
+    def __init__(self, interface: Interface) -> None:
+        self.interface = interface
+        self.prefix = Names(GLOBAL).take(interface.name)
+        self._globals = Names(GLOBAL)
+        self._globals.take(self.prefix)
+        self.root_type = self._global("signals")
+        self._shorts = Names([*GLOBAL, "Robot", "Link"])
+        self.enumerations = {one.name: self._enumeration(one) for one in interface.enumerations}
+        self.value_types: dict[str, ValueType] = {}
+        """By the paths of the signals."""
+        self._places: dict[tuple[str, str], list[Signal]] = {}
+        self._docs: dict[str, set[str]] = {}
+        self._look_around()
+        self.types: dict[str, PartType] = {}
+        """By their names in C, those of parts before what they are part of."""
+        self._types_by_form: dict[tuple[object, ...], PartType] = {}
+        self.expressions: dict[str, str] = {}
+        """Expressions of C by paths."""
+        self.root = self._part_type(interface.root)
+        self._express(interface.root, self.prefix)
+        self.groups = tuple(self._group(group) for group in interface.groups if group.signals)
+
+    def _global(self, name: str) -> str:
+        return self._globals.take(f"{self.prefix}_{name}")
+
+    def _short(self, name: str) -> str:
+        """Give a name of a type in C++."""
+        return self._shorts.take("".join(part[:1].upper() + part[1:] for part in name.split("_")) or "_")
+
+    # Types of values
+
+    def _enumeration(self, enumeration: Enumeration) -> EnumerationType:
+        widths = [one.width for one in self.interface.signals.values() if one.kind.enumeration == enumeration]
+        names, shorts = Names(), Names()
+        name = self._global(enumeration.name)
+        return EnumerationType(
+            name,
+            self._short(enumeration.name),
+            self._global(f"{enumeration.name}_signal"),
+            32 if max(widths) <= 32 else 64,
+            tuple(
+                Constant(names.take(f"{name}_{one.name}".upper()), shorts.take(one.name), one.value, one.doc)
+                for one in enumeration.values
+            ),
+            enumeration.doc,
+        )
+
+    def _look_around(self) -> None:
+        """Gather all places of each declaration."""
+        for component in self.interface.root.walk():
+            self._docs.setdefault(component.type, set()).add(component.doc)
+            for signal in component.signals:
+                self._places.setdefault((component.type, signal.name), []).append(signal)
+        for signals in self._places.values():
+            # The same wherever the component is placed: its values have one type.
+            made = self._value_type(signals)
+            self.value_types.update((signal.path, made) for signal in signals)
+
+    def _value_type(self, signals: list[Signal]) -> ValueType:
+        kind, width = signals[0].kind, max(signal.width for signal in signals)
+        if any(signal.kind.is_float for signal in signals):
+            return REAL
+        if kind.name is KindName.BOOL:
+            return BOOL
+        if kind.enumeration is not None:
+            enumeration = self.enumerations[kind.enumeration.name]
+            return ValueType(enumeration.name, enumeration.signal, "unsigned", enumeration.short)
+        cpp_bits = 32 if width <= 32 else 64
+        plain = SIGNED if kind.is_signed else UNSIGNED
+        return plain._replace(cpp=f"std::{'int' if kind.is_signed else 'uint'}{cpp_bits}_t")
+
+    # Types of components
+
+    def modules_of(self, component: Component) -> dict[str, list[Module]]:
+        """Give the named modules of a component by their names; several are an array."""
+        modules: dict[str, list[Module]] = {}
+        for number in component.modules:
+            module = self.interface.modules[number]
+            modules.setdefault(str(module.name), []).append(module)
+        return modules
+
+    def member_names(self, component: Component) -> dict[str, str]:
+        """Give the identifiers of the members of a component by their names."""
+        names = Names()
+        members = [one.name for one in (*component.signals, *component.parts)]
+        return {name: names.take(name) for name in [*members, *self.modules_of(component)]}
+
+    def _part_type(self, component: Component) -> PartType:
+        names = self.member_names(component)
+        parts = tuple(self._part(names[part.name], part) for part in component.parts)
+        modules = tuple(
+            PartMember(names[name], "ul_module", "", len(some) if "[" in str(some[0].path) else None, some[0].doc)
+            for name, some in self.modules_of(component).items()
+        )
+        form = (component.type, tuple((part.type, part.size) for part in (*parts, *modules)))
+        if form not in self._types_by_form:
+            self._types_by_form[form] = self._new_type(component, parts, modules)
+            self.types[self._types_by_form[form].name] = self._types_by_form[form]
+        return self._types_by_form[form]
+
+    def _new_type(
+        self, component: Component, parts: tuple[PartMember, ...], modules: tuple[PartMember, ...]
+    ) -> PartType:
+        is_root = component is self.interface.root
+        names = self.member_names(component)
+        signals = tuple(
+            SignalMember(
+                names[signal.name],
+                self.value_types[signal.path],
+                signal,
+                varies=self._varies(component.type, signal.name),
+            )
+            for signal in component.signals
+        )
+        name = self.root_type if is_root else self._global(component.type)
+        short = "Robot" if is_root else self._short(component.type)
+        return PartType(name, short, self._type_doc(component), signals, parts, modules)
+
+    def _varies(self, component_type: str, name: str) -> bool:
+        places = self._places[component_type, name]
+        return len({(signal.unit, signal.minimum, signal.maximum) for signal in places}) > 1
+
+    def _type_doc(self, component: Component) -> str:
+        return component.doc if len(self._docs[component.type]) == 1 else ""
+
+    def _part(self, name: str, part: Component | ComponentArray) -> PartMember:
+        if isinstance(part, Component):
+            made = self._part_type(part)
+            return PartMember(name, made.name, made.short, None, part.doc if part.doc != made.doc else "")
+        types = {self._part_type(item).name: self._part_type(item) for item in part.items}
+        if len(types) > 1:
+            raise UnsupportedError(
+                f"{part.path}: its items have arrays of different lengths, of which C can make no array: "
+                "declare one component for each length"
+            )
+        made = next(iter(types.values()))
+        return PartMember(name, made.name, made.short, len(part.items), part.doc if part.doc != made.doc else "")
+
+    def _express(self, component: Component, expression: str) -> None:
+        names = self.member_names(component)
+        for signal in component.signals:
+            self.expressions[signal.path] = f"{expression}.{names[signal.name]}"
+        for part in component.parts:
+            for item in part.items if isinstance(part, ComponentArray) else (part,):
+                index = "" if isinstance(part, Component) else f"[{item.index}]"
+                self._express(item, f"{expression}.{names[part.name]}{index}")
+
+    # Groups
+
+    def _group(self, group: Group) -> GroupType:
+        names = Names()
+        addresses: list[int] = []
+        members, reads = [], []
+        for path in group.signals:
+            signal = self.interface.signals[path]
+            place = _find(addresses, signal.addresses)
+            if place is None:
+                place = len(addresses)
+                addresses += signal.addresses
+                reads.append(self.expressions[path])
+            where = f"words + {place}" if place else "words"
+            members.append(GroupMember(names.take(path), self.value_types[path], signal, self.expressions[path], where))
+        if len(addresses) > MOST_GROUP_WORDS:
+            raise UnsupportedError(f"group {group.name} needs {len(addresses)} words, at most {MOST_GROUP_WORDS} fit")
+        name = self._globals.take(f"{self.prefix}_{group.name}")
+        self._globals.take(f"{name}_subscription")
+        return GroupType(name, self._short(group.name), group, tuple(members), tuple(addresses), tuple(reads))
+
+
+def _column(members: Sequence[SignalMember | PartMember | GroupMember]) -> int:
+    return max((len(member.declaration) for member in members), default=0) + 2
+
+
+def _find(addresses: list[int], wanted: range) -> int | None:
+    """Give where all the wanted addresses stand side by side."""
+    size = len(wanted)
+    places: Iterator[int] = (
+        start for start in range(len(addresses) - size + 1) if addresses[start : start + size] == list(wanted)
+    )
+    return next(places, None)

@@ -1,0 +1,278 @@
+/* Exchange: requests go out, answers find their requests. --------------------------------------------------------------
+ *
+ * Receiving only changes the window and the samples that wait; it never sends. So bytes can be taken in while bytes
+ * cannot be got rid of, and neither side waits for the other. All sending is done by `turn`, `start` and those above.
+ */
+
+enum { MOST_READS = 16 };
+
+static void receive_bytes(ul_link *link);
+static void take_sample(ul_link *link, text body);
+
+static double now_of(const ul_link *link)
+{
+    return link->transport.now == NULL ? 0 : link->transport.now(link->transport.context);
+}
+
+/* Sentences for `ul_error`. */
+static char *put_limited(char *at, const char *end, const char *characters)
+{
+    while (*characters != '\0' && at < end) *at++ = *characters++;
+    return at;
+}
+
+static ul_status fail(ul_link *link, ul_status status, const char *what, const char *reason)
+{
+    char *at = link->error, *end = link->error + sizeof link->error - 1;
+    at = put_limited(at, end, what);
+    if (*what != '\0') at = put_limited(at, end, ": ");
+    *put_limited(at, end, reason) = '\0';
+    return status;
+}
+
+static ul_status fail_at(ul_link *link, ul_status status, const char *what, uint32_t address)
+{
+    char number[] = "00000000", where[64];
+    unsigned digits = link->address_digits;
+    while (digits < 8 && address >> 4 * digits != 0) digits++;
+    if (*what == '\0') return fail(link, status, "", ul_status_text(status));
+    *put_number(number, digits, address) = '\0';
+    char *at = put_limited(where, where + 32, what);
+    *put_limited(put_limited(at, where + 40, " at 0x"), where + sizeof where - 1, number) = '\0';
+    return fail(link, status, where, ul_status_text(status));
+}
+
+static bool is_lost(ul_status status)
+{
+    return status == UL_LOST || status == UL_LOST_EXECUTED || status == UL_LOST_NOT_EXECUTED;
+}
+
+/* Put the end of a request into its batch. */
+static void settle(ul_batch *batch, const ul_request *request, ul_status status)
+{
+    if (batch == NULL) return;
+    if (batch->pending > 0) batch->pending--;
+    if (status == UL_OK) {
+        batch->answered++;
+    } else if (batch->status == UL_OK) {
+        batch->status = status;
+        batch->address = request->address;
+        batch->what = shape_of(request->command)->name;
+    } else if (is_lost(batch->status) && is_lost(status) && status != batch->status) {
+        batch->status = UL_LOST;
+    }
+    if (batch->answered > 0 && batch->status == UL_LOST_NOT_EXECUTED) batch->status = UL_LOST;
+}
+
+/* The link has ended: so have all its requests. */
+static void lose(ul_link *link)
+{
+    link->gone = true;
+    link->wants_repetition = false;
+    for (uint32_t id = link->oldest; id != link->next; id = (id + 1) & link->ring_mask) {
+        ul_request *request = slot_of(link, id);
+        bool executed = distance(link, id) < distance(link, link->executed);
+        if (request->waiting && !request->given_up)
+            settle(request->batch, request, executed ? UL_LOST_EXECUTED : UL_LOST);
+        request->waiting = false;
+    }
+    link->oldest = link->executed = link->next;
+    link->unfenced = 0;
+    link->bytes = 0;
+}
+
+/* Sending */
+
+static void flush(ul_link *link)
+{
+    size_t sent = 0;
+    double stuck_since = now_of(link);
+    while (sent < link->send_size && !link->gone) {
+        ptrdiff_t taken = link->transport.send(link->transport.context, link->send + sent, link->send_size - sent);
+        if (taken < 0) {
+            lose(link);
+        } else if (taken > 0) {
+            sent += (size_t)taken;
+            stuck_since = now_of(link);
+        } else if (now_of(link) - stuck_since > MOST_SILENT_TRIES * LONGEST_TIMEOUT) {
+            lose(link);
+        } else {
+            link->transport.wait(link->transport.context, true, LONGEST_TIMEOUT);
+            receive_bytes(link);
+        }
+    }
+    link->send_size = 0;
+}
+
+static void send_request(ul_link *link, const ul_request *request, uint32_t id)
+{
+    if (link->send_size + request_size(link, request) > sizeof link->send) flush(link);
+    char *start = link->send + link->send_size;
+    link->send_size += (size_t)(put_request(link, start, request, id) - start);
+}
+
+static void send_fence(ul_link *link)
+{
+    ul_request fence = {.command = "h"};
+    send_request(link, &fence, number_request(link, &fence, now_of(link)));
+    link->statistics.requests++;
+}
+
+static void repeat(ul_link *link)
+{
+    link->wants_repetition = false;
+    for (uint32_t id = link->oldest; id != link->next && !link->gone; id = (id + 1) & link->ring_mask) {
+        const ul_request *request = slot_of(link, id);
+        if (!request->waiting) continue;
+        link->statistics.repetitions++;
+        send_request(link, request, id);
+    }
+}
+
+/* Send what is to be sent, wait for something to happen, up to a time, and see to it. */
+static void turn(ul_link *link, double until)
+{
+    double deadline;
+    flush(link);
+    if (link->gone) return;
+    double now = now_of(link);
+    if (has_deadline(link, &deadline) && deadline < until) until = deadline;
+    if (until > now) link->transport.wait(link->transport.context, false, until - now);
+    receive_bytes(link);
+    ul_request *given_up;
+    bool had_to = link->wants_repetition;
+    if (note_time(link, now_of(link), &given_up)) lose(link);
+    if (given_up != NULL) settle(given_up->batch, given_up, UL_UNANSWERED);
+    if (link->gone || !link->wants_repetition) return;
+    if (!had_to) link->statistics.timeouts++;
+    repeat(link);
+}
+
+/* Put a request under way, waiting for room. */
+static void start(ul_link *link, ul_batch *batch, ul_request request)
+{
+    const shape *is = shape_of(request.command);
+    size_t size = request_size(link, &request);
+    ul_status status = UL_OK;
+    request.batch = batch;
+    if (is->feature != 0 && !(link->info.features & is->feature)) status = UL_UNSUPPORTED;
+    if (request.address > ones(has_number(is) ? 8 : link->info.address_bits)) status = UL_BAD_ARGUMENT;
+    if (is->word && (request.word | request.mask) > ones(link->info.data_bits)) status = UL_BAD_ARGUMENT;
+    if (!link->open) status = UL_LOST_NOT_EXECUTED;
+    while (status == UL_OK && !link->gone && !has_room(link, size, request.posted)) {
+        if (link->unfenced > 0) send_fence(link);
+        turn(link, now_of(link) + LONGEST_TIMEOUT);
+    }
+    if (link->gone) status = UL_LOST_NOT_EXECUTED;
+    if (batch != NULL) batch->pending++;
+    if (status != UL_OK) {
+        settle(batch, &request, status);
+        return;
+    }
+    link->statistics.requests++;
+    send_request(link, &request, number_request(link, &request, now_of(link)));
+    if (needs_fence(link)) send_fence(link);
+}
+
+/* Receiving */
+
+static void note_error(ul_link *link, ul_request *request, text code, uint32_t id, double now)
+{
+    uint64_t number;
+    if (!take_number(&code, 2, &number) || code.size != 0) {
+        link->statistics.stray++;
+        return;
+    }
+    if (!request->given_up) settle(request->batch, request, (ul_status)number);
+    link->statistics.responses++;
+    note_answer(link, id, now);
+}
+
+/* A message with an ID. */
+static void take_response(ul_link *link, text body, double now)
+{
+    size_t letters = body.size > 1 && is_lower_command(body.at[1]) ? 2 : 1;
+    char command[3] = {body.at[0], letters == 2 ? body.at[1] : '\0', '\0'};
+    text fields = without_first(body, letters);
+    uint64_t id;
+    if (!take_number(&fields, link->info.id_digits, &id)) {
+        link->statistics.stray++;
+        return;
+    }
+    if (strcmp(command, "n") == 0) {
+        note_gap(link, (uint32_t)id, now);
+        return;
+    }
+    ul_request *request = find(link, (uint32_t)id);
+    if (request != NULL && strcmp(command, "x") == 0) {
+        note_error(link, request, fields, (uint32_t)id, now);
+    } else if (request != NULL && strcmp(command, request->given_up ? "h" : request->command) == 0
+               && take_answer(link, request, fields)) {
+        if (!request->given_up) settle(request->batch, request, UL_OK);
+        link->statistics.responses++;
+        note_answer(link, (uint32_t)id, now);
+    } else {
+        link->statistics.stray++;
+    }
+}
+
+/* An error without an ID is about a frame that was damaged, or that the gateway does not understand. */
+static void take_nameless_error(ul_link *link, text code, double now)
+{
+    uint64_t number;
+    if (!take_number(&code, 2, &number)) return;
+    if (number == UL_DAMAGED || number == UL_TOO_LONG || number == UL_RECEIVE_OVERFLOW) go_back(link, now);
+    if (number == UL_UNKNOWN_COMMAND || number == UL_MALFORMED) {
+        ul_request *given_up = note_refusal(link, now);
+        if (given_up != NULL) settle(given_up->batch, given_up, (ul_status)number);
+    }
+}
+
+static void take_line(ul_link *link, text line)
+{
+    double now = now_of(link);
+    if (line.size == 0) return;
+    if (!take_check(link, &line)) {
+        link->statistics.damaged++;
+        return;
+    }
+    if (!take_prefix(link, &line) || line.size < 2) return;
+    if (is_lower_command(line.at[0])) take_response(link, line, now);
+    else if (line.at[0] == 'P') take_sample(link, without_first(line, 1));
+    else if (line.at[0] == 'X') take_nameless_error(link, without_first(line, 1), now);
+}
+
+/* Give the next whole line of what was received, without its end; false where there is none. */
+static bool next_line(ul_link *link, text *line)
+{
+    const char *at = link->receive + link->receive_start;
+    const char *end = memchr(at, CHECKED_END, link->receive_size - link->receive_start);
+    if (end == NULL) return false;
+    *line = (text){at, (size_t)(end - at)};
+    link->receive_start += line->size + 1;
+    return true;
+}
+
+/* Fill the buffer; false where nothing came. A line longer than the buffer is none. */
+static bool fill(ul_link *link)
+{
+    size_t rest = link->receive_size - link->receive_start;
+    memmove(link->receive, link->receive + link->receive_start, rest);
+    if (rest == sizeof link->receive) rest = 0;
+    link->receive_start = 0;
+    link->receive_size = rest;
+    ptrdiff_t come = link->transport.receive(link->transport.context, link->receive + rest, sizeof link->receive - rest);
+    if (come < 0) lose(link);
+    if (come <= 0) return false;
+    link->receive_size += (size_t)come;
+    link->heard = true;
+    return true;
+}
+
+static void receive_bytes(ul_link *link)
+{
+    text line;
+    /* Not for ever, where samples come as fast as they are taken. */
+    for (int reads = 0; reads < MOST_READS && !link->gone && fill(link); reads++)
+        while (next_line(link, &line)) take_line(link, line);
+}

@@ -1,0 +1,340 @@
+/* Signals: from words to values and back. ------------------------------------------------------------------------------
+ *
+ * The *raw* of a signal is the unsigned number that its bits say. Rounding goes to the nearer number, to the even one
+ * from the middle.
+ */
+
+static const double TWO_TO_63 = 9223372036854775808.0, TWO_TO_64 = 18446744073709551616.0;
+
+unsigned ul_words_of(const ul_signal *signal)
+{
+    unsigned bits = (unsigned)signal->lowest_bit + signal->width;
+    return (bits + signal->word_bits - 1) / signal->word_bits;
+}
+
+static uint64_t raw_of(const ul_signal *signal, const uint64_t *words)
+{
+    uint64_t raw = words[0] >> signal->lowest_bit;
+    for (unsigned index = 1; index < ul_words_of(signal); index++)
+        raw |= words[index] << (index * signal->word_bits - signal->lowest_bit);
+    return raw & ones(signal->width);
+}
+
+static void put_raw(const ul_signal *signal, uint64_t raw, uint64_t *words)
+{
+    words[0] = raw << signal->lowest_bit & ones(signal->word_bits);
+    for (unsigned index = 1; index < ul_words_of(signal); index++)
+        words[index] = raw >> (index * signal->word_bits - signal->lowest_bit) & ones(signal->word_bits);
+}
+
+/* Numbers of IEEE 754, by their bits. */
+
+static double double_of(uint64_t bits)
+{
+    double value;
+    memcpy(&value, &bits, sizeof value);
+    return value;
+}
+
+static uint64_t bits_of(double value)
+{
+    uint64_t bits;
+    memcpy(&bits, &value, sizeof bits);
+    return bits;
+}
+
+static double decode_half(uint64_t raw)
+{
+    uint64_t sign = raw >> 15 << 63, exponent = raw >> 10 & 31, fraction = raw & 1023;
+    if (exponent == 31) return double_of(sign | (uint64_t)2047 << 52 | fraction << 42);
+    if (exponent == 0) return (sign ? -1 : 1) * (double)fraction * 0x1p-24;
+    return double_of(sign | (exponent + 1023 - 15) << 52 | fraction << 42);
+}
+
+static double decode_float(const ul_signal *signal, uint64_t raw)
+{
+    if (signal->width == 64) return double_of(raw);
+    if (signal->width == 16) return decode_half(raw);
+    uint32_t bits = (uint32_t)raw;
+    float value;
+    memcpy(&value, &bits, sizeof value);
+    return (double)value;
+}
+
+/* Halve a number so many times, rounding once. */
+static uint64_t shift_nearest(uint64_t number, unsigned bits)
+{
+    uint64_t rest = number & ones(bits), middle = (uint64_t)1 << (bits - 1);
+    number >>= bits;
+    return number + (rest > middle || (rest == middle && number & 1));
+}
+
+static bool encode_half(double value, uint64_t *raw)
+{
+    uint64_t bits = bits_of(value), sign = bits >> 63 << 15, fraction = bits & ones(52);
+    int exponent = (int)(bits >> 52 & 2047) - 1023;
+    double magnitude = value < 0 ? -value : value;
+    if (value != value) *raw = sign | 0x7E00;
+    else if (exponent == 1024) *raw = sign | 0x7C00;
+    else if (magnitude >= 65520) return false;
+    else if (exponent >= -14) *raw = sign | (((uint64_t)(exponent + 15) << 10) + shift_nearest(fraction, 42));
+    else if (exponent < -25) *raw = sign;
+    else *raw = sign | shift_nearest(fraction | (uint64_t)1 << 52, (unsigned)(28 - exponent));
+    return true;
+}
+
+/* False for a number too large for the width. */
+static bool encode_float(const ul_signal *signal, double value, uint64_t *raw)
+{
+    if (signal->width == 16) return encode_half(value, raw);
+    if (signal->width == 64) {
+        *raw = bits_of(value);
+        return true;
+    }
+    bool infinite = value - value != 0 && value == value;
+    if (!infinite && (value >= 0x1.ffffffp127 || value <= -0x1.ffffffp127)) return false;
+    float single = (float)value;
+    uint32_t bits;
+    memcpy(&bits, &single, sizeof bits);
+    *raw = bits;
+    return true;
+}
+
+/* Limits, compared exactly: a double does not hold all numbers of 64 bits. */
+
+static bool unsigned_within(uint64_t number, double low, double high)
+{
+    if (high < 0 || low >= TWO_TO_64) return false;
+    if (high < TWO_TO_64 && number > (uint64_t)high) return false;
+    if (low <= 0) return true;
+    uint64_t least = (uint64_t)low;
+    return number >= least + ((double)least < low);
+}
+
+static bool signed_within(int64_t number, double low, double high)
+{
+    if (number >= 0) return unsigned_within((uint64_t)number, low, high);
+    return unsigned_within(0 - (uint64_t)number, -high, -low);
+}
+
+static bool is_limited(const ul_signal *signal)
+{
+    return signal->properties & UL_LIMITED;
+}
+
+uint64_t ul_decode_unsigned(const ul_signal *signal, const uint64_t *words)
+{
+    return raw_of(signal, words);
+}
+
+int64_t ul_decode_signed(const ul_signal *signal, const uint64_t *words)
+{
+    uint64_t raw = raw_of(signal, words), sign = (uint64_t)1 << (signal->width - 1);
+    /* The sign bit is copied to the top; then two's complement is undone without leaving the range of either type. */
+    raw = (raw ^ sign) - sign;
+    return raw >> 63 ? -(int64_t)~raw - 1 : (int64_t)raw;
+}
+
+double ul_decode_real(const ul_signal *signal, const uint64_t *words)
+{
+    if (signal->kind == UL_FLOAT) return decode_float(signal, raw_of(signal, words));
+    double number = signal->kind == UL_SIGNED ? (double)ul_decode_signed(signal, words) : (double)raw_of(signal, words);
+    return number * signal->step + signal->offset;
+}
+
+ul_status ul_encode_unsigned(const ul_signal *signal, uint64_t value, uint64_t *words)
+{
+    if (value > ones(signal->width)) return UL_BAD_ARGUMENT;
+    if (is_limited(signal) && !unsigned_within(value, signal->minimum, signal->maximum)) return UL_BAD_ARGUMENT;
+    put_raw(signal, value, words);
+    return UL_OK;
+}
+
+ul_status ul_encode_signed(const ul_signal *signal, int64_t value, uint64_t *words)
+{
+    int64_t most = (int64_t)ones(signal->width - 1u);
+    if (value > most || value < -most - 1) return UL_BAD_ARGUMENT;
+    if (is_limited(signal) && !signed_within(value, signal->minimum, signal->maximum)) return UL_BAD_ARGUMENT;
+    put_raw(signal, (uint64_t)value & ones(signal->width), words);
+    return UL_OK;
+}
+
+/* The nearest whole number, to the even one from the middle; `value` is one that an int64_t holds. */
+static int64_t nearest(double value)
+{
+    int64_t whole = (int64_t)value;
+    double rest = value - (double)whole;
+    if (rest > 0.5 || (rest == 0.5 && whole & 1)) whole++;
+    if (rest < -0.5 || (rest == -0.5 && whole & 1)) whole--;
+    return whole;
+}
+
+ul_status ul_encode_real(const ul_signal *signal, double value, uint64_t *words)
+{
+    /* Written so that NaN is within nothing. */
+    if (is_limited(signal) && !(signal->minimum <= value && value <= signal->maximum)) return UL_BAD_ARGUMENT;
+    uint64_t raw;
+    if (signal->kind == UL_FLOAT) {
+        if (!encode_float(signal, value, &raw)) return UL_BAD_ARGUMENT;
+    } else {
+        double steps = (value - signal->offset) / signal->step;
+        if (!(steps > -TWO_TO_63 && steps < TWO_TO_63)) return UL_BAD_ARGUMENT;
+        int64_t number = nearest(steps), low = 0, high = (int64_t)(ones(signal->width) >> 1);
+        if (signal->kind == UL_SIGNED) low = -high - 1;
+        else high = (int64_t)ones(signal->width < 63 ? signal->width : 63);
+        if (number < low || number > high) return UL_BAD_ARGUMENT;
+        raw = (uint64_t)number & ones(signal->width);
+    }
+    put_raw(signal, raw, words);
+    return UL_OK;
+}
+
+/* Over a link */
+
+ul_status ul_refuse(ul_link *link, const ul_signal *signal)
+{
+    return fail(link, UL_BAD_ARGUMENT, signal->path, "the value is outside of what it takes");
+}
+
+/* Refuse what cannot be done with a signal, saying what is wrong. */
+static bool cannot(const ul_link *link, ul_batch *batch, const ul_signal *signal, unsigned needed)
+{
+    ul_status status = UL_OK;
+    if (!(signal->properties & needed)) status = UL_BAD_ARGUMENT;
+    if (link->open && signal->word_bits != link->info.data_bits) status = UL_MALFORMED;
+    if (status == UL_OK) return false;
+    if (batch->status == UL_OK) {
+        batch->status = status;
+        batch->address = signal->address;
+        batch->what = needed == UL_READABLE ? "read of a signal that is written only" : "write of a signal that is read only";
+        if (status == UL_MALFORMED) batch->what = "signal of a spec with words of another width";
+    }
+    return true;
+}
+
+void ul_start_get(ul_link *link, ul_batch *batch, const ul_signal *signal, uint64_t *words)
+{
+    unsigned count = ul_words_of(signal);
+    if (cannot(link, batch, signal, UL_READABLE)) return;
+    if (signal->properties & UL_QUEUE) ul_start_read_queue(link, batch, signal->address, words, 1);
+    else if (count > 1) ul_start_read_block(link, batch, signal->address, words, count);
+    else ul_start_read(link, batch, signal->address, words);
+}
+
+void ul_start_set(ul_link *link, ul_batch *batch, const ul_signal *signal, const uint64_t *words)
+{
+    unsigned count = ul_words_of(signal);
+    uint64_t mask = ones(signal->width) << signal->lowest_bit;
+    if (cannot(link, batch, signal, UL_WRITABLE)) return;
+    if (signal->properties & UL_FIELD) ul_start_write_masked(link, batch, signal->address, words[0], mask, NULL);
+    else if (count > 1) ul_start_write_block(link, batch, signal->address, words, count);
+    else ul_start_write(link, batch, signal->address, words[0]);
+}
+
+static ul_status get_words(ul_link *link, const ul_signal *signal, uint64_t *words)
+{
+    ul_batch batch = UL_BATCH;
+    ul_start_get(link, &batch, signal, words);
+    return ul_finish(link, &batch);
+}
+
+/* Write the words of a value that could be encoded, or say that it could not. */
+static ul_status set_words(ul_link *link, const ul_signal *signal, ul_status encoded, const uint64_t *words)
+{
+    ul_batch batch = UL_BATCH;
+    if (encoded != UL_OK) return ul_refuse(link, signal);
+    ul_start_set(link, &batch, signal, words);
+    return ul_finish(link, &batch);
+}
+
+static ul_status post_words(ul_link *link, const ul_signal *signal, ul_status encoded, const uint64_t *words)
+{
+    ul_batch batch = UL_BATCH;
+    if (encoded != UL_OK) return ul_refuse(link, signal);
+    if (signal->properties & UL_FIELD) return fail(link, UL_BAD_ARGUMENT, signal->path, "a field cannot be posted");
+    if (cannot(link, &batch, signal, UL_WRITABLE)) return ul_finish(link, &batch);
+    ul_status status = UL_OK;
+    for (unsigned index = 0; index < ul_words_of(signal) && status == UL_OK; index++)
+        status = ul_post(link, signal->address + index, words[index]);
+    return status;
+}
+
+ul_status ul_get_bool(ul_link *link, const ul_bool *signal, bool *value)
+{
+    uint64_t words[UL_SIGNAL_WORDS];
+    ul_status status = get_words(link, &signal->signal, words);
+    if (status == UL_OK) *value = ul_decode_unsigned(&signal->signal, words) != 0;
+    return status;
+}
+
+ul_status ul_get_unsigned(ul_link *link, const ul_unsigned *signal, uint64_t *value)
+{
+    uint64_t words[UL_SIGNAL_WORDS];
+    ul_status status = get_words(link, &signal->signal, words);
+    if (status == UL_OK) *value = ul_decode_unsigned(&signal->signal, words);
+    return status;
+}
+
+ul_status ul_get_signed(ul_link *link, const ul_signed *signal, int64_t *value)
+{
+    uint64_t words[UL_SIGNAL_WORDS];
+    ul_status status = get_words(link, &signal->signal, words);
+    if (status == UL_OK) *value = ul_decode_signed(&signal->signal, words);
+    return status;
+}
+
+ul_status ul_get_real(ul_link *link, const ul_real *signal, double *value)
+{
+    uint64_t words[UL_SIGNAL_WORDS];
+    ul_status status = get_words(link, &signal->signal, words);
+    if (status == UL_OK) *value = ul_decode_real(&signal->signal, words);
+    return status;
+}
+
+ul_status ul_set_bool(ul_link *link, const ul_bool *signal, bool value)
+{
+    uint64_t words[UL_SIGNAL_WORDS];
+    return set_words(link, &signal->signal, ul_encode_unsigned(&signal->signal, value, words), words);
+}
+
+ul_status ul_set_unsigned(ul_link *link, const ul_unsigned *signal, uint64_t value)
+{
+    uint64_t words[UL_SIGNAL_WORDS];
+    return set_words(link, &signal->signal, ul_encode_unsigned(&signal->signal, value, words), words);
+}
+
+ul_status ul_set_signed(ul_link *link, const ul_signed *signal, int64_t value)
+{
+    uint64_t words[UL_SIGNAL_WORDS];
+    return set_words(link, &signal->signal, ul_encode_signed(&signal->signal, value, words), words);
+}
+
+ul_status ul_set_real(ul_link *link, const ul_real *signal, double value)
+{
+    uint64_t words[UL_SIGNAL_WORDS];
+    return set_words(link, &signal->signal, ul_encode_real(&signal->signal, value, words), words);
+}
+
+ul_status ul_post_bool(ul_link *link, const ul_bool *signal, bool value)
+{
+    uint64_t words[UL_SIGNAL_WORDS];
+    return post_words(link, &signal->signal, ul_encode_unsigned(&signal->signal, value, words), words);
+}
+
+ul_status ul_post_unsigned(ul_link *link, const ul_unsigned *signal, uint64_t value)
+{
+    uint64_t words[UL_SIGNAL_WORDS];
+    return post_words(link, &signal->signal, ul_encode_unsigned(&signal->signal, value, words), words);
+}
+
+ul_status ul_post_signed(ul_link *link, const ul_signed *signal, int64_t value)
+{
+    uint64_t words[UL_SIGNAL_WORDS];
+    return post_words(link, &signal->signal, ul_encode_signed(&signal->signal, value, words), words);
+}
+
+ul_status ul_post_real(ul_link *link, const ul_real *signal, double value)
+{
+    uint64_t words[UL_SIGNAL_WORDS];
+    return post_words(link, &signal->signal, ul_encode_real(&signal->signal, value, words), words);
+}

@@ -1,0 +1,243 @@
+/* Subscriptions: samples (docs/protocol.md, Groups). ------------------------------------------------------------------
+ *
+ * A sample that arrives goes into the storage of its subscription, and nowhere else: who asked for it takes it from
+ * there, by `ul_next` or by the callbacks of `ul_poll`. In the storage it has its sequence, how many were lost before
+ * it, its timestamp, and its words.
+ */
+
+enum { SEQUENCE, LOST, TICKS, WORDS, PERIODIC = 1, TRIGGER = 2, IMMEDIATE = 4, TIMESTAMP = 8, ON_CHANGE = 16 };
+
+/* Make an endless time of 32 bits: of all instants that it may mean the one nearest to what the clock here says. */
+static uint64_t unwrap(const ul_link *link, const ul_subscription *subscription, uint32_t timestamp, double now)
+{
+    if (!subscription->has_sample) return timestamp;
+    double passed = (now - subscription->ticked_at) * (double)link->info.clock_hz;
+    uint64_t estimate = subscription->ticks + (passed > 0 ? (uint64_t)passed : 0);
+    uint32_t ahead = timestamp - (uint32_t)estimate, behind = 0 - ahead;
+    return ahead <= behind || behind > estimate ? estimate + ahead : estimate - behind;
+}
+
+/* Count the samples that are missing before this one; a timestamp tells how often the two digits went round. */
+static uint64_t count_lost(const ul_link *link, ul_subscription *subscription, unsigned sequence, uint64_t ticks)
+{
+    uint64_t advance = (sequence - subscription->sequence) & 0xFF;
+    if (advance == 0) advance = 0x100;
+    if (subscription->has_sample && subscription->flags & TIMESTAMP
+        && (subscription->flags & (PERIODIC | TRIGGER | ON_CHANGE)) == PERIODIC) {
+        double due = (double)(ticks - subscription->ticks) / link->info.clock_hz * subscription->rate_hz;
+        double rounds = (due - (double)advance) / 0x100 + 0.5;
+        if (rounds >= 1) advance += (uint64_t)rounds * 0x100;
+    }
+    subscription->sequence += advance;
+    return advance - 1;
+}
+
+static uint64_t *stored(const ul_subscription *subscription, size_t index)
+{
+    return subscription->storage + index * (WORDS + subscription->count);
+}
+
+static void take_sample(ul_link *link, text body)
+{
+    uint64_t group, sequence, timestamp = 0, word;
+    ul_subscription *subscription = link->subscriptions;
+    if (!take_number(&body, 2, &group) || !take_number(&body, 2, &sequence)) return;
+    while (subscription != NULL && subscription->group != group + 1) subscription = subscription->next;
+    if (subscription == NULL) return;
+    if (subscription->flags & TIMESTAMP && !take_number(&body, 8, &timestamp)) return;
+    if (body.size != (size_t)subscription->count * link->data_digits) return;
+
+    double now = now_of(link);
+    uint64_t ticks = unwrap(link, subscription, (uint32_t)timestamp, now);
+    uint64_t lost = count_lost(link, subscription, (unsigned)sequence, ticks);
+    subscription->ticks = ticks;
+    subscription->ticked_at = now;
+    subscription->has_sample = true;
+    subscription->received++;
+    subscription->lost += lost;
+    if (subscription->waiting == subscription->capacity) {
+        subscription->dropped += stored(subscription, subscription->first)[LOST] + 1;
+        subscription->lost++;
+        subscription->first = (subscription->first + 1) % subscription->capacity;
+        subscription->waiting--;
+    }
+    uint64_t *place = stored(subscription, (subscription->first + subscription->waiting) % subscription->capacity);
+    place[SEQUENCE] = subscription->sequence;
+    place[LOST] = lost;
+    place[TICKS] = ticks;
+    for (unsigned index = 0; index < subscription->count; index++)
+        place[WORDS + index] = take_number(&body, link->data_digits, &word) ? word : 0;
+    subscription->waiting++;
+}
+
+static bool give_sample(const ul_link *link, ul_subscription *subscription, ul_sample *sample)
+{
+    if (subscription->waiting == 0) return false;
+    /* It gets a place behind the others, where no new one comes. */
+    uint64_t *place = stored(subscription, subscription->capacity);
+    memcpy(place, stored(subscription, subscription->first), (WORDS + subscription->count) * sizeof *place);
+    sample->sequence = place[SEQUENCE];
+    sample->lost = place[LOST] + subscription->dropped;
+    sample->time = subscription->flags & TIMESTAMP ? (double)place[TICKS] / link->info.clock_hz : 0;
+    sample->words = place + WORDS;
+    subscription->dropped = 0;
+    subscription->first = (subscription->first + 1) % subscription->capacity;
+    subscription->waiting--;
+    return true;
+}
+
+static bool is_subscribed(const ul_link *link, const ul_subscription *subscription)
+{
+    const ul_subscription *one = link->subscriptions;
+    while (one != NULL && one != subscription) one = one->next;
+    return one != NULL;
+}
+
+static bool is_held(const ul_link *link, unsigned group)
+{
+    const ul_subscription *one = link->subscriptions;
+    while (one != NULL && one->group != group + 1) one = one->next;
+    return one != NULL;
+}
+
+/* Choose a group that is free, from the last one down; that which was given back longest ago first, so that samples
+ * still under way find nobody. */
+static bool choose_group(ul_link *link, ul_subscription *subscription)
+{
+    unsigned groups = link->info.groups;
+    subscription->chosen = false;
+    if (subscription->group != 0) return subscription->group <= groups && !is_held(link, subscription->group - 1);
+    for (unsigned tries = 0; tries < groups; tries++) {
+        link->last_group = link->last_group == 0 ? groups - 1 : link->last_group - 1;
+        if (is_held(link, link->last_group)) continue;
+        subscription->group = link->last_group + 1;
+        subscription->chosen = true;
+        return true;
+    }
+    return false;
+}
+
+/* Turn what was asked for into flags, a divisor and the rate that comes of it; NULL, or what is wrong. */
+static const char *plan(const ul_link *link, ul_subscription *subscription)
+{
+    double base = (double)link->info.base_frequency_millihertz / 1000;
+    bool periodic = subscription->rate_hz > 0 || subscription->divisor > 0;
+    unsigned features = link->info.features;
+    if (subscription->divisor == 0) {
+        double divisor = subscription->rate_hz > 0 ? base / subscription->rate_hz : 1;
+        if (divisor < 0.999999 || divisor > 65535) return "the gateway has no such rate";
+        subscription->divisor = (unsigned)(divisor + 0.5);
+    }
+    if (subscription->rate_hz < 0 || subscription->divisor > 65535) return "a divisor is 1 to 65535";
+    if (subscription->count == 0 || subscription->count > link->info.group_words)
+        return "a group has at least one address, and at most as many as the gateway's info.group_words";
+    for (unsigned index = 0; index < subscription->count; index++)
+        if (subscription->addresses[index] > ones(link->info.address_bits)) return "an address is beyond the gateway's";
+    size_t places = subscription->storage_words / (WORDS + subscription->count);
+    subscription->capacity = places - 1;
+    if (subscription->storage == NULL || places < 2)
+        return "storage of UL_STORAGE(samples, addresses) words is needed";
+    if (subscription->trigger && !(features & UL_FEATURE_TRIGGERS)) return "the gateway was built without triggers";
+    if (subscription->timestamps && !(features & UL_FEATURE_TIMESTAMPS))
+        return "the gateway was built without timestamps";
+    subscription->rate_hz = periodic ? base / subscription->divisor : 0;
+    subscription->flags = (periodic ? PERIODIC : 0) | (subscription->trigger ? TRIGGER : 0)
+        | (subscription->on_change ? ON_CHANGE : 0) | (subscription->timestamps ? TIMESTAMP : 0)
+        | (subscription->immediate && features & UL_FEATURE_SEND_IMMEDIATE ? IMMEDIATE : 0);
+    return NULL;
+}
+
+ul_status ul_subscribe(ul_link *link, ul_subscription *subscription)
+{
+    if (!link->open || link->gone) return fail_at(link, UL_LOST_NOT_EXECUTED, "", 0);
+    if (is_subscribed(link, subscription)) return fail(link, UL_BAD_ARGUMENT, "subscription", "it has begun already");
+    if (!(link->info.features & UL_FEATURE_GROUPS) || link->info.groups == 0)
+        return fail(link, UL_UNSUPPORTED, "subscription", "the gateway was built without groups");
+    const char *wrong = plan(link, subscription);
+    if (wrong != NULL) return fail(link, UL_BAD_ARGUMENT, "subscription", wrong);
+    if (!choose_group(link, subscription))
+        return fail(link, UL_UNSUPPORTED, "subscription", "the group, or every group of the gateway, is in use");
+
+    uint32_t group = subscription->group - 1;
+    ul_status status = ask_for(link, (ul_request){.command = "gs", .address = group, .word = subscription->flags,
+                                                  .mask = subscription->divisor, .count = subscription->count,
+                                                  .addresses = subscription->addresses});
+    if (status != UL_OK) return status;
+    subscription->sequence = UINT64_MAX;
+    subscription->received = subscription->lost = subscription->dropped = 0;
+    subscription->first = subscription->waiting = 0;
+    subscription->has_sample = false;
+    subscription->next = link->subscriptions;
+    link->subscriptions = subscription;
+    status = ask_for(link, (ul_request){.command = "gn", .address = group});
+    if (status != UL_OK) ul_unsubscribe(link, subscription);
+    return status;
+}
+
+ul_status ul_unsubscribe(ul_link *link, ul_subscription *subscription)
+{
+    ul_subscription **one = &link->subscriptions;
+    while (*one != NULL && *one != subscription) one = &(*one)->next;
+    if (*one == NULL) return UL_OK;
+    *one = subscription->next;
+    uint32_t group = subscription->group - 1;
+    if (subscription->chosen) subscription->group = 0;
+    return link->gone ? UL_OK : ask_for(link, (ul_request){.command = "gx", .address = group});
+}
+
+ul_status ul_publish(ul_link *link, ul_subscription *subscription)
+{
+    if (!is_subscribed(link, subscription)) return fail(link, UL_BAD_ARGUMENT, "publishing", "nothing is subscribed");
+    return ask_for(link, (ul_request){.command = "gp", .address = subscription->group - 1});
+}
+
+/* Posted writes are confirmed when there is time. */
+static void turn_idle(ul_link *link, double until)
+{
+    if (link->unfenced > 0) send_fence(link);
+    turn(link, until);
+}
+
+ul_status ul_next(ul_link *link, ul_subscription *subscription, ul_sample *sample, double seconds)
+{
+    double until = now_of(link) + (is_subscribed(link, subscription) ? seconds : 0);
+    while (!give_sample(link, subscription, sample)) {
+        if (link->gone) return fail_at(link, UL_LOST, "", 0);
+        turn_idle(link, until);
+        if (give_sample(link, subscription, sample)) return UL_OK;
+        if (now_of(link) >= until) return fail_at(link, UL_NO_SAMPLE, "", 0);
+    }
+    return UL_OK;
+}
+
+/* Call the callbacks with the samples that wait now. As a callback may end any subscription, and bring in more samples,
+ * each one is looked for anew, and no more are given than there were. */
+static void dispatch(ul_link *link)
+{
+    size_t budget = 0;
+    for (ul_subscription *one = link->subscriptions; one != NULL; one = one->next) budget += one->waiting;
+    for (ul_subscription *one = link->subscriptions; one != NULL && budget > 0;) {
+        ul_sample sample;
+        if (one->callback == NULL || !give_sample(link, one, &sample)) {
+            one = one->next;
+            continue;
+        }
+        budget--;
+        one->callback(one->context, &sample);
+        one = link->subscriptions;
+    }
+}
+
+ul_status ul_poll(ul_link *link, double seconds)
+{
+    double until = now_of(link) + seconds;
+    do {
+        if (link->gone) return fail_at(link, UL_LOST, "", 0);
+        turn_idle(link, until);
+        if (link->dispatching) continue;
+        link->dispatching = true;
+        dispatch(link);
+        link->dispatching = false;
+    } while (now_of(link) < until);
+    return UL_OK;
+}

@@ -1,0 +1,239 @@
+/* Window: exactly once, in order (docs/protocol.md, The host). --------------------------------------------------------
+ *
+ * Every request carries an ID, and IDs go round a ring. Three marks stand on it:
+ *
+ *         answered         executed, but some        sent, and            not yet
+ *                          answers were lost         not confirmed        sent
+ *     ----------------|------------------------|---------------------|-------------
+ *                   oldest                  executed                 next
+ *
+ * A response to ID k, and `n k`, say that all before k were executed. Posted writes have no answer: they are done when
+ * `executed` passes them. To *go back* is to send all that is not answered again, from `oldest` on, once for each
+ * `oldest`; if that is lost too, the time out finds it. While the line loses, fewer requests are kept in flight, for one
+ * damaged frame costs all those behind it. The time out is that of RFC 6298, and no request that was sent twice is timed.
+ */
+
+static const double FIRST_TIMEOUT = 0.25, SHORTEST_TIMEOUT = 0.010, LONGEST_TIMEOUT = 2.0;
+static const double MEASUREMENT_PAUSE = 0.001;
+enum { MOST_SILENT_TRIES = 8, MOST_TRIES = 32, MOST_REFUSALS = 3, FEWEST_IN_FLIGHT = 8 };
+
+static uint32_t distance(const ul_link *link, uint32_t id)
+{
+    return (id - link->oldest) & link->ring_mask;
+}
+
+static unsigned in_flight(const ul_link *link)
+{
+    return distance(link, link->next);
+}
+
+static ul_request *slot_of(ul_link *link, uint32_t id)
+{
+    return &link->slots[id % UL_WINDOW];
+}
+
+/* The request that an answer names, or NULL where nothing waits for it: the answer to a repetition. */
+static ul_request *find(ul_link *link, uint32_t id)
+{
+    if (distance(link, id) >= in_flight(link)) return NULL;
+    ul_request *request = slot_of(link, id);
+    return request->waiting ? request : NULL;
+}
+
+static void measure(ul_link *link, double round_trip)
+{
+    if (!link->knows_round_trip) {
+        link->knows_round_trip = true;
+        link->round_trip = round_trip;
+        link->variation = round_trip / 2;
+    } else {
+        double error = link->round_trip - round_trip;
+        link->variation += ((error < 0 ? -error : error) - link->variation) / 4;
+        link->round_trip -= error / 8;
+    }
+    link->timeout = link->round_trip + 4 * link->variation;
+    if (link->timeout < SHORTEST_TIMEOUT) link->timeout = SHORTEST_TIMEOUT;
+    if (link->timeout > LONGEST_TIMEOUT) link->timeout = LONGEST_TIMEOUT;
+}
+
+static void start_window(ul_link *link, double byte_time, double round_trip)
+{
+    uint32_t half = (uint32_t)1 << (4 * link->info.id_digits - 1);
+    link->ring_mask = 2 * half - 1;
+    link->most_in_flight = half < UL_WINDOW ? half : UL_WINDOW;
+    link->allowed = link->most_in_flight;
+    link->byte_limit = link->info.features & UL_FEATURE_FLOW_CONTROL ? SIZE_MAX : link->info.receive_fifo_bytes;
+    link->timeout = FIRST_TIMEOUT;
+    link->byte_time = link->reply_byte_time = byte_time;
+    measure(link, round_trip);
+}
+
+/* Whether a request may be sent now. Posted writes leave room for the `h` that confirms them, and one longer than the
+ * gateway's whole FIFO goes alone. */
+static bool has_room(const ul_link *link, size_t size, bool posted)
+{
+    if (in_flight(link) + posted >= link->allowed) return false;
+    if (link->byte_limit == SIZE_MAX || link->bytes == 0) return true;
+    return link->bytes + size * (posted ? 2 : 1) <= link->byte_limit;
+}
+
+/* Give an ID to a request that is now sent. */
+static uint32_t number_request(ul_link *link, const ul_request *request, double now)
+{
+    uint32_t id = link->next;
+    size_t size = request_size(link, request);
+    ul_request *slot = slot_of(link, id);
+    *slot = *request;
+    slot->waiting = true;
+    link->bytes += size;
+    if (request->posted) {
+        link->unfenced++;
+        link->unfenced_bytes += size;
+    } else {
+        link->unfenced = 0;
+        link->unfenced_bytes = 0;
+        if (!link->is_timed && now >= link->next_measurement) {
+            link->is_timed = true;
+            link->timed = id;
+            link->timed_at = now;
+            link->timed_bytes = link->bytes;
+            link->timed_reply = reply_size(link, request);
+        }
+    }
+    if (link->oldest == id) link->since = now;
+    link->next = (id + 1) & link->ring_mask;
+    return id;
+}
+
+/* Whether posted writes are so many that they need an `h` behind them. */
+static bool needs_fence(const ul_link *link)
+{
+    if (link->unfenced == 0) return false;
+    return 4 * link->unfenced >= link->allowed
+        || (link->byte_limit != SIZE_MAX && 4 * link->unfenced_bytes >= link->byte_limit);
+}
+
+static void go_back(ul_link *link, double now)
+{
+    if (link->oldest == link->next || link->gone_back) return;
+    link->gone_back = true;
+    link->refused = link->is_timed = false;
+    unsigned fewest = FEWEST_IN_FLIGHT < link->most_in_flight ? FEWEST_IN_FLIGHT : link->most_in_flight;
+    link->allowed = link->allowed / 2 > fewest ? link->allowed / 2 : fewest;
+    link->wants_repetition = true;
+    link->since = now;
+}
+
+/* Move `executed` up to an ID: posted writes before it are done. */
+static void confirm(ul_link *link, uint32_t expected)
+{
+    for (; link->executed != expected; link->executed = (link->executed + 1) & link->ring_mask) {
+        ul_request *request = slot_of(link, link->executed);
+        if (request->waiting) link->bytes -= request_size(link, request);
+        if (request->posted) request->waiting = false;
+    }
+}
+
+/* Something was confirmed: move `oldest` up over what is done, and start the clock anew. */
+static void note_news(ul_link *link, double now)
+{
+    uint32_t before = link->oldest;
+    while (link->oldest != link->executed && !slot_of(link, link->oldest)->waiting)
+        link->oldest = (link->oldest + 1) & link->ring_mask;
+    if (link->oldest != before) {
+        link->gone_back = link->refused = link->gave_up = false;
+        link->refusals = 0;
+    }
+    link->tries = link->silent_tries = 0;
+    link->since = now;
+}
+
+/* The answer to a request has come. */
+static void note_answer(ul_link *link, uint32_t id, double now)
+{
+    ul_request *request = slot_of(link, id);
+    if (link->is_timed && link->timed == id) {
+        double round_trip = now - link->timed_at;
+        double per_byte = round_trip / (double)link->timed_bytes, per_reply = round_trip / (double)link->timed_reply;
+        measure(link, round_trip);
+        if (per_byte < link->byte_time) link->byte_time = per_byte;
+        if (per_reply < link->reply_byte_time) link->reply_byte_time = per_reply;
+        link->is_timed = false;
+        link->next_measurement = now + MEASUREMENT_PAUSE;
+    }
+    if (link->allowed < link->most_in_flight) link->allowed++;
+    uint32_t after = (id + 1) & link->ring_mask;
+    if (distance(link, after) > distance(link, link->executed)) confirm(link, after);
+    request->waiting = false;
+    note_news(link, now);
+    if (link->oldest != link->executed) go_back(link, now);
+}
+
+/* `n`: the gateway expects this ID, so a request was lost. */
+static void note_gap(ul_link *link, uint32_t expected, double now)
+{
+    if (distance(link, expected) > in_flight(link)) return;
+    if (distance(link, expected) > distance(link, link->executed)) {
+        confirm(link, expected);
+        note_news(link, now);
+    }
+    go_back(link, now);
+}
+
+/* The oldest request cannot be had: from now on it is an `h`, for those behind it build on its ID. */
+static ul_request *give_up(ul_link *link)
+{
+    ul_request *request = slot_of(link, link->oldest);
+    request->given_up = true;
+    request->posted = false;
+    link->tries = link->refusals = 0;
+    link->gone_back = false;
+    link->gave_up = true;
+    return request;
+}
+
+/* Error 02 or 03: give the request that is given up, if this was once too often. */
+static ul_request *note_refusal(ul_link *link, double now)
+{
+    ul_request *given_up = NULL;
+    if (link->oldest != link->next && link->oldest == link->executed && !link->refused) {
+        link->refused = true;
+        if (++link->refusals == MOST_REFUSALS) given_up = give_up(link);
+    }
+    go_back(link, now);
+    return given_up;
+}
+
+/* When `note_time` must be called; posted writes alone have no answer to wait for. */
+static bool has_deadline(ul_link *link, double *deadline)
+{
+    if (in_flight(link) == link->unfenced) return false;
+    /* RFC 6298 knows no messages of unlike sizes: the answer to a long one behind short ones is not late yet. */
+    double reply = (double)reply_size(link, slot_of(link, link->oldest));
+    *deadline = link->since + link->timeout + link->byte_time * (double)link->bytes + link->reply_byte_time * reply;
+    return true;
+}
+
+/* Go back where it is time to; say whether the gateway is gone. */
+static bool note_time(ul_link *link, double now, ul_request **given_up)
+{
+    double deadline;
+    *given_up = NULL;
+    if (!has_deadline(link, &deadline) || now < deadline) return false;
+    bool lost = false;
+    link->tries++;
+    /* Also where something was heard: it may be the beginning of a long answer on a slow line. */
+    link->timeout = 2 * link->timeout < LONGEST_TIMEOUT ? 2 * link->timeout : LONGEST_TIMEOUT;
+    if (!link->heard) {
+        lost = ++link->silent_tries > MOST_SILENT_TRIES;
+    } else {
+        link->silent_tries = 0;
+        if (link->tries > MOST_TRIES) {
+            lost = link->gave_up;
+            *given_up = give_up(link);
+        }
+    }
+    link->heard = link->gone_back = false;
+    go_back(link, now);
+    return lost;
+}

@@ -1,0 +1,225 @@
+/* Wire: digits, the check, the frame of a request, the fields of an answer (docs/protocol.md, Frames). ------------- */
+
+enum { PLAIN_END = '\r', CHECKED_END = '\n', PREFIX_DIGITS = 3 };
+
+typedef struct text {
+    const char *at;
+    size_t size;
+} text;
+
+static uint64_t ones(unsigned bits)
+{
+    return bits >= 64 ? UINT64_MAX : ((uint64_t)1 << bits) - 1;
+}
+
+static int digit_value(char digit)
+{
+    if (digit >= '0' && digit <= '9') return digit - '0';
+    if (digit >= 'A' && digit <= 'F') return digit - 'A' + 10;
+    return -1;
+}
+
+static bool is_lower_command(char letter)
+{
+    return letter >= 'g' && letter <= 'z';
+}
+
+/* Take a number of so many digits off the front; false where they are none, or not there. */
+static bool take_number(text *from, unsigned digits, uint64_t *number)
+{
+    if (from->size < digits) return false;
+    *number = 0;
+    for (unsigned index = 0; index < digits; index++) {
+        int value = digit_value(from->at[index]);
+        if (value < 0) return false;
+        *number = *number << 4 | (unsigned)value;
+    }
+    from->at += digits;
+    from->size -= digits;
+    return true;
+}
+
+static bool starts_with(text line, const char *beginning)
+{
+    size_t size = strlen(beginning);
+    return line.size >= size && memcmp(line.at, beginning, size) == 0;
+}
+
+static text without_first(text line, size_t size)
+{
+    return (text){line.at + size, line.size - size};
+}
+
+/* The check: CRC of 8, 16 or 32 bits, not reflected, initial value 0, no final xor. */
+static void prepare_check(ul_link *link, unsigned bits, uint32_t polynomial)
+{
+    uint32_t top = (uint32_t)1 << (bits - 1), mask = (uint32_t)ones(bits);
+    for (uint32_t byte = 0; byte < 256; byte++) {
+        uint32_t rest = byte << (bits - 8);
+        for (int bit = 0; bit < 8; bit++) rest = rest & top ? rest << 1 ^ polynomial : rest << 1;
+        link->crc_table[byte] = rest & mask;
+    }
+    link->crc_digits = bits / 4;
+}
+
+static uint32_t check_of(const ul_link *link, text body)
+{
+    unsigned bits = 4 * link->crc_digits;
+    uint32_t mask = (uint32_t)ones(bits), rest = 0;
+    for (size_t index = 0; index < body.size; index++) {
+        uint32_t byte = (rest >> (bits - 8) ^ (unsigned char)body.at[index]) & 0xFF;
+        rest = ((bits == 8 ? 0 : rest << 8) ^ link->crc_table[byte]) & mask;
+    }
+    return rest;
+}
+
+/* Take the check off the end; false where it is wrong. */
+static bool take_check(const ul_link *link, text *line)
+{
+    if (line->size < link->crc_digits) return false;
+    text digits = {line->at + line->size - link->crc_digits, link->crc_digits};
+    text body = {line->at, line->size - link->crc_digits};
+    uint64_t check;
+    if (!take_number(&digits, link->crc_digits, &check) || check != check_of(link, body)) return false;
+    *line = body;
+    return true;
+}
+
+/* Take the prefix of an addressed frame off the front; false where the line is of another node. */
+static bool take_prefix(const ul_link *link, text *line)
+{
+    if (link->node < 0) return true;
+    uint64_t node;
+    if (line->size < PREFIX_DIGITS || line->at[0] != 'Z') return false;
+    *line = without_first(*line, 1);
+    return take_number(line, 2, &node) && node == (unsigned)link->node;
+}
+
+/* Frames are written into a buffer that is known to have room. */
+static char *put_number(char *at, unsigned digits, uint64_t number)
+{
+    for (unsigned index = digits; index-- > 0; number >>= 4) at[index] = "0123456789ABCDEF"[number & 15];
+    return at + digits;
+}
+
+static char *put_text(char *at, const char *characters)
+{
+    size_t size = strlen(characters);
+    memcpy(at, characters, size);
+    return at + size;
+}
+
+static char *put_prefix(const ul_link *link, char *at)
+{
+    return link->node < 0 ? at : put_number(put_text(at, "Z"), 2, (unsigned)link->node);
+}
+
+static char *put_check(const ul_link *link, char *at, const char *start)
+{
+    at = put_number(at, link->crc_digits, check_of(link, (text){start, (size_t)(at - start)}));
+    *at++ = CHECKED_END;
+    return at;
+}
+
+/* What a command has behind its ID. */
+typedef struct shape {
+    char command[3];
+    bool address, count, mask, word, words, group;
+    bool reads_word, reads_words;
+    unsigned feature;
+    const char *name;
+} shape;
+
+static const shape SHAPES[] = {
+    {.command = "r", .address = true, .reads_word = true, .name = "read"},
+    {.command = "rm", .address = true, .count = true, .reads_words = true, .name = "block read"},
+    {.command = "rq", .address = true, .count = true, .reads_words = true, .feature = UL_FEATURE_QUEUES,
+     .name = "queue read"},
+    {.command = "w", .address = true, .word = true, .name = "write"},
+    {.command = "wm", .address = true, .words = true, .name = "block write"},
+    {.command = "wq", .address = true, .words = true, .feature = UL_FEATURE_QUEUES, .name = "queue write"},
+    {.command = "wk", .address = true, .mask = true, .word = true, .reads_word = true,
+     .feature = UL_FEATURE_MASKED_WRITE, .name = "masked write"},
+    {.command = "ws", .address = true, .word = true, .name = "posted write"},
+    {.command = "h", .name = "fence"},
+    {.command = "gs", .group = true, .feature = UL_FEATURE_GROUPS, .name = "setting up of group"},
+    {.command = "gn", .feature = UL_FEATURE_GROUPS, .name = "start of group"},
+    {.command = "gx", .feature = UL_FEATURE_GROUPS, .name = "stop of group"},
+    {.command = "gp", .feature = UL_FEATURE_GROUPS, .name = "publishing of group"},
+    {.command = "i", .feature = UL_FEATURE_SEND_IMMEDIATE, .name = "choice of send-immediate"},
+};
+
+static const shape *shape_of(const char *command)
+{
+    for (size_t index = 0; index < sizeof SHAPES / sizeof *SHAPES; index++)
+        if (strcmp(SHAPES[index].command, command) == 0) return &SHAPES[index];
+    return NULL;
+}
+
+/* Commands about groups and `i` have their number of two digits in `address`. */
+static bool has_number(const shape *is)
+{
+    return strchr("gi", is->command[0]) != NULL;
+}
+
+/* Characters of a request and of its answer, line ends included. */
+static size_t request_size(const ul_link *link, const ul_request *request)
+{
+    const shape *is = shape_of(request->command);
+    size_t size = (link->node < 0 ? 0 : PREFIX_DIGITS) + strlen(request->command) + link->info.id_digits;
+    if (is->address) size += link->address_digits;
+    if (has_number(is)) size += 2;
+    if (is->count) size += 2;
+    if (is->mask) size += link->data_digits;
+    if (is->word) size += link->data_digits;
+    if (is->words) size += (size_t)request->count * link->data_digits;
+    if (is->group) size += 8 + (size_t)request->count * link->address_digits;
+    return size + link->crc_digits + 1;
+}
+
+static size_t reply_size(const ul_link *link, const ul_request *request)
+{
+    const shape *is = shape_of(request->command);
+    if (request->posted) return 0;
+    size_t words = is->reads_word ? 1 : is->reads_words ? request->count : 0;
+    return (link->node < 0 ? 0 : PREFIX_DIGITS) + strlen(request->command) + link->info.id_digits
+        + words * link->data_digits + link->crc_digits + 1;
+}
+
+/* Write the frame of a request with its ID; of one that is given up, that of `h`. */
+static char *put_request(const ul_link *link, char *at, const ul_request *request, uint32_t id)
+{
+    const char *command = request->given_up ? "h" : request->command, *start = at;
+    const shape *is = shape_of(command);
+    at = put_number(put_text(put_prefix(link, at), command), link->info.id_digits, id);
+    if (is->address) at = put_number(at, link->address_digits, request->address);
+    if (has_number(is)) at = put_number(at, 2, request->address);
+    if (is->count) at = put_number(at, 2, request->count);
+    if (is->mask) at = put_number(at, link->data_digits, request->mask);
+    if (is->word) at = put_number(at, link->data_digits, request->word);
+    if (is->words)
+        for (unsigned index = 0; index < request->count; index++)
+            at = put_number(at, link->data_digits, request->source[index]);
+    if (is->group) {
+        at = put_number(put_number(at, 2, request->word), 4, request->mask);    /* flags and divisor */
+        at = put_number(at, 2, request->count);
+        for (unsigned index = 0; index < request->count; index++)
+            at = put_number(at, link->address_digits, request->addresses[index]);
+    }
+    return put_check(link, at, start);
+}
+
+/* Take the words of an answer, behind its ID; false where it is not the answer to the request. */
+static bool take_answer(const ul_link *link, const ul_request *request, text fields)
+{
+    const shape *is = shape_of(request->given_up ? "h" : request->command);
+    size_t words = is->reads_word ? 1 : is->reads_words ? request->count : 0;
+    if (fields.size != words * link->data_digits) return false;
+    text all = fields;
+    uint64_t word;
+    for (size_t index = 0; index < words; index++)
+        if (!take_number(&all, link->data_digits, &word)) return false;
+    for (size_t index = 0; index < words && request->target != NULL; index++)
+        take_number(&fields, link->data_digits, &request->target[index]);
+    return true;
+}

@@ -1,0 +1,163 @@
+/* Words: what a program calls. -------------------------------------------------------------------------------------- */
+
+ul_status ul_finish(ul_link *link, ul_batch *batch)
+{
+    while (batch->pending > 0 && !link->gone) turn(link, now_of(link) + LONGEST_TIMEOUT);
+    return batch->status == UL_OK ? UL_OK : fail_at(link, batch->status, batch->what, batch->address);
+}
+
+void ul_start_read(ul_link *link, ul_batch *batch, uint32_t address, uint64_t *word)
+{
+    start(link, batch, (ul_request){.command = "r", .address = address, .target = word});
+}
+
+void ul_start_write(ul_link *link, ul_batch *batch, uint32_t address, uint64_t word)
+{
+    start(link, batch, (ul_request){.command = "w", .address = address, .word = word});
+}
+
+void ul_start_write_masked(ul_link *link, ul_batch *batch, uint32_t address, uint64_t word, uint64_t mask,
+                           uint64_t *before)
+{
+    start(link, batch, (ul_request){.command = "wk", .address = address, .word = word, .mask = mask, .target = before});
+}
+
+/* The requests of a block, each as long as the gateway takes it; `step` is 0 for a queue. */
+static void start_block(ul_link *link, ul_batch *batch, ul_request request, size_t count, uint32_t step)
+{
+    uint64_t bad = 0, above = ones(link->info.data_bits);
+    for (size_t index = 0; request.source != NULL && index < count; index++) bad |= request.source[index] & ~above;
+    bool passes_end = count > 0 && step * (uint64_t)(count - 1) > ones(link->info.address_bits) - request.address;
+    if (link->open && (count == 0 || bad != 0 || request.address > ones(link->info.address_bits) || passes_end)) {
+        batch->pending++;
+        settle(batch, &request, UL_BAD_ARGUMENT);
+        return;
+    }
+    size_t most = link->open ? link->block_words : count;
+    for (size_t rest = count; rest > 0; rest -= request.count) {
+        request.count = (unsigned)(rest < most ? rest : most);
+        start(link, batch, request);
+        request.address += step * request.count;
+        if (request.source != NULL) request.source += request.count;
+        if (request.target != NULL) request.target += request.count;
+    }
+}
+
+void ul_start_read_block(ul_link *link, ul_batch *batch, uint32_t address, uint64_t *words, size_t count)
+{
+    start_block(link, batch, (ul_request){.command = "rm", .address = address, .target = words}, count, 1);
+}
+
+void ul_start_write_block(ul_link *link, ul_batch *batch, uint32_t address, const uint64_t *words, size_t count)
+{
+    start_block(link, batch, (ul_request){.command = "wm", .address = address, .source = words}, count, 1);
+}
+
+void ul_start_read_queue(ul_link *link, ul_batch *batch, uint32_t address, uint64_t *words, size_t count)
+{
+    start_block(link, batch, (ul_request){.command = "rq", .address = address, .target = words}, count, 0);
+}
+
+void ul_start_write_queue(ul_link *link, ul_batch *batch, uint32_t address, const uint64_t *words, size_t count)
+{
+    start_block(link, batch, (ul_request){.command = "wq", .address = address, .source = words}, count, 0);
+}
+
+ul_status ul_read(ul_link *link, uint32_t address, uint64_t *word)
+{
+    ul_batch batch = UL_BATCH;
+    ul_start_read(link, &batch, address, word);
+    return ul_finish(link, &batch);
+}
+
+ul_status ul_write(ul_link *link, uint32_t address, uint64_t word)
+{
+    ul_batch batch = UL_BATCH;
+    ul_start_write(link, &batch, address, word);
+    return ul_finish(link, &batch);
+}
+
+ul_status ul_write_masked(ul_link *link, uint32_t address, uint64_t word, uint64_t mask, uint64_t *before)
+{
+    ul_batch batch = UL_BATCH;
+    ul_start_write_masked(link, &batch, address, word, mask, before);
+    return ul_finish(link, &batch);
+}
+
+ul_status ul_read_block(ul_link *link, uint32_t address, uint64_t *words, size_t count)
+{
+    ul_batch batch = UL_BATCH;
+    ul_start_read_block(link, &batch, address, words, count);
+    return ul_finish(link, &batch);
+}
+
+ul_status ul_write_block(ul_link *link, uint32_t address, const uint64_t *words, size_t count)
+{
+    ul_batch batch = UL_BATCH;
+    ul_start_write_block(link, &batch, address, words, count);
+    return ul_finish(link, &batch);
+}
+
+ul_status ul_read_queue(ul_link *link, uint32_t address, uint64_t *words, size_t count)
+{
+    ul_batch batch = UL_BATCH;
+    ul_start_read_queue(link, &batch, address, words, count);
+    return ul_finish(link, &batch);
+}
+
+ul_status ul_write_queue(ul_link *link, uint32_t address, const uint64_t *words, size_t count)
+{
+    ul_batch batch = UL_BATCH;
+    ul_start_write_queue(link, &batch, address, words, count);
+    return ul_finish(link, &batch);
+}
+
+ul_status ul_read_many(ul_link *link, const uint32_t *addresses, uint64_t *words, size_t count)
+{
+    ul_batch batch = UL_BATCH;
+    for (size_t index = 0; index < count; index++) ul_start_read(link, &batch, addresses[index], &words[index]);
+    return ul_finish(link, &batch);
+}
+
+ul_status ul_write_many(ul_link *link, const uint32_t *addresses, const uint64_t *words, size_t count)
+{
+    ul_batch batch = UL_BATCH;
+    for (size_t index = 0; index < count; index++) ul_start_write(link, &batch, addresses[index], words[index]);
+    return ul_finish(link, &batch);
+}
+
+/* Have a request done that has its number in `address`, or none. */
+static ul_status ask_for(ul_link *link, ul_request request)
+{
+    ul_batch batch = UL_BATCH;
+    start(link, &batch, request);
+    return ul_finish(link, &batch);
+}
+
+static bool check_word(ul_link *link, uint32_t address, uint64_t word)
+{
+    return address <= ones(link->info.address_bits) && word <= ones(link->info.data_bits);
+}
+
+ul_status ul_post(ul_link *link, uint32_t address, uint64_t word)
+{
+    ul_request request = {.command = "ws", .posted = true, .address = address, .word = word};
+    if (!link->open || link->gone) return fail_at(link, UL_LOST_NOT_EXECUTED, "posted write", address);
+    if (!check_word(link, address, word)) return fail_at(link, UL_BAD_ARGUMENT, "posted write", address);
+    start(link, &link->posts, request);
+    flush(link);
+    return UL_OK;
+}
+
+ul_status ul_fence(ul_link *link)
+{
+    ul_status status = ask_for(link, (ul_request){.command = "h"});
+    ul_batch posts = link->posts;
+    link->posts = UL_BATCH;
+    return posts.status == UL_OK ? status : fail_at(link, posts.status, posts.what, posts.address);
+}
+
+ul_status ul_send_immediate(ul_link *link, unsigned mode)
+{
+    return ask_for(link, (ul_request){.command = "i", .address = mode});
+}

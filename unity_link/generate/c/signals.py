@@ -1,0 +1,142 @@
+"""Signals as data of C: the initializer of a whole interface, and what stands beside a signal for people."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING
+
+from unity_link.generate.c.names import number, string
+from unity_link.spec.kinds import KindName
+from unity_link.spec.model import Component, ComponentArray
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from unity_link.generate.c.layout import GroupMember, Layout, SignalMember
+    from unity_link.spec.model import Group, Signal
+
+
+def initializer(layout: Layout) -> str:
+    """Give the members of the interface's structure, each with its value, indented by a level."""
+    return "\n".join(_component(layout, layout.interface.root, "    "))
+
+
+def _component(layout: Layout, component: Component, indent: str) -> Iterator[str]:
+    names = layout.member_names(component)
+    for signal in component.signals:
+        yield f"{indent}.{names[signal.name]}.signal = {signal_initializer(layout, signal)},"
+    for part in component.parts:
+        yield f"{indent}.{names[part.name]} = {{"
+        yield from _part(layout, part, f"{indent}    ")
+        yield f"{indent}}},"
+    for name, modules in layout.modules_of(component).items():
+        values = [f"{{0x{module.base:02X}, {module.words or 0}}}" for module in modules]
+        text = values[0] if "[" not in str(modules[0].path) else f"{{{', '.join(values)}}}"
+        yield f"{indent}.{names[name]} = {text},"
+
+
+def _part(layout: Layout, part: Component | ComponentArray, indent: str) -> Iterator[str]:
+    if isinstance(part, Component):
+        yield from _component(layout, part, indent)
+        return
+    for index, item in enumerate(part.items):
+        yield f"{indent}[{index}] = {{"
+        yield from _component(layout, item, f"{indent}    ")
+        yield f"{indent}}},"
+
+
+def signal_initializer(layout: Layout, signal: Signal) -> str:
+    """Give the fields of a `ul_signal`, in their order."""
+    is_real = layout.value_types[signal.path].coding == "real"
+    step, offset = (
+        (signal.kind.step, signal.kind.offset) if is_real and signal.kind.name is not KindName.FLOAT else (1, 0)
+    )
+    low, high = signal.limits if _is_limited(signal) else (0, 0)
+    fields = [
+        string(signal.path),
+        string(signal.unit),
+        f"0x{signal.address:02X}",
+        str(signal.word_bits),
+        str(signal.lowest_bit),
+        str(signal.width),
+        _kind(signal),
+        _properties(signal),
+        *map(number, (step, offset, low, high)),
+    ]
+    return f"{{{', '.join(fields)}}}"
+
+
+def _kind(signal: Signal) -> str:
+    if signal.kind.name is KindName.FLOAT:
+        return "UL_FLOAT"
+    return "UL_SIGNED" if signal.kind.is_signed else "UL_UNSIGNED"
+
+
+def _is_limited(signal: Signal) -> bool:
+    return signal.minimum is not None or signal.maximum is not None
+
+
+def _properties(signal: Signal) -> str:
+    properties = {
+        "UL_READABLE": signal.access.reads,
+        "UL_WRITABLE": signal.access.writes,
+        "UL_FIELD": signal.is_field,
+        "UL_QUEUE": signal.fifo,
+        "UL_LIMITED": _is_limited(signal),
+    }
+    return " | ".join(name for name, holds in properties.items() if holds)
+
+
+def limits(signal: Signal) -> str:
+    """Say which values a signal takes, for people; nothing for one that is only read."""
+    if not signal.access.writes:
+        return ""
+    low, high = signal.limits
+    if not math.isfinite(low) and not math.isfinite(high):
+        return ""
+    if math.isfinite(low) and math.isfinite(high):
+        return f"{low:.12g} to {high:.12g}"
+    return f"at most {high:.12g}" if math.isfinite(high) else f"at least {low:.12g}"
+
+
+def describe(member: SignalMember) -> str:
+    """Say what stands beside a signal: its doc string, what may be done with it, its limits and unit."""
+    signal = member.signal
+    what = {"READ": "read", "WRITE": "write", "READWRITE": "read, write"}[signal.access]
+    if signal.fifo:
+        what += ", queue"
+    where = "" if member.varies else " ".join(part for part in (limits(signal), signal.unit) if part)
+    text = f"{what}; {where}" if where else what
+    return f"{signal.doc.rstrip('.')} ({text})" if signal.doc else text
+
+
+def schedule(group: Group) -> str:
+    """Say when a group is published."""
+    when = []
+    if group.divisor is not None:
+        when.append(f"at the gateway's base frequency / {group.divisor}")
+    if group.rate_hz is not None:
+        when.append(f"at {group.rate_hz:g} Hz, or the nearest rate that it has")
+    if group.trigger:
+        when.append("on its external trigger")
+    changes = ", where a word has changed" if group.on_change else ""
+    return f"as group {group.number}{', ' * bool(when)}{' and '.join(when)}{changes}"
+
+
+def decoding(member: GroupMember) -> str:
+    """Give the value of a member of a group, from the words of a sample."""
+    value = f"ul_decode_{member.type.coding}(&{member.expression}.signal, {member.words})"
+    return value if member.type.value in {"uint64_t", "int64_t", "double"} else f"({member.type.value}){value}"
+
+
+def examples(layout: Layout) -> list[str]:
+    """Give calls that read and write the first signals that can be, for the comment at the top."""
+    calls = []
+    for verb, pointer, wanted in (("get", "&value", "reads"), ("set", "value", "writes")):
+        first = next((one for one in layout.interface.signals.values() if getattr(one.access, wanted)), None)
+        if first is None:
+            continue
+        made = layout.value_types[first.path]
+        function = f"{made.value}_{verb}" if made.is_enumeration else f"ul_{verb}_{made.signal.removeprefix('ul_')}"
+        calls.append(f"{function}(&link, &{layout.expressions[first.path]}, {pointer})")
+    return calls
