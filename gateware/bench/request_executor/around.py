@@ -1,0 +1,211 @@
+"""What stands around the executor: the decoder's request, the bus master, the response ring, groups, and the answer.
+
+One task plays them all, a cycle at a time: what is combinational in the gateware is answered within the cycle.
+"""
+
+from __future__ import annotations
+
+import random
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
+
+import cocotb
+from cocotb.triggers import NextTimeStep, ReadOnly, RisingEdge
+
+from gateware.bench.streams import start
+
+if TYPE_CHECKING:
+    from cocotb.handle import SimHandleBase
+
+COMMANDS = ("R", "RM", "RQ", "WK", "W", "WM", "WQ", "WS", "GS", "GN", "GX", "GP", "I", "H", "Q", "K")
+ERROR, OUT_OF_SEQUENCE = 16, 17
+"""Messages that no request has; the others are the numbers of the commands."""
+OPERATIONS = ("set", "start", "stop", "publish", "stop all")
+
+
+@dataclass
+class Request:
+    """What the decoder says of a frame; `words` stand in the request memory."""
+
+    command: str
+    number: int | None = None
+    address: int = 0
+    count: int = 1
+    group: int = 0
+    word: int = 0
+    words: list[int] = field(default_factory=list)
+    error: int = 0
+    out_of_range: bool = False
+    plain: bool = False
+    silent: bool = False
+
+
+@dataclass(frozen=True)
+class Access:
+    """One access that was made on the bus."""
+
+    write: bool
+    address: int
+    word: int | None
+    """Written, or None."""
+    more: bool
+    exclusive: bool
+
+
+@dataclass(frozen=True)
+class Answer:
+    """What the frame writer was given."""
+
+    message: int
+    number: int | None
+    address: bool
+    pair: int | None
+    words: int
+    plain: bool
+    mark: int
+
+
+class Around:
+    """Plays what stands around the executor, and notes what it asked for."""
+
+    def __init__(self, dut: SimHandleBase, *, seed: int = 1, slow: float = 0.0) -> None:
+        self.dut = dut
+        self.accesses: list[Access] = []
+        self.operations: list[tuple[str, list[int]]] = []
+        """Operations on groups, with the addresses that were written to the list before."""
+        self.answers: list[Answer] = []
+        self.committed: list[int] = []
+        """Words in the response ring that belong to answers."""
+        self.failures: dict[int, int] = {}
+        """Addresses that fail, and their errors."""
+        self.memory: dict[int, int] = {}
+        self.is_set: set[int] = set()
+        self.room = 256
+        self.slow = slow
+        self._rng = random.Random(seed)
+        self._trial: list[int] = []
+        self._list: dict[int, int] = {}
+        self._request = Request("H")
+
+    async def begin(self) -> None:
+        """Reset, and begin to play."""
+        for name in ("request_valid", "answer_taken", "access_granted", "access_done", "access_failure", "group_done"):
+            getattr(self.dut, name).value = 0
+        for name in ("access_read_data", "memory_word", "group_is_set"):
+            getattr(self.dut, name).value = 0
+        self._show(Request("H"))
+        self.dut.ring_room.value = self.room
+        await start(self.dut.clk, self.dut.rst)
+        cocotb.start_soon(self._run())
+
+    def _show(self, request: Request) -> None:
+        dut = self.dut
+        self._request = request
+        dut.request_command.value = COMMANDS.index(request.command)
+        dut.request_has_id.value = request.number is not None and request.command != "K"
+        dut.request_id.value = request.number or 0
+        dut.request_plain.value, dut.request_silent.value = request.plain, request.silent
+        dut.request_error.value, dut.request_out_of_range.value = request.error, request.out_of_range
+        dut.request_address.value, dut.request_count.value = request.address, request.count
+        dut.request_group.value, dut.request_word.value = request.group, request.word
+
+    async def execute(self, request: Request, most_cycles: int = 5000) -> None:
+        """Give a request and wait until the executor is ready for the next one."""
+        dut = self.dut
+        self._show(request)
+        # The ID stood there for some cycles before the end of its frame.
+        for _ in range(2):
+            await RisingEdge(dut.clk)
+        dut.request_valid.value = 1
+        for cycle in range(most_cycles):
+            await ReadOnly()
+            if cycle and dut.hold.value == 0:
+                await RisingEdge(dut.clk)
+                return
+            await RisingEdge(dut.clk)
+            if not cycle:
+                dut.request_valid.value = 0
+        raise AssertionError(f"{request} was not executed in {most_cycles} cycles")
+
+    async def _run(self) -> None:
+        dut, rng = self.dut, self._rng
+        access: Access | None = None
+        waits, told, index = 0, False, 0
+        while True:
+            # The request memory and `is_set` follow what was asked for one cycle later.
+            dut.memory_word.value = self._request.words[index] if index < len(self._request.words) else 0xDEAD
+            dut.group_is_set.value = self._request.group in self.is_set
+            dut.ring_room.value = self.room - len(self._trial)
+            await ReadOnly()
+            granted = access is None and dut.access_request.value == 1 and rng.random() >= self.slow
+            taken = dut.answer_valid.value == 1 and rng.random() >= self.slow
+            done = dut.group_request.value == 1 and rng.random() >= self.slow
+            told = access is not None and waits == 0
+            await NextTimeStep()
+            dut.access_granted.value, dut.access_done.value = granted, told
+            if access is not None and told:
+                dut.access_failure.value = self._finish(access)
+            dut.answer_taken.value, dut.group_done.value = taken, done
+            await ReadOnly()
+            self._note(told=told, taken=taken, done=done)
+            if granted:
+                access, waits = self._access(), 1 + (rng.randrange(6) if self.slow else 0)
+            elif told:
+                access = None
+            elif access is not None:
+                waits -= 1
+            index = int(dut.memory_index.value)
+            await RisingEdge(dut.clk)
+            dut.access_granted.value = dut.access_done.value = dut.answer_taken.value = dut.group_done.value = 0
+
+    def _note(self, *, told: bool, taken: bool, done: bool) -> None:
+        """Note what the executor does in this cycle, in which an access, an answer or an operation ends."""
+        dut = self.dut
+        if dut.list_write.value == 1:
+            self._list[int(dut.list_index.value)] = int(dut.memory_word.value)
+        if told and dut.ring_write.value == 1:
+            self._trial.append(int(dut.access_read_data.value))
+        if taken:
+            self.answers.append(self._answer())
+        if dut.ring_commit.value == 1:
+            self.committed += self._trial
+            self._trial = []
+        if dut.ring_rollback.value == 1:
+            self._trial = []
+        if done:
+            addresses = [self._list[place] for place in sorted(self._list)]
+            self.operations.append((OPERATIONS[int(dut.group_operation.value)], addresses))
+            self._list.clear()
+
+    def _access(self) -> Access:
+        dut = self.dut
+        write = dut.access_write.value == 1
+        word = int(dut.access_data.value) if write else None
+        more, exclusive = dut.access_more.value == 1, dut.access_exclusive.value == 1
+        return Access(write, int(dut.access_address.value), word, more, exclusive)
+
+    def _finish(self, access: Access) -> int:
+        """Make an access; returns its error."""
+        self.accesses.append(access)
+        error = self.failures.get(access.address, 0)
+        if error:
+            return error
+        if access.word is not None:
+            self.memory[access.address] = access.word
+        else:
+            self.dut.access_read_data.value = self.memory.get(access.address, 0)
+        return 0
+
+    def _answer(self) -> Answer:
+        dut = self.dut
+        number = int(dut.answer_id.value) if dut.answer_has_id.value == 1 else None
+        pair = int(dut.answer_pair.value) if dut.answer_has_pair.value == 1 else None
+        has_address, words = dut.answer_has_address.value == 1, int(dut.answer_words.value)
+        message, mark = int(dut.answer_message.value), int(dut.answer_mark.value)
+        return Answer(message, number, has_address, pair, words, dut.answer_plain.value == 1, mark)
+
+    def take(self) -> tuple[list[Access], list[Answer]]:
+        """Give the accesses and answers since the last call."""
+        accesses, answers = self.accesses, self.answers
+        self.accesses, self.answers = [], []
+        return accesses, answers

@@ -1,0 +1,250 @@
+"""Inside the simulator: requests become accesses, operations on groups and answers, exactly once and in order."""
+
+from __future__ import annotations
+
+import random
+from typing import TYPE_CHECKING
+
+import cocotb
+from cocotb.triggers import ClockCycles, RisingEdge
+
+from gateware.bench.request_executor.around import COMMANDS, ERROR, OUT_OF_SEQUENCE, Access, Answer, Around, Request
+
+if TYPE_CHECKING:
+    from cocotb.handle import SimHandleBase
+
+BUS, TIMEOUT, RANGE, REPEATED = 4, 5, 6, 8
+NONE, WHEN_IDLE, NOW = 0, 1, 2
+
+
+async def _begin(dut: SimHandleBase, **options: float) -> Around:
+    around = Around(dut, **options)
+    await around.begin()
+    return around
+
+
+def _ok(command: str, **fields: object) -> Answer:
+    """Give the answer of a command without ID, address or words unless told."""
+    values = {"number": None, "address": False, "pair": None, "words": 0, "plain": False, "mark": WHEN_IDLE}
+    return Answer(COMMANDS.index(command), **{**values, **fields})
+
+
+def _error(code: int, number: int | None = None) -> Answer:
+    return Answer(ERROR, number, address=False, pair=code, words=0, plain=False, mark=WHEN_IDLE)
+
+
+def _read(address: int, *, more: bool = False, exclusive: bool = False) -> Access:
+    return Access(write=False, address=address, word=None, more=more, exclusive=exclusive)
+
+
+def _write(address: int, word: int, *, more: bool = False) -> Access:
+    return Access(write=True, address=address, word=word, more=more, exclusive=True)
+
+
+@cocotb.test
+async def words_are_read_and_written(dut: SimHandleBase) -> None:
+    around = await _begin(dut)
+    await around.execute(Request("W", address=5, word=77))
+    await around.execute(Request("R", address=5))
+    await around.execute(Request("WM", address=0xFF, count=3, words=[1, 2, 3]))
+    await around.execute(Request("RM", address=0xFF, count=3))
+    await around.execute(Request("WQ", address=9, count=2, words=[4, 5]))
+    await around.execute(Request("RQ", address=9, count=2))
+    await around.execute(Request("WS", address=9, word=6))
+    accesses, answers = around.take()
+    assert accesses == [
+        *(_write(5, 77), _read(5)),
+        *(_write(0xFF, 1, more=True), _write(0, 2, more=True), _write(1, 3)),
+        *(_read(0xFF, more=True), _read(0, more=True), _read(1)),
+        *(_write(9, 4), _write(9, 5), _read(9), _read(9), _write(9, 6)),
+    ]
+    assert answers == [
+        *(_ok("W", address=True), _ok("R", address=True, words=1)),
+        *(_ok("WM", address=True, pair=3), _ok("RM", address=True, pair=3, words=3)),
+        *(_ok("WQ", address=True, pair=2), _ok("RQ", address=True, pair=2, words=2)),
+    ]
+    assert around.committed == [77, 1, 2, 3, 5, 5]
+
+
+@cocotb.test
+async def a_masked_write_answers_the_old_word(dut: SimHandleBase) -> None:
+    around = await _begin(dut)
+    around.memory[3] = 0x12345678
+    await around.execute(Request("WK", address=3, word=0xFFFFFFFF, words=[0x0000FF00]))
+    accesses, answers = around.take()
+    assert accesses == [_read(3, more=True, exclusive=True), _write(3, 0x1234FF78)]
+    assert answers == [_ok("WK", address=True, words=1)]
+    assert around.committed == [0x12345678]
+
+
+@cocotb.test
+async def a_failed_access_ends_its_request_and_takes_its_words_back(dut: SimHandleBase) -> None:
+    around = await _begin(dut)
+    around.failures = {2: BUS, 7: TIMEOUT}
+    await around.execute(Request("RM", address=0, count=5))
+    await around.execute(Request("WM", address=1, count=3, words=[8, 9, 10]))
+    await around.execute(Request("WK", address=7, words=[1], word=1))
+    await around.execute(Request("WS", address=7, word=1))
+    await around.execute(Request("R", address=1))
+    accesses, answers = around.take()
+    assert [access.address for access in accesses] == [0, 1, 2, 1, 2, 7, 7, 1]
+    assert answers == [*(_error(code) for code in (BUS, BUS, TIMEOUT, TIMEOUT)), _ok("R", address=True, words=1)]
+    assert around.committed == [8]
+
+
+@cocotb.test
+async def ids_are_executed_once_and_in_order(dut: SimHandleBase) -> None:
+    around = await _begin(dut)
+    await around.execute(Request("K", number=0x40))
+    assert around.operations == [("stop all", [])]
+    around.take()
+    await around.execute(Request("W", number=0x40, address=1, word=5))
+    await around.execute(Request("W", number=0x40, address=1, word=6))
+    await around.execute(Request("R", number=0x40, address=1))
+    await around.execute(Request("RQ", number=0x40, address=1, count=1))
+    await around.execute(Request("WK", number=0xC1, address=1, words=[1]))
+    await around.execute(Request("WS", number=0x40, address=1, word=7))
+    await around.execute(Request("H", number=0x42))
+    await around.execute(Request("H", number=0xC0))
+    await around.execute(Request("WS", number=0x41, address=1, word=8))
+    await around.execute(Request("H", number=0x43))
+    accesses, answers = around.take()
+    assert accesses == [_write(1, 5), _read(1), _write(1, 8)]
+    gap = Answer(OUT_OF_SEQUENCE, 0x41, address=False, pair=None, words=0, plain=False, mark=WHEN_IDLE)
+    assert [(answer.message, answer.number) for answer in answers[:2]] == [(COMMANDS.index("W"), 0x40)] * 2
+    assert answers[2:5] == [_ok("R", number=0x40, words=1), _error(REPEATED, 0x40), _error(REPEATED, 0xC1)]
+    # Told once for the gap at 41, and again for the one at 42.
+    assert [(answer.message, answer.number) for answer in answers[5:]] == [
+        (gap.message, 0x41),
+        (gap.message, 0x42),
+    ]
+
+
+@cocotb.test
+async def what_is_not_well_formed_is_answered_without_its_id_and_not_counted(dut: SimHandleBase) -> None:
+    around = await _begin(dut)
+    for code in (1, 2, 3, 7, 9):
+        await around.execute(Request("W", number=0, address=1, word=5, error=code))
+    await around.execute(Request("W", number=0, address=1, out_of_range=True))
+    await around.execute(Request("R", number=1, address=1))
+    accesses, answers = around.take()
+    assert accesses == [_read(1)]
+    assert answers[:6] == [*(_error(code) for code in (1, 2, 3, 7, 9)), _error(RANGE, 0)]
+
+
+@cocotb.test
+async def groups_are_set_with_their_addresses_and_asked_for_by_number(dut: SimHandleBase) -> None:
+    around = await _begin(dut)
+    await around.execute(Request("GN", group=3))
+    around.is_set = {3}
+    await around.execute(Request("GS", group=3, count=4, words=[9, 8, 7, 6]))
+    for command in ("GN", "GP", "GX"):
+        await around.execute(Request(command, group=3))
+    await around.execute(Request("GP", number=0, group=4))
+    operations = [("stop", []), ("set", [9, 8, 7, 6]), ("start", []), ("publish", []), ("stop", [])]
+    assert around.operations == operations
+    assert around.take()[1] == [
+        _error(RANGE),
+        *(_ok(command, pair=3) for command in ("GS", "GN", "GP", "GX")),
+        _error(RANGE, 0),
+    ]
+
+
+@cocotb.test
+async def a_read_waits_for_room_in_the_ring_before_it_begins(dut: SimHandleBase) -> None:
+    around = await _begin(dut)
+    for request, needed in ((Request("R", address=1), 1), (Request("RM", address=1, count=9), 9)):
+        around.room = needed - 1
+        task = cocotb.start_soon(around.execute(request))
+        await ClockCycles(dut.clk, 40)
+        assert around.take() == ([], [])
+        around.room = 256
+        await task
+        accesses, answers = around.take()
+        assert (len(accesses), len(answers)) == (needed, 1)
+
+
+@cocotb.test
+async def modes_of_send_immediate_mark_the_answers_after_them(dut: SimHandleBase) -> None:
+    around = await _begin(dut)
+    for mode, mark in ((1, NOW), (0, NONE), (2, WHEN_IDLE), (1, NOW)):
+        await around.execute(Request("I", group=mode))
+        await around.execute(Request("H"))
+        assert around.take()[1] == [_ok("I", pair=mode, mark=mark), _ok("H", mark=mark)]
+    await around.execute(Request("K", number=0))
+    assert around.take()[1] == [_ok("K", number=0, mark=WHEN_IDLE)]
+
+
+@cocotb.test
+async def silent_requests_are_executed_and_not_answered(dut: SimHandleBase) -> None:
+    around = await _begin(dut)
+    around.failures = {2: BUS}
+    for request in (
+        Request("W", address=1, word=5, silent=True),
+        Request("RM", address=1, count=1, silent=True),
+        Request("R", address=2, silent=True),
+        Request("Q", silent=True),
+        Request("H", error=1, silent=True),
+    ):
+        await around.execute(request)
+    await around.execute(Request("R", address=1, plain=True))
+    accesses, answers = around.take()
+    assert [access.address for access in accesses] == [1, 1, 2, 1]
+    assert answers == [_ok("R", address=True, words=1, plain=True)]
+    assert around.committed == [5]
+
+
+@cocotb.test
+async def a_reset_in_any_state_begins_anew(dut: SimHandleBase) -> None:
+    around = await _begin(dut, slow=0.3)
+    rng = random.Random(4)
+    for cycles in range(40):
+        request = rng.choice((Request("RM", count=3), Request("WM", count=2, words=[1, 2]), Request("GS", count=2)))
+        task = cocotb.start_soon(around.execute(request))
+        await ClockCycles(dut.clk, 1 + cycles % 20)
+        task.cancel()
+        dut.request_valid.value = 0
+        dut.rst.value = 1
+        await RisingEdge(dut.clk)
+        dut.rst.value = 0
+        await ClockCycles(dut.clk, 12)
+        around.take()
+        await around.execute(Request("H", number=0))
+        assert [answer.message for answer in around.take()[1]] == [COMMANDS.index("H")]
+
+
+@cocotb.test
+async def random_requests_are_executed_as_the_rules_say_under_back_pressure(dut: SimHandleBase) -> None:
+    around = await _begin(dut, slow=0.5)
+    around.failures = {13: BUS, 14: TIMEOUT}
+    rng, memory, expected = random.Random(12), {}, 0
+    for _ in range(250):
+        command = rng.choice(("R", "RM", "W", "WM", "WK", "H"))
+        count = rng.randrange(1, 6) if command in ("RM", "WM") else 1
+        address, words = rng.randrange(12), [rng.getrandbits(32) for _ in range(count)]
+        address = rng.choice((13, 14)) if rng.random() < 0.1 else address
+        number = (expected + rng.choice((0, 0, 0, -1, -100, 1, 100))) % 256
+        distance = (number - expected) % 256
+        mask = words[0]
+        request = Request(command, number, address, count, word=words[-1], words=words)
+        await around.execute(request)
+        accesses, answers = around.take()
+        repeated_read = distance >= 128 and command in ("R", "RM")
+        if distance and not repeated_read:
+            assert accesses == [], request
+            continue
+        expected = (expected + (distance == 0)) % 256
+        if command == "H":
+            assert (accesses, answers) == ([], [_ok("H", number=number)])
+            continue
+        reached = next((place for place in range(count) if address + place in around.failures), count)
+        for place in range(reached):
+            old = memory.get(address + place, 0)
+            if command in ("W", "WM"):
+                memory[address + place] = words[place]
+            elif command == "WK":
+                memory[address] = old & ~mask | words[-1] & mask
+        assert around.memory == memory, request
+        assert len(answers) == 1
+        assert (answers[0].message == ERROR) == (reached < count), request
+        assert answers[0].number == number
