@@ -63,7 +63,7 @@ class Robot(Component):
     groups: dict[str, Group]
     """The groups that the spec declares, by their names."""
 
-    def __init__(self, link: Link, **parameters: int | None) -> None:
+    def __init__(self, link: Link, /, **parameters: int | None) -> None:
         """Put the robot of the spec behind a link.
 
         Args:
@@ -203,7 +203,15 @@ def python_names(names: Iterable[str]) -> list[str]:
     return made
 
 
-_OWN = frozenset({*Robot.__annotations__, *Component.__annotations__, "_given", "_modules", "_by_path", "_by_id"})
+_OWN = frozenset(
+    {
+        *Robot.__annotations__,
+        *Component.__annotations__,
+        *("_given", "_modules", "_by_path", "_by_id"),
+        # In a class, annotations behind such a name would mean it.
+        *("bool", "float", "int", "tuple"),
+    }
+)
 
 
 def _add_module(attributes: dict[str, Any], described: model.Module, module: Module) -> None:

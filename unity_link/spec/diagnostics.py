@@ -41,6 +41,10 @@ class Span(msgspec.Struct, frozen=True):
         return f"{self.file}:{self.line}:{self.column}"
 
 
+NOWHERE = Span("", 0, 0, 0, 0)
+"""The place of what was not read from a source."""
+
+
 class Note(msgspec.Struct, frozen=True):
     """Another place that a diagnostic is about."""
 

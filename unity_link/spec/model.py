@@ -20,7 +20,7 @@ from collections.abc import Iterator, Sequence  # noqa: TC003  (msgspec reads th
 import msgspec
 
 from unity_link.errors import ArgumentError
-from unity_link.spec.diagnostics import Diagnostic, Span  # noqa: TC001
+from unity_link.spec.diagnostics import NOWHERE, Diagnostic, Span
 from unity_link.spec.kinds import Enumeration, Kind, Value  # noqa: TC001
 
 
@@ -83,7 +83,7 @@ class Signal(msgspec.Struct, frozen=True, kw_only=True):
     module: int | None = None
     """Index in `Interface.modules` of the module that it stands in."""
     doc: str = ""
-    span: Span
+    span: Span = NOWHERE
 
     @property
     def width(self) -> int:
@@ -162,7 +162,7 @@ class Component(msgspec.Struct, frozen=True, kw_only=True, tag_field="part", tag
     modules: tuple[int, ...] = ()
     """Indices in `Interface.modules` of the modules that stand in it under a name of their own."""
     doc: str = ""
-    span: Span
+    span: Span = NOWHERE
 
     def walk(self) -> Iterator[Component]:
         """Give this component and all in it, in the order of the spec."""
@@ -179,7 +179,7 @@ class ComponentArray(msgspec.Struct, frozen=True, kw_only=True, tag_field="part"
     path: str
     items: tuple[Component, ...]
     doc: str = ""
-    span: Span
+    span: Span = NOWHERE
 
 
 class Module(msgspec.Struct, frozen=True, kw_only=True):
@@ -199,7 +199,7 @@ class Module(msgspec.Struct, frozen=True, kw_only=True):
     arguments: dict[str, ModuleArgument]
     """What it was declared with, without BASE and SIZE; flags are True."""
     doc: str = ""
-    span: Span
+    span: Span = NOWHERE
 
 
 class Joint(msgspec.Struct, frozen=True, kw_only=True):
@@ -233,7 +233,7 @@ class Group(msgspec.Struct, frozen=True, kw_only=True):
     """The words of a sample, each address once, in the order of the signals."""
     joints: tuple[Joint, ...] = ()
     doc: str = ""
-    span: Span
+    span: Span = NOWHERE
 
 
 class Parameter(msgspec.Struct, frozen=True):
@@ -256,7 +256,7 @@ class Interface(msgspec.Struct, frozen=True, kw_only=True, dict=True):
     enumerations: tuple[Enumeration, ...] = ()
     """Those that its signals use."""
     doc: str = ""
-    span: Span
+    span: Span = NOWHERE
 
     @functools.cached_property
     def signals(self) -> dict[str, Signal]:

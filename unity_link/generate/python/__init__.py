@@ -1,0 +1,51 @@
+"""Python: a module with the classes that `unity_link.load` makes at run time, for editors and type checkers.
+
+Its classes have annotations, docstrings and nothing else: what happens is in `unity_link.data`, which finds the rest in
+the checked model that stands at the module's end as JSON. So it needs no compiler of specs at run time.
+
+- `classes`: the declarations of an interface as classes of Python
+- `model`: the checked model as text
+- `module.jinja`: the module
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from unity_link.generate import GeneratedFile
+from unity_link.generate.python.classes import describe, module_name
+from unity_link.generate.python.model import model_text
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from unity_link.generate import Templates
+    from unity_link.spec import Interface
+
+DOC = "a typed module: the robot's classes, for completion in an editor and mypy --strict"
+
+
+def docstring(text: str, indent: int = 4) -> str:
+    """Write a text as a docstring, its lines behind the first indented."""
+    escaped = text.replace("\\", "\\\\").replace('"""', '\\"\\"\\"')
+    if escaped.endswith('"'):
+        escaped = escaped[:-1] + '\\"'
+    lines = escaped.splitlines() or [""]
+    body = "\n".join([lines[0], *(" " * indent + line if line else "" for line in lines[1:])])
+    end = "\n" + " " * indent if len(lines) > 1 else ""
+    return f'"""{body}{end}"""'
+
+
+FILTERS = {"docstring": docstring}
+
+
+def files(interface: Interface, templates: Templates) -> Iterator[GeneratedFile]:
+    """Make the file of an interface."""
+    module = describe(interface)
+    text = templates.render(
+        "module",
+        module=module,
+        parameters_keep_their_names=all(name == given for name, given in module.parameters),
+        model=model_text(interface),
+    )
+    yield GeneratedFile(f"{module_name(interface)}.py", text)

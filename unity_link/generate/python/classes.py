@@ -1,0 +1,231 @@
+"""The declarations of an interface as classes of Python.
+
+A component is one class, however often it is used. Where its arguments make a difference, its annotations say what
+holds everywhere: a value that is scaled in one place and not in another is a float.
+"""
+
+from __future__ import annotations
+
+import enum
+import keyword
+from typing import TYPE_CHECKING, NamedTuple
+
+from unity_link.data.loading import class_name
+from unity_link.data.robot import proxy_type, python_names
+from unity_link.hardware import Module, module_type
+from unity_link.spec import Component, ComponentArray, KindName
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Iterator
+
+    from unity_link.spec import EnumValue, Interface, Kind, Signal
+
+IMPORTED = ("ClassVar", "Component", "IntEnum", "Link", "Mapping", "Robot")
+"""Names that the module has for itself, beside those of proxies and hardware modules."""
+
+
+class Attribute(NamedTuple):
+    """A member of a class."""
+
+    name: str
+    annotation: str
+    doc: str
+
+
+class Class(NamedTuple):
+    """A component, or the robot."""
+
+    declaration: str
+    """What the spec calls it."""
+    name: str
+    doc: str
+    attributes: tuple[Attribute, ...]
+
+
+class EnumClass(NamedTuple):
+    """An enumeration."""
+
+    declaration: str
+    name: str
+    doc: str
+    members: tuple[tuple[str, int, str], ...]
+    """Name, number and doc string of each."""
+
+
+class Described(NamedTuple):
+    """What the template shows."""
+
+    robot: Class
+    components: tuple[Class, ...]
+    enumerations: tuple[EnumClass, ...]
+    parameters: tuple[tuple[str, str], ...]
+    """What a program gives: the name of the argument, and what the spec calls it."""
+    proxies: tuple[str, ...]
+    """Names that are imported from `unity_link.data`."""
+    modules: tuple[str, ...]
+    """Names that are imported from `unity_link.hardware`."""
+
+
+def module_name(interface: Interface) -> str:
+    """Give the name of the module of an interface."""
+    return interface.name + ("_" if keyword.iskeyword(interface.name) else "")
+
+
+def describe(interface: Interface) -> Described:
+    """Describe the classes of an interface."""
+    uses: dict[str, list[Component]] = {}
+    for part in interface.root.walk():
+        if part is not interface.root:
+            uses.setdefault(part.type, []).append(part)
+    proxies = sorted({proxy_type(signal).__name__ for signal in interface.signals.values()})
+    modules = sorted({_module_class(module.type) for module in interface.modules if module.name is not None})
+    namer = _Names([*IMPORTED, *proxies, *modules])
+    robot_name = namer.take(interface.name)
+    names = {declaration: namer.take(declaration) for declaration in uses}
+    enumerations = {known.name: namer.take(known.name) for known in interface.enumerations}
+    maker = _Maker(interface, names, enumerations)
+    return Described(
+        robot=maker.make(interface.name, robot_name, [interface.root]),
+        components=tuple(
+            maker.make(declaration, names[declaration], uses[declaration]) for declaration in reversed(uses)
+        ),
+        enumerations=tuple(
+            EnumClass(known.name, enumerations[known.name], known.doc or f"{known.name}.", _members(known.values))
+            for known in interface.enumerations
+        ),
+        parameters=_arguments([parameter.name for parameter in interface.parameters if parameter.value is None]),
+        proxies=tuple(proxies),
+        modules=tuple(modules),
+    )
+
+
+class _Names:
+    """Names of classes, none given twice."""
+
+    def __init__(self, taken: Iterable[str]) -> None:
+        self._taken = set(taken)
+
+    def take(self, declaration: str) -> str:
+        name = class_name(declaration)
+        while name in self._taken or keyword.iskeyword(name):
+            name += "_"
+        self._taken.add(name)
+        return name
+
+
+class _Maker:
+    """Makes classes of components."""
+
+    def __init__(self, interface: Interface, names: dict[str, str], enumerations: dict[str, str]) -> None:
+        self._interface = interface
+        self._names = names
+        self._enumerations = enumerations
+
+    def make(self, declaration: str, name: str, uses: list[Component]) -> Class:
+        """Make the class of a declaration from all its uses."""
+        attributes = [attribute for attributes in self._members(uses) for attribute in attributes]
+        free = python_names(attribute.name for attribute in attributes)
+        named = (attribute._replace(name=name) for name, attribute in zip(free, attributes, strict=True))
+        # A component without a doc string of its own has that of the place where it is put.
+        docs = {use.doc for use in uses}
+        doc = docs.pop() if len(docs) == 1 else ""
+        return Class(declaration, name, doc or f"{declaration}.", tuple(named))
+
+    def _members(self, uses: list[Component]) -> Iterator[Iterable[Attribute]]:
+        first = uses[0]
+        yield (self._signal([use.signals[place] for use in uses]) for place in range(len(first.signals)))
+        yield (self._part(part) for part in first.parts)
+        yield self._modules(first)
+
+    def _signal(self, signals: list[Signal]) -> Attribute:
+        types = list(dict.fromkeys(self._value_type(signal.kind) for signal in signals))
+        # A float takes whole numbers too.
+        value = "float" if "float" in types else " | ".join(types)
+        doc = "\n".join([*_text(signals[0].doc), *_properties(signals)])
+        return Attribute(signals[0].name, f"{proxy_type(signals[0]).__name__}[{value}]", doc)
+
+    def _value_type(self, kind: Kind) -> str:
+        if kind.enumeration is not None:
+            # A number without a name is no error.
+            return f"{self._enumerations[kind.enumeration.name]} | int"
+        if kind.is_float:
+            return "float"
+        return "bool" if kind.name is KindName.BOOL else "int"
+
+    def _part(self, part: Component | ComponentArray) -> Attribute:
+        if isinstance(part, ComponentArray):
+            return Attribute(part.name, f"tuple[{self._names[part.items[0].type]}, ...]", part.doc)
+        return Attribute(part.name, self._names[part.type], part.doc)
+
+    def _modules(self, component: Component) -> Iterable[Attribute]:
+        made: dict[str, Attribute] = {}
+        for number in component.modules:
+            module = self._interface.modules[number]
+            assert module.name is not None
+            known = _module_class(module.type)
+            is_array = module.path is not None and module.path.endswith("]")
+            annotation = f"tuple[{known}, ...]" if is_array else known
+            made[module.name] = Attribute(module.name, annotation, module.doc or f"{module.type} at {module.base:#x}.")
+        return made.values()
+
+
+def _module_class(word: str) -> str:
+    """Give the class of a module that can be imported from `unity_link.hardware`."""
+    known = module_type(word)
+    return known.__name__ if known.__module__.startswith("unity_link.hardware.") else Module.__name__
+
+
+def _text(doc: str) -> list[str]:
+    return [doc, ""] if doc else []
+
+
+def _properties(signals: list[Signal]) -> list[str]:
+    """Say what holds for a signal in all uses of its component."""
+    first = signals[0]
+    addresses = ", ".join(f"{signal.address:#x}" for signal in signals[:4]) + (", ..." if len(signals) > 4 else "")
+    bits = "" if first.width == first.word_bits * first.words else f", bits {_bits(first)}"
+    lines = [f"{first.kind if len({signal.kind for signal in signals}) == 1 else first.kind.name} at {addresses}{bits}"]
+    if len({signal.unit for signal in signals}) == 1 and first.unit:
+        lines.append(f"Unit: {first.unit}")
+    if first.access.writes and len({signal.limits for signal in signals}) == 1:
+        low, high = first.limits
+        lines.append(f"Limits: {low:.12g} to {high:.12g}")
+    if first.group is not None:
+        lines.append(f"Published by group {first.group}")
+    if first.poll_hz is not None:
+        lines.append(f"Polled at {first.poll_hz:g} Hz")
+    return [line + "." for line in lines]
+
+
+def _bits(signal: Signal) -> str:
+    high = signal.lowest_bit + signal.width - 1
+    return str(high) if signal.width == 1 else f"{high} to {signal.lowest_bit}"
+
+
+def _arguments(names: list[str]) -> tuple[tuple[str, str], ...]:
+    taken = {"self", "link"}
+    made = []
+    for name in names:
+        free = name
+        while keyword.iskeyword(free) or free in taken:
+            free += "_"
+        taken.add(free)
+        made.append((free, name))
+    return tuple(made)
+
+
+_OF_ENUMERATIONS = frozenset(dir(enum.IntEnum)) | {"name", "value"}
+"""Names that a member of an enumeration cannot have."""
+
+
+def _members(values: Iterable[EnumValue]) -> tuple[tuple[str, int, str], ...]:
+    given = list(values)
+    taken = {value.name for value in given}
+    made = []
+    for value in given:
+        name = value.name
+        while keyword.iskeyword(name) or name in _OF_ENUMERATIONS or (name != value.name and name in taken):
+            name += "_"
+        taken.add(name)
+        made.append((name, value.value, value.doc))
+    return tuple(made)

@@ -1,0 +1,56 @@
+"""The checked model as JSON, for a module that holds it: without defaults and places, a signal a line."""
+
+from __future__ import annotations
+
+import enum
+import json
+from typing import TYPE_CHECKING, Any
+
+import msgspec
+
+if TYPE_CHECKING:
+    from unity_link.spec import Interface
+
+
+def model_text(interface: Interface) -> str:
+    """Give what `unity_link.data.read_interface` reads; no quotes of Python's are in it."""
+    return "\n".join(_lines(_plain(interface))).replace("'", "\\u0027")
+
+
+def _plain(value: Any) -> Any:
+    """Give what JSON can say of a value, without what a decoder fills in by itself."""
+    if isinstance(value, msgspec.Struct):
+        config = value.__struct_config__
+        fields: dict[str, Any] = {} if config.tag is None else {str(config.tag_field): config.tag}
+        for field in msgspec.structs.fields(value):
+            item = getattr(value, field.name)
+            factory = field.default_factory
+            default = field.default if factory is msgspec.NODEFAULT else factory()
+            if field.name != "span" and item != default:
+                fields[field.encode_name] = _plain(item)
+        return fields
+    if isinstance(value, dict):
+        return {key: _plain(item) for key, item in value.items()}
+    if isinstance(value, tuple | list):
+        return [_plain(item) for item in value]
+    return value.value if isinstance(value, enum.Enum) else value
+
+
+def _lines(value: Any) -> list[str]:
+    """Write a value in lines: what holds lists of objects is opened, everything else is one line."""
+    if not _is_deep(value):
+        return [json.dumps(value, ensure_ascii=False, separators=(",", ":"))]
+    is_list = isinstance(value, list)
+    items = [("", item) for item in value] if is_list else [(json.dumps(key) + ":", value[key]) for key in value]
+    lines = ["[" if is_list else "{"]
+    for number, (head, item) in enumerate(items):
+        first, *rest = _lines(item)
+        lines += [head + first, *rest]
+        lines[-1] += "," if number + 1 < len(items) else ""
+    return [*lines, "]" if is_list else "}"]
+
+
+def _is_deep(value: Any) -> bool:
+    if isinstance(value, list):
+        return any(isinstance(item, dict) for item in value)
+    return isinstance(value, dict) and any(_is_deep(item) for item in value.values())
