@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Literal
 import typer
 
 from unity_link.cli.arguments import Json  # noqa: TC001  (typer reads it)
-from unity_link.cli.output import out, print_line, print_note
+from unity_link.cli.output import is_live, out, print_line, print_note
 from unity_link.errors import ArgumentError
 
 if TYPE_CHECKING:
@@ -48,14 +48,17 @@ def paper(
     Exits with 1 where one is not what it must be, unless the run was quick.
     """
     from unity_link.paper import run_experiment
+    from unity_link.paper.tables import to_markdown
 
     if output is not None and output.exists() and not output.is_dir():
         raise ArgumentError(f"--output {output} is no folder")
     results = run_experiment(gateway=gateway, quick=quick, tell=lambda what: print_note(f"{what} ..."))
     if json:
-        print_line(results.to_json(indent=0).decode())
-    else:
+        print_line(results.to_json(indent=-1).decode())
+    elif is_live():
         _show(results)
+    else:
+        print_line(to_markdown(results))
     if output is not None:
         _write(results, output)
     if not quick and not all(check.met for check in results.checks):
@@ -76,36 +79,31 @@ def _write(results: Results, folder: Path) -> None:
 
 def _show(results: Results) -> None:
     from unity_link.paper import tables
+    from unity_link.paper.results import STACKS
 
     if (figures := results.gateware) is not None:
         clock = f"at {figures.clock_hz / 1e6:g} MHz"
         _table("The gateware alone, clock-exact", 1, ("", "cycles", clock, "paper"), tables.gateware_rows(figures))
-    _table(
-        "One access, µs",
-        4,
-        ("stack", "access", "when", "send-immediate", "clock-exact", "modelled", "measured", "together", "paper"),
-        tables.latency_rows(results.latencies),
-    )
-    _table(
-        "Long bursts, Mb/s",
-        3,
-        ("stack", "accesses", "send-immediate", "modelled", "measured as well", "of 64", "paper"),
-        tables.throughput_rows(results.throughputs),
-    )
-    _table(
-        "The limit of publishing, kHz",
-        0,
-        ("words", "bytes", "8 MB/s carry", "modelled", "measured as well", "paper"),
-        tables.publish_rows(results.publish_limits),
-    )
+    head: tuple[str, ...]
+    for stack in STACKS:
+        rows = [row[1:] for row in tables.latency_rows(results.latencies) if row[0] == stack]
+        head = ("access", "when", "mode", "exact", "modelled", "measured", "all", "paper")
+        _table(f"One access, {stack}, µs", 3, head, rows)
+    for stack in STACKS:
+        rows = [row[1:] for row in tables.throughput_rows(results.throughputs) if row[0] == stack]
+        head = ("accesses", "mode", "modelled", "measured as well", "of 64", "paper")
+        _table(f"Long bursts, {stack}, Mb/s", 2, head, rows)
+    head = ("words", "bytes", "8 MB/s carry", "modelled", "measured as well", "paper")
+    _table("The limit of publishing, kHz", 0, head, tables.publish_rows(results.publish_limits))
     _table("What must hold", 4, ("what", "found", "wanted", "met"), tables.check_rows(results.checks))
 
 
 def _table(title: str, names: int, head: tuple[str, ...], rows: Iterable[tuple[str, ...]]) -> None:
     """Print a table, of which the first columns are names and the others numbers."""
+    from rich.box import SIMPLE_HEAD
     from rich.table import Table
 
-    shown = Table(title=title, title_justify="left")
+    shown = Table(title=title, title_justify="left", box=SIMPLE_HEAD)
     for index, name in enumerate(head):
         shown.add_column(name, justify="left" if index < names else "right")
     for row in rows:

@@ -10,6 +10,7 @@ from unity_link.paper.stacks import Access, StackName  # noqa: TC001  (msgspec r
 from unity_link.paper.workbench import GatewayKind  # noqa: TC001
 
 SendImmediate = Literal["off", "always", "adaptive"]
+STACKS: tuple[StackName, ...] = ("low-level", "full stack")
 MODES: tuple[SendImmediate, ...] = ("off", "always", "adaptive")
 ACCESSES: tuple[Access, ...] = ("read", "write", "post")
 Rhythm = Literal["back to back", "at any time"]
@@ -139,7 +140,7 @@ class Results(msgspec.Struct, frozen=True, kw_only=True):
     checks: list[Check]
 
     def to_json(self, indent: int = 2) -> bytes:
-        """Give all as one JSON object; in one line, if `indent` is 0."""
+        """Give all as one JSON object; in one line, if `indent` is -1."""
         return msgspec.json.format(msgspec.json.encode(self), indent=indent)
 
     def latency(self, stack: StackName, access: Access, mode: SendImmediate, rhythm: Rhythm) -> Latency:

@@ -60,7 +60,7 @@ def _measuring_rate(access: Access, mode: SendImmediate, count: int) -> Callable
     async def measure(stack: Stack) -> float:
         await stack.send_immediate(mode)
         # What is done once, at the first time, is not part of any rate.
-        await stack.burst(access, count)
+        await stack.burst(access, count // 10)
         size = 8 * stack.line_bytes[access] * count / 1e6
         long = await _time(stack, access, _LONG * count)
         if access == "post":

@@ -51,6 +51,8 @@ class Workbench(msgspec.Struct, frozen=True):
 
     gateway: GatewayKind
     timing: Timing = Timing()
+    counts_host_time: bool = True
+    """False to leave the program's time out everywhere: then every run gives the same."""
 
     def run(self, stack: StackName, measure: Callable[[Stack], Coroutine[None, None, T]], *, host_time: bool) -> T:
         """Measure on a fresh gateway, through one of the stacks.
@@ -61,7 +63,9 @@ class Workbench(msgspec.Struct, frozen=True):
             host_time: count the program's processor time besides the modelled time.
         """
         gc.collect()
-        with asyncio.Runner(loop_factory=lambda: ModelledTimeLoop(host_time=host_time)) as runner:
+        with asyncio.Runner(
+            loop_factory=lambda: ModelledTimeLoop(host_time=host_time and self.counts_host_time)
+        ) as runner:
             return runner.run(self._measure(stack, measure))
 
     async def _measure(self, stack: StackName, measure: Callable[[Stack], Coroutine[None, None, T]]) -> T:
