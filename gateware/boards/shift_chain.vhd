@@ -14,7 +14,7 @@ entity shift_chain is
   generic (
     bits_out : positive;
     bits_in  : positive;
-    -- Cycles of clk.
+    -- Cycles of clk, 2 or more: a bit that comes in is sampled one cycle before it counts.
     half_period : positive := 2
   );
   port (
@@ -43,6 +43,10 @@ architecture rtl of shift_chain is
   signal sampled : std_logic;
 
 begin
+
+  assert half_period >= 2
+    report "shift_chain: half_period is " & integer'image(half_period) & ", expected 2 or more"
+    severity failure;
 
   chain_out <= shifted(0);
 

@@ -285,7 +285,7 @@ def _windows(interface: Interface) -> Iterator[Window]:
     modules = [module for index, module in enumerate(interface.modules) if _owner(interface, index) == index]
     sizes = {id(module): 1 if module.type == "FIFO" and module.words is None else module.words for module in modules}
     bases = sorted(module.base for module in modules)
-    scope = Scope(ELSEWHERE)
+    scope = Scope(ELSEWHERE, "wb")
     open_at: dict[int, Module] = {}
     # Those of known size come first: an open one has only what they leave.
     for module in sorted(modules, key=lambda one: (sizes[id(one)] is None, one.base)):

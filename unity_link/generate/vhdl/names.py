@@ -13,15 +13,20 @@ RESERVED = frozenset(
     restrict_guarantee return rol ror select sequence severity shared signal sla sll sra srl strong subtype then to
     transport type unaffected units until use variable view vmode vprop vunit wait when while with xnor xor""".split()  # noqa: SIM905  (a line for each word would be a page)
 )
-"""Words of VHDL up to its version of 2019; one of them as a name gets ``_x`` behind it."""
+"""Words of VHDL up to its version of 2019."""
+TYPES = frozenset({"std_logic", "std_logic_vector", "unsigned", "signed"})
+"""Names that an element of a record would hide from the elements behind it; our own types end with ``_t``."""
 
 
 def identifier(text: str) -> str:
-    """Write a name or a path of a spec in small letters, as VHDL allows: ``legs[2].__Case`` is ``legs_2_case``."""
+    """Write a name or a path of a spec in small letters, as VHDL allows: ``legs[2].__Pos`` is ``legs_2_pos``.
+
+    What is a word of VHDL or the name of a type gets ``_x`` behind it.
+    """
     name = re.sub(r"[\W_]+", "_", text).strip("_").lower() or "x"
     if not name[0].isalpha():
         name = f"x_{name}"
-    return f"{name}_x" if name in RESERVED else name
+    return f"{name}_x" if name in RESERVED | TYPES or name.endswith("_t") else name
 
 
 class Scope:

@@ -2,7 +2,7 @@
 
 Which words a value has is what `Signal.encode` says of it to every client, so that a bank which passes agrees with the
 programs that are generated from the same spec. Values are random, but the same for the same spec. Each signal gets
-several, all signals at once, so that one that answers for another is seen.
+several, all signals at once, so that one that answers for another is seen, and each bit is 0 once and 1 once.
 """
 
 from __future__ import annotations
@@ -139,12 +139,18 @@ class Stimuli:
     def _chance(self, *what: object) -> random.Random:
         return random.Random(" ".join(map(str, (self._bank.interface.name, *what))))  # noqa: S311  (not for secrets)
 
-    def _raw(self, register: Register, what: object) -> int:
+    def _number(self, bits: int, round_: int, *what: object) -> int:
+        """Give a number; that of the second round is the first one with every bit turned."""
+        if round_ == 2:
+            return self._number(bits, 1, *what) ^ (1 << bits) - 1
+        return self._chance(round_, *what).getrandbits(bits)
+
+    def _raw(self, register: Register, round_: int) -> int:
         """Give a raw that hardware can give: of an enumeration, one with a name."""
-        chance, kind = self._chance(register.signal.path, what), register.signal.kind
+        kind, path = register.signal.kind, register.signal.path
         if kind.enumeration is not None:
-            return chance.choice(kind.enumeration.values).value
-        return chance.getrandbits(kind.width)
+            return self._chance(round_, path).choice(kind.enumeration.values).value
+        return self._number(kind.width, round_, path)
 
     def _reads(self, round_: int) -> Iterator[str]:
         given = [
@@ -159,10 +165,9 @@ class Stimuli:
 
     def _writes(self, round_: int) -> Iterator[str]:
         self._gathered = {}
-        chance = self._chance("writes", round_)
         words = [word for word in self._bank.words if any(register.is_register for register in word.written)]
         for word in words:
-            yield from self._write(word, chance.getrandbits(self._data_bits))
+            yield from self._write(word, self._number(self._data_bits, round_, word.address))
         for register in self._bank.registers:
             if register.is_register and len(words) > 1:
                 yield self._see(register)
@@ -183,7 +188,7 @@ class Stimuli:
                 continue
             addresses = register.signal.addresses
             kept = [self._read(address, keep=address != addresses[-1]) for address in addresses]
-            yield from (kept[0], self._give(register, self._raw(register, "changed")), "pass(2);", *kept[1:])
+            yield from (kept[0], self._give(register, self._raw(register, ROUNDS + 1)), "pass(2);", *kept[1:])
             yield "pass(2);"
             yield from (self._read(address) for address in addresses)
 

