@@ -9,6 +9,7 @@ from __future__ import annotations
 import contextlib
 import functools
 import math
+import re
 import shutil
 import struct
 import subprocess
@@ -384,11 +385,26 @@ attempt('again', @() link.read(1));
     assert again.endswith("; the request is known not to be executed")
 
 
+@pytest.mark.parametrize(
+    ("settings", "most"), [(("features=0x6f", "receive_fifo_bytes=64"), 8), ((), 128)], ids=["a small FIFO", "all IDs"]
+)
+def test_no_more_is_in_flight_than_the_gateway_takes(octave: Octave, settings: tuple[str, ...], most: int) -> None:
+    octave.generate(compile_text(FIGURE_1))
+    options = [option for setting in settings for option in ("--set", setting)]
+    with simulate("tcp", *options) as url, FaultyLine(url, "tcp", [lose("^r", times=most)]) as line:
+        shown = octave.run(f"link = unity_link.Link('{line.url}'); show('words', sum(link.read_many(0:199)));")
+        sent = [frame for frame in line.requests if frame.startswith("r")]
+    assert shown["words"] == doubles(0)
+    # The answers to all that the first turn sends are lost, so what follows is the first one again.
+    assert sent.index(sent[0], 1) == most
+
+
 # Subscriptions
 
 _SAMPLES = """\
 robot = scara('{url}');
-robot.j1.pos_sp.set(10);
+robot.j1.spd_sp.set(5);
+robot.j1.pos_sp.set(100);
 samples = robot.groups.state.subscribe();
 show('rate', samples.rate_hz);
 data = samples.take(50);
@@ -399,7 +415,10 @@ show('steps', [min(steps), max(steps)]);
 show('sizes', [size(data.words), size(data.values.j4.spd)]);
 show('decoded', isequal(data.values.j1.cpos, data.words(:, 1) * 0.0018));
 show('moving', data.values.j1.cpos(end) > data.values.j1.cpos(1));
-attempt('group in use', @() robot.groups.state.subscribe());
+again = robot.groups.state.subscribe('divisor', 50);
+show('again', [again.rate_hz, again.take(1).lost, again.group ~= samples.group]);
+attempt('group in use', @() robot.link.subscribe(1, 'group', again.group));
+clear again
 samples.close();
 samples.close();
 attempt('closed', @() samples.take(1));
@@ -450,7 +469,8 @@ def test_samples_of_groups_and_addresses_come_with_their_numbers_times_and_value
     assert shown["sizes"] == doubles(50, 8, 50, 1)
     assert shown["decoded"] == "logical 1"
     assert shown["moving"] == "logical 1"
-    assert shown["group in use"].startswith("unity_link:argumentError group 1 of the gateway is in use")
+    assert shown["again"] == doubles(2000, 0, 1)
+    assert shown["group in use"].startswith("unity_link:argumentError group 254 of the gateway is in use")
     assert shown["closed"].startswith("unity_link:argumentError the subscription is closed")
     assert shown["ad hoc"] == "logical 1 1 1 1 1"
     assert shown["no time"] == "logical 1"
@@ -627,6 +647,28 @@ public robot() {
     assert shown["nothing sent"] == doubles(11)
     assert shown["sampled"] == words(*3 * [2**64 - 2])
     assert shown["about"] == f"° the 'angle' signed 32 {doubles(-5)}"
+
+
+def test_the_guide_says_what_happens(octave: Octave) -> None:
+    guide = (EXAMPLES.parent / "docs" / "how-to" / "matlab.md").read_text(encoding="utf-8")
+    lines = [
+        line
+        for block in re.findall(r"^```matlab\n(.*?)^```$", guide, re.DOTALL | re.MULTILINE)
+        for line in block.splitlines()
+    ]
+    octave.generate(compile_file(EXAMPLES / "scara.ul"))
+    script, told = [], {}
+    with simulate("tcp", "--robot", "scara") as url:
+        for number, line in enumerate(lines):
+            if found := re.fullmatch(r"(\S.*?) +% gives (.*)", line):
+                script.append(f"value = {found[1]}; if ~ischar(value), value = num2str(value, 5); end")
+                script.append(f"show('{number}', regexprep(value, ' +', ' '));")
+                told[str(number)] = found[2]
+            elif not line.startswith(("addpath", "plot")):
+                script.append(line.replace("tcp://127.0.0.1:7001", url))
+        shown = octave.run("\n".join(script))
+    assert len(told) > 10
+    assert shown == told
 
 
 # Names, and the text
