@@ -3,6 +3,10 @@
 from __future__ import annotations
 
 import asyncio
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from unity_link.virtual.faults import Noise
 
 HIGH, LOW = 65_536, 16_384
 
@@ -12,10 +16,12 @@ class End(asyncio.Transport):
 
     Args:
         protocol: who writes here, and is told to pause.
+        noise: what becomes of the bytes on their way.
     """
 
-    def __init__(self, protocol: asyncio.Protocol) -> None:
+    def __init__(self, protocol: asyncio.Protocol, noise: Noise | None) -> None:
         super().__init__()
+        self._noise = noise
         self.protocol: asyncio.Protocol = protocol
         self.peer: End
         self._loop = asyncio.get_running_loop()
@@ -34,7 +40,8 @@ class End(asyncio.Transport):
     def write(self, data: bytes | bytearray | memoryview) -> None:
         if self._closing:
             return
-        self._buffer += data
+        data = bytes(data)
+        self._buffer += data if self._noise is None else b"".join(self._noise.spoil(data))
         if len(self._buffer) > self._high and not self._pausing:
             self._pausing = True
             self.protocol.pause_writing()
@@ -77,9 +84,11 @@ class End(asyncio.Transport):
             self.protocol.resume_writing()
 
 
-def connect(one: asyncio.Protocol, other: asyncio.Protocol) -> End:
+def connect(
+    one: asyncio.Protocol, other: asyncio.Protocol, there: Noise | None = None, back: Noise | None = None
+) -> End:
     """Connect two protocols, and give the end of the first."""
-    ends = End(one), End(other)
+    ends = End(one, there), End(other, back)
     ends[0].peer, ends[1].peer = ends[1], ends[0]
     one.connection_made(ends[0])
     other.connection_made(ends[1])

@@ -2,78 +2,25 @@
 
 from __future__ import annotations
 
-import asyncio
 import json
-from contextlib import asynccontextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 import pytest
 
-import pipe
+from sharing import call, settle, sharing
 from simulated_time import on_simulated_time
-from unity_link.bridges.serve.client import Client
-from unity_link.bridges.serve.shared import SharedLink
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.faults import Failing
 from unity_link.wire.gateway_info import Feature, GatewayInfo
 from unity_link.wire.messages import ErrorCode
+from worked_examples import Example, worked_examples
 
 if TYPE_CHECKING:
-    from collections.abc import AsyncIterator
-
-    from unity_link.virtual import Gateway
+    from unity_link.bridges.serve.shared import SharedLink
 
 FOLDER = Path(__file__).resolve().parents[1] / "vectors"
 FILES = [path for path in sorted(FOLDER.glob("*.ndjson")) if path.stem != "addressed"]
-
-
-class Terminal(asyncio.Protocol):
-    """A client that says what it is told to, and keeps what it hears."""
-
-    def __init__(self) -> None:
-        self.heard = b""
-        self.gone = False
-
-    def connection_made(self, transport: asyncio.BaseTransport) -> None:
-        assert isinstance(transport, asyncio.Transport)
-        self.transport = transport
-
-    def data_received(self, data: bytes) -> None:
-        self.heard += data
-
-    def connection_lost(self, exc: Exception | None) -> None:
-        self.gone = True
-
-    def take(self) -> bytes:
-        heard, self.heard = self.heard, b""
-        return heard
-
-
-@asynccontextmanager
-async def sharing(gateway: Gateway) -> AsyncIterator[SharedLink]:
-    shared = SharedLink(gateway, lambda _: None)
-    shared.open_when_there()
-    while shared.away:
-        await asyncio.sleep(0.001)
-    try:
-        yield shared
-    finally:
-        await shared.finish()
-
-
-def call(shared: SharedLink) -> Terminal:
-    terminal = Terminal()
-    pipe.connect(terminal, Client(shared))
-    return terminal
-
-
-async def settle(shared: SharedLink) -> None:
-    """Wait until all that was asked for is answered."""
-    while True:
-        await asyncio.sleep(0.01)
-        if not shared._exchange.in_flight and not any(client._pending for client in shared.clients):
-            return
 
 
 def in_words_of(shared: SharedLink, text: bytes) -> bytes:
@@ -118,5 +65,24 @@ def test_every_vector_is_answered_byte_for_byte(path: Path) -> None:
                 answers, publishes = parted(client.take())
                 assert answers == in_words_of(shared, step["answers"].encode("latin-1")), step
                 assert publishes == step.get("publishes", "").encode("latin-1").splitlines(keepends=True), step
+
+    play()
+
+
+@pytest.mark.parametrize("example", [e for e in worked_examples() if e.node is None], ids=lambda e: f"line {e.line}")
+def test_every_worked_example_of_the_protocol_holds(example: Example) -> None:
+    gateway = VirtualGateway()
+    gateway.memory.update(example.memory)
+    gateway.attach(Failing(ErrorCode.BUS_ERROR), example.bus_errors)
+    gateway.attach(Failing(ErrorCode.BUS_TIMEOUT), example.bus_timeouts)
+
+    @on_simulated_time
+    async def play() -> None:
+        async with sharing(gateway) as shared:
+            client = call(shared)
+            for sent, answered in example.exchange:
+                client.transport.write(sent)
+                await settle(shared)
+                assert parted(client.take()) == parted(in_words_of(shared, answered)), sent
 
     play()

@@ -111,8 +111,11 @@ class Client(asyncio.Protocol):
             if isinstance(request, Relayed):
                 self._over(request)
         for entry in self._pending:
+            if isinstance(entry, Relayed):
+                entry.sent = False
             if not isinstance(entry, Said):
                 entry.given_up = True
+        self._shared.turns.forget(self.queue)
         self._pending.clear()
         self._shared.leave(self)
 
@@ -138,7 +141,7 @@ class Client(asyncio.Protocol):
     def _read(self) -> None:
         """Take all whole frames, or as many as there is room for."""
         data, self._rest = self._rest, b""
-        start, batched = 0, True
+        start, batched, typed = 0, True, b"\r" in data
         while self._listening:
             if batched:
                 # Looked for at the start of a read and behind what interrupts a batch, not at each line.
@@ -146,31 +149,18 @@ class Client(asyncio.Protocol):
                 batched = start != before
                 continue
             end = data.find(b"\n", start)
+            plain = typed and (found := data.find(b"\r", start, end if end >= 0 else len(data))) >= 0
+            end = found if plain else end
             if end < 0:
                 break
             line = data[start:end]
             start = end + 1
-            if not self._relay_quickly(line):
-                self._take_lines(line)
-                batched = True
-        self._rest = data[start:]
-        if self._listening:
-            self._take_tail()
+            if plain or not self._relay_quickly(line):
+                self._take(line, plain=plain)
+                batched = not plain
+        rest = data[start:]
+        self._rest = rest[: self._most_kept] if self._listening else rest
         self._shared.turns.join(self.queue)
-
-    def _take_lines(self, line: bytes) -> None:
-        """Take what stood before an LF: one frame, or several of which all but the last end in CR."""
-        *plain, checked = line.split(b"\r")
-        for frame in plain:
-            self._take(frame, plain=True)
-        self._take(checked, plain=False)
-
-    def _take_tail(self) -> None:
-        """Take plain frames that no LF follows, and keep what may be the beginning of another."""
-        *plain, rest = self._rest.split(b"\r")
-        for frame in plain:
-            self._take(frame, plain=True)
-        self._rest = rest[: self._most_kept]
 
     def _take(self, line: bytes, *, plain: bool) -> None:
         """Take one frame."""
@@ -486,10 +476,11 @@ class Client(asyncio.Protocol):
         count, frames = rows.ready()
         if count:
             self._under_way -= count * rows.cost
+            self._shared.turns.arrived(self.queue, count * rows.cost)
             self._mark(first, count, rows.awaited, 0)
             self._write(frames)
 
-    def sent(self, request: Relayed) -> None:
+    def posted(self, request: Relayed) -> None:
         """Take note that a posted write is on its way: unless it fails, nothing more is heard of it."""
         self._under_way -= request.cost
         request.cost = 0
@@ -498,6 +489,8 @@ class Client(asyncio.Protocol):
     def _over(self, request: Relayed) -> None:
         """Forget a request that is answered or dropped."""
         self._under_way -= request.cost
+        if request.sent:
+            self._shared.turns.arrived(self.queue, request.cost)
         if request.awaited is not None and request.number is not None:
             request.awaited[request.number] = 0
         if request.after is not None:

@@ -30,7 +30,7 @@ class Asker(Protocol):
     def answer(self, request: Relayed, body: bytes) -> None:
         """Take the body of the answer to a request; nothing, where it has none."""
 
-    def sent(self, request: Relayed) -> None:
+    def posted(self, request: Relayed) -> None:
         """Take note that a posted write is on its way."""
 
 
@@ -62,7 +62,20 @@ class Relayed(Message):
         plain: whether the request was a plain frame, and so is its answer.
     """
 
-    __slots__ = ("_asker", "_frame", "after", "awaited", "cost", "fields", "head", "number", "plain", "reply", "silent")
+    __slots__ = (
+        "_asker",
+        "_frame",
+        "after",
+        "awaited",
+        "cost",
+        "fields",
+        "head",
+        "number",
+        "plain",
+        "reply",
+        "sent",
+        "silent",
+    )
 
     def __init__(
         self,
@@ -85,6 +98,8 @@ class Relayed(Message):
         """Whether the client did not ask for this, and is not answered."""
         self.cost = self.size + self.reply_size
         """Bytes that it takes of the gateway's line."""
+        self.sent = False
+        """Whether it is on its way to the gateway, and an answer is to come."""
         self.reply: bytes | None = None
         """The frame for the client, once there is one."""
         self.awaited: bytearray | None = None
@@ -142,7 +157,9 @@ class Relayed(Message):
     def take(self, room: int) -> Message:  # noqa: ARG002
         """Give the request itself."""
         if self.posted:
-            self._asker.sent(self)
+            self._asker.posted(self)
+        else:
+            self.sent = True
         return self
 
     def exhausted(self) -> bool:

@@ -3,6 +3,9 @@
 Deficit round robin (Shreedhar and Varghese, 1995) over bytes: at its turn a client may send for `QUANTUM` bytes of
 requests and answers, and what it overdraws is taken off its next turns. So one that moves blocks and one that reads
 words get the same share of the line, and one that has little to ask waits for one turn of each of the others at most.
+
+What is under way can't be overtaken any more. So while several clients are at it, no more is sent than `MOST_AHEAD`
+bytes, answers included: enough for the quickest line, and little to wait for on a slow one.
 """
 
 from __future__ import annotations
@@ -17,14 +20,18 @@ if TYPE_CHECKING:
     from unity_link.requests import Message
 
 QUANTUM = 2048
+MOST_AHEAD = 4096
+_NEVER = 1 << 30
 
 
 class Queue:
     """What one client has asked for and is not sent."""
 
-    __slots__ = ("balance", "in_line", "requests")
+    __slots__ = ("balance", "in_line", "requests", "under_way")
 
     def __init__(self) -> None:
+        self.under_way = 0
+        """Bytes of requests that were sent and of their answers."""
         self.requests: deque[Relayed | RelayedRows] = deque()
         self.balance = QUANTUM
         self.in_line = False
@@ -40,6 +47,7 @@ class Turns:
     def __init__(self, exchange: Exchange) -> None:
         self._exchange = exchange
         self._line: deque[Queue] = deque()
+        self._under_way = 0
         self._held = False
         self._submitted = False
 
@@ -58,6 +66,15 @@ class Turns:
             queue.in_line = False
             self._line.remove(queue)
         return dropped
+
+    def arrived(self, queue: Queue, cost: int) -> None:
+        """Take note of answers."""
+        queue.under_way -= cost
+        self._under_way -= cost
+
+    def forget(self, queue: Queue) -> None:
+        """Take note that the client of a queue has left, and hears no answers."""
+        self.arrived(queue, queue.under_way)
 
     def hold(self) -> None:
         """Send nothing until `release`."""
@@ -95,8 +112,10 @@ class Turns:
         return self._first().requests[0].posted
 
     def least(self) -> int:
-        """Give for how many requests room is wanted."""
-        return self._first().requests[0].least()
+        """Give for how many requests room is wanted; more than there ever is, while enough is under way."""
+        queue = self._first()
+        others = len(self._line) > 1 or self._under_way > queue.under_way
+        return _NEVER if others and self._under_way >= MOST_AHEAD else queue.requests[0].least()
 
     def take(self, room: int) -> Message:
         """Give what the next client may send in one go."""
@@ -105,6 +124,9 @@ class Turns:
         cost = request.cost
         run = request.take(room if alone else min(room, -(-queue.balance // cost)))
         queue.balance -= cost * run.count
+        if not request.posted:
+            queue.under_way += cost * run.count
+            self._under_way += cost * run.count
         if alone:
             queue.balance = max(queue.balance, -QUANTUM)
         if request.exhausted():

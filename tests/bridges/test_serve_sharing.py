@@ -1,0 +1,418 @@
+"""Several clients on one link: what each may rely on, whatever the others and the lines do."""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+import random
+from itertools import pairwise
+from typing import TYPE_CHECKING
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from recorded_bus import RecordedBus
+from sharing import PipedLink, call, settle, sharing, until
+from simulated_time import on_simulated_time, run_simulated
+from unity_link import AnswerLostError, BusTimeoutError, OutOfRangeError, Reconnect
+from unity_link.bridges.serve.client import MOST_UNDER_WAY, MOST_UNSENT
+from unity_link.bridges.serve.shared import PATIENCE, SharedLink
+from unity_link.virtual import VirtualGateway
+from unity_link.virtual.faults import Noise, NoisyLine
+from unity_link.virtual.line import SlowLine
+from unity_link.wire.gateway_info import Feature, GatewayInfo
+from valve import Valve, cut
+
+if TYPE_CHECKING:
+    from unity_link import Link
+
+KILOHERTZ = 1_000_000
+"""A base frequency at which simulated time is quick."""
+
+
+# Exactly once, in order
+
+
+class Program:
+    """A seeded program of one client, and what the bus must have seen of it: its words have its number on top."""
+
+    def __init__(self, link: Link, number: int, seed: int) -> None:
+        self._link, self._number = link, number
+        self._random = random.Random(seed)
+        self._count = 0
+        self.expected: list[tuple[int, int]] = []
+
+    def _unique(self, address: int) -> int:
+        self._count += 1
+        word = self._number << 24 | self._count
+        self.expected.append((address, word))
+        return word
+
+    async def run(self) -> None:
+        for _ in range(12):
+            calls = [self._call(self._random.randrange(6)) for _ in range(self._random.randint(1, 4))]
+            await asyncio.gather(*calls)
+        await self._link.fence()
+
+    async def _call(self, kind: int) -> None:
+        link, address = self._link, self._random.randrange(16)
+        if kind == 0:
+            await link.write(address, self._unique(address))
+        elif kind == 1:
+            await link.post(address, self._unique(address))
+        elif kind == 2:
+            await link.write_block(address, [self._unique(address + index) for index in range(5)])
+        elif kind == 3:
+            with contextlib.suppress(AnswerLostError):
+                await link.write_masked(address, self._unique(address), 0xFFFFFFFF)
+        elif kind == 4:
+            await link.read_block(address, 5)
+        else:
+            # The whole batch before any other call of this client is in line.
+            await link.read_many(range(40))
+
+
+async def run_programs(seed: int, chances: dict[str, float], *, slow: bool) -> None:
+    features = GatewayInfo().features & ~Feature.FLOW_CONTROL
+    gateway = VirtualGateway(GatewayInfo(crc_bits=32, crc_polynomial=0x04C11DB7, features=features))
+    bus = RecordedBus(gateway)
+    line = SlowLine(gateway, 300_000) if slow else gateway
+    noisy = NoisyLine(line, Noise(seed, **chances), Noise(seed + 1, **chances))
+    async with sharing(noisy) as shared:
+        links = [
+            PipedLink(shared, (Noise(seed + 10 * k, **chances), Noise(seed + 11 * k, **chances))) for k in (1, 2, 3)
+        ]
+        async with links[0], links[1], links[2]:
+            programs = [Program(link, number, seed + number) for number, link in enumerate(links, 1)]
+            await asyncio.gather(*[program.run() for program in programs])
+    for number, program in enumerate(programs, 1):
+        assert [write for write in bus.writes if write[1] >> 24 == number] == program.expected
+
+
+@pytest.mark.parametrize("seed", range(20))
+@pytest.mark.parametrize("slow", [False, True], ids=["at once", "slow line"])
+def test_each_write_is_executed_once_and_in_order_over_bad_lines_on_both_sides(seed: int, slow: bool) -> None:
+    run_simulated(run_programs(seed, {"loss": 0.002, "flip": 0.002, "double": 0.002}, slow=slow))
+
+
+# Groups
+
+
+@on_simulated_time
+async def test_clients_that_take_the_same_group_have_groups_of_their_own() -> None:
+    gateway = VirtualGateway(GatewayInfo(base_frequency_millihertz=KILOHERTZ))
+    gateway.memory.update({1: 0x11, 2: 0x22})
+    async with (
+        sharing(gateway) as shared,
+        PipedLink(shared) as one,
+        PipedLink(shared) as two,
+        one.subscribe([1], rate_hz=100) as ones,
+        two.subscribe([2], rate_hz=50) as twos,
+    ):
+        first = [await anext(ones) for _ in range(20)]
+        second = [await anext(twos) for _ in range(20)]
+    assert {int(sample.values[0]) for sample in first} == {0x11}
+    assert {int(sample.values[0]) for sample in second} == {0x22}
+    assert [sample.sequence for sample in first] == [sample.sequence for sample in second] == list(range(20))
+
+
+@on_simulated_time
+async def test_groups_of_all_clients_must_fit_into_the_gateway_only_while_they_run() -> None:
+    gateway = VirtualGateway(GatewayInfo(base_frequency_millihertz=KILOHERTZ, groups=2))
+    async with sharing(gateway) as shared, PipedLink(shared) as one, PipedLink(shared) as two:
+        async with one.subscribe([1], rate_hz=100), one.subscribe([2], rate_hz=100):
+            with pytest.raises(OutOfRangeError):
+                async with two.subscribe([3], rate_hz=100):
+                    pass
+        async with two.subscribe([3], rate_hz=100) as samples, two.subscribe([4], rate_hz=100):
+            assert (await anext(samples)).lost == 0
+
+
+@on_simulated_time
+async def test_a_client_that_leaves_frees_its_groups() -> None:
+    gateway = VirtualGateway(GatewayInfo(base_frequency_millihertz=KILOHERTZ, groups=1))
+    async with sharing(gateway) as shared, PipedLink(shared) as two:
+        for _ in range(3):
+            one = PipedLink(shared)
+            async with one:
+                subscription = one.subscribe([1], rate_hz=100)
+                await subscription.__aenter__()
+                await anext(subscription)
+                cut(one)
+            await settle(shared)
+            assert gateway.next_due is None
+            async with two.subscribe([2], rate_hz=100) as samples:
+                await anext(samples)
+
+
+@on_simulated_time
+async def test_the_sequence_of_a_group_goes_on_when_the_gateways_group_was_lent_out_meanwhile() -> None:
+    gateway = VirtualGateway(GatewayInfo(base_frequency_millihertz=KILOHERTZ, groups=1))
+    async with sharing(gateway) as shared:
+        one, two = call(shared), call(shared)
+        one.transport.write(b"GS00000001010A\rGP00\rGP00\r")
+        await settle(shared)
+        two.transport.write(b"GS0000000101FB\rGP00\r")
+        await settle(shared)
+        one.transport.write(b"GP00\r")
+        await settle(shared)
+        assert [frame[:5] for frame in one.take().splitlines() if frame.startswith(b"P")] == [
+            b"P0000",
+            b"P0001",
+            b"P0002",
+        ]
+        assert [frame[:5] for frame in two.take().splitlines() if frame.startswith(b"P")] == [b"P0000"]
+
+
+@on_simulated_time
+async def test_a_new_session_of_one_client_stops_its_groups_and_no_others() -> None:
+    async with (
+        sharing(VirtualGateway(GatewayInfo(base_frequency_millihertz=KILOHERTZ))) as shared,
+        PipedLink(shared) as link,
+    ):
+        terminal = call(shared)
+        terminal.transport.write(b"GS00010001010A\rGN00\r")
+        async with link.subscribe([1], rate_hz=1000) as samples:
+            await until(lambda: terminal.heard.count(b"P00") > 10)
+            terminal.transport.write(b"K00\r")
+            await until(lambda: terminal.heard.endswith(b"K00\r\n"))
+            terminal.take()
+            for _ in range(50):
+                assert (await anext(samples)).lost == 0
+            assert terminal.take() == b""
+
+
+@on_simulated_time
+async def test_samples_come_in_the_form_that_their_client_asked_for() -> None:
+    async with sharing(VirtualGateway()) as shared:
+        terminal = call(shared)
+        terminal.transport.write(b"GS0920000101FF\rGP09\r")
+        await settle(shared)
+        assert terminal.take() == b"GS09\r\nP090000000000\r\nGP09\r\n"
+
+
+# Turns
+
+
+@on_simulated_time
+async def test_a_lone_read_waits_for_one_turn_of_the_others_and_not_for_all_they_have_asked() -> None:
+    line = SlowLine(VirtualGateway(), 100_000)
+    async with sharing(line) as shared:
+        links = [PipedLink(shared) for _ in range(4)]
+        async with links[0] as patient, links[1] as a, links[2] as b, links[3] as c:
+            greedy = [asyncio.create_task(link.read_block(0, 255)) for link in (a, b, c) for _ in range(20)]
+            await asyncio.sleep(0.1)
+            loop = asyncio.get_running_loop()
+            began = loop.time()
+            for _ in range(5):
+                await patient.read(0)
+            each = (loop.time() - began) / 5
+            left = sum(not task.done() for task in greedy)
+            for task in greedy:
+                task.cancel()
+    # 60 blocks of 2 KB are 1.2 s; one turn of each of three others, and what is ahead of them, is some 10 KB.
+    assert left > 20
+    assert each < 0.12
+
+
+@on_simulated_time
+async def test_clients_that_move_blocks_and_clients_that_read_words_get_the_same_share_of_the_line() -> None:
+    moved = {"blocks": 0, "words": 0}
+
+    async def move(name: str, link: Link) -> None:
+        while True:
+            if name == "blocks":
+                await link.read_block(0, 255)
+                moved[name] += 255 * 8
+            else:
+                await link.read_many([0] * 100)
+                moved[name] += 100 * 22
+
+    line = SlowLine(VirtualGateway(), 100_000)
+    async with sharing(line) as shared, PipedLink(shared) as blocks, PipedLink(shared) as words:
+        tasks = [asyncio.create_task(move("blocks", blocks)) for _ in range(8)]
+        tasks += [asyncio.create_task(move("words", words)) for _ in range(8)]
+        await asyncio.sleep(5)
+        for task in tasks:
+            task.cancel()
+    # By what they have under way, 128 words and 8 blocks, they would get shares of 1 to 6.
+    assert 0.4 < moved["blocks"] / moved["words"] < 2.5
+
+
+# Clients that do not do as they should
+
+
+@on_simulated_time
+async def test_a_client_that_does_not_read_holds_up_nobody_and_loses_samples_only() -> None:
+    gateway = VirtualGateway(GatewayInfo(base_frequency_millihertz=10_000_000))
+    async with sharing(gateway) as shared, PipedLink(shared) as other:
+        deaf = call(shared)
+        deaf.transport.write(b"GS00010001010A\rGN00\r")
+        await until(lambda: deaf.heard.count(b"P00") > 3)
+        deaf.transport.pause_reading()
+        deaf.transport.write(b"RM00FF\r" * 1000)
+        async with other.subscribe([1], rate_hz=1000) as samples:
+            for _ in range(3000):
+                assert (await anext(samples)).lost == 0
+            assert await other.read(0) == 0
+        (client,) = (client for client in shared.clients if client.samples_dropped)
+        assert client._under_way < MOST_UNDER_WAY + 4096
+        deaf.transport.resume_reading()
+        await until(lambda: deaf.heard.count(b"RM00FF") == 1000)
+        numbers = [int(frame[3:5], 16) for frame in deaf.take().splitlines() if frame.startswith(b"P00")]
+        gaps = {(after - before) & 0xFF for before, after in pairwise(numbers)}
+        assert gaps - {1}
+        assert client.samples_dropped > 0
+
+
+@on_simulated_time
+async def test_what_waits_for_a_client_that_does_not_read_is_bounded() -> None:
+    async with sharing(VirtualGateway()) as shared:
+        deaf = call(shared)
+        deaf.transport.pause_reading()
+        for _ in range(200):
+            deaf.transport.write(b"RM00FF\r" * 100)
+            await asyncio.sleep(0.01)
+        (client,) = shared.clients
+        assert client._transport is not None
+        assert len(client._transport._buffer) < 2 * MOST_UNSENT + MOST_UNDER_WAY  # type: ignore[attr-defined]
+        assert client._under_way < MOST_UNDER_WAY + 4096
+
+
+@settings(max_examples=60)
+@given(
+    st.lists(
+        st.one_of(
+            st.binary(max_size=40),
+            st.from_regex(rb"[A-Za-z]{0,2}[0-9A-Fa-f]{0,16}[\r\n]{1,2}", fullmatch=True),
+            st.sampled_from([b"GS000100010101\r", b"GN00\r", b"GX00\r", b"GP00\r", b"K00\r", b"I01\r", b"Q\r"]),
+            st.sampled_from([b"rFF0A6E\n" * 20, b"w000A000000018F\n", b"R0A\r" * 30, b"RM00FF\r" * 9, b"WK00FF01\r"]),
+        ),
+        max_size=30,
+    ),
+    st.booleans(),
+)
+def test_whatever_a_client_says_the_others_are_served(said: list[bytes], leaves: bool) -> None:
+    @on_simulated_time
+    async def speak() -> None:
+        gateway = VirtualGateway(GatewayInfo(base_frequency_millihertz=KILOHERTZ, groups=2))
+        async with sharing(gateway) as shared, PipedLink(shared) as other:
+            wild = call(shared)
+            for text in said:
+                wild.transport.write(text)
+                await other.write(0xF0, 7)
+            if leaves:
+                wild.transport.abort()
+            assert await other.read(0xF0) <= 0xFFFFFFFF
+            assert len(await other.read_many([1] * 200)) == 200
+            await settle(shared)
+            assert not other.statistics.repetitions
+            assert leaves or not wild.gone
+            wild.transport.abort()
+            await settle(shared)
+            async with other.subscribe([1], rate_hz=10), other.subscribe([1], rate_hz=10):
+                pass
+            assert gateway.next_due is None
+
+    speak()
+
+
+@on_simulated_time
+async def test_requests_of_a_client_that_left_are_not_executed_unless_they_were_sent() -> None:
+    gateway = VirtualGateway()
+    bus = RecordedBus(gateway)
+    valve = Valve(gateway)
+    async with sharing(valve) as shared, PipedLink(shared) as other:
+        valve.requests_pass = False
+        one = PipedLink(shared)
+        async with one:
+            task = asyncio.create_task(one.write_many(range(200), range(1, 201)))
+            await asyncio.sleep(0.005)
+            cut(one)
+            with pytest.raises(Exception, match="perhaps executed"):
+                await task
+        valve.requests_pass = True
+        await other.write(0xFF, 1)
+        await settle(shared)
+    assert bus.writes[-1] == (0xFF, 1)
+    assert [word for _, word in bus.writes[:-1]] == list(range(1, len(bus.writes)))
+
+
+# The gateway comes and goes
+
+
+@on_simulated_time
+async def test_a_short_absence_of_the_gateway_is_not_seen() -> None:
+    valve = Valve(VirtualGateway())
+    async with sharing(valve) as shared, PipedLink(shared) as link:
+        await link.write(1, 42)
+        cut(shared)  # type: ignore[arg-type]
+        assert await link.read(1) == 42
+        assert shared._sessions == 2
+        assert link.statistics.reconnections == 0
+
+
+@on_simulated_time
+async def test_a_long_absence_is_told_by_errors_and_the_clients_go_on_after_it() -> None:
+    gateway = VirtualGateway(GatewayInfo(base_frequency_millihertz=KILOHERTZ))
+    bus = RecordedBus(gateway)
+    valve = Valve(gateway)
+    async with sharing(valve) as shared, PipedLink(shared) as link:
+        async with link.subscribe([1], rate_hz=100) as samples:
+            await anext(samples)
+            valve.requests_pass = valve.answers_pass = False
+            cut(shared)  # type: ignore[arg-type]
+            with pytest.raises(BusTimeoutError):
+                await link.write(5, 1)
+            with pytest.raises(BusTimeoutError):
+                await link.read_many(range(64))
+            assert shared.away
+            await asyncio.sleep(10 * PATIENCE)
+            with pytest.raises(BusTimeoutError):
+                await link.write(5, 2)
+            valve.requests_pass = valve.answers_pass = True
+            await until(lambda: not shared.away)
+            await link.write(5, 3)
+            sample = await anext(samples)
+            while not sample.lost:
+                sample = await anext(samples)
+            # A hundred a second were due meanwhile, and the client knows how many it has missed.
+            assert sample.lost > 1000 * PATIENCE
+            assert (await anext(samples)).lost == 0
+        assert [word for address, word in bus.writes if address == 5] == [3]
+
+
+@on_simulated_time
+async def test_a_write_of_which_it_is_unknown_whether_it_was_executed_is_not_sent_again() -> None:
+    gateway = VirtualGateway()
+    bus = RecordedBus(gateway)
+    valve = Valve(gateway)
+    async with sharing(valve) as shared, PipedLink(shared) as link:
+        valve.answers_pass = False
+        tasks = [asyncio.create_task(link.write(address, 9)) for address in range(5)]
+        tasks += [asyncio.create_task(link.write_many(range(10, 30), range(10, 30)))]
+        await asyncio.sleep(0.003)
+        cut(shared)  # type: ignore[arg-type]
+        valve.answers_pass = True
+        results = await asyncio.gather(*tasks, return_exceptions=True)
+        assert {type(result) for result in results} == {BusTimeoutError}
+        await link.write(0xF0, 1)
+    assert len(bus.writes) == len(set(bus.writes))
+
+
+@on_simulated_time
+async def test_a_link_that_is_opened_while_the_gateway_is_away_waits_for_it() -> None:
+    valve = Valve(VirtualGateway())
+    valve.requests_pass = False
+    shared = SharedLink(valve, lambda _: None)
+    shared.open_when_there()
+    link = PipedLink(shared, reconnect=Reconnect())
+    opening = asyncio.create_task(link.open(3600))
+    await asyncio.sleep(30)
+    assert not opening.done()
+    valve.requests_pass = True
+    await opening
+    assert await link.read(0) == 0
+    await link.aclose()
+    await shared.finish()

@@ -1,0 +1,99 @@
+"""A shared link in this process, and its clients: links and terminals, connected by pipes, on simulated time."""
+
+from __future__ import annotations
+
+import asyncio
+from contextlib import asynccontextmanager
+from typing import TYPE_CHECKING, Self
+
+import pipe
+from unity_link.bridges.serve.client import Client
+from unity_link.bridges.serve.shared import SharedLink
+from unity_link.link import Link
+
+if TYPE_CHECKING:
+    from collections.abc import AsyncIterator, Callable
+
+    from unity_link.connection import Reconnect
+    from unity_link.stream import Stream
+    from unity_link.virtual import Gateway
+    from unity_link.virtual.faults import Noise
+
+
+class Terminal(asyncio.Protocol):
+    """A client that says what it is told to, and keeps what it hears."""
+
+    def __init__(self) -> None:
+        self.heard = b""
+        self.gone = False
+
+    def connection_made(self, transport: asyncio.BaseTransport) -> None:
+        assert isinstance(transport, asyncio.Transport)
+        self.transport = transport
+
+    def data_received(self, data: bytes) -> None:
+        self.heard += data
+
+    def connection_lost(self, exc: Exception | None) -> None:
+        self.gone = True
+
+    def take(self) -> bytes:
+        heard, self.heard = self.heard, b""
+        return heard
+
+
+@asynccontextmanager
+async def sharing(gateway: Gateway) -> AsyncIterator[SharedLink]:
+    shared = SharedLink(gateway, lambda _: None)
+    shared.open_when_there()
+    await until(lambda: not shared.away)
+    try:
+        yield shared
+    finally:
+        await shared.finish()
+
+
+def call(shared: SharedLink) -> Terminal:
+    terminal = Terminal()
+    pipe.connect(terminal, Client(shared))
+    return terminal
+
+
+async def settle(shared: SharedLink) -> None:
+    """Wait until all that was asked for is answered."""
+    await asyncio.sleep(0.01)
+    await until(lambda: not shared._exchange.in_flight and not any(client._pending for client in shared.clients))
+    await asyncio.sleep(0.01)
+
+
+async def until(condition: Callable[[], bool]) -> None:
+    """Wait until something is true."""
+    while not condition():  # noqa: ASYNC110  (time is simulated)
+        await asyncio.sleep(0.001)
+
+
+class PipedLink(Link):
+    """A link to a shared link, over a pipe.
+
+    Args:
+        shared: the link that is shared.
+        noise: what becomes of bytes there and back.
+        reconnect: as of any link.
+    """
+
+    def __init__(
+        self, shared: SharedLink, noise: tuple[Noise, Noise] | None = None, reconnect: Reconnect | None = None
+    ) -> None:
+        assert not hasattr(shared._target, "scheme")
+        super().__init__(shared._target, reconnect)
+        self._shared = shared
+        self._noise = noise or (None, None)
+        self.client: Client
+
+    async def _connect_stream(self, stream: Stream) -> None:
+        self.client = Client(self._shared)
+        pipe.connect(stream, self.client, *self._noise)
+
+    async def __aenter__(self) -> Self:
+        await self.open(3600)
+        return self
