@@ -13,10 +13,19 @@ from rich.console import Console
 from rich.table import Table
 
 import unity_link
-from benchmarks import batch_reads, block_reads, concurrent_reads, memory, samples, sequential_read
+from benchmarks import (
+    batch_reads,
+    block_reads,
+    concurrent_reads,
+    group_reads,
+    group_samples,
+    memory,
+    samples,
+    sequential_read,
+)
 from benchmarks.measure import RUNS, Row
 
-BENCHMARKS = (sequential_read, concurrent_reads, batch_reads, block_reads, samples, memory)
+BENCHMARKS = (sequential_read, concurrent_reads, batch_reads, block_reads, samples, group_reads, group_samples, memory)
 RESULTS = Path(__file__).with_name("RESULTS.md")
 _COLUMNS = ("Question", "Unity-Link", "Bare loop", "Time, ours to bare", "Target", "Met")
 

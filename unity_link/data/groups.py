@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import time
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
@@ -138,8 +139,9 @@ class Group:
             for layout, part in zip(layouts, words, strict=True):
                 for proxy, value in zip(layout.proxies, layout.row(part), strict=True):
                     row[self._places[proxy]] = value
+        now = time.monotonic()
         for proxy, value in zip(self.proxies, row, strict=True):
-            proxy.see(value)
+            proxy.see(value, now)
         return Values(self._places, row)
 
     async def set(self, values: Mapping[Proxy[Any], Any] | Sequence[Any] | NDArray[Any]) -> None:

@@ -128,13 +128,18 @@ class Proxy(Generic[T]):
             return cast("T", value)
         return cast("T", self._names.get(int(value), int(value)))
 
-    def see(self, value: T) -> None:
-        """Keep a value as the last one, and call who waits for another one."""
+    def see(self, value: T, at: float | None = None) -> None:
+        """Keep a value as the last one, and call who waits for another one.
+
+        Args:
+            value: what was read or written.
+            at: instant by `time.monotonic`; None for now.
+        """
         if not self._callbacks:
-            self._seen, self._seen_at, self._batch = value, time.monotonic(), None
+            self._seen, self._seen_at, self._batch = value, time.monotonic() if at is None else at, None
             return
         before = self.value
-        self._seen, self._seen_at = value, time.monotonic()
+        self._seen, self._seen_at = value, time.monotonic() if at is None else at
         if value == before or (value != value and before != before):  # noqa: PLR0124  (NaN, twice)
             return
         for callback in self._callbacks:
@@ -144,8 +149,7 @@ class Proxy(Generic[T]):
         """Keep the last value of a batch, or call who waits for changes with each."""
         if self._callbacks:
             for value in self.scalars(batch[self]):
-                self.see(value)
-            self._seen_at = batch.at
+                self.see(value, batch.at)
         else:
             self._batch, self._seen_at = batch, batch.at
 

@@ -33,6 +33,8 @@ class _Block(NamedTuple):
     columns: NDArray[np.intp]
     shifts: NDArray[np.uint64]
     mask: np.uint64
+    is_whole: bool
+    """Whether the signals are whole words, with nothing beside them to be taken away."""
 
 
 class Columns:
@@ -57,6 +59,7 @@ class Columns:
                 np.array([[column[signals[place].address + part] for place in places] for part in range(words)]),
                 np.array([signals[place].lowest_bit for place in places], np.uint64),
                 np.uint64((1 << kind.width) - 1),
+                all(signals[place].width == signals[place].words * signals[place].word_bits for place in places),
             )
             for (kind, words), places in alike.items()
         ]
@@ -97,10 +100,11 @@ class Columns:
         given = np.asarray(words)
         if given.shape[-1:] != (self._width,):
             raise ArgumentError(f"{self._width} words a sample were expected, and the words have shape {given.shape}")
-        raw = given[..., block.columns[0]].astype(np.uint64, copy=False)
+        raw = given.take(block.columns[0], axis=-1).astype(np.uint64, copy=False)
         for part in range(1, len(block.columns)):
-            raw = raw | given[..., block.columns[part]].astype(np.uint64) << np.uint64(part * self._word_bits)
-        return block.kind.decode_array(np.ascontiguousarray(raw >> block.shifts & block.mask))
+            more = given.take(block.columns[part], axis=-1).astype(np.uint64, copy=False)
+            raw = raw | more << np.uint64(part * self._word_bits)
+        return block.kind.decode_array(raw if block.is_whole else raw >> block.shifts & block.mask)
 
     def encode(self, values: Mapping[str, ArrayLike]) -> Words:
         """Give the words of values of all signals; bits that no signal has are 0.
