@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 
     from unity_link.spec import Interface, Spec
 
-TARGETS: tuple[str, ...] = ("c", "matlab", "python", "vhdl")
+TARGETS: tuple[str, ...] = ("c", "cpp", "docs", "matlab", "python", "vhdl")
 """Each is a folder of this package."""
 
 
@@ -67,12 +67,17 @@ class Templates:
             keep_trailing_newline=True,
         )
         self._environment.filters.update(filters)
+        self._spec = spec
         self.origin = _origin(target, spec)
         """Lines that name the sources, for the comment at the top of each file."""
 
     def render(self, name: str, **values: Any) -> str:
         """Render ``NAME.jinja``, which sees `origin` and the values."""
         return self._environment.get_template(f"{name}.jinja").render(origin=self.origin, **values)
+
+    def of(self, target: str, filters: Mapping[str, Callable[..., Any]]) -> Templates:
+        """Give the templates of another target, for one that builds on it."""
+        return Templates(target, self._spec, filters)
 
 
 def generate(target: str, spec: Spec, interface: str | None = None) -> list[GeneratedFile]:

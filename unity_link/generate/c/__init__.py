@@ -10,7 +10,7 @@ The runtime is written as files of C in ``runtime/``, one a part; ``unity_link.c
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from unity_link.generate import GeneratedFile
 from unity_link.generate.c.layout import Layout
@@ -18,13 +18,13 @@ from unity_link.generate.c.names import comment, number, string
 from unity_link.generate.c.signals import decoding, describe, examples, initializer, schedule
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Callable, Iterator
 
     from unity_link.generate import Templates
     from unity_link.spec import Interface
 
 DOC = "a client in C99, without allocation, with transports for POSIX"
-FILTERS = {
+FILTERS: dict[str, Callable[..., Any]] = {
     "comment": comment,
     "decoding": decoding,
     "describe": describe,

@@ -141,6 +141,8 @@ class GroupType(NamedTuple):
 
     name: str
     short: str
+    class_name: str
+    """In C++, of what reads and writes it."""
     group: Group
     members: tuple[GroupMember, ...]
     addresses: tuple[int, ...]
@@ -169,7 +171,7 @@ class GroupType(NamedTuple):
         return all(member.signal.access.writes for member in self.members)
 
 
-BOOL = ValueType("bool", "ul_bool", "bool", "bool")
+BOOL = ValueType("bool", "ul_bool", "unsigned", "bool")
 UNSIGNED = ValueType("uint64_t", "ul_unsigned", "unsigned", "std::uint64_t")
 SIGNED = ValueType("int64_t", "ul_signed", "signed", "std::int64_t")
 REAL = ValueType("double", "ul_real", "real", "double")
@@ -188,7 +190,7 @@ class Layout:
         self._globals = Names(GLOBAL)
         self._globals.take(self.prefix)
         self.root_type = self._global("signals")
-        self._shorts = Names([*GLOBAL, "Robot", "Link"])
+        self._shorts = Names([*GLOBAL, *self._member_names()])
         self.enumerations = {one.name: self._enumeration(one) for one in interface.enumerations}
         self.value_types: dict[str, ValueType] = {}
         """By the paths of the signals."""
@@ -210,6 +212,13 @@ class Layout:
     def _short(self, name: str) -> str:
         """Give a name of a type in C++."""
         return self._shorts.take("".join(part[:1].upper() + part[1:] for part in name.split("_")) or "_")
+
+    def _member_names(self) -> Iterator[str]:
+        """Give all names that types in C++ must not hide."""
+        yield from (module.name for module in self.interface.modules if module.name is not None)
+        for component in self.interface.root.walk():
+            yield component.name
+            yield from (part.name for part in (*component.signals, *component.parts))
 
     # Types of values
 
@@ -348,7 +357,10 @@ class Layout:
             raise UnsupportedError(f"group {group.name} needs {len(addresses)} words, at most {MOST_GROUP_WORDS} fit")
         name = self._globals.take(f"{self.prefix}_{group.name}")
         self._globals.take(f"{name}_subscription")
-        return GroupType(name, self._short(group.name), group, tuple(members), tuple(addresses), tuple(reads))
+        short = self._short(group.name)
+        return GroupType(
+            name, short, self._short(f"{short}_group"), group, tuple(members), tuple(addresses), tuple(reads)
+        )
 
 
 def _column(members: Sequence[SignalMember | PartMember | GroupMember]) -> int:

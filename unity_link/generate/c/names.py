@@ -35,7 +35,9 @@ _GLOBAL = """
     unity_link unlink wait write y0 y1 yn j0 j1 jn
 """
 """Functions and variables whose names an interface cannot have."""
-RESERVED = frozenset(f"{_C}{_CPP}{_MACROS}".split())
+_OURS = "place std the_link unity_link"
+"""What the members of generated classes must leave visible."""
+RESERVED = frozenset(f"{_C}{_CPP}{_MACROS}{_OURS}".split())
 GLOBAL = RESERVED | frozenset(_GLOBAL.split())
 
 

@@ -183,6 +183,8 @@ static void note_error(ul_link *link, ul_request *request, text code, uint32_t i
         link->statistics.stray++;
         return;
     }
+    /* An answer that is lost for good, but that nobody wanted, is as good as one. */
+    if (number == UL_ANSWER_LOST && request->target == NULL) number = UL_OK;
     if (!request->given_up) settle(request->batch, request, (ul_status)number);
     link->statistics.responses++;
     note_answer(link, id, now);

@@ -247,16 +247,24 @@ static ul_status set_words(ul_link *link, const ul_signal *signal, ul_status enc
     return ul_finish(link, &batch);
 }
 
-static ul_status post_words(ul_link *link, const ul_signal *signal, ul_status encoded, const uint64_t *words)
+ul_status ul_post_words(ul_link *link, const ul_signal *signal, const uint64_t *words)
 {
     ul_batch batch = UL_BATCH;
-    if (encoded != UL_OK) return ul_refuse(link, signal);
-    if (signal->properties & UL_FIELD) return fail(link, UL_BAD_ARGUMENT, signal->path, "a field cannot be posted");
-    if (cannot(link, &batch, signal, UL_WRITABLE)) return ul_finish(link, &batch);
     ul_status status = UL_OK;
+    if (cannot(link, &batch, signal, UL_WRITABLE)) return ul_finish(link, &batch);
+    if (signal->properties & UL_FIELD) {
+        ul_start_set(link, &link->posts, signal, words);
+        flush(link);
+        return link->gone ? fail_at(link, UL_LOST_NOT_EXECUTED, "posted write", signal->address) : UL_OK;
+    }
     for (unsigned index = 0; index < ul_words_of(signal) && status == UL_OK; index++)
         status = ul_post(link, signal->address + index, words[index]);
     return status;
+}
+
+static ul_status post_words(ul_link *link, const ul_signal *signal, ul_status encoded, const uint64_t *words)
+{
+    return encoded == UL_OK ? ul_post_words(link, signal, words) : ul_refuse(link, signal);
 }
 
 ul_status ul_get_bool(ul_link *link, const ul_bool *signal, bool *value)

@@ -1,0 +1,333 @@
+"""The generated client in C++: types that the compiler checks, errors by class, samples by callback."""
+
+from __future__ import annotations
+
+import subprocess
+from typing import TYPE_CHECKING
+
+import pytest
+
+from generate.every_kind import WORD_BITS, every_kind
+from generate.peers import MEDIA, FaultyLine, Medium, lose, simulate
+from generate.programs import CPP, SANITIZED, C, compiled, generated, linked, output
+from spec_examples import FIGURE_1
+from unity_link.generate import generate
+from unity_link.spec import compile_text
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+HEAD = """\
+#include <iostream>
+#include <cmath>
+using namespace std::chrono_literals;
+#define CHECK(what) if (!(what)) { std::cerr << "line " << __LINE__ << ": " #what << std::endl; return 1; } else (void)0
+#define THROWS(kind, ...) \\
+    try { __VA_ARGS__; CHECK(!"it throws"); } catch (const unity_link::kind &error) { last = error.what(); }
+int main(int, char **arguments) try {
+    std::string last;
+    unity_link::Link link{arguments[1]};
+"""
+TAIL = """
+    return 0;
+} catch (const std::exception &error) {
+    std::cerr << error.what() << std::endl;
+    return 1;
+}
+"""
+WALKER = compile_text("""\
+/// What the walker does.
+enum mode { off, walking = 4, class }
+group state(1, 100, TIMESTAMPS);
+group targets;
+public walker() {
+  GATEWAY(ADDRESS_BITS=8, DATA_BITS=32);
+  @mode = 0x60[3:0]: mode READWRITE(PUBLISH(state));
+  @on = 0x60[4]: bool READWRITE(PUBLISH(state));
+  @speed = 0x60[15:8]: signed READWRITE(SCALE=0.5, MIN=-10, MAX=10, UNIT="mm/s");
+  @clock = 0x61: unsigned 64 READWRITE(PUBLISH(state));
+  @samples = 0x63: signed 16 READWRITE(FIFO);
+  @gain = 0x64: float READWRITE();
+  legs[3]: leg() @(0x10 * i);
+  pool: MEMORY(BASE=0x70, SIZE=16);
+  motors[2]: PWM(BASE=0x80 + 4 * i, CHANNELS=1, SIZE=4);
+}
+/// A leg.
+leg(): @(base) { joints[2]: joint() @(base + 4 * i); }
+joint(): @(base) {
+  /// Angle.
+  @pos = base: signed 16 READWRITE(SCALE=0.01, UNIT="rad", PUBLISH(state));
+  @target = base + 1: signed READWRITE(MIN=-1000, MAX=1000, GROUP(targets));
+  @position = base + 2: READ();
+  @command = base + 3: unsigned 8 WRITE();
+}
+""")
+
+
+@pytest.fixture(scope="session")
+def runtime(tmp_path_factory: pytest.TempPathFactory) -> list[Path]:
+    """The C below the walker, compiled once, beside its headers."""
+    directory = tmp_path_factory.mktemp("walker")
+    files = generated("cpp", WALKER, directory)
+    return compiled(C, [path for path in files if path.suffix == ".c"], directory, *SANITIZED)
+
+
+def program(body: str, objects: list[Path], tmp_path: Path) -> Path:
+    """Compile the body of a program that has the walker as `robot`."""
+    source = tmp_path / "program.cc"
+    source.write_text(f'#include "walker.hpp"\n{HEAD}    Walker robot{{link}};\n{body}{TAIL}')
+    made = compiled(CPP, [source], tmp_path, *SANITIZED, "-O0", f"-I{objects[0].parent}")
+    return linked(CPP, [*objects, *made], tmp_path / "program", *SANITIZED)
+
+
+@pytest.mark.parametrize("word_bits", [None, *WORD_BITS])
+def test_the_headers_compile_without_a_warning(word_bits: int | None, tmp_path: Path) -> None:
+    spec = compile_text(FIGURE_1) if word_bits is None else every_kind(word_bits)
+    generated("cpp", spec, tmp_path)
+    name = spec.interface().name
+    uses = "own.j1.cpos.get();" if name == "scara" else "own.scaled.set(own.arms[1].position.get());"
+    text = f'#include "{name}.hpp"\nvoid use(unity_link::Link &link) {{ {name.title()} own{{link}}; {uses} }}\n'
+    (tmp_path / "program.cc").write_text(text)
+    compiled(CPP, [tmp_path / "program.cc"], tmp_path)
+
+
+def test_the_files_in_c_are_those_of_the_target_c() -> None:
+    files = {file.name: file.text for file in generate("cpp", WALKER)}
+    assert {file.name: file.text for file in generate("c", WALKER)}.items() <= files.items()
+    assert generate("cpp", WALKER) == generate("cpp", WALKER)
+
+
+@pytest.mark.parametrize("medium", MEDIA)
+def test_signals_are_read_and_written_by_their_paths(medium: Medium, runtime: list[Path], tmp_path: Path) -> None:
+    body = """
+    robot.legs[2].joints[1].pos.set(1.25);
+    CHECK(link.read(0x24) == 125);
+    CHECK(std::abs(robot.legs[2].joints[1].pos.get() - 1.25) < 1e-9);
+    CHECK(std::string(robot.legs[2].joints[1].pos.path()) == "legs[2].joints[1].pos");
+    CHECK(std::string(robot.legs[2].joints[1].pos.unit()) == "rad");
+    robot.legs[0].joints[0].target.set(-1000);
+    std::int32_t target = robot.legs[0].joints[0].target.get();
+    CHECK(target == -1000 && link.read(1) == 0xFFFFFC18);
+    THROWS(ArgumentError, robot.legs[0].joints[0].target.set(-1001));
+    CHECK(last == "legs[0].joints[0].target: the value is outside of what it takes");
+    THROWS(ArgumentError, robot.legs[0].joints[0].target.set(1LL << 32));
+    THROWS(ArgumentError, robot.legs[0].joints[0].command.set(-1));
+    robot.legs[0].joints[0].command.post(255u);
+
+    robot.mode.set(Walker::Mode::walking);
+    robot.on.set(true);
+    robot.speed.set(-3.25);     // goes to the even number of -6 and -7
+    CHECK(link.read(0x60) == 0xFA14);
+    CHECK(robot.mode.get() == Walker::Mode::walking && robot.on.get());
+    CHECK(robot.speed.get() == -3.0);
+    CHECK(std::string(to_string(robot.mode.get())) == "walking" && to_string(Walker::Mode{9}) == nullptr);
+    robot.mode.set(Walker::Mode::class_);
+    robot.on.post(false);
+    link.fence();
+    CHECK(link.read(0x60) == 0xFA05);
+    THROWS(ArgumentError, robot.speed.set(10.5));
+    THROWS(ArgumentError, robot.speed.set(std::nan("")));
+
+    robot.clock.set(0x123456789ABCDEF0u);
+    CHECK(link.read(0x61) == 0x9ABCDEF0 && link.read(0x62) == 0x12345678);
+    CHECK(robot.clock.get() == 0x123456789ABCDEF0u);
+    robot.clock.post(1u);
+    CHECK(robot.clock.get() == 1);
+    robot.gain.set(0.1);
+    CHECK(robot.gain.get() == static_cast<double>(0.1f));
+    THROWS(ArgumentError, robot.gain.set(1e39));
+    robot.samples.put({1, -2});
+    CHECK((robot.samples.take(2) == std::vector<std::int32_t>{-2, -2}));
+
+    robot.pool.write_block(4, {7, 8});
+    CHECK(link.read(0x75) == 8 && robot.pool.read(5) == 8 && robot.pool.words() == 16);
+    THROWS(ArgumentError, robot.pool.read(16));
+    CHECK(robot.motors[1].address() == 0x84);
+
+    Walker::Targets targets{};
+    targets.legs_2_joints_1_target = 77;
+    robot.targets.write(targets);
+    CHECK(robot.targets.read().legs_2_joints_1_target == 77 && link.read(0x25) == 77 && link.read(1) == 0);
+    targets.legs_0_joints_0_target = 2000;
+    targets.legs_2_joints_1_target = 5;
+    THROWS(ArgumentError, robot.targets.write(targets));
+    CHECK(link.read(0x25) == 77);
+    """
+    with simulate(medium) as url:
+        output(program(body, runtime, tmp_path), url)
+
+
+@pytest.mark.parametrize(
+    "wrong",
+    [
+        "robot.legs[0].joints[0].position.set(1);",
+        "robot.legs[0].joints[0].command.get();",
+        "robot.legs[0].joints[0].target.set(1.5);",
+        "robot.on.set(1);",
+        "robot.mode.set(4);",
+        "robot.legs[0].joints[0].target.set(true);",
+        "robot.mode.take(2);",
+    ],
+)
+def test_the_compiler_refuses_what_makes_no_sense(wrong: str, runtime: list[Path], tmp_path: Path) -> None:
+    source = tmp_path / "program.cc"
+    source.write_text(f'#include "walker.hpp"\nvoid use(Walker &robot) {{ {wrong} }}\n')
+    command = [*CPP, "-fsyntax-only", f"-I{runtime[0].parent}", str(source)]
+    result = subprocess.run(command, capture_output=True, text=True, check=False)
+    assert result.returncode != 0
+    assert "error" in result.stderr
+    source.write_text(source.read_text().replace(wrong, ""))
+    assert subprocess.run(command, check=False).returncode == 0
+
+
+@pytest.mark.parametrize("medium", MEDIA)
+def test_words_blocks_posts_and_batches_arrive(medium: Medium, runtime: list[Path], tmp_path: Path) -> None:
+    body = """
+    link.write(0x10, 42);
+    CHECK(link.read(0x10) == 42 && link.write_masked(0x10, 0xFF, 0xF0) == 42 && link.read(0x10) == 0xFA);
+    link.write_block(0x20, {1, 2, 3});
+    CHECK((link.read_block(0x20, 3) == unity_link::Words{1, 2, 3}));
+    CHECK((link.read_many({0x22, 0x20}) == unity_link::Words{3, 1}));
+    link.write_many({0x30, 0x31}, {8, 9});
+    THROWS(ArgumentError, link.write_many({0x30, 0x31}, {8}));
+    for (unsigned value = 0; value < 500; value++) link.post(0x40, value);
+    CHECK(link.read(0x40) == 499);
+    std::uint64_t first = 0, second = 0;
+    unity_link::Batch batch{link};
+    batch.read(0x30, &first);
+    batch.write(0x30, 5);
+    batch.read(0x30, &second);
+    batch.finish();
+    CHECK(first == 8 && second == 5);
+    link.send_immediate(unity_link::SendImmediate::always);
+    CHECK(link.info().data_bits == 32 && link.statistics().repetitions == 0);
+    link.close();
+    THROWS(LinkLostError, link.read(0));
+    """
+    with simulate(medium) as url:
+        output(program(body, runtime, tmp_path), url)
+
+
+def test_errors_have_classes_codes_and_a_sentence(runtime: list[Path], tmp_path: Path) -> None:
+    body = """
+    THROWS(BusError, link.write(0x88, 1));
+    CHECK(last == "write at 0x88: the bus refused the access");
+    try { link.write(0x88, 1); } catch (const std::system_error &error) {
+        CHECK(error.code().category() == unity_link::category() && error.code().value() == UL_BUS_ERROR);
+        CHECK(error.code().message() == "the bus refused the access");
+    }
+    link.post(0x88, 1);
+    THROWS(GatewayError, link.fence());
+    link.fence();
+    THROWS(ArgumentError, link.read(0x100));
+    THROWS(ConnectError, unity_link::Link{"tcp://127.0.0.1:1"});
+    THROWS(ArgumentError, unity_link::Link{"nosuch:1"});
+    """
+    with simulate("tcp", "--robot", "scara") as url:
+        output(program(body, runtime, tmp_path), url)
+
+
+def test_what_a_lost_answer_means_is_known(runtime: list[Path], tmp_path: Path) -> None:
+    body = """
+    THROWS(AnswerLostError, link.write_masked(0x10, 1, 1));
+    CHECK(link.read(0x10) == 1);
+    robot.on.set(true);         // nobody wants the answer of this masked write
+    CHECK(robot.on.get());
+    robot.legs[0].joints[0].pos.set(1);
+    CHECK(robot.legs[0].joints[0].pos.get() == 1.0 && link.statistics().repetitions == 4);
+    """
+    with simulate("tcp") as gateway:
+        faults = [lose("^wk00"), lose("^wk02"), lose("^w04"), lose("^r05")]
+        with FaultyLine(gateway, "tcp", faults) as line:
+            output(program(body, runtime, tmp_path), line.url)
+            assert line.count("^wk") == 4
+            assert line.count("^w04") == 2
+
+
+def test_an_unanswered_call_says_what_is_known_of_it(runtime: list[Path], tmp_path: Path) -> None:
+    body = """
+    std::cout << "ready" << std::endl;
+    std::cin.get();
+    try { for (;;) link.write(0x10, 1); } catch (const unity_link::LinkLostError &error) {
+        CHECK(error.outcome() != unity_link::Outcome::executed);
+    }
+    try { link.write(0x10, 1); } catch (const unity_link::LinkLostError &error) {
+        CHECK(error.outcome() == unity_link::Outcome::not_executed);
+    }
+    """
+    made = program(body, runtime, tmp_path)
+    with simulate("tcp") as url:
+        process = subprocess.Popen([made, url], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
+        assert process.stdout is not None
+        assert process.stdout.readline() == "ready\n"
+    process.communicate("\n", timeout=60)
+    assert process.returncode == 0
+
+
+@pytest.mark.parametrize("medium", MEDIA)
+def test_groups_come_by_callback_and_one_by_one(medium: Medium, runtime: list[Path], tmp_path: Path) -> None:
+    body = """
+    robot.clock.set(77u);
+    robot.mode.set(Walker::Mode::walking);
+    robot.legs[1].joints[0].pos.set(-0.5);
+    CHECK(robot.state.read().clock == 77);
+    std::vector<std::uint64_t> seen;
+    unity_link::Seconds before{0};
+    {
+        auto feed = robot.state.subscribe([&](const Walker::State &values, const unity_link::Sample &sample) {
+            if (values.clock != 77 || values.mode != Walker::Mode::walking) return;
+            if (values.legs_1_joints_0_pos != -0.5) return;
+            if (!(before < sample.time)) return;
+            before = sample.time;
+            seen.push_back(sample.sequence - sample.lost);
+            robot.legs[0].joints[0].command.post(seen.size());     // a callback may use the link
+        });
+        CHECK(feed.subscription().rate_hz() == 1000);
+        while (seen.size() < 5) link.poll(10ms);
+        CHECK(link.read(3) == seen.size());
+        CHECK(feed.subscription().received() >= 5);
+    }
+    auto feed = robot.state.subscribe();
+    auto next = feed.next(5s);
+    CHECK(next && next->first.clock == 77 && next->second.sequence == 0);
+    feed.subscription().stop();
+
+    unity_link::Subscription samples{link, {0x61, 0x62}};
+    samples.publish();
+    auto sample = samples.next(5s);
+    CHECK(sample && (sample->words == unity_link::Words{77, 0}) && sample->lost == 0);
+    CHECK(!samples.next(0s));
+    auto moved = std::move(samples);
+    moved.publish();
+    CHECK(moved.next(5s)->sequence == 1);
+    THROWS(ArgumentError, (unity_link::Subscription{link, {0x61}, {1e12}}));
+
+    unity_link::Subscription throwing{link, {0x61}, {}, [](const auto &) { throw std::runtime_error("mine"); }};
+    throwing.publish();
+    try { link.poll(0s); CHECK(!"it throws"); } catch (const std::runtime_error &error) { last = error.what(); }
+    CHECK(last == "mine");
+    """
+    with simulate(medium) as url:
+        output(program(body, runtime, tmp_path), url)
+
+
+def test_a_callback_may_end_its_own_subscription(runtime: list[Path], tmp_path: Path) -> None:
+    body = """
+    std::unique_ptr<unity_link::Subscription> once;
+    int calls = 0;
+    once = std::make_unique<unity_link::Subscription>(link, std::vector<std::uint32_t>{0x61}, unity_link::Schedule{},
+        [&](const unity_link::Sample &) { calls++; once.reset(); });
+    once->publish();
+    once->publish();
+    link.poll(0s);
+    link.poll(0s);
+    CHECK(calls == 1);
+    """
+    with simulate("tcp") as url:
+        output(program(body, runtime, tmp_path), url)
+
+
+def test_a_spec_for_words_of_another_width_is_noticed(runtime: list[Path], tmp_path: Path) -> None:
+    body = "    THROWS(UnsupportedError, robot.legs[0].joints[0].target.get());\n"
+    with simulate("tcp", "--set", "data_bits=16") as url:
+        output(program(body, runtime, tmp_path), url)

@@ -1,0 +1,140 @@
+"""Target ``cpp``: a client in C++17, as headers over the client in C.
+
+The class of an interface has its signals as members under their paths, ``robot.legs[2].coxa.cpos``, each of a type that
+says what its value is and what may be done with it. The files of the target ``c`` are made as well; they stay C.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from unity_link.generate import GeneratedFile, Templates
+from unity_link.generate.c import FILTERS as C_FILTERS
+from unity_link.generate.c import files as c_files
+from unity_link.generate.c.layout import Layout
+from unity_link.generate.c.names import Names, comment
+from unity_link.generate.c.signals import describe
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from unity_link.generate.c.layout import GroupMember, GroupType, PartMember, PartType, SignalMember
+    from unity_link.spec import Interface
+
+DOC = "a client in C++17, over the one in C: RAII, exceptions, typed signals"
+_SIGNALS = {"READ": "Readable", "WRITE": "Writable", "READWRITE": "ReadWritable"}
+
+
+def files(interface: Interface, templates: Templates) -> Iterator[GeneratedFile]:
+    """Make the headers of an interface, and the files in C below them."""
+    layout = Layout(interface)
+    robot = class_name(layout)
+    names = Names([*layout.member_names(interface.root).values(), robot])
+    groups = [(names.take(group.group.name), group) for group in layout.groups]
+    text = templates.render(
+        "interface.hpp",
+        layout=layout,
+        robot=robot,
+        variable=_variable(layout),
+        groups=groups,
+        root_initializers=[
+            *initializers(layout.root, f"::{layout.prefix}"),
+            *(f"{name}(the_link)" for name, _ in groups),
+        ],
+        examples=list(_examples(layout, groups)),
+    )
+    yield GeneratedFile(f"{layout.prefix}.hpp", text)
+    yield GeneratedFile("unity_link.hpp", templates.render("unity_link.hpp"))
+    yield from c_files(interface, templates.of("c", C_FILTERS))
+
+
+def class_name(layout: Layout) -> str:
+    """Give the name of the class of an interface; that in C keeps its own."""
+    prefix = layout.prefix
+    return Names([prefix]).take("".join(part[:1].upper() + part[1:] for part in prefix.split("_")) or "_")
+
+
+def declarations(part: PartType) -> list[str]:
+    """Give the members of a component, each with what stands beside it."""
+    signals = [(f"{_signal_type(member)} {member.name};", describe(member)) for member in part.signals]
+    parts = [(f"{_part_type(member)} {member.name};", member.doc) for member in (*part.parts, *part.modules)]
+    return _aligned([*signals, *parts])
+
+
+def values(group: GroupType) -> list[str]:
+    """Give the members of the values of a group, each with its unit."""
+    return _aligned([(f"{member.type.cpp} {member.name}{{}};", member.signal.unit) for member in group.members])
+
+
+def _aligned(lines: list[tuple[str, str]]) -> list[str]:
+    column = max(len(line) for line, _ in lines) + 2 if lines else 0
+    return [f"{line.ljust(column)}{comment(beside)}" if beside else line for line, beside in lines]
+
+
+def converted(member: GroupMember, to: str) -> str:
+    """Give a member of `values` as the type of the same member in the other language."""
+    value = f"values.{member.name}"
+    is_same = member.type.cpp in {f"std::{to}", member.type.value}
+    return value if is_same else f"static_cast<{to}>({value})"
+
+
+def initializers(part: PartType, place: str = "place") -> list[str]:
+    """Give what the members of a component are made from: `place` is the component in C."""
+    signals = [f"{member.name}(the_link, {place}.{member.name}.signal)" for member in part.signals]
+    parts = [
+        f"{member.name}(the_link, {place}.{member.name})"
+        if member.size is None
+        else f"{member.name}(unity_link::each<{_item_type(member)}>(the_link, {place}.{member.name}))"
+        for member in (*part.parts, *part.modules)
+    ]
+    return signals + parts
+
+
+def _signal_type(member: SignalMember) -> str:
+    signal = member.signal
+    return f"unity_link::{_SIGNALS[signal.access]}{'Queue' * signal.fifo}<{member.type.cpp}>"
+
+
+def _item_type(member: PartMember) -> str:
+    return member.short or "unity_link::Module"
+
+
+def _part_type(member: PartMember) -> str:
+    item = _item_type(member)
+    return item if member.size is None else f"std::array<{item}, {member.size}>"
+
+
+def _examples(layout: Layout, groups: list[tuple[str, GroupType]]) -> Iterator[str]:
+    """Give calls that read and write the first signals that can be, for the comment at the top."""
+    signals = layout.interface.signals.values()
+    first = next((one for one in signals if one.access.reads), None)
+    if first is not None:
+        value = layout.value_types[first.path]
+        kind = f"{class_name(layout)}::{value.cpp}" if value.is_enumeration else value.cpp
+        yield f"{kind} value = {_expression(layout, first.path)}.get()"
+    written = next((one for one in signals if one.access.writes), None)
+    if written is not None:
+        yield f"{_expression(layout, written.path)}.set(value)"
+    for name, group in groups:
+        if group.is_published:
+            callback = "[](const auto &values, const auto &sample) { ... }"
+            yield f"auto feed = {_variable(layout)}.{name}.subscribe({callback})"
+            yield "link.poll(1s)"
+            return
+
+
+def _variable(layout: Layout) -> str:
+    """Name the robot in examples otherwise than the constant in C."""
+    return "the_robot" if layout.prefix == "robot" else "robot"
+
+
+def _expression(layout: Layout, path: str) -> str:
+    return f"{_variable(layout)}{layout.expressions[path].removeprefix(layout.prefix)}"
+
+
+FILTERS = C_FILTERS | {
+    "converted": converted,
+    "declarations": declarations,
+    "initializers": initializers,
+    "values": values,
+}
