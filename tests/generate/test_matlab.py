@@ -11,8 +11,10 @@ import functools
 import math
 import re
 import shutil
+import socket
 import struct
 import subprocess
+import threading
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -252,15 +254,30 @@ show('{name}: many', all(double(link.read_many(101:150)) == 1:50));
     assert shown["wide"] == words(2**64 - 2)
 
 
+@contextlib.contextmanager
+def hanging_up() -> Iterator[str]:
+    """Give the URL of a server that ends the one connection that it takes."""
+    with socket.create_server(("127.0.0.1", 0)) as server:
+
+        def hang_up() -> None:
+            server.accept()[0].close()
+
+        thread = threading.Thread(target=hang_up, daemon=True)
+        thread.start()
+        yield f"tcp://127.0.0.1:{server.getsockname()[1]}"
+        thread.join()
+
+
 def test_urls_and_gateways_that_do_not_fit_are_told(octave: Octave) -> None:
     octave.generate(compile_text(FIGURE_1))
-    with simulate("tcp", "--set", "data_bits=16", "--set", "features=0") as url:
+    with simulate("tcp", "--set", "data_bits=16", "--set", "features=0") as url, hanging_up() as closing:
         shown = octave.run(f"""\
 attempt('url', @() unity_link.Link('telnet://here'));
 attempt('option', @() unity_link.Link('serial:/dev/ttyX?bits=7'));
 attempt('node', @() unity_link.Link('tcp://localhost:1?node=255'));
 attempt('nobody', @() unity_link.Link('tcp://127.0.0.1:1'));
 attempt('silent', @() unity_link.Link('{url}?node=5', 0.3));
+attempt('hung up', @() unity_link.Link('{closing}'));
 attempt('widths', @() scara('{url}'));
 link = unity_link.Link('{url}');
 attempt('groups', @() link.subscribe(1, 'rate_hz', 100));
@@ -272,6 +289,7 @@ attempt('queue', @() link.read_queue(1, 1));
     assert shown["node"].startswith("unity_link:argumentError node=255")
     assert shown["nobody"].startswith("unity_link:connectError tcp://127.0.0.1:1 cannot be opened")
     assert shown["silent"].startswith("unity_link:connectError no gateway answered")
+    assert shown["hung up"].startswith("unity_link:connectError tcp://127.0.0.1:")
     assert shown["widths"].startswith("unity_link:unsupported the gateway has words of 16 bits")
     for label in ("groups", "masked", "queue"):
         assert shown[label].startswith("unity_link:unsupported the gateway was built without"), shown[label]
@@ -356,10 +374,16 @@ end
 link.fence();
 link.write_block(100, 1:10);
 show('posted', isequal(link.read_many(0:99), 1000:1099));
+same = true;
+for number = 1:20
+  link.write(200, number);
+  same = same && link.read(200) == number;
+end
+show('one by one', same);
 show('block', isequal(link.read_block(100, 10).', 1:10));
 show('repetitions', link.statistics.repetitions > 0);
 """)
-    assert shown == {"posted": "logical 1", "block": "logical 1", "repetitions": "logical 1"}
+    assert shown == dict.fromkeys(("posted", "one by one", "block", "repetitions"), "logical 1")
 
 
 @pytest.mark.parametrize("medium", MEDIA)
@@ -502,6 +526,20 @@ show('damaged', link.statistics.damaged_frames);
     assert shown["sequence"] == doubles(0, 1, 4, 256)
     assert shown["total"] == doubles(3)
     assert shown["damaged"] == doubles(1)
+
+
+def test_a_lost_answer_is_asked_for_again_while_samples_arrive(octave: Octave) -> None:
+    octave.generate(compile_text(FIGURE_1))
+    with simulate("tcp") as url, FaultyLine(url, "tcp", [lose("^r")]) as line:
+        shown = octave.run(f"""\
+link = unity_link.Link('{line.url}');
+link.write(1, 5);
+samples = link.subscribe(1, 'rate_hz', 5000);
+show('read', link.read(1));
+show('samples', mean(samples.take(10).words));
+""")
+        assert line.count("^r") == 2
+    assert shown == {"read": doubles(5), "samples": doubles(5)}
 
 
 # Values
