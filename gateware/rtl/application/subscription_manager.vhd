@@ -71,6 +71,9 @@ end entity subscription_manager;
 
 architecture rtl of subscription_manager is
 
+  -- Cycles between two base ticks beyond one for each group.
+  constant round_cycles : positive := 8;
+
   constant group_bits : positive := maximum(log2_ceil(groups), 1);
   constant slot_bits  : positive := maximum(log2_ceil(group_words), 1);
   constant word_bits  : positive := maximum(4 * digits_of(data_bits), 32);
@@ -213,6 +216,12 @@ begin
 
   assert group_words <= 255 and groups <= 256
     report "subscription_manager: more than 256 groups or more than 255 words in one"
+    severity failure;
+
+  -- The timer looks at one group a cycle; settings are changed between two of its rounds.
+  assert real(clock_hz) * 1.0e3 / real(base_frequency_millihertz) >= real(groups + round_cycles)
+    report "unity_link: a base tick of " & integer'image(base_frequency_millihertz) & " mHz leaves less than "
+           & integer'image(groups + round_cycles) & " clock cycles, which " & integer'image(groups) & " groups take"
     severity failure;
 
   tick_inst : entity work.base_tick

@@ -1,4 +1,4 @@
-// d1aad0fff5cb004d names what this was made from: unity_link_fifo in its configuration 'minimal', by GHDL and Yosys 0.70.0.
+// b776d298424b0c9a names what this was made from: unity_link_fifo in its configuration 'minimal', by GHDL and Yosys 0.70.0.
 // Answers Q with 0108080208000000070100002000009896800007A12001000100001000000000.
 // Made by `make rtl`: change the VHDL in gateware/rtl instead.
 
@@ -391,7 +391,7 @@ bool p_unity__link__fifo::eval(performer *performer) {
 	value<7> p_unity__link__inst_2e_core__inst_2e_with__datalink__tx__datalink__tx__inst_2e_n4817__o_5b_6_3a_0_5d_;
 	value<1> p_unity__link__inst_2e_core__inst_2e_request__decoder__inst_2e_n1244__o;
 	value<8> p_unity__link__inst_2e_core__inst_2e_with__datalink__tx__datalink__tx__inst_2e_n4830__o;
-	value<1> i_flatten_5c_unity__link__inst_2e__5c_core__inst_2e__5c_tx__fifo__inst_2e__24_0_24_memwr_24__5c_memory_24_top_2e_v_3a_195_24_1__EN_5b_9_3a_0_5d__24_52_5b_0_5d_;
+	value<1> i_flatten_5c_unity__link__inst_2e__5c_core__inst_2e__5c_tx__fifo__inst_2e__24_0_24_memwr_24__5c_memory_24_top_2e_v_3a_139_24_1__EN_5b_9_3a_0_5d__24_52_5b_0_5d_;
 	value<1> p_unity__link__inst_2e_core__inst_2e_with__datalink__tx__datalink__tx__inst_2e_n4813__o;
 	value<1> p_unity__link__inst_2e_core__inst_2e_request__decoder__inst_2e_n1247__o;
 	value<1> p_unity__link__inst_2e_core__inst_2e_request__decoder__inst_2e_n1250__o;
@@ -405,7 +405,7 @@ bool p_unity__link__fifo::eval(performer *performer) {
 	value<1> p_unity__link__inst_2e_core__inst_2e_frame__writer__inst_2e_n3754__o;
 	value<1> i_flatten_5c_unity__link__inst_2e__5c_core__inst_2e__5c_frame__writer__inst_2e__24_procmux_24_2932__CMP;
 	value<1> i_flatten_5c_unity__link__inst_2e__5c_core__inst_2e__5c_request__executor__inst_2e__24_procmux_24_2528__CMP;
-	value<10> i_flatten_5c_unity__link__inst_2e__5c_core__inst_2e__5c_tx__fifo__inst_2e__24_memrd_24__5c_memory_24_top_2e_v_3a_192_24_48__DATA;
+	value<10> i_flatten_5c_unity__link__inst_2e__5c_core__inst_2e__5c_tx__fifo__inst_2e__24_memrd_24__5c_memory_24_top_2e_v_3a_136_24_48__DATA;
 	value<1> p_unity__link__inst_2e_core__inst_2e_frame__writer__inst_2e_n3741__o;
 	value<1> i_flatten_5c_unity__link__inst_2e__5c_core__inst_2e__5c_request__executor__inst_2e__24_procmux_24_2527__CMP;
 	value<1> p_unity__link__inst_2e_core__inst_2e_frame__writer__inst_2e_n3737__o;
@@ -480,7 +480,7 @@ bool p_unity__link__fifo::eval(performer *performer) {
 	value<1> p_unity__link__inst_2e_bus__done;
 	value<1> p_unity__link__inst_2e_core__inst_2e_frame__writer__inst_2e_n3893__o;
 	value<1> p_unity__link__inst_2e_core__inst_2e_request__decoder__inst_2e_n1262__o;
-	value<9> i_flatten_5c_unity__link__inst_2e__5c_core__inst_2e__5c_rx__fifo__inst_2e__24_memrd_24__5c_memory_24_top_2e_v_3a_8778_24_2315__DATA;
+	value<9> i_flatten_5c_unity__link__inst_2e__5c_core__inst_2e__5c_rx__fifo__inst_2e__24_memrd_24__5c_memory_24_top_2e_v_3a_6672_24_2315__DATA;
 	value<1> p_unity__link__inst_2e_core__inst_2e_request__decoder__inst_2e_n1282__o;
 	value<1> p_unity__link__inst_2e_core__inst_2e_request__decoder__inst_2e_n1285__o;
 	value<11> p_unity__link__inst_2e_core__inst_2e_request__executor__inst_2e_n3062__o;
@@ -544,7 +544,7 @@ bool p_unity__link__fifo::eval(performer *performer) {
 	value<3> p_unity__link__inst_2e_core__inst_2e_with__datalink__rx__datalink__rx__inst_2e_n489__o_5b_2_3a_0_5d_;
 	value<3> p_unity__link__inst_2e_core__inst_2e_with__datalink__rx__datalink__rx__inst_2e_n475__o_5b_2_3a_0_5d_;
 	value<3> p_unity__link__inst_2e_core__inst_2e_with__datalink__rx__datalink__rx__inst_2e_n482__o_5b_2_3a_0_5d_;
-	value<1> i_flatten_5c_unity__link__inst_2e__5c_core__inst_2e__5c_rx__fifo__inst_2e__24_0_24_memwr_24__5c_memory_24_top_2e_v_3a_8781_24_2268__EN_5b_8_3a_0_5d__24_2319_5b_0_5d_;
+	value<1> i_flatten_5c_unity__link__inst_2e__5c_core__inst_2e__5c_rx__fifo__inst_2e__24_0_24_memwr_24__5c_memory_24_top_2e_v_3a_6675_24_2268__EN_5b_8_3a_0_5d__24_2319_5b_0_5d_;
 	value<3> p_unity__link__inst_2e_core__inst_2e_with__datalink__rx__datalink__rx__inst_2e_n468__o_5b_2_3a_0_5d_;
 	value<3> p_unity__link__inst_2e_core__inst_2e_with__datalink__rx__datalink__rx__inst_2e_n461__o_5b_2_3a_0_5d_;
 	value<1> p_unity__link__inst_2e_core__inst_2e_frame__writer__inst_2e_n3941__o;
@@ -552,12 +552,12 @@ bool p_unity__link__fifo::eval(performer *performer) {
 	value<3> p_unity__link__inst_2e_core__inst_2e_with__datalink__rx__datalink__rx__inst_2e_n447__o_5b_2_3a_0_5d_;
 	value<1> p_unity__link__inst_2e_core__inst_2e_with__datalink__tx__datalink__tx__inst_2e_n5032__o;
 	value<1> p_unity__link__inst_2e_core__inst_2e_with__datalink__tx__datalink__tx__inst_2e_n5023__o;
-	value<1> i_flatten_5c_unity__link__inst_2e__5c_core__inst_2e__5c_request__memory__inst_2e__24_0_24_memwr_24__5c_memory_24_top_2e_v_3a_5695_24_1764__EN_5b_7_3a_0_5d__24_1770_5b_0_5d_;
+	value<1> i_flatten_5c_unity__link__inst_2e__5c_core__inst_2e__5c_request__memory__inst_2e__24_0_24_memwr_24__5c_memory_24_top_2e_v_3a_4391_24_1764__EN_5b_7_3a_0_5d__24_1770_5b_0_5d_;
 	value<1> p_unity__link__inst_2e_core__inst_2e_with__datalink__tx__datalink__tx__inst_2e_n5018__o;
 	value<2> p_unity__link__inst_2e_core__inst_2e_request__executor__inst_2e_n2549__o_5b_1_3a_0_5d_;
 	value<3> p_unity__link__inst_2e_core__inst_2e_request__executor__inst_2e_n2525__o_5b_2_3a_0_5d_;
 	value<1> i_flatten_5c_unity__link__inst_2e__5c_core__inst_2e__5c_request__executor__inst_2e__24_procmux_24_2727__CMP;
-	value<1> i_flatten_5c_unity__link__inst_2e__5c_core__inst_2e__5c_response__ring__inst_2e__24_0_24_memwr_24__5c_memory_24_top_2e_v_3a_3273_24_1293__EN_5b_7_3a_0_5d__24_1319_5b_0_5d_;
+	value<1> i_flatten_5c_unity__link__inst_2e__5c_core__inst_2e__5c_response__ring__inst_2e__24_0_24_memwr_24__5c_memory_24_top_2e_v_3a_2488_24_1293__EN_5b_7_3a_0_5d__24_1319_5b_0_5d_;
 	value<1> p_unity__link__inst_2e_core__inst_2e_request__decoder__inst_2e_n1752__o;
 	value<4> p_unity__link__inst_2e_core__inst_2e_frame__writer__inst_2e_n4428__o;
 	value<3> p_unity__link__inst_2e_core__inst_2e_with__datalink__tx__datalink__tx__inst_2e_n4926__o_5b_2_3a_0_5d_;
@@ -905,22 +905,22 @@ bool p_unity__link__fifo::eval(performer *performer) {
 	CXXRTL_ASSERT(tmp_4.valid && "out of bounds read");
 	if(tmp_4.valid) {
 		value<9> tmp_5 = memory_p_unity__link__inst_2e_core__inst_2e_rx__fifo__inst_2e_memory[tmp_4.index];
-		i_flatten_5c_unity__link__inst_2e__5c_core__inst_2e__5c_rx__fifo__inst_2e__24_memrd_24__5c_memory_24_top_2e_v_3a_8778_24_2315__DATA = tmp_5;
+		i_flatten_5c_unity__link__inst_2e__5c_core__inst_2e__5c_rx__fifo__inst_2e__24_memrd_24__5c_memory_24_top_2e_v_3a_6672_24_2315__DATA = tmp_5;
 	} else {
-		i_flatten_5c_unity__link__inst_2e__5c_core__inst_2e__5c_rx__fifo__inst_2e__24_memrd_24__5c_memory_24_top_2e_v_3a_8778_24_2315__DATA = value<9> {};
+		i_flatten_5c_unity__link__inst_2e__5c_core__inst_2e__5c_rx__fifo__inst_2e__24_memrd_24__5c_memory_24_top_2e_v_3a_6672_24_2315__DATA = value<9> {};
 	}
 	auto tmp_6 = memory_index(p_unity__link__inst_2e_core__inst_2e_tx__fifo__inst_2e_n5157__q.curr, 0, 256);
 	CXXRTL_ASSERT(tmp_6.valid && "out of bounds read");
 	if(tmp_6.valid) {
 		value<10> tmp_7 = memory_p_unity__link__inst_2e_core__inst_2e_tx__fifo__inst_2e_memory[tmp_6.index];
-		i_flatten_5c_unity__link__inst_2e__5c_core__inst_2e__5c_tx__fifo__inst_2e__24_memrd_24__5c_memory_24_top_2e_v_3a_192_24_48__DATA = tmp_7;
+		i_flatten_5c_unity__link__inst_2e__5c_core__inst_2e__5c_tx__fifo__inst_2e__24_memrd_24__5c_memory_24_top_2e_v_3a_136_24_48__DATA = tmp_7;
 	} else {
-		i_flatten_5c_unity__link__inst_2e__5c_core__inst_2e__5c_tx__fifo__inst_2e__24_memrd_24__5c_memory_24_top_2e_v_3a_192_24_48__DATA = value<10> {};
+		i_flatten_5c_unity__link__inst_2e__5c_core__inst_2e__5c_tx__fifo__inst_2e__24_memrd_24__5c_memory_24_top_2e_v_3a_136_24_48__DATA = value<10> {};
 	}
-	i_flatten_5c_unity__link__inst_2e__5c_core__inst_2e__5c_request__memory__inst_2e__24_0_24_memwr_24__5c_memory_24_top_2e_v_3a_5695_24_1764__EN_5b_7_3a_0_5d__24_1770_5b_0_5d_ = (p_unity__link__inst_2e_core__inst_2e_request__decoder__inst_2e_n2136__q.curr.slice<92>().val() ? value<1>{0x1u} : value<1>{0u});
-	i_flatten_5c_unity__link__inst_2e__5c_core__inst_2e__5c_tx__fifo__inst_2e__24_0_24_memwr_24__5c_memory_24_top_2e_v_3a_195_24_1__EN_5b_9_3a_0_5d__24_52_5b_0_5d_ = (p_unity__link__inst_2e_core__inst_2e_tx__fifo__inst_2e_n5068__o ? value<1>{0x1u} : value<1>{0u});
-	i_flatten_5c_unity__link__inst_2e__5c_core__inst_2e__5c_rx__fifo__inst_2e__24_0_24_memwr_24__5c_memory_24_top_2e_v_3a_8781_24_2268__EN_5b_8_3a_0_5d__24_2319_5b_0_5d_ = (p_unity__link__inst_2e_core__inst_2e_rx__fifo__inst_2e_n240__o ? value<1>{0x1u} : value<1>{0u});
-	i_flatten_5c_unity__link__inst_2e__5c_core__inst_2e__5c_response__ring__inst_2e__24_0_24_memwr_24__5c_memory_24_top_2e_v_3a_3273_24_1293__EN_5b_7_3a_0_5d__24_1319_5b_0_5d_ = (p_unity__link__inst_2e_core__inst_2e_request__executor__inst_2e_n2296__o ? value<1>{0x1u} : value<1>{0u});
+	i_flatten_5c_unity__link__inst_2e__5c_core__inst_2e__5c_request__memory__inst_2e__24_0_24_memwr_24__5c_memory_24_top_2e_v_3a_4391_24_1764__EN_5b_7_3a_0_5d__24_1770_5b_0_5d_ = (p_unity__link__inst_2e_core__inst_2e_request__decoder__inst_2e_n2136__q.curr.slice<92>().val() ? value<1>{0x1u} : value<1>{0u});
+	i_flatten_5c_unity__link__inst_2e__5c_core__inst_2e__5c_tx__fifo__inst_2e__24_0_24_memwr_24__5c_memory_24_top_2e_v_3a_139_24_1__EN_5b_9_3a_0_5d__24_52_5b_0_5d_ = (p_unity__link__inst_2e_core__inst_2e_tx__fifo__inst_2e_n5068__o ? value<1>{0x1u} : value<1>{0u});
+	i_flatten_5c_unity__link__inst_2e__5c_core__inst_2e__5c_rx__fifo__inst_2e__24_0_24_memwr_24__5c_memory_24_top_2e_v_3a_6675_24_2268__EN_5b_8_3a_0_5d__24_2319_5b_0_5d_ = (p_unity__link__inst_2e_core__inst_2e_rx__fifo__inst_2e_n240__o ? value<1>{0x1u} : value<1>{0u});
+	i_flatten_5c_unity__link__inst_2e__5c_core__inst_2e__5c_response__ring__inst_2e__24_0_24_memwr_24__5c_memory_24_top_2e_v_3a_2488_24_1293__EN_5b_7_3a_0_5d__24_1319_5b_0_5d_ = (p_unity__link__inst_2e_core__inst_2e_request__executor__inst_2e_n2296__o ? value<1>{0x1u} : value<1>{0u});
 	auto tmp_8 = memory_index(p_unity__link__inst_2e_core__inst_2e_response__ring__inst_2e_n3421__q.curr.slice<0>().val(), 0, 2);
 	CXXRTL_ASSERT(tmp_8.valid && "out of bounds read");
 	if(tmp_8.valid) {
@@ -941,28 +941,28 @@ bool p_unity__link__fifo::eval(performer *performer) {
 		auto tmp_12 = memory_index((p_unity__link__inst_2e_core__inst_2e_request__decoder__inst_2e_n2136__q.curr.slice<92>().val() ? p_unity__link__inst_2e_core__inst_2e_request__decoder__inst_2e_n2136__q.curr.slice<93>().val() : value<1>{0u}), 0, 2);
 		CXXRTL_ASSERT(tmp_12.valid && "out of bounds write");
 		if (tmp_12.valid) {
-			memory_p_unity__link__inst_2e_core__inst_2e_request__memory__inst_2e_memory.update(tmp_12.index, (p_unity__link__inst_2e_core__inst_2e_request__decoder__inst_2e_n2136__q.curr.slice<92>().val() ? p_unity__link__inst_2e_core__inst_2e_request__decoder__inst_2e_n2136__q.curr.slice<80,73>().val() : value<8>{0u}), i_flatten_5c_unity__link__inst_2e__5c_core__inst_2e__5c_request__memory__inst_2e__24_0_24_memwr_24__5c_memory_24_top_2e_v_3a_5695_24_1764__EN_5b_7_3a_0_5d__24_1770_5b_0_5d_.repeat<8>().val(), 0);
+			memory_p_unity__link__inst_2e_core__inst_2e_request__memory__inst_2e_memory.update(tmp_12.index, (p_unity__link__inst_2e_core__inst_2e_request__decoder__inst_2e_n2136__q.curr.slice<92>().val() ? p_unity__link__inst_2e_core__inst_2e_request__decoder__inst_2e_n2136__q.curr.slice<80,73>().val() : value<8>{0u}), i_flatten_5c_unity__link__inst_2e__5c_core__inst_2e__5c_request__memory__inst_2e__24_0_24_memwr_24__5c_memory_24_top_2e_v_3a_4391_24_1764__EN_5b_7_3a_0_5d__24_1770_5b_0_5d_.repeat<8>().val(), 0);
 		}
 	}
 	if (posedge_p_clk) {
 		auto tmp_13 = memory_index((p_unity__link__inst_2e_core__inst_2e_tx__fifo__inst_2e_n5068__o ? p_unity__link__inst_2e_core__inst_2e_tx__fifo__inst_2e_n5156__q.curr : value<8>{0u}), 0, 256);
 		CXXRTL_ASSERT(tmp_13.valid && "out of bounds write");
 		if (tmp_13.valid) {
-			memory_p_unity__link__inst_2e_core__inst_2e_tx__fifo__inst_2e_memory.update(tmp_13.index, (p_unity__link__inst_2e_core__inst_2e_tx__fifo__inst_2e_n5068__o ? p_unity__link__inst_2e_core__inst_2e_with__datalink__tx__datalink__tx__inst_2e_n5061__q.curr.slice<24,15>().val() : value<10>{0u}), i_flatten_5c_unity__link__inst_2e__5c_core__inst_2e__5c_tx__fifo__inst_2e__24_0_24_memwr_24__5c_memory_24_top_2e_v_3a_195_24_1__EN_5b_9_3a_0_5d__24_52_5b_0_5d_.repeat<10>().val(), 0);
+			memory_p_unity__link__inst_2e_core__inst_2e_tx__fifo__inst_2e_memory.update(tmp_13.index, (p_unity__link__inst_2e_core__inst_2e_tx__fifo__inst_2e_n5068__o ? p_unity__link__inst_2e_core__inst_2e_with__datalink__tx__datalink__tx__inst_2e_n5061__q.curr.slice<24,15>().val() : value<10>{0u}), i_flatten_5c_unity__link__inst_2e__5c_core__inst_2e__5c_tx__fifo__inst_2e__24_0_24_memwr_24__5c_memory_24_top_2e_v_3a_139_24_1__EN_5b_9_3a_0_5d__24_52_5b_0_5d_.repeat<10>().val(), 0);
 		}
 	}
 	if (posedge_p_clk) {
 		auto tmp_14 = memory_index((p_unity__link__inst_2e_core__inst_2e_rx__fifo__inst_2e_n240__o ? p_unity__link__inst_2e_core__inst_2e_rx__fifo__inst_2e_n328__q.curr : value<8>{0u}), 0, 256);
 		CXXRTL_ASSERT(tmp_14.valid && "out of bounds write");
 		if (tmp_14.valid) {
-			memory_p_unity__link__inst_2e_core__inst_2e_rx__fifo__inst_2e_memory.update(tmp_14.index, (p_unity__link__inst_2e_core__inst_2e_rx__fifo__inst_2e_n240__o ? p_in__lost.concat(p_in__data).val() : value<9>{0u}), i_flatten_5c_unity__link__inst_2e__5c_core__inst_2e__5c_rx__fifo__inst_2e__24_0_24_memwr_24__5c_memory_24_top_2e_v_3a_8781_24_2268__EN_5b_8_3a_0_5d__24_2319_5b_0_5d_.repeat<9>().val(), 0);
+			memory_p_unity__link__inst_2e_core__inst_2e_rx__fifo__inst_2e_memory.update(tmp_14.index, (p_unity__link__inst_2e_core__inst_2e_rx__fifo__inst_2e_n240__o ? p_in__lost.concat(p_in__data).val() : value<9>{0u}), i_flatten_5c_unity__link__inst_2e__5c_core__inst_2e__5c_rx__fifo__inst_2e__24_0_24_memwr_24__5c_memory_24_top_2e_v_3a_6675_24_2268__EN_5b_8_3a_0_5d__24_2319_5b_0_5d_.repeat<9>().val(), 0);
 		}
 	}
 	if (posedge_p_clk) {
 		auto tmp_15 = memory_index((p_unity__link__inst_2e_core__inst_2e_request__executor__inst_2e_n2296__o ? p_unity__link__inst_2e_core__inst_2e_response__ring__inst_2e_n3419__q.curr.slice<0>().val() : value<1>{0u}), 0, 2);
 		CXXRTL_ASSERT(tmp_15.valid && "out of bounds write");
 		if (tmp_15.valid) {
-			memory_p_unity__link__inst_2e_core__inst_2e_response__ring__inst_2e_memory.update(tmp_15.index, (p_unity__link__inst_2e_core__inst_2e_request__executor__inst_2e_n2296__o ? p_unity__link__inst_2e_core__inst_2e_bus__master__inst_2e_n3634__q.curr : value<8>{0u}), i_flatten_5c_unity__link__inst_2e__5c_core__inst_2e__5c_response__ring__inst_2e__24_0_24_memwr_24__5c_memory_24_top_2e_v_3a_3273_24_1293__EN_5b_7_3a_0_5d__24_1319_5b_0_5d_.repeat<8>().val(), 0);
+			memory_p_unity__link__inst_2e_core__inst_2e_response__ring__inst_2e_memory.update(tmp_15.index, (p_unity__link__inst_2e_core__inst_2e_request__executor__inst_2e_n2296__o ? p_unity__link__inst_2e_core__inst_2e_bus__master__inst_2e_n3634__q.curr : value<8>{0u}), i_flatten_5c_unity__link__inst_2e__5c_core__inst_2e__5c_response__ring__inst_2e__24_0_24_memwr_24__5c_memory_24_top_2e_v_3a_2488_24_1293__EN_5b_7_3a_0_5d__24_1319_5b_0_5d_.repeat<8>().val(), 0);
 		}
 	}
 	if (posedge_p_clk) {
@@ -987,7 +987,7 @@ bool p_unity__link__fifo::eval(performer *performer) {
 		p_unity__link__inst_2e_core__inst_2e_rx__fifo__inst_2e_n336__q.next = (p_rst ? value<1>{0x1u} : (p_unity__link__inst_2e_core__inst_2e_rx__fifo__inst_2e_n274__o ? value<1>{0x1u} : (p_unity__link__inst_2e_core__inst_2e_rx__fifo__inst_2e_n241__o ? value<1>{0u} : p_unity__link__inst_2e_core__inst_2e_rx__fifo__inst_2e_n336__q.curr)));
 	}
 	if (posedge_p_clk) {
-		p_unity__link__inst_2e_core__inst_2e_rx__fifo__inst_2e_n337__data.next = (p_unity__link__inst_2e_core__inst_2e_rx__fifo__inst_2e_n241__o ? i_flatten_5c_unity__link__inst_2e__5c_core__inst_2e__5c_rx__fifo__inst_2e__24_memrd_24__5c_memory_24_top_2e_v_3a_8778_24_2315__DATA : p_unity__link__inst_2e_core__inst_2e_rx__fifo__inst_2e_n337__data.curr);
+		p_unity__link__inst_2e_core__inst_2e_rx__fifo__inst_2e_n337__data.next = (p_unity__link__inst_2e_core__inst_2e_rx__fifo__inst_2e_n241__o ? i_flatten_5c_unity__link__inst_2e__5c_core__inst_2e__5c_rx__fifo__inst_2e__24_memrd_24__5c_memory_24_top_2e_v_3a_6672_24_2315__DATA : p_unity__link__inst_2e_core__inst_2e_rx__fifo__inst_2e_n337__data.curr);
 	}
 	if (posedge_p_clk) {
 		p_unity__link__inst_2e_core__inst_2e_character__valid.next = (p_rst ? value<1>{0u} : (p_unity__link__inst_2e_core__inst_2e_fifo__out__ready ? p_unity__link__inst_2e_core__inst_2e_fifo__out__valid.curr : p_unity__link__inst_2e_core__inst_2e_character__valid.curr));
@@ -1059,7 +1059,7 @@ bool p_unity__link__fifo::eval(performer *performer) {
 		p_wb__dat__o.next = (p_rst ? value<8>{0u} : (i_auto_24_opt__reduce_2e_cc_3a_137_3a_opt__pmux_24_3331 ? p_wb__dat__o.curr : (i_flatten_5c_unity__link__inst_2e__5c_core__inst_2e__5c_bus__master__inst_2e__24_procmux_24_2865__CMP ? (p_unity__link__inst_2e_core__inst_2e_access__granted ? ((or_uu<1>(p_unity__link__inst_2e_core__inst_2e_request__executor__inst_2e_n2195__o, p_unity__link__inst_2e_core__inst_2e_request__executor__inst_2e_n2198__o) ? value<1>{0x1u} : value<1>{0u}) ? p_unity__link__inst_2e_core__inst_2e_request__executor__inst_2e_memory__kept.curr : p_unity__link__inst_2e_core__inst_2e_request__decoder__inst_2e_n2136__q.curr.slice<80,73>().val()) : p_wb__dat__o.curr) : value<8>{0u})));
 	}
 	if (posedge_p_clk) {
-		p_unity__link__inst_2e_core__inst_2e_tx__fifo__inst_2e_n5165__data.next = (p_unity__link__inst_2e_core__inst_2e_tx__fifo__inst_2e_n5069__o ? i_flatten_5c_unity__link__inst_2e__5c_core__inst_2e__5c_tx__fifo__inst_2e__24_memrd_24__5c_memory_24_top_2e_v_3a_192_24_48__DATA : p_unity__link__inst_2e_core__inst_2e_tx__fifo__inst_2e_n5165__data.curr);
+		p_unity__link__inst_2e_core__inst_2e_tx__fifo__inst_2e_n5165__data.next = (p_unity__link__inst_2e_core__inst_2e_tx__fifo__inst_2e_n5069__o ? i_flatten_5c_unity__link__inst_2e__5c_core__inst_2e__5c_tx__fifo__inst_2e__24_memrd_24__5c_memory_24_top_2e_v_3a_136_24_48__DATA : p_unity__link__inst_2e_core__inst_2e_tx__fifo__inst_2e_n5165__data.curr);
 	}
 	if (posedge_p_clk) {
 		p_unity__link__inst_2e_core__inst_2e_tx__fifo__inst_2e_n5164__q.next = (p_rst ? value<1>{0x1u} : (p_unity__link__inst_2e_core__inst_2e_tx__fifo__inst_2e_n5102__o ? value<1>{0x1u} : (p_unity__link__inst_2e_core__inst_2e_tx__fifo__inst_2e_n5069__o ? value<1>{0u} : p_unity__link__inst_2e_core__inst_2e_tx__fifo__inst_2e_n5164__q.curr)));
