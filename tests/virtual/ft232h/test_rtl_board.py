@@ -1,0 +1,132 @@
+"""The gateware itself at the virtual chip's pins, in modelled time."""
+
+from __future__ import annotations
+
+import asyncio
+import shutil
+from itertools import pairwise
+
+import pytest
+
+import unity_link
+from simulated_time import on_simulated_time
+from unity_link.virtual.ft232h.bus import LoopClock, SimulatedClock, VirtualBus, VirtualFt232h
+from unity_link.virtual.ft232h.eeprom import build_eeprom
+from unity_link.virtual.ft232h.host import Transfer
+from unity_link.virtual.ft232h.pyusb_backend import installed
+from unity_link.virtual.ft232h.rtl_board import RtlBoard
+from unity_link.virtual.rtl import RtlGateway
+from unity_link.wire.crc import Crc
+
+pytestmark = [
+    pytest.mark.rtl,
+    pytest.mark.skipif(
+        not any(shutil.which(name) for name in ("c++", "g++", "clang++")), reason="no C++ compiler: apt install g++"
+    ),
+]
+MICROFRAME = 125e-6
+IN, OUT = 0x81, 0x02
+URL = "ftdi-async://ftdi:232h/1"
+RATE = 8e6
+
+
+def checked(body: bytes) -> bytes:
+    return body + Crc().text(body) + b"\n"
+
+
+def chip(image: bytes | None = None) -> tuple[VirtualFt232h, RtlGateway]:
+    gateway = RtlGateway("ft232h")
+    return VirtualFt232h(RtlBoard(gateway, RATE), image=image, clock=SimulatedClock()), gateway
+
+
+def ask(device: VirtualFt232h, request: bytes) -> bytes:
+    """Write a request, and read what comes within the latency timer."""
+    device.run(Transfer(OUT, data=request), 1.0)
+    answer = Transfer(IN, size=512)
+    device.run(answer, 1.0)
+    return bytes(answer.data[2:])
+
+
+def test_a_lone_request_is_timed_to_the_cycle() -> None:
+    gateway = RtlGateway("ft232h")
+    gateway.set_pace(RATE)
+    request = checked(b"R0A")
+    passage = gateway.pass_pins(request, 1000, 1024)
+    assert passage.sent == checked(b"R0A00000000")
+    assert passage.taken == len(request)
+    # A byte takes 6.25 cycles; the gateware adds what it takes at a port that is as fast as it is.
+    assert 19 * 6.25 <= passage.cycles <= 20 * 6.25 + 25
+
+
+@pytest.mark.parametrize("mode", [1, 2])
+def test_an_answer_comes_in_the_next_microframe_when_the_gateware_pulses_siwu(mode: int) -> None:
+    device, _ = chip()
+    assert ask(device, checked(b"I%02X" % mode)) == checked(b"I%02X" % mode)
+    began = device.clock.now()
+    assert ask(device, checked(b"R0A")) == checked(b"R0A00000000")
+    assert device.clock.now() - began <= 2 * MICROFRAME + 1e-9
+
+
+def test_without_a_pulse_the_answer_waits_for_the_latency_timer() -> None:
+    device, _ = chip()
+    ask(device, checked(b"I00"))
+    began = device.clock.now()
+    assert ask(device, checked(b"R0A")) == checked(b"R0A00000000")
+    assert 0.015 < device.clock.now() - began <= 0.016 + 2 * MICROFRAME
+
+
+def test_cycles_pass_only_while_something_can_move() -> None:
+    device, gateway = chip()
+    ask(device, checked(b"R0A"))
+    spent = gateway.cycles
+    device.run(Transfer(IN, size=512), 1.0)
+    assert gateway.cycles == spent
+    assert spent < 1000
+
+
+def test_what_finds_no_room_in_the_chip_is_sent_when_there_is_room_again() -> None:
+    device, _ = chip()
+    count = 200
+    # Nobody reads: the chip's FIFO of 1 KiB fills, then the gateway's, then both in the other direction.
+    requests = Transfer(OUT, data=checked(b"R0A") * count)
+    with device.changed:
+        device.host.submit(requests, device.now())
+    device.clock.wait(device.changed, 0.01)
+    received = b""
+    while len(received) < 14 * count:
+        answer = Transfer(IN, size=512)
+        device.run(answer, 1.0)
+        received += bytes(answer.data[2:])
+    assert received == checked(b"R0A00000000") * count
+
+
+def test_no_byte_passes_where_the_pins_are_no_fifo() -> None:
+    device, gateway = chip(build_eeprom("UART", "UL000001"))
+    assert ask(device, checked(b"R0A")) == b""
+    assert gateway.cycles == 0
+
+
+@on_simulated_time
+async def test_the_whole_link_reads_writes_and_subscribes_through_it() -> None:
+    device = VirtualFt232h(RtlBoard(RtlGateway("ft232h"), RATE), clock=LoopClock())
+    with installed(VirtualBus(device)):
+        async with unity_link.connect(URL, timeout=60) as link:
+            addresses = list(range(256))
+            await link.write_many(addresses, addresses)
+            assert (await link.read_many(addresses)).tolist() == addresses
+            async with link.subscribe([3, 4], rate_hz=10_000) as samples:
+                taken = [await anext(samples) for _ in range(50)]
+            assert link.statistics.repetitions == 0
+    assert all(sample.values.tolist() == [3, 4] for sample in taken)
+    times = [sample.time for sample in taken if sample.time is not None]
+    # Exact to the cycle: the gateware's own clock.
+    assert [round((after - before) * 1e9) for before, after in pairwise(times)] == [100_000] * 49
+
+
+@on_simulated_time
+async def test_time_passes_for_groups_although_no_byte_does() -> None:
+    device = VirtualFt232h(RtlBoard(RtlGateway("ft232h"), RATE), clock=LoopClock())
+    with installed(VirtualBus(device)):
+        async with unity_link.connect(URL, timeout=60) as link, link.subscribe(5, rate_hz=1000) as samples:
+            await asyncio.sleep(0.0105)
+            assert len(await samples.take()) in (10, 11)
