@@ -261,6 +261,37 @@ def test_the_style_is_that_of_the_gateware(tmp_path: Path) -> None:
     assert done.stdout == ""
 
 
+@pytest.mark.rtl
+def test_the_commands_of_the_documentation_try_the_walker(tmp_path: Path) -> None:
+    write(generate("vhdl", SPECS["walker"]), tmp_path)
+    (commands,) = re.findall(r"```\{code-block\} shell\n:caption: in build/walker\n\n(.*?)```", _how_to(), re.DOTALL)
+    done = subprocess.run(
+        ["sh", "-e", "-c", commands],
+        cwd=tmp_path,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+        text=True,
+        check=False,
+    )
+    assert done.returncode == 0
+    assert "checks passed" in done.stdout.splitlines()[-1]
+
+
+@pytest.mark.rtl
+def test_the_design_of_the_documentation_elaborates(tmp_path: Path) -> None:
+    listings = dict(re.findall(r"```\{code-block\} \w+\n:caption: (\w+\.\w+)\n\n(.*?)```", _how_to(), re.DOTALL))
+    paths = write(generate("vhdl", compile_text(listings["lamp.ul"])), tmp_path)
+    (tmp_path / "lamp_board.vhd").write_text(listings["lamp_board.vhd"])
+    sources = (*rtl_sources(), *BOARDS.glob("*.vhd"), *paths, tmp_path / "lamp_board.vhd")
+    assert ghdl(tmp_path, "-i", *map(str, sources)).returncode == 0
+    done = ghdl(tmp_path, "-m", "lamp_board")
+    assert (done.returncode, done.stderr) == (0, "")
+
+
+def _how_to() -> str:
+    return (ROOT / "docs" / "how-to" / "vhdl-from-a-spec.md").read_text()
+
+
 def test_output_is_the_same_in_every_run(tmp_path: Path) -> None:
     (tmp_path / "robot.ul").write_text(EVERYTHING)
     texts = []
