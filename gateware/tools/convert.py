@@ -1,6 +1,6 @@
 """VHDL to Verilog: one entity with chosen generics, all of its hierarchy in one file.
 
-A warning is an error here: GHDL warns of what is never assigned, and refuses latches.
+A warning is an error here, as is what is never assigned. GHDL itself refuses latches.
 """
 
 from __future__ import annotations
@@ -58,6 +58,8 @@ def to_verilog(top: str, generics: Mapping[str, object] | None = None, extra_sou
             first_lines = "\n".join(error.stderr.strip().splitlines()[:_ERROR_LINES])
             raise ConversionError(f"{top} with {dict(generics or {})}: {first_lines}") from error
     warnings = [line for step in steps for line in step.stderr.splitlines() if ":warning:" in line]
+    # GHDL says nothing of what is never assigned. (Where a `case` names all values, its default is unknown, too.)
+    warnings += re.findall(r"^ *assign \w+ = [^?\n]*'b[01X]*X[^?\n]*;.*$", steps[-1].stdout, re.MULTILINE)
     if warnings:
         raise ConversionError(f"{top} with {dict(generics or {})}: " + "\n".join(warnings[:_ERROR_LINES]))
     # The remarks name files of this machine.

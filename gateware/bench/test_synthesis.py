@@ -1,0 +1,108 @@
+"""The gateware fits its budget on both families of FPGAs, and the tools that say so refuse what is wrong.
+
+A configuration takes half a minute to synthesise, the first time: results are kept in the user's cache under a hash of
+the sources, the tools and the options, and `make synth` shares them.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import re
+import tomllib
+from typing import TYPE_CHECKING
+
+import pytest
+
+from gateware.tools.convert import ConversionError, to_verilog
+from gateware.tools.ghdl import ToolMissingError
+from gateware.tools.synth import BUDGET, CONFIGURATIONS, DEVICES, RESULTS, Result, check, over_budget, synthesise
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+LIMITS = tomllib.loads(BUDGET.read_text())
+IN_CI = [("default", "ice40"), ("minimal", "ice40"), ("default", "ecp5"), ("wide", "ecp5")]
+PROMISED = {
+    ("default", "ice40", "fmax_mhz"): 60,
+    ("default", "ecp5", "fmax_mhz"): 100,
+    ("minimal", "ice40", "logic"): 1500,
+}
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("name", "device"), IN_CI)
+def test_a_configuration_fits_its_budget(name: str, device: str) -> None:
+    try:
+        result = synthesise(name, device)
+    except ToolMissingError as error:
+        pytest.skip(str(error))
+    assert over_budget(name, device, result, LIMITS) == []
+
+
+def test_the_budget_holds_what_the_project_promises() -> None:
+    assert {place: LIMITS[place[1]][place[0]][place[2]] for place in PROMISED} == PROMISED
+
+
+def test_the_table_has_every_configuration_with_its_limits() -> None:
+    for section in RESULTS.read_text().split("\n## ")[1:]:
+        (device,) = (name for name, device in DEVICES.items() if section.startswith(device.title))
+        rows = re.findall(
+            r"^\| (\w+) \| (\d+) \((\d+)\) \| (\d+) \((\d+)\) \| ([\d.]+) \((\d+)\)", section, re.MULTILINE
+        )
+        assert [row[0] for row in rows] == [name for name, own in CONFIGURATIONS.items() if device in own.devices]
+        for name, logic, most_logic, memory, most_memory, mhz, least_mhz in rows:
+            limits = {"logic": int(most_logic), "memory": int(most_memory), "fmax_mhz": int(least_mhz)}
+            assert limits == LIMITS[device][name]
+            assert over_budget(name, device, Result(int(logic), int(memory), {"clk": float(mhz)}), LIMITS) == []
+
+
+def test_what_is_beyond_the_budget_is_said_in_a_sentence() -> None:
+    limits = {"ice40": {"default": {"logic": 3000, "memory": 20, "fmax_mhz": 60}}}
+    within = Result(3000, 20, {"clk": 60.0, "ft_clkout": 10.0})
+    assert over_budget("default", "ice40", within, limits) == []
+    for changed, sentence in (
+        ({"logic": 3001}, "default on ice40 takes 3001 logic cells, at most 3000"),
+        ({"memory": 21}, "default on ice40 takes 21 RAM blocks, at most 20"),
+        ({"fmax": {"clk": 59.9}}, "default on ice40 reaches 59.9 MHz, at least 60"),
+    ):
+        assert over_budget("default", "ice40", dataclasses.replace(within, **changed), limits) == [sentence]
+    (fault,) = over_budget("minimal", "ice40", within, limits)
+    assert fault == "minimal on ice40 has no budget: add [ice40.minimal] to budget.toml"
+
+
+FAULTS = {
+    "a latch": ("q <= d when e = '1';", "latch"),
+    "a signal that nobody drives": ("q <= s;", "assign s = 1'bX"),
+    "a signal that is driven twice": ("q <= d; q <= e;", "multiple assignments"),
+    "a circle of logic": ("s <= not s; q <= s;", "check -assert"),
+}
+_ENTITY = """\
+library ieee;
+  use ieee.std_logic_1164.all;
+entity faulty is port (d, e : in std_logic; q : out std_logic); end entity faulty;
+architecture rtl of faulty is
+  signal s : std_logic;
+begin
+  {statements}
+end architecture rtl;
+"""
+
+
+@pytest.mark.parametrize(("statements", "said"), FAULTS.values(), ids=FAULTS)
+def test_the_tools_refuse(statements: str, said: str, tmp_path: Path) -> None:
+    source = tmp_path / "faulty.vhd"
+    source.write_text(_ENTITY.format(statements=statements))
+    try:
+        with pytest.raises(ConversionError, match=said):
+            check("faulty", to_verilog("faulty", extra_sources=[source]))
+    except ToolMissingError as error:
+        pytest.skip(str(error))
+
+
+def test_the_tools_take_what_is_right(tmp_path: Path) -> None:
+    source = tmp_path / "faulty.vhd"
+    source.write_text(_ENTITY.format(statements="s <= not d; q <= s and e;"))
+    try:
+        check("faulty", to_verilog("faulty", extra_sources=[source]))
+    except ToolMissingError as error:
+        pytest.skip(str(error))
