@@ -9,14 +9,16 @@ from itertools import pairwise
 from typing import TYPE_CHECKING
 
 import pytest
+from hypothesis import given, settings
 
 from generate.every_kind import WORD_BITS, bad_values, every_kind, written
 from generate.peers import MEDIA, Fault, FaultyLine, Medium, damage, double, lose, replace, serve, simulate
 from generate.programs import CPP, HERE, SANITIZED, C, Driven, compiled, generated, linked, output
-from spec_examples import FIGURE_1
+from spec_examples import FIGURE_1, specs
 from unity_link.generate import generate
 from unity_link.generate.c.layout import Layout
 from unity_link.spec import KindName, compile_file, compile_text
+from unity_link.spec.printer import print_file
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.build import build_gateway
 from unity_link.virtual.faults import Failing
@@ -29,6 +31,7 @@ if TYPE_CHECKING:
     from pathlib import Path
 
     from unity_link.spec import Signal, Value
+    from unity_link.spec.syntax import File
 
 BUS_ERROR, BUS_TIMEOUT, ANSWER_LOST = "4 ", "5 ", "8 "
 LOST, LOST_EXECUTED, LOST_NOT_EXECUTED, UNANSWERED, NO_CONNECTION, UNSUPPORTED, BAD_ARGUMENT, NO_SAMPLE = (
@@ -50,6 +53,16 @@ def driver(tmp_path_factory: pytest.TempPathFactory) -> Path:
 def client(driver: Path) -> Iterator[Driven]:
     with Driven(driver) as client:
         yield client
+
+
+@pytest.fixture(scope="session")
+def small_driver(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The same for a machine with little memory."""
+    directory = tmp_path_factory.mktemp("small_driver")
+    generated("c", compile_text(FIGURE_1), directory)
+    sources = [directory / "unity_link.c", directory / "unity_link_posix.c", HERE / "driver.c"]
+    sizes = ("-DUL_WINDOW=4", "-DUL_LONGEST_FRAME=192")
+    return linked(C, compiled(C, sources, directory, *SANITIZED, *sizes), directory / "driver", *SANITIZED)
 
 
 # Compiling
@@ -101,6 +114,25 @@ def test_names_that_c_or_cpp_keep_for_themselves_get_an_underscore(tmp_path: Pat
     compiled(C, sources, tmp_path)
     (tmp_path / "program.cc").write_text((tmp_path / "program.c").read_text().replace("(void)", "()"))
     compiled(CPP, [tmp_path / "program.cc"], tmp_path)
+
+
+@settings(max_examples=12)
+@given(specs())
+def test_any_spec_makes_code_that_compiles(tmp_path_factory: pytest.TempPathFactory, file: File) -> None:
+    directory = tmp_path_factory.mktemp("any")
+    spec = compile_text(print_file(file))
+    files = generated("cpp", spec, directory)
+    own, header = files[3], files[0]
+    compiled(C, [own], directory, "-O0")
+    (directory / "program.cc").write_text(f'#include "{header.name}"\n')
+    compiled(CPP, [directory / "program.cc"], directory, "-O0")
+
+
+def test_ten_thousand_signals_are_generated(tmp_path: Path) -> None:
+    joints = "joint() : @(base) { " + " ".join(f"@s{number} = base + {number}: READ();" for number in range(50)) + " }"
+    spec = compile_text(f"public big() {{ GATEWAY(ADDRESS_BITS=16); legs[200]: joint() @(50 * i); }} {joints}")
+    files = generated("c", spec, tmp_path)
+    compiled(C, [path for path in files if path.name == "big.c"], tmp_path, "-O0")
 
 
 # Words
@@ -183,6 +215,22 @@ def test_a_gateway_on_a_shared_medium_is_reached_by_its_number(client: Driven) -
         assert client("next 0 5").startswith("0 0 0 ")
     with serve(build_gateway(node=6)) as url:
         assert client(f"connect {url}?node=5 0.5").startswith(NO_CONNECTION)
+
+
+def test_little_memory_is_enough(small_driver: Path) -> None:
+    with simulate("tcp") as url, Driven(small_driver) as client:
+        client.words(f"connect {url} 5")
+        client.words("wblock 20 " + " ".join(f"{3 * index:X}" for index in range(100)))
+        assert client.words("rblock 20 64") == [3 * index for index in range(100)]
+        assert client.words("rmany " + "21 " * 300) == [3] * 300
+        for index in range(100):
+            client.words(f"post 40 {index:X}")
+        client.words("fence")
+        assert client.words("read 40") == [99]
+        client.words("subscribe 0 0 t " + " ".join(f"{index:X}" for index in range(18)))
+        client.words("publish 0")
+        assert client("next 0 5").startswith("0 0 0 ")
+        assert client("subscribe 1 0 t " + " ".join(f"{index:X}" for index in range(19))).startswith(BAD_ARGUMENT)
 
 
 # Errors
@@ -353,6 +401,15 @@ def test_a_gateway_that_goes_away_ends_the_calls(client: Driven) -> None:
     with simulate("tcp") as url:
         client.words(f"connect {url} 5")
         assert client.words("read 10") == [0]
+
+
+def test_a_gateway_that_falls_silent_is_given_up(client: Driven) -> None:
+    with simulate("tcp") as gateway, FaultyLine(gateway, "tcp", [lose("^w01", 10**6), lose("^h", 10**6)]) as line:
+        client.words(f"connect {line.url} 5")
+        client.words("write 10 1")
+        assert client("write 10 2") == f"{LOST}write at 0x10: the link was lost; the request is perhaps executed"
+        assert client("write 10 3").startswith(LOST_NOT_EXECUTED)
+        assert line.count("^w01") == 10
 
 
 # Samples

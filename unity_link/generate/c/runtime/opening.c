@@ -4,7 +4,7 @@
  * only if both agree is the answer believed. `K` then starts the session: the gateway expects ID 0, publishes nothing.
  */
 
-enum { LONGEST_ANSWER = 160, CHECKED_TRIES = 4 };
+enum { LONGEST_ANSWER = 160, CHECKED_TRIES = 4, LONGEST_REST = 48 };    /* of a frame, beside its words */
 static const double FIRST_PATIENCE = 0.1, LONGEST_PATIENCE = 1.0;
 
 typedef struct opening {
@@ -88,15 +88,21 @@ static bool is_possible(const ul_info *info)
         && (info->id_digits == 2 || info->id_digits == 3) && info->block_words >= 1 && info->clock_hz >= 1;
 }
 
+/* How many words, of so many that the gateway takes, have room in a frame here. */
+static unsigned most_in_frame(const ul_link *link, unsigned words)
+{
+    unsigned digits = link->data_digits > link->address_digits ? link->data_digits : link->address_digits;
+    unsigned room = (UL_LONGEST_FRAME - LONGEST_REST) / digits;
+    return words < room ? words : room;
+}
+
 static void use_info(ul_link *link)
 {
     const ul_info *info = &link->info;
     link->address_digits = (info->address_bits + 3) / 4;
     link->data_digits = (info->data_bits + 3) / 4;
     prepare_check(link, info->crc_bits, info->crc_polynomial);
-    /* The longest block whose request and answer fit into the buffers here. */
-    unsigned room = (UL_LONGEST_FRAME - 32) / link->data_digits;
-    link->block_words = info->block_words < room ? info->block_words : room;
+    link->block_words = most_in_frame(link, info->block_words);
 }
 
 /* Learn what the gateway is. A plain answer has no check: one that makes no sense is asked for again. */

@@ -129,8 +129,8 @@ static const char *plan(const ul_link *link, ul_subscription *subscription)
         subscription->divisor = (unsigned)(divisor + 0.5);
     }
     if (subscription->rate_hz < 0 || subscription->divisor > 65535) return "a divisor is 1 to 65535";
-    if (subscription->count == 0 || subscription->count > link->info.group_words)
-        return "a group has at least one address, and at most as many as the gateway's info.group_words";
+    if (subscription->count == 0 || subscription->count > most_in_frame(link, link->info.group_words))
+        return "a group has at least one address, and at most as many as the gateway and UL_LONGEST_FRAME allow";
     for (unsigned index = 0; index < subscription->count; index++)
         if (subscription->addresses[index] > ones(link->info.address_bits)) return "an address is beyond the gateway's";
     size_t places = subscription->storage_words / (WORDS + subscription->count);
