@@ -80,10 +80,14 @@ class Proxy(Generic[T]):
     @property
     def value(self) -> T | None:
         """The last value that was seen, by whatever way; None where there was none yet."""
-        if self._batch is not None:
-            batch, self._batch = self._batch, None
-            self._seen = self.scalars(batch[self][-1:])[0]
-        return self._seen
+        # The link may live in another thread, and bring the next batch meanwhile.
+        batch = self._batch
+        if batch is None:
+            return self._seen
+        value = self.scalars(batch[self][-1:])[0]
+        if self._batch is batch:
+            self._seen, self._batch = value, None
+        return value
 
     @property
     def age(self) -> float:

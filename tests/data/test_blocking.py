@@ -1,0 +1,77 @@
+"""The robot of a spec without await: from the thread of a script."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import pytest
+
+import unity_link
+from unity_link import ArgumentError, LinkClosedError, blocking
+from unity_link.data.blocking import Group, View, put
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+Scara = unity_link.load(Path(__file__).parents[2] / "examples" / "scara.ul")
+
+
+@pytest.fixture
+def link() -> Iterator[blocking.Link]:
+    with blocking.connect("sim:scara") as link:
+        yield link
+
+
+@pytest.fixture
+def robot(link: blocking.Link) -> Any:
+    return put(Scara, link)
+
+
+def test_values_are_read_written_and_remembered(robot: Any) -> None:
+    robot.j1.pos_sp.set(9)
+    assert robot.j1.pos_sp.get() == 9
+    assert (robot.j1.pos_sp.value, robot.j1.pos_sp.unit) == (9, "deg")
+    assert robot["joint 1:pos_sp"] == robot.j1.pos_sp
+    assert "j1.pos_sp: 9.0 deg" in repr(robot.j1)
+    assert {"cpos", "pos_sp"} <= set(dir(robot.j1))
+    with pytest.raises(ArgumentError, match="outside of its limits"):
+        robot.j1.pos_sp.set(1000)
+
+
+def test_samples_are_iterated_over_and_called_back_with(robot: Any) -> None:
+    robot.j1.pos_sp.set(1)
+    seen: list[float] = []
+    with robot.j1.cpos.on_change(seen.append):
+        for position in robot.j1.cpos:
+            if position == pytest.approx(1, abs=0.001):
+                break
+    assert seen == sorted(seen)
+    samples = iter(robot.groups["state"])
+    sequence = [next(samples).sequence for _ in range(3)]
+    assert sequence == [sequence[0], sequence[0] + 1, sequence[0] + 2]
+    assert next(samples).values[robot.j1.cpos] == pytest.approx(1, abs=0.001)
+
+
+def test_groups_take_and_give_many_values(robot: Any) -> None:
+    targets = Group(robot.j1.pos_sp, robot.j2.pos_sp)
+    targets.set({robot.j1.pos_sp: 9, robot.j2.pos_sp: 18})
+    values = targets.get()
+    assert (values[robot.j1.pos_sp], values[robot.j2.pos_sp]) == (9, 18)
+    assert (len(targets), len(Group(robot))) == (2, 16)
+    with targets.subscribe(rate_hz=100) as samples:
+        batch = samples.take()
+        assert batch[robot.j2.pos_sp][0] == 18
+        assert next(iter(samples)).values[robot.j1.pos_sp] == 9
+
+
+def test_a_group_is_of_one_link(robot: Any) -> None:
+    with blocking.connect("sim:scara") as other, pytest.raises(ArgumentError, match="members on one link"):
+        Group(robot.j1.cpos, put(Scara, other).j1.cpos)
+
+
+def test_a_closed_link_ends_it(link: blocking.Link, robot: Any) -> None:
+    assert isinstance(robot.j1, View)
+    link.close()
+    with pytest.raises(LinkClosedError):
+        robot.j1.cpos.get()

@@ -1,0 +1,150 @@
+"""Robots for code that is not asynchronous: scripts, notebooks, other threads.
+
+::
+
+    from unity_link import blocking
+    from unity_link.data.blocking import Group, put
+
+    with blocking.connect("sim:scara") as link:
+        robot = put(Scara, link)
+        robot.j1.pos_sp.set(30)
+        print(robot.j1.cpos.get())
+        for position in robot.j1.cpos:
+            print(position)
+
+A `View` stands for a thing of the robot and has its names. What has to be awaited there is waited for here; what is
+called, is called in the thread of the link, where callbacks run too, which must not call the robot.
+"""
+
+from __future__ import annotations
+
+import functools
+from typing import TYPE_CHECKING, Any, Self
+
+from unity_link.data import groups
+from unity_link.data.feed import Registration
+from unity_link.data.proxies import Proxy
+from unity_link.data.robot import Component, Robot
+from unity_link.data.sampling import GroupSubscription
+from unity_link.errors import ArgumentError
+from unity_link.hardware import Module
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+    from types import TracebackType
+
+    from unity_link.blocking import Link
+
+_SHOWN = (Component, Proxy, Module, groups.Group, GroupSubscription, Registration)
+"""What is seen through a view; everything else is given as it is."""
+
+
+class View:
+    """Something of a robot, without `await`. It is equal to what it stands for, and so finds values by their proxies."""
+
+    def __init__(self, thing: Any, link: Link) -> None:
+        self._thing = thing
+        self._link = link
+
+    def __getattr__(self, name: str) -> Any:
+        """Give what the thing has under a name."""
+        attribute = getattr(self._thing, name)
+        if not callable(attribute) or isinstance(attribute, type):
+            return _shown(attribute, self._link)
+        return functools.wraps(attribute)(
+            lambda *arguments, **options: _call(self._link, attribute, *arguments, **options)
+        )
+
+    def __dir__(self) -> list[str]:
+        """Give the names that can be completed."""
+        return dir(self._thing)
+
+    def __getitem__(self, key: Any) -> Any:
+        """Give a signal by its path or its ID."""
+        return _shown(self._thing[key], self._link)
+
+    def __len__(self) -> int:
+        """Give the number of signals of a group."""
+        return len(self._thing)
+
+    def __bool__(self) -> bool:
+        """Be true, whatever the length."""
+        return True
+
+    def __iter__(self) -> Iterator[Any]:
+        """Iterate over samples; each takes a change of threads there and back."""
+        samples = _call(self._link, aiter, self)
+        while True:
+            try:
+                yield _call(self._link, anext, samples)
+            except StopAsyncIteration:
+                return
+
+    def __enter__(self) -> Self:
+        enter = getattr(self._thing, "__aenter__", None) or self._thing.__enter__
+        _call(self._link, enter)
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        leave = getattr(self._thing, "__aexit__", None) or self._thing.__exit__
+        _call(self._link, leave, kind, error, trace)
+
+    def __eq__(self, other: object) -> bool:
+        return bool(self._thing == _plain(other))
+
+    def __hash__(self) -> int:
+        return hash(self._thing)
+
+    def __repr__(self) -> str:
+        """Show the thing."""
+        return repr(self._thing)
+
+
+def put(robot: type[Robot], link: Link, /, **parameters: int | None) -> Any:
+    """Put the robot of a spec behind a blocking link; the arguments and errors are those of `Robot`."""
+    return _call(link, robot, link._link, **parameters)  # noqa: SLF001  (another face of the same link)
+
+
+def Group(*members: View, rate_hz: float | None = None, name: str = "a group") -> Any:  # noqa: N802  (as the class)
+    """Make a group; the arguments and errors are those of `unity_link.data.Group`.
+
+    Raises:
+        ArgumentError: also for members on several links, since each has a thread of its own.
+    """
+    if not members or any(member._link is not members[0]._link for member in members):  # noqa: SLF001
+        raise ArgumentError(f"{name}: members on one link were expected, at least one")
+    return _shown(groups.Group(*_plain(members), rate_hz=rate_hz, name=name), members[0]._link)  # noqa: SLF001
+
+
+def _call(link: Link, function: Any, *arguments: Any, **options: Any) -> Any:
+    """Call a function in the thread of the link, wait for what it gives, and show it."""
+
+    async def call() -> Any:
+        given = function(*_plain(arguments), **_plain(options))
+        return await given if hasattr(given, "__await__") else given
+
+    return _shown(link._call(call), link)  # noqa: SLF001  (another face of the same link)
+
+
+def _shown(thing: Any, link: Link) -> Any:
+    """Put views before what has something to be awaited."""
+    if isinstance(thing, _SHOWN):
+        return View(thing, link)
+    if type(thing) is tuple:
+        return tuple(_shown(item, link) for item in thing)
+    if type(thing) is dict:
+        return {key: _shown(item, link) for key, item in thing.items()}
+    return thing
+
+
+def _plain(thing: Any) -> Any:
+    """Take views away again."""
+    if isinstance(thing, View):
+        return thing._thing  # noqa: SLF001  (its own module)
+    if type(thing) in {tuple, list}:
+        return type(thing)(_plain(item) for item in thing)
+    if type(thing) is dict:
+        return {_plain(key): _plain(item) for key, item in thing.items()}
+    return thing
