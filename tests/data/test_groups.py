@@ -69,6 +69,23 @@ async def test_many_set_points_are_written_in_one_batch_in_order() -> None:
 
 
 @on_simulated_time
+async def test_posted_values_are_not_waited_for_and_a_fence_raises_their_errors() -> None:
+    gateway = VirtualGateway()
+    bus = RecordedBus(gateway, failing=frozenset({0x19}))
+    async with unity_link.connect(gateway) as link:
+        robot = ROBOT(link)
+        group = Group(robot.angle, robot.level, robot.tools[0], robot.tools[1])
+        responses = link.statistics.responses
+        await group.post([1, 2, 3, 4])
+        with pytest.raises(BusError, match="posted write at 0x19"):
+            await link.fence()
+        assert link.statistics.responses == responses + 3, "of the masked write, the error and the fence"
+        assert (bus.words, robot.tools[0].force.value) == ({0x10: 4, 0x12: 2, 0x18: 3}, 3)
+        with pytest.raises(ArgumentError, match="outside of its limits"):
+            await group.post([11, 0, 0, 0])
+
+
+@on_simulated_time
 async def test_nothing_is_sent_if_one_value_is_wrong() -> None:
     gateway = VirtualGateway()
     bus = RecordedBus(gateway)

@@ -40,7 +40,7 @@ _SHOWN = (Component, Proxy, Module, groups.Group, GroupSubscription, Registratio
 
 
 class View:
-    """Something of a robot, without `await`. It is equal to what it stands for, and so finds values by their proxies."""
+    """Something of a robot, without `await`. It is equal to what it stands for, so values are found by it, too."""
 
     def __init__(self, thing: Any, link: Link) -> None:
         self._thing = thing

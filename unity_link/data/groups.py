@@ -156,6 +156,16 @@ class Group:
         """
         await write_values(self._by_proxy(values))
 
+    async def post(self, values: Mapping[Proxy[Any], Any] | Sequence[Any] | NDArray[Any]) -> None:
+        """Write many signals without waiting for the execution; errors are raised by the link's next `fence`.
+
+        Fields, and values of several words, need an answer and are written as by `set`.
+
+        Raises:
+            ArgumentError: as by `set`.
+        """
+        await write_values(self._by_proxy(values), posted=True)
+
     def _by_proxy(self, values: Mapping[Proxy[Any], Any] | Sequence[Any] | NDArray[Any]) -> Mapping[Proxy[Any], Any]:
         if not isinstance(values, Mapping):
             given = values.tolist() if isinstance(values, np.ndarray) else list(values)

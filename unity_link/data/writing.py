@@ -19,8 +19,12 @@ if TYPE_CHECKING:
     from unity_link.hardware import Bus
 
 
-async def write_values(values: Mapping[Proxy[Any], Any]) -> None:
+async def write_values(values: Mapping[Proxy[Any], Any], *, posted: bool = False) -> None:
     """Write values, each to its signal.
+
+    Args:
+        values: by their proxies.
+        posted: whether whole words are not to be waited for.
 
     Raises:
         ArgumentError: for a value that its signal does not take. Nothing was sent.
@@ -30,7 +34,7 @@ async def write_values(values: Mapping[Proxy[Any], Any]) -> None:
     by_bus: dict[int, tuple[Bus, list[tuple[Proxy[Any], tuple[int, ...]]]]] = {}
     for proxy, words in encoded:
         by_bus.setdefault(id(proxy.bus), (proxy.bus, []))[1].append((proxy, words))
-    work = [writing for bus, items in by_bus.values() for writing in _writings(bus, items)]
+    work = [writing for bus, items in by_bus.values() for writing in _writings(bus, items, posted=posted)]
     if len(work) == 1:
         await work[0]
     else:
@@ -47,7 +51,9 @@ def _encode(proxy: Proxy[Any], value: Any) -> tuple[int, ...]:
     return proxy.signal.encode(value)
 
 
-def _writings(bus: Bus, items: list[tuple[Proxy[Any], tuple[int, ...]]]) -> list[Coroutine[Any, Any, None]]:
+def _writings(
+    bus: Bus, items: list[tuple[Proxy[Any], tuple[int, ...]]], *, posted: bool
+) -> list[Coroutine[Any, Any, None]]:
     """Give what is to be done on one bus, as coroutines that have not begun."""
     whole: dict[int, int] = {}
     fields: dict[int, tuple[int, int, int]] = {}
@@ -70,7 +76,8 @@ def _writings(bus: Bus, items: list[tuple[Proxy[Any], tuple[int, ...]]]) -> list
             whole[address] = word
         else:
             masked.append(_write_masked(bus, address, word, mask))
-    many = [bus.write_many(list(whole), list(whole.values()))] if whole else []
+    send = bus.post_many if posted else bus.write_many
+    many = [send(list(whole), list(whole.values()))] if whole else []
     return [*many, *masked, *blocks]
 
 

@@ -253,6 +253,10 @@ class CommittingBus:
         async with self._lock:
             await self._send(new)
 
+    async def post_many(self, addresses: ArrayLike, values: ArrayLike) -> None:
+        """Write words and commit: a commit must be waited for."""
+        await self.write_many(addresses, values)
+
     async def commit_write(self) -> None:
         """Commit what was written, and wait until the buffers have changed places."""
         async with self._lock:
