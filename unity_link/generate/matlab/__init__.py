@@ -58,6 +58,8 @@ def files(interface: Interface, templates: Templates) -> Iterator[GeneratedFile]
     name = identifiers([interface.name], [PACKAGE])[interface.name]
     lines = list(_lines(interface.root, "", [*MEMBERS, name]))
     paths = {line.signal.path: line.path for line in lines if line.signal is not None}
+    # A variable of the class's own name would hide the class.
+    variable = "robot" if name != "robot" else "arm"
     text = templates.render(
         "interface.m",
         interface=interface,
@@ -66,7 +68,8 @@ def files(interface: Interface, templates: Templates) -> Iterator[GeneratedFile]
         lines=lines,
         paths=paths,
         groups=_groups(interface),
-        examples=_examples(lines),
+        variable=variable,
+        examples=_examples(lines, variable),
         arguments=_arguments,
         settings=_settings,
         call=_call,
@@ -106,11 +109,11 @@ def _groups(interface: Interface) -> list[tuple[Group, str]]:
     return [(group, names[group.name]) for group in groups]
 
 
-def _examples(lines: list[Line]) -> list[str]:
+def _examples(lines: list[Line], variable: str) -> list[str]:
     """Give what a program may write: the first signal that it can read, and the first that it can write."""
     signals = [(line.path, line.signal.access) for line in lines if line.signal is not None]
-    read = next((f"value = robot.{path}.get();" for path, access in signals if access.reads), None)
-    written = next((f"robot.{path}.set(0);" for path, access in signals if access.writes), None)
+    read = next((f"value = {variable}.{path}.get();" for path, access in signals if access.reads), None)
+    written = next((f"{variable}.{path}.set(0);" for path, access in signals if access.writes), None)
     return [example for example in (read, written) if example]
 
 
