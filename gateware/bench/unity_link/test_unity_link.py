@@ -2,29 +2,39 @@
 
 from __future__ import annotations
 
+import json
 from pathlib import Path
 
 import pytest
 
 from gateware.bench.runner import GATEWARE, run_bench
 
-FIGURES = GATEWARE / "build" / "figures.txt"
+DOCUMENT = GATEWARE.parent / "docs" / "gateware.md"
 SOURCES = [Path(__file__).resolve().parent / "unity_link_bench.vhd"]
 
 
-def _run(module: str, **generics: object) -> None:
-    FIGURES.parent.mkdir(parents=True, exist_ok=True)
+def _run(module: str, figures: Path | None = None, **generics: object) -> None:
     run_bench(
         "unity_link_bench",
         f"gateware.bench.unity_link.{module}",
         generics=generics,
         extra_sources=SOURCES,
-        extra_env={"FIGURES": str(FIGURES)},
+        extra_env={"FIGURES": str(figures)} if figures else {},
     )
 
 
-def test_the_figures_of_the_project_hold_in_clock_cycles() -> None:
-    _run("bench_figures")
+def test_the_figures_of_the_project_hold_and_are_those_of_its_documentation(tmp_path: Path) -> None:
+    _run("bench_figures", tmp_path / "figures")
+    figures = json.loads((tmp_path / "figures").read_text())
+    read, write, effect, share = (figures[name] for name in ("read", "write", "effect", "reads"))
+    stated = DOCUMENT.read_text().splitlines()
+    for row in (
+        f"| read (6 bytes in, 14 out): last byte of the response out | 30 cycles | {read} | {20 * read} ns | 1140 ns |",
+        f"| write (14 bytes in, 6 out): effect on the bus | 8 cycles | {effect} | {20 * effect} ns | 840 ns |",
+        f"| write: last byte of the response out | 22 cycles | {write} | {20 * write} ns | 1260 ns |",
+        f"| pipelined reads | 0.975 bytes a cycle, at least | {share:.3f} | {400 * share:.0f} Mb/s | 85.7 Mb/s |",
+    ):
+        assert row in stated
 
 
 @pytest.mark.parametrize("pipelined", [False, True], ids=["classic", "pipelined"])
@@ -32,8 +42,15 @@ def test_requests_are_executed_as_the_protocol_says(*, pipelined: bool) -> None:
     _run("bench_requests", wb_pipelined=pipelined, error_at=0xE0, silent_at=0xE8)
 
 
-def test_groups_are_published_as_the_protocol_says() -> None:
-    _run("bench_groups", cycles_at=0xF0, base_frequency_millihertz=250_000_000)
+def test_groups_are_published_as_the_protocol_says_and_their_jitter_is_that_of_the_documentation(
+    tmp_path: Path,
+) -> None:
+    _run("bench_groups", tmp_path / "figures", cycles_at=0xF0, base_frequency_millihertz=250_000_000)
+    figures = json.loads((tmp_path / "figures").read_text())
+    stated = DOCUMENT.read_text().splitlines()
+    for wait_states, ours in ((0, figures["jitter with 0 wait states"]), (7, figures["jitter with 7 wait states"])):
+        row = f"| jitter of a periodic group's samples under reads of 255 words, {wait_states} wait states "
+        assert row + f"| one access: {3 + wait_states} cycles | {ours} | {20 * ours} ns | |" in stated
 
 
 def test_a_gateway_without_a_datalink_layer_answers_a_terminal() -> None:
