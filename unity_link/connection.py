@@ -182,6 +182,8 @@ class Connection:
             raise LinkLostError("the connection was lost again")
 
     def _end(self, error: LinkLostError) -> None:
+        if self._closed:
+            return
         self._closed = True
         self._drop_stream()
         self._exchange.end(error)
@@ -190,8 +192,7 @@ class Connection:
     async def aclose(self) -> None:
         """End the link: what still waits raises `LinkClosedError`. May be called twice."""
         stream, task = self._stream, self._reconnection
-        if not self._closed:
-            self._end(LinkClosedError("the link was closed", Outcome.UNKNOWN))
+        self._end(LinkClosedError("the link was closed", Outcome.UNKNOWN))
         if task is not None:
             task.cancel()
             await asyncio.wait([task])

@@ -111,7 +111,9 @@ class Handshake:
                 raise ConnectError("the connection ended before the gateway answered")
             self._stream.send(question)
             try:
-                return await asyncio.wait_for(asyncio.shield(self._answer), patience)
+                # Not by wait_for, which up to Python 3.11 forgets a cancellation that comes with the answer.
+                async with asyncio.timeout(patience):
+                    return await asyncio.shield(self._answer)
             except TimeoutError:
                 patience = min(2 * patience, LONGEST_TRY)
                 tries = None if tries is None else tries - 1

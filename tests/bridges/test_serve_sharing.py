@@ -21,11 +21,13 @@ from unity_link.bridges.serve.shared import PATIENCE, SharedLink
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.faults import Noise, NoisyLine
 from unity_link.virtual.line import SlowLine
+from unity_link.virtual.serving import connect_gateway
 from unity_link.wire.gateway_info import Feature, GatewayInfo
 from valve import Valve, cut
 
 if TYPE_CHECKING:
     from unity_link import Link
+    from unity_link.stream import Stream
 
 KILOHERTZ = 1_000_000
 """A base frequency at which simulated time is quick."""
@@ -416,3 +418,21 @@ async def test_a_link_that_is_opened_while_the_gateway_is_away_waits_for_it() ->
     assert await link.read(0) == 0
     await link.aclose()
     await shared.finish()
+
+
+@on_simulated_time
+async def test_a_server_can_be_ended_at_the_moment_at_which_the_gateway_goes(monkeypatch: pytest.MonkeyPatch) -> None:
+    valve = Valve(VirtualGateway())
+    valve.answers_pass = False
+    streams: list[Stream] = []
+
+    async def connecting(gateway: Valve, stream: Stream) -> asyncio.Transport:
+        streams.append(stream)
+        return await connect_gateway(gateway, stream)
+
+    monkeypatch.setattr("unity_link.virtual.serving.connect_gateway", connecting)
+    shared = SharedLink(valve, lambda _: None)
+    shared.open_when_there()
+    await asyncio.sleep(0.05)
+    streams[0].connection_lost(ConnectionResetError())
+    await asyncio.wait_for(shared.finish(), 60)

@@ -8,6 +8,7 @@ for what takes its time once on a machine and says nothing about the gateway: no
 from __future__ import annotations
 
 import importlib
+import re
 from typing import TYPE_CHECKING, Protocol, cast
 from urllib.parse import parse_qsl, urlsplit
 
@@ -32,12 +33,15 @@ _DEVICE_NAMES = frozenset({"ftdi", "ftdi-async"})
 """Schemes whose URLs have a device in a form of its own, such as ``ftdi:232h:SERIAL``, where others have host and port.
 """
 COMMON_OPTIONS = frozenset({"node"})
+_TOKEN = re.compile(r"(?<=[?&]token=)[^&]*")
+"""The value of an option that is a secret."""
 
 
 class DriverUrl(msgspec.Struct, frozen=True):
     """A parsed URL, such as ``serial:/dev/ttyUSB0?baud=12000000`` or ``tcp://robot:7001``."""
 
     text: str
+    """As it was given, without a token: what messages name."""
     scheme: str
     host: str
     """A computer; or a device, as it stands in the URL."""
@@ -108,23 +112,23 @@ def parse_url(url: str) -> DriverUrl:
     Raises:
         ArgumentError: for an unknown scheme, a malformed URL, or an option that the scheme does not know.
     """
-    scheme = url.partition(":")[0]
+    scheme, text = url.partition(":")[0], _TOKEN.sub("...", url)
     if scheme not in _MODULES or ":" not in url:
         known = ", ".join(f"{name}:" for name in _MODULES)
-        raise ArgumentError(f"{url!r} is no URL of a gateway: it should begin with one of {known}")
+        raise ArgumentError(f"{text!r} is no URL of a gateway: it should begin with one of {known}")
     try:
         parts = urlsplit(url)
         options = dict(parse_qsl(parts.query, keep_blank_values=True, strict_parsing=bool(parts.query)))
         if scheme in _DEVICE_NAMES:
-            parsed = DriverUrl(url, scheme, parts.netloc, None, parts.path, options)
+            parsed = DriverUrl(text, scheme, parts.netloc, None, parts.path, options)
         else:
-            parsed = DriverUrl(url, scheme, parts.hostname or "", parts.port, parts.path, options)
+            parsed = DriverUrl(text, scheme, parts.hostname or "", parts.port, parts.path, options)
     except ValueError as error:
-        raise ArgumentError(f"{url!r} is malformed: {error}") from None
+        raise ArgumentError(f"{text!r} is malformed: {error}") from None
     allowed = load_driver(scheme).OPTIONS | COMMON_OPTIONS
     for name in options:
         if name not in allowed:
-            raise ArgumentError(f"unknown option {name!r} in {url}: {scheme}: takes {', '.join(sorted(allowed))}")
+            raise ArgumentError(f"unknown option {name!r} in {text}: {scheme}: takes {', '.join(sorted(allowed))}")
     return parsed
 
 

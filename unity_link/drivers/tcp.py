@@ -32,6 +32,9 @@ def address(url: DriverUrl) -> tuple[str, int]:
 async def connect(url: DriverUrl, protocol: asyncio.Protocol) -> asyncio.Transport:
     """Connect to a TCP port."""
     host, port = address(url)
+    token = url.options.get("token")
+    if token is not None and not (token.isprintable() and token.isascii()):
+        raise ArgumentError(f"token= in {url.text} has characters that are not printable ASCII")
     try:
         transport, _ = await asyncio.get_running_loop().create_connection(lambda: protocol, host, port)
     except OSError as error:
@@ -40,6 +43,6 @@ async def connect(url: DriverUrl, protocol: asyncio.Protocol) -> asyncio.Transpo
         ) from error
     connection: socket.socket = transport.get_extra_info("socket")
     connection.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
-    if "token" in url.options:
-        transport.write(TOKEN_LINE + url.options["token"].encode() + LF)
+    if token is not None:
+        transport.write(TOKEN_LINE + token.encode() + LF)
     return transport

@@ -19,7 +19,7 @@ from typing import TYPE_CHECKING
 
 from unity_link.bridges.serve.door import LONGEST_TOKEN, Door
 from unity_link.bridges.serve.shared import SharedLink
-from unity_link.drivers import parse_url
+from unity_link.drivers import DriverUrl, parse_url, prepare
 from unity_link.errors import ArgumentError
 from unity_link.listening import LOOPBACK, listen_tcp, listen_unix
 
@@ -82,8 +82,11 @@ async def serve(
         token.isascii() and token.isprintable() and " " not in token and 0 < len(token) <= LONGEST_TOKEN
     ):
         raise ArgumentError(f"a token of 1 to {LONGEST_TOKEN} printable characters without blanks was expected")
+    url = parse_url(target) if isinstance(target, str) else target
+    if isinstance(url, DriverUrl):
+        await prepare(url)
     async with contextlib.AsyncExitStack() as stack:
-        shared = SharedLink(parse_url(target) if isinstance(target, str) else target, report)
+        shared = SharedLink(url, report)
         stack.push_async_callback(shared.finish)
         server = Server(shared)
         if unix is not None:
