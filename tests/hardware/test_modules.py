@@ -9,7 +9,8 @@ import unity_link
 from simulated_time import on_simulated_time
 from unity_link import ArgumentError, BusError, Feature, GatewayInfo, UnsupportedError
 from unity_link.hardware import Counter, Fifo, Gpio, Memory, Module, Pwm, Quadrature
-from unity_link.spec import compile_text
+from unity_link.spec import SpecError, compile_text
+from unity_link.spec.arguments import Shape, Slot
 from unity_link.virtual import AccessError, VirtualGateway
 from unity_link.wire.messages import ErrorCode
 
@@ -212,7 +213,7 @@ async def test_named_modules_of_a_spec_are_attributes_of_the_robot() -> None:
 
 @on_simulated_time
 async def test_a_module_of_ones_own_is_ten_lines_and_a_word_of_specs() -> None:
-    class Stepper(Module, word="STEPPER"):
+    class Stepper(Module, word="STEPPER", slots=[Slot("STEPS", Shape.WHOLE, 1, 64)]):
         """A stepper motor."""
 
         SIZE = 2
@@ -223,10 +224,13 @@ async def test_a_module_of_ones_own_is_ten_lines_and_a_word_of_specs() -> None:
         async def position(self) -> int:
             return await self.read(1)
 
-    spec = compile_text("public robot() { lift: STEPPER(BASE=0x40); other: MEMORY(BASE=0x42, SIZE=1); }")
+    spec = compile_text("public robot() { lift: STEPPER(BASE=0x40, STEPS=16); other: MEMORY(BASE=0x42, SIZE=1); }")
     gateway = VirtualGateway()
     gateway.memory[0x41] = 70
     async with unity_link.connect(gateway) as link:
         robot = unity_link.load(spec)(link)
+        assert robot.lift.parameters == {"steps": 16}
         await robot.lift.move_to(5)
         assert (gateway.memory[0x40], await robot.lift.position()) == (5, 70)
+    with pytest.raises(SpecError, match="MEMORY at 0x41 lies in STEPPER at 0x40 to 0x41"):
+        compile_text("public robot() { lift: STEPPER(BASE=0x40); other: MEMORY(BASE=0x41, SIZE=1); }")

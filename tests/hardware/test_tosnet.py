@@ -116,6 +116,9 @@ async def test_figure_1_commits_where_ctrl_is_given_and_does_not_where_it_is_not
     gateway, memory = network()
     async with unity_link.connect(gateway) as link:
         robot = scara(link, ctrl=CTRL, comm=COMM)
+        (tosnet,) = robot.modules
+        assert isinstance(tosnet, TosnetNetwork)
+        assert (await tosnet.state()).online
         await robot.j1.pos_sp.set(1200)
         await Group(robot.j1.pos_sp, robot.j2.pos_sp).set([1300, 5])
         await robot.j2.pos_sp.post(6)

@@ -1,7 +1,7 @@
 """Samples of a group: values by their proxies, one sample at a time or many as arrays.
 
-A `Batch` decodes what it is asked for and nothing else, each column once: that is what bridges and recorders take, at
-tens of thousands of samples a second. A `GroupSample` is one of its rows.
+A `Batch` keeps the words as they came, and decodes when it is first asked for values, all columns at once: that is what
+bridges and recorders take, at tens of thousands of samples a second. A `GroupSample` is one of its rows.
 """
 
 from __future__ import annotations

@@ -62,6 +62,8 @@ class Robot(Component):
     """The link that it is reached over."""
     groups: dict[str, Group]
     """The groups that the spec declares, by their names."""
+    modules: tuple[Module, ...]
+    """All hardware modules in the order of the spec, those without a name too."""
 
     def __init__(self, link: Link, /, **parameters: int | None) -> None:
         """Put the robot of the spec behind a link.
@@ -78,7 +80,7 @@ class Robot(Component):
         _check_gateway(interface, link)
         self.link = link
         self._given = _check_parameters(interface, parameters)
-        self._modules = _make_modules(interface, link, self._given)
+        self.modules = _make_modules(interface, link, self._given)
         self._by_path: dict[str, Proxy[Any]] = {}
         self._fill(self, interface.root)
         self._by_id = {proxy.id: proxy for proxy in self._by_path.values()}
@@ -152,7 +154,7 @@ class Robot(Component):
                 attributes[below.name] = self._make_component(below)
                 members.append(attributes[below.name])
         for number in part.modules:
-            _add_module(attributes, self.interface.modules[number], self._modules[number])
+            _add_module(attributes, self.interface.modules[number], self.modules[number])
         component._model = part  # noqa: SLF001  (it is made here)
         component._members = tuple(members)  # noqa: SLF001
         for name, attribute in zip(python_names(attributes), attributes.values(), strict=True):
@@ -164,7 +166,7 @@ class Robot(Component):
         return component
 
     def _make_proxy(self, signal: model.Signal) -> Proxy[Any]:
-        bus = self.link if signal.module is None else self._modules[signal.module].bus
+        bus = self.link if signal.module is None else self.modules[signal.module].bus
         proxy = proxy_type(signal)(signal, self, bus)
         self._by_path[signal.path] = proxy
         return proxy
@@ -207,7 +209,7 @@ _OWN = frozenset(
     {
         *Robot.__annotations__,
         *Component.__annotations__,
-        *("_given", "_modules", "_by_path", "_by_id"),
+        *("_given", "_by_path", "_by_id"),
         # In a class, annotations behind such a name would mean it.
         *("bool", "float", "int", "tuple"),
     }
@@ -250,7 +252,7 @@ def _check_parameters(interface: model.Interface, given: Mapping[str, int | None
     return dict(given)
 
 
-def _make_modules(interface: model.Interface, link: Link, given: Mapping[str, int | None]) -> list[Module]:
+def _make_modules(interface: model.Interface, link: Link, given: Mapping[str, int | None]) -> tuple[Module, ...]:
     """Make the proxies of all hardware modules; one stands on the bus of the one around it."""
     modules: list[Module] = []
     for described in interface.modules:
@@ -260,4 +262,4 @@ def _make_modules(interface: model.Interface, link: Link, given: Mapping[str, in
             for name, value in described.arguments.items()
         }
         modules.append(module_type(described.type)(bus, described.base, size=described.words, **arguments))
-    return modules
+    return tuple(modules)

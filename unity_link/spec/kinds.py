@@ -225,8 +225,11 @@ class Kind(msgspec.Struct, frozen=True):
         return round(steps) if math.isfinite(steps) else 1 << MOST_BITS
 
     def _whole(self, value: float) -> int:
-        # A float that is whole is taken too: arithmetic with numpy or in a notebook gives many of them.
-        whole: Any = int(value) if getattr(value, "is_integer", bool)() else value
+        # A float that is whole is taken too: arithmetic with numpy or in a notebook gives many of them; and numpy's own
+        # truths are no numbers to Python.
+        given: Any = value
+        is_whole = isinstance(given, np.bool_) or getattr(given, "is_integer", bool)()
+        whole: Any = int(given) if is_whole else given
         try:
             return operator.index(whole)
         except TypeError:
