@@ -265,6 +265,43 @@ async def test_a_declared_group_has_its_own_schedule_and_a_program_may_choose_an
 
 
 @on_simulated_time
+async def test_options_add_to_the_schedule_of_the_spec() -> None:
+    async with unity_link.connect(VirtualGateway(INFO)) as link:
+        robot = ROBOT(link)
+        async with robot.groups["state"].subscribe(on_change=True, timestamps=False) as samples:
+            assert samples.rate_hz == 100
+            assert (await anext(samples)).time is None
+            waiting = asyncio.ensure_future(anext(samples))
+            await asyncio.sleep(1)
+            assert not waiting.done()
+            await robot.time.set(3)
+            assert (await waiting).values[robot.time] == 3
+
+
+@pytest.mark.parametrize("info", [INFO, WITHOUT_GROUPS], ids=["published", "polled"])
+def test_a_sample_can_be_asked_for_in_between(info: GatewayInfo) -> None:
+    @on_simulated_time
+    async def check() -> None:
+        loop = asyncio.get_running_loop()
+        async with unity_link.connect(counting(info)) as link:
+            robot = ROBOT(link)
+            async with Group(robot.count, rate_hz=1).subscribe() as samples:
+                first = await anext(samples)
+                began = loop.time()
+                waiting = asyncio.ensure_future(anext(samples))
+                await asyncio.sleep(0.25)
+                await samples.publish()
+                second, now = await waiting, loop.time()
+                assert now - began == pytest.approx(0.25, abs=0.01)
+                third, then = await anext(samples), loop.time()
+                assert then - began == pytest.approx(1, abs=0.01)
+                assert [sample.values[robot.count] for sample in (first, second, third)] == [1, 2, 3]
+                assert (second.lost, third.lost, third.sequence) == (0, 0, 2)
+
+    check()
+
+
+@on_simulated_time
 async def test_a_batch_has_a_column_for_each_signal() -> None:
     gateway = counting()
     gateway.memory[0x11] = 0xFFFF_FFFE

@@ -209,8 +209,15 @@ class Group:
             immediate=immediate,
             timestamps=timestamps,
         )
-        plan = given if given.is_known() else self._default_plan()
-        return GroupSubscription([(layout, _source(layout, plan, buffer, overflow)) for layout in self._lay_out()])
+        if not given.is_known():
+            default = self._default_plan()
+            given = msgspec.structs.replace(
+                default,
+                on_change=on_change or default.on_change,
+                immediate=immediate or default.immediate,
+                timestamps=default.timestamps if timestamps is None else timestamps,
+            )
+        return GroupSubscription([(layout, _source(layout, given, buffer, overflow)) for layout in self._lay_out()])
 
     @property
     def feed(self) -> Feed:

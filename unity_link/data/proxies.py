@@ -101,9 +101,9 @@ class Proxy(Generic[T]):
         is read or written. To be called where an event loop runs. A callback that raises is told to the event loop's
         exception handler; that the link was lost, too.
         """
-        self._callbacks = (*self._callbacks, callback)
         feed = self.feed()
         listening = feed.listen() if feed is not None else None
+        self._callbacks = (*self._callbacks, callback)
         return Registration(lambda: self._remove(callback), listening)
 
     def _remove(self, callback: Callable[[T], object]) -> None:

@@ -64,6 +64,7 @@ class Poll:
         self._turn = 0
         self._sequence = 0
         self._began: float | None = None
+        self._asked = asyncio.Event()
         self._last: Words | None = None
         self._lost = 0
 
@@ -79,16 +80,14 @@ class Poll:
             SamplesLostError: where turns were missed, and the overflow is ``"fail"``.
         """
         while True:
-            await self._wait_for_turn()
+            self._turn += await self._wait_for_turn()
             words = await self._layout.read()
-            self._turn += 1
             if not self._on_change or self._last is None or not np.array_equal(words, self._last):
-                break
-        return [self._sample(words)]
+                return [self._sample(words)]
 
     async def publish(self) -> None:
-        """Read again at once."""
-        self._began = None
+        """Read now, besides the turns."""
+        self._asked.set()
 
     async def __aenter__(self) -> Self:
         return self
@@ -98,20 +97,26 @@ class Poll:
     ) -> None:
         return
 
-    async def _wait_for_turn(self) -> None:
+    async def _wait_for_turn(self) -> int:
+        """Give by how many turns this goes on: none, where it was asked for a sample in between."""
         now = asyncio.get_running_loop().time()
         if self._began is None:
-            self._began = now - self._turn / self._rate_hz
+            self._began = now
         late = (now - self._began) * self._rate_hz - self._turn
         if late < 0:
-            await asyncio.sleep(-late / self._rate_hz)
-        elif late >= 1:
-            missed = int(late)
-            self._turn += missed
-            self._lost += missed
-            self.lost += missed
-            if self._overflow == "fail":
-                raise SamplesLostError(f"the reader is too slow: {missed} turns of {self._rate_hz:g} Hz were missed")
+            try:
+                async with asyncio.timeout(-late / self._rate_hz):
+                    await self._asked.wait()
+            except TimeoutError:
+                return 1
+            self._asked.clear()
+            return 0
+        missed = int(late)
+        self._lost += missed
+        self.lost += missed
+        if missed and self._overflow == "fail":
+            raise SamplesLostError(f"the reader is too slow: {missed} turns of {self._rate_hz:g} Hz were missed")
+        return missed + 1
 
     def _sample(self, words: Words) -> Sample:
         self._last = words
