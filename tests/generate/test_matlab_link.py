@@ -1,0 +1,457 @@
+"""The link of the generated code for MATLAB, run by GNU Octave on real media: words, faults, samples."""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+import random
+import socket
+import threading
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import pytest
+
+from generate.octave import Octave, doubles, numbers, words
+from generate.peers import MEDIA, FaultyLine, Medium, damage, lose, replace, simulate
+from recorded_bus import RecordedBus
+from spec_examples import FIGURE_1
+from unity_link.spec import compile_file, compile_text
+from unity_link.virtual import VirtualGateway
+from unity_link.virtual.faults import Noise, NoisyLine
+from unity_link.virtual.serving import serve_tcp
+from unity_link.wire.crc import Crc
+from unity_link.wire.frames import Framing
+from unity_link.wire.gateway_info import GatewayInfo
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+
+EXAMPLES = Path(__file__).parents[2] / "examples"
+
+# Words
+
+_WORDS = """\
+link = unity_link.Link('{url}');
+link.write(10, 42);
+show('read', link.read(10));
+show('masked', link.write_masked(10, 5, 15));
+show('after masked', link.read(10));
+link.write_block(32, [1 2 2^32 - 1]);
+show('block', link.read_block(32, 3));
+show('many', link.read_many([33 32; 10 34]));
+link.write_many([40 41], [7 8]);
+show('written many', link.read_block(40, 2));
+link.write_queue(50, [1 2 3]);
+show('queue', link.read_queue(50, 2));
+for number = 1:300
+  link.post(60, number);
+end
+link.fence();
+show('posted', link.read(60));
+show('long block', sum(link.read_block(0, 256)));
+link.send_immediate('always');
+attempt('bus error', @() link.write(136, 1));
+attempt('block error', @() link.write_block(135, [1 2]));
+link.post(137, 1);
+link.post(138, 1);
+attempt('posted error', @() link.fence());
+attempt('error told once', @() link.fence());
+attempt('word too large', @() link.write(10, 2^32));
+attempt('fraction', @() link.write(10, 1.5));
+attempt('address too large', @() link.read(256));
+attempt('negative', @() link.read(-1));
+attempt('past the end', @() link.read_block(255, 2));
+attempt('no words', @() link.read_block(1, 0));
+show('still there', link.read(10));
+link.close();
+link.close();
+attempt('closed', @() link.read(10));
+"""
+
+
+@pytest.mark.parametrize("medium", MEDIA)
+def test_words_are_read_written_and_posted_and_errors_have_identifiers(octave: Octave, medium: Medium) -> None:
+    octave.generate(compile_text(FIGURE_1))
+    with simulate(medium, "--robot", "scara") as url:
+        shown = octave.run(_WORDS.format(url=url))
+    assert shown["read"] == doubles(42)
+    assert shown["masked"] == doubles(42)
+    assert shown["after masked"] == doubles(37)
+    assert shown["block"] == doubles(1, 2, 0xFFFFFFFF)
+    # MATLAB's order is by columns.
+    assert shown["many"] == doubles(2, 37, 1, 0xFFFFFFFF)
+    assert shown["written many"] == doubles(7, 8)
+    assert shown["queue"] == doubles(3, 3)
+    assert shown["posted"] == doubles(300)
+    assert numbers(shown["long block"])[0] > 0xFFFFFFFF
+    assert shown["bus error"] == "unity_link:busError write of address 88 (hexadecimal): the bus refused the access"
+    assert shown["block error"].startswith("unity_link:busError block write of address 87")
+    assert shown["posted error"] == (
+        "unity_link:busError posted write of address 89 (hexadecimal) (and 1 more posted writes): "
+        "the bus refused the access"
+    )
+    assert shown["error told once"] == "no error"
+    for label in ("word too large", "fraction", "address too large", "negative", "past the end", "no words"):
+        assert shown[label].startswith("unity_link:argumentError "), shown[label]
+    assert shown["still there"] == doubles(37)
+    assert shown["closed"] == "unity_link:linkLost the link was closed; the request is known not to be executed"
+
+
+_CONFIGURATIONS: dict[str, tuple[str, ...]] = {
+    "long ids": ("id_digits=3",),
+    "a crc of 16 bits": ("crc_bits=16",),
+    "a crc of 32 bits": ("crc_bits=32", "address_bits=21", "data_bits=17"),
+    "no flow control": ("features=0x6f", "receive_fifo_bytes=64"),
+    "short blocks": ("block_words=3",),
+    "words of 64 bits": ("data_bits=64",),
+}
+
+
+def test_gateways_of_other_builds_are_spoken_to(octave: Octave) -> None:
+    octave.generate(compile_text(FIGURE_1))
+    script = """\
+link = unity_link.Link('{url}');
+words = [1:20, 2^16 + 1];
+link.write_block(16, words);
+show('{name}: block', all(double(link.read_block(16, 21)).' == words));
+for number = 1:50
+  link.post(100 + number, number);
+end
+link.fence();
+show('{name}: many', all(double(link.read_many(101:150)) == 1:50));
+"""
+    wide = "link.write(5, intmax('uint64') - 1);\nshow('wide', link.read(5));\n"
+    with contextlib.ExitStack() as stack:
+        parts = []
+        for name, settings in _CONFIGURATIONS.items():
+            options = [option for setting in settings for option in ("--set", setting)]
+            url = stack.enter_context(simulate("tcp", *options))
+            parts.append(script.format(url=url, name=name))
+        shown = octave.run("".join(parts) + wide)
+    for name in _CONFIGURATIONS:
+        assert shown[f"{name}: block"] == "logical 1"
+        assert shown[f"{name}: many"] == "logical 1"
+    assert shown["wide"] == words(2**64 - 2)
+
+
+@contextlib.contextmanager
+def hanging_up() -> Iterator[str]:
+    """Give the URL of a server that ends the one connection that it takes."""
+    with socket.create_server(("127.0.0.1", 0)) as server:
+
+        def hang_up() -> None:
+            server.accept()[0].close()
+
+        thread = threading.Thread(target=hang_up, daemon=True)
+        thread.start()
+        yield f"tcp://127.0.0.1:{server.getsockname()[1]}"
+        thread.join()
+
+
+def test_urls_and_gateways_that_do_not_fit_are_told(octave: Octave) -> None:
+    octave.generate(compile_text(FIGURE_1))
+    with simulate("tcp", "--set", "data_bits=16", "--set", "features=0") as url, hanging_up() as closing:
+        shown = octave.run(f"""\
+attempt('url', @() unity_link.Link('telnet://here'));
+attempt('option', @() unity_link.Link('serial:/dev/ttyX?bits=7'));
+attempt('node', @() unity_link.Link('tcp://localhost:1?node=255'));
+attempt('nobody', @() unity_link.Link('tcp://127.0.0.1:1'));
+attempt('silent', @() unity_link.Link('{url}?node=5', 0.3));
+attempt('hung up', @() unity_link.Link('{closing}'));
+attempt('widths', @() scara('{url}'));
+link = unity_link.Link('{url}');
+attempt('groups', @() link.subscribe(1, 'rate_hz', 100));
+attempt('masked', @() link.write_masked(1, 1, 1));
+attempt('queue', @() link.read_queue(1, 1));
+""")
+    assert shown["url"].startswith("unity_link:argumentError 'telnet://here' is no URL of a gateway")
+    assert shown["option"].startswith("unity_link:argumentError 'bits=7'")
+    assert shown["node"].startswith("unity_link:argumentError node=255")
+    assert shown["nobody"].startswith("unity_link:connectError tcp://127.0.0.1:1 cannot be opened")
+    assert shown["silent"].startswith("unity_link:connectError no gateway answered")
+    assert shown["hung up"].startswith("unity_link:connectError tcp://127.0.0.1:")
+    assert shown["widths"].startswith("unity_link:unsupported the gateway has words of 16 bits")
+    for label in ("groups", "masked", "queue"):
+        assert shown[label].startswith("unity_link:unsupported the gateway was built without"), shown[label]
+
+
+# Lost frames
+
+_LOST = """\
+robot = robot('{url}');
+link = robot.link;
+link.write(10, 1);
+show('read', link.read(10));
+link.write(11, 2);
+show('masked', link.write_masked(12, 255, 15));
+attempt('masked, answer lost', @() link.write_masked(12, 255, 240));
+show('after masked', link.read(12));
+robot.field.set(3);
+show('field', robot.field.get());
+for number = 1:20
+  link.post(13, number);
+end
+link.fence();
+show('posted', link.read(13));
+show('many', link.read_many(10:13));
+link.write_queue(14, [5 6]);
+attempt('queue, answer lost', @() link.read_queue(14, 1));
+link.write_block(0, 1000:1255);
+show('whole block', isequal(link.read_block(0, 256).', 1000:1255));
+show('repetitions', link.statistics.repetitions > 0);
+"""
+
+
+def test_lost_and_damaged_frames_give_the_right_result_exactly_once(octave: Octave) -> None:
+    octave.generate(
+        compile_text("public robot() { @field = 15[3:0]: READWRITE(); @other = 15[7:4]: READWRITE(); }", name="r.ul")
+    )
+    replies = [lose("^w00"), lose("^r01"), lose("^wk04"), lose("^wk06"), lose("^h")]
+    replies += [damage("^r..000000FF"), lose("^r..00000002"), lose("^rq")]
+    requests = [lose("^w02"), damage("^wk03"), lose("^ws"), damage("^ws"), lose("^wq")]
+    with simulate("tcp") as url, FaultyLine(url, "pty", replies, requests) as line:
+        shown = octave.run(_LOST.format(url=line.url))
+        sent = list(line.requests)
+    assert shown["read"] == doubles(1)
+    assert shown["masked"] == doubles(0)
+    assert shown["masked, answer lost"].startswith("unity_link:answerLost masked write of address C")
+    assert shown["after masked"] == doubles(255)
+    assert shown["field"] == doubles(3)
+    assert shown["posted"] == doubles(20)
+    assert shown["many"] == doubles(1, 2, 255, 20)
+    assert shown["queue, answer lost"].startswith("unity_link:answerLost queue read of address E")
+    assert shown["whole block"] == "logical 1"
+    assert shown["repetitions"] == "logical 1"
+    for beginning in ("w00", "r01", "w02", "wk03", "wk04", "wk06"):
+        assert sum(frame.startswith(beginning) for frame in sent) == 2, beginning
+
+
+def test_errors_of_the_gateway_have_their_identifiers(octave: Octave) -> None:
+    octave.generate(compile_text(FIGURE_1))
+    codes = {5: "busTimeout", 6: "outOfRange", 8: "answerLost", 0x42: "gatewayError"}
+    framing = Framing(Crc())
+    replies = [
+        replace(f"^r{number:02X}", framing.checked(b"x%02X%02X" % (number, code))) for number, code in enumerate(codes)
+    ]
+    replies.append(replace("^r04", framing.checked(b"X02"), times=3))
+    with simulate("tcp") as url, FaultyLine(url, "tcp", replies) as line:
+        shown = octave.run(
+            f"link = unity_link.Link('{line.url}');\n"
+            + "".join(f"attempt('{code}', @() link.read(1));\n" for code in codes)
+            + "attempt('2', @() link.read(1));\nlink.write(1, 9);\nshow('after', link.read(1));\n"
+        )
+    for code, name in codes.items():
+        assert shown[str(code)].startswith(f"unity_link:{name} read of address 1 (hexadecimal): ")
+    assert shown["2"].startswith("unity_link:unsupported read of address 1")
+    assert shown["after"] == doubles(9)
+
+
+def random_writes(chance: random.Random, count: int) -> tuple[list[str], list[tuple[int, int]]]:
+    """Give lines of a script, and the writes that they make, in order."""
+    lines, writes, words = [], [], dict.fromkeys(range(256), 0)
+    for number in range(1, count + 1):
+        address = chance.randrange(240)
+        way = chance.choice(["write", "post", "post", "post", "masked", "block", "many"])
+        made = [(address, number)]
+        if way == "masked":
+            mask = chance.getrandbits(32)
+            made = [(address, words[address] & ~mask | number & mask)]
+            lines.append(f"attempt('{number}', @() link.write_masked({address}, {number}, {mask}));")
+        elif way in {"block", "many"}:
+            made = [(address + part, number + part) for part in range(4)]
+            where = address if way == "block" else f"{address} + (0:3)"
+            lines.append(f"link.write_{way}({where}, {number} + (0:3));")
+        else:
+            lines.append(f"link.{way}({address}, {number});")
+        writes += made
+        words.update(made)
+    return lines, writes
+
+
+@pytest.mark.asyncio
+async def test_every_write_over_a_noisy_line_is_executed_exactly_once_and_in_order(octave: Octave) -> None:
+    octave.generate(compile_text(FIGURE_1))
+    lines, writes = random_writes(random.Random(1), 200)
+    gateway = VirtualGateway(GatewayInfo())
+    bus = RecordedBus(gateway)
+    chances = {"loss": 0.003, "flip": 0.003, "double": 0.002}
+    async with serve_tcp(NoisyLine(gateway, Noise(1, **chances), Noise(2, **chances))) as url:
+        script = [f"link = unity_link.Link('{url}', 30);", *lines, "link.fence();"]
+        script.append("show('repetitions', link.statistics.repetitions > 0);")
+        shown = await asyncio.to_thread(octave.run, "\n".join(script))
+    assert bus.writes == writes
+    assert shown.pop("repetitions") == "logical 1"
+    assert all(text == "no error" or text.startswith("unity_link:answerLost ") for text in shown.values())
+
+
+@pytest.mark.asyncio
+async def test_one_of_several_gateways_on_a_medium_is_spoken_to_by_its_number(octave: Octave) -> None:
+    octave.generate(compile_text(FIGURE_1))
+    gateway = VirtualGateway(GatewayInfo(), node=5)
+    gateway.memory[1] = 7
+    async with serve_tcp(gateway) as url:
+        shown = await asyncio.to_thread(
+            octave.run,
+            f"link = unity_link.Link('{url}?node=5'); link.post(2, 8); link.fence();"
+            "show('words', link.read_many(1:2));"
+            "samples = link.subscribe(2, 'rate_hz', 100); show('sample', samples.take(1).words);",
+        )
+    assert shown == {"words": doubles(7, 8), "sample": doubles(8)}
+
+
+@pytest.mark.parametrize("medium", MEDIA)
+def test_a_gateway_that_went_away_is_a_lost_link(octave: Octave, medium: Medium) -> None:
+    octave.generate(compile_text(FIGURE_1))
+    with contextlib.ExitStack() as stack:
+        url = stack.enter_context(simulate(medium))
+        script = f"""\
+link = unity_link.Link('{url}');
+show('open', link.read(1));
+fgetl(stdin);
+attempt('lost', @() link.write(1, 1));
+attempt('again', @() link.read(1));
+"""
+        process = octave.start(script)
+        assert process.stdout is not None
+        assert process.stdout.readline().startswith("open")
+    output, _ = process.communicate("\n", timeout=60)
+    lost, again = output.splitlines()
+    assert lost.startswith("lost\tunity_link:linkLost the connection was lost (")
+    assert lost.endswith("; the request is perhaps executed")
+    assert again.startswith("again\tunity_link:linkLost the connection was lost (")
+    assert again.endswith("; the request is known not to be executed")
+
+
+@pytest.mark.parametrize(
+    ("settings", "most"), [(("features=0x6f", "receive_fifo_bytes=64"), 8), ((), 128)], ids=["a small FIFO", "all IDs"]
+)
+def test_no_more_is_in_flight_than_the_gateway_takes(octave: Octave, settings: tuple[str, ...], most: int) -> None:
+    octave.generate(compile_text(FIGURE_1))
+    options = [option for setting in settings for option in ("--set", setting)]
+    with simulate("tcp", *options) as url, FaultyLine(url, "tcp", [lose("^r", times=most)]) as line:
+        shown = octave.run(f"link = unity_link.Link('{line.url}'); show('words', sum(link.read_many(0:199)));")
+        sent = [frame for frame in line.requests if frame.startswith("r")]
+    assert shown["words"] == doubles(0)
+    # The answers to all that the first turn sends are lost, so what follows is the first one again.
+    assert sent.index(sent[0], 1) == most
+
+
+# Subscriptions
+
+_SAMPLES = """\
+robot = scara('{url}');
+robot.j1.spd_sp.set(5);
+robot.j1.pos_sp.set(100);
+samples = robot.groups.state.subscribe();
+show('rate', samples.rate_hz);
+data = samples.take(50);
+show('sequence', isequal(data.sequence, (0:49).'));
+show('lost', sum(data.lost));
+steps = diff(data.time);
+show('steps', [min(steps), max(steps)]);
+show('sizes', [size(data.words), size(data.values.j4.spd)]);
+show('decoded', isequal(data.values.j1.cpos, data.words(:, 1) * 0.0018));
+show('moving', data.values.j1.cpos(end) > data.values.j1.cpos(1));
+again = robot.groups.state.subscribe('divisor', 50);
+show('again', [again.rate_hz, again.take(1).lost, again.group ~= samples.group]);
+attempt('group in use', @() robot.link.subscribe(1, 'group', again.group));
+clear again
+samples.close();
+samples.close();
+attempt('closed', @() samples.take(1));
+other = robot.link.subscribe([140 10], 'rate_hz', 1000, 'timestamps', false, 'buffer', 20);
+robot.link.write(10, 7);
+data = other.take(5);
+show('ad hoc', data.words(:, 1).' == robot.link.read(140));
+show('no time', isempty(data.time));
+began = tic;
+while toc(began) < 0.1
+  robot.link.read(0);
+end
+last = data.sequence(end);
+data = other.take();
+show('dropped', [data.lost(1) > 0, data.sequence(1) == last + 1 + data.lost(1), numel(data.sequence) == 20]);
+show('counted', other.received + other.lost == data.sequence(end) + 1);
+clear other
+one = robot.link.subscribe(10);
+show('none by itself', numel(one.take(1, 0.01).sequence));
+one.publish();
+one.publish();
+data = one.take(2);
+show('asked for', data.words.');
+change = robot.link.subscribe(10, 'rate_hz', 1000, 'on_change', true);
+robot.link.write(10, 8);
+data = change.take(2);
+show('changes', data.words.');
+attempt('bad rate', @() robot.link.subscribe(10, 'rate_hz', 0.1));
+attempt('both', @() robot.link.subscribe(10, 'rate_hz', 10, 'divisor', 10));
+attempt('option', @() robot.link.subscribe(10, 'speed', 10));
+attempt('address', @() robot.link.subscribe(256, 'rate_hz', 10));
+values = robot.groups.state.get();
+show('group', [strjoin(fieldnames(values).', ' '), sprintf(' %d', isscalar(values.j4.cpos))]);
+"""
+
+
+@pytest.mark.parametrize("medium", MEDIA)
+def test_samples_of_groups_and_addresses_come_with_their_numbers_times_and_values(
+    octave: Octave, medium: Medium
+) -> None:
+    octave.generate(compile_file(EXAMPLES / "scara.ul"))
+    with simulate(medium, "--robot", "scara") as url:
+        shown = octave.run(_SAMPLES.format(url=url))
+    assert shown["rate"] == doubles(1000)
+    assert shown["sequence"] == "logical 1"
+    assert shown["lost"] == doubles(0)
+    assert numbers(shown["steps"]) == pytest.approx([0.001, 0.001], rel=1e-6)
+    assert shown["sizes"] == doubles(50, 8, 50, 1)
+    assert shown["decoded"] == "logical 1"
+    assert shown["moving"] == "logical 1"
+    assert shown["again"] == doubles(2000, 0, 1)
+    assert shown["group in use"].startswith("unity_link:argumentError group 254 of the gateway is in use")
+    assert shown["closed"].startswith("unity_link:argumentError the subscription is closed")
+    assert shown["ad hoc"] == "logical 1 1 1 1 1"
+    assert shown["no time"] == "logical 1"
+    assert shown["dropped"] == "logical 1 1 1"
+    assert shown["counted"] == "logical 1"
+    assert shown["none by itself"] == doubles(0)
+    assert shown["asked for"] == doubles(7, 7)
+    assert shown["changes"] == doubles(7, 8)
+    for label in ("bad rate", "both", "option", "address"):
+        assert shown[label].startswith("unity_link:argumentError "), shown[label]
+    assert shown["group"] == "j1 j2 j3 j4 1"
+
+
+def test_lost_samples_are_counted(octave: Octave) -> None:
+    octave.generate(compile_text(FIGURE_1))
+    with simulate("tcp") as url, FaultyLine(url, "tcp", [lose("^P..02"), damage("^P..03"), lose("^P..FF")]) as line:
+        shown = octave.run(f"""\
+link = unity_link.Link('{line.url}');
+samples = link.subscribe(1, 'rate_hz', 10000, 'timestamps', false);
+data = samples.take(600);
+show('lost', find(data.lost).' - 1);
+show('how many', data.lost(data.lost > 0).');
+show('sequence', data.sequence([1:3, 254]).');
+show('total', samples.lost);
+show('damaged', link.statistics.damaged_frames);
+""")
+    assert shown["lost"] == doubles(2, 253)
+    assert shown["how many"] == doubles(2, 1)
+    assert shown["sequence"] == doubles(0, 1, 4, 256)
+    assert shown["total"] == doubles(3)
+    assert shown["damaged"] == doubles(1)
+
+
+def test_a_lost_answer_is_asked_for_again_while_samples_arrive(octave: Octave) -> None:
+    octave.generate(compile_text(FIGURE_1))
+    with simulate("tcp") as url, FaultyLine(url, "tcp", [lose("^r")]) as line:
+        shown = octave.run(f"""\
+link = unity_link.Link('{line.url}');
+link.write(1, 5);
+samples = link.subscribe(1, 'rate_hz', 5000);
+show('read', link.read(1));
+show('samples', mean(samples.take(10).words));
+""")
+        assert line.count("^r") == 2
+    assert shown == {"read": doubles(5), "samples": doubles(5)}
