@@ -17,6 +17,7 @@ from hypothesis import given, settings
 from gateware.bench.runner import GATEWARE, rtl_sources, run_bench
 from gateware.tools import yowasp
 from gateware.tools.convert import to_verilog
+from generate.bench_boards import ECHO, WALKER
 from generate.every_kind import WORD_BITS, every_kind
 from spec_examples import FIGURE_1, specs
 from unity_link.errors import UnsupportedError
@@ -97,6 +98,7 @@ public library() {
   @std_logic = 0x27: READWRITE();
   @unsigned = 0x28: READWRITE();
   @case_t = 0x2B: case READ();
+  @to = 0x2C: case READWRITE();
   @a_written = 0x29: READWRITE();
   @a = 0x2A: READWRITE();
   elsewhere: MEMORY(BASE=0x40, SIZE=4);
@@ -110,7 +112,7 @@ process(): @(signal) {
 SPECS = {
     "figure 1": compile_text(FIGURE_1, "figure_1.ul"),
     "scara": compile_file(ROOT / "examples" / "scara.ul"),
-    "walker": compile_file(ROOT / "examples" / "walker.ul"),
+    "walker": WALKER,
     "everything": compile_text(EVERYTHING, "robot.ul"),
     "reserved names": compile_text(RESERVED_NAMES, "library.ul"),
     **{f"every kind in words of {bits}": every_kind(bits) for bits in WORD_BITS},
@@ -211,13 +213,22 @@ def test_gateway_and_boards_elaborate_with_the_gateware(name: str, tmp_path: Pat
 
 
 @pytest.mark.rtl
-def test_the_walker_works_by_its_pins() -> None:
+@pytest.mark.parametrize(
+    ("spec", "case"),
+    [
+        (WALKER, "the_walker_is_what_its_spec_says"),
+        (ECHO, "blocks_and_masked_writes_reach_values_of_several_words_and_fields"),
+    ],
+    ids=["walker", "echo"],
+)
+def test_a_generated_board_works_by_its_pins(spec: Spec, case: str) -> None:
     # Not in a folder of this run: the compiled simulation is kept under the names and contents of its sources.
-    folder = GATEWARE / "build" / "generated" / "walker"
-    paths = write(generate("vhdl", SPECS["walker"]), folder)
+    name = spec.interface().name
+    paths = write(generate("vhdl", spec), GATEWARE / "build" / "generated" / name)
     run_bench(
-        "walker_on_uart",
-        "tests.generate.bench_walker",
+        f"{name}_on_uart",
+        "tests.generate.bench_boards",
+        testcase=case,
         generics={"clock_hz": 25_000_000, "baud": 6_250_000},
         extra_sources=[*paths, *sorted(BOARDS.glob("*.vhd"))],
         # There is no reset pin: until the board has reset itself, everything is undefined.
@@ -345,6 +356,7 @@ def test_names_are_those_of_vhdl(text: str, name: str) -> None:
 def test_a_name_is_unique_with_its_endings() -> None:
     scope = Scope("b_t")
     assert [scope.unique("a"), scope.unique("A"), scope.unique("b", "_t")] == ["a", "a_2", "b_2"]
+    assert [scope.unique("Entity"), scope.unique("entity", "_address")] == ["entity_x", "entity"]
 
 
 def test_literals_are_those_of_vhdl() -> None:

@@ -155,7 +155,7 @@ class Bank:
     def __init__(self, interface: Interface) -> None:
         self.interface = interface
         name = identifier(interface.name)
-        self._scope = Scope(*(f"{name}_{constant}" for constant in _CONSTANTS))
+        self._scope = Scope("to_bits", *(f"{name}_{constant}" for constant in _CONSTANTS))
         self.enumerations = {
             enumeration.name: enumeration_type(enumeration, self._scope) for enumeration in interface.enumerations
         }
@@ -167,7 +167,7 @@ class Bank:
         self.names = {path: self._scope.unique(path, *endings) for path in interface.signals}
         """Of all signals, those of modules too."""
         self.group_names = {
-            group.name: self._scope.unique(f"group_{group.name}", "_divisor") for group in interface.groups
+            group.name: self._scope.unique(f"group_{group.name}", "", "_divisor") for group in interface.groups
         }
         self.registers = tuple(
             Register(signal, self.names[path], self.records.pins[path]) for path, signal in signals.items()
@@ -199,6 +199,9 @@ class Bank:
         """Give the ports in the order in which an address is looked for, each with its condition; empty: always."""
         highest = (1 << self.interface.address_bits) - 1
         for port in self.ports:
+            if port.first == port.last:
+                yield f"unsigned(wb_adr) = {self._address(port.first)}", port.name
+                continue
             low = f"unsigned(wb_adr) >= {self._address(port.first)}" if port.first > 0 else ""
             high = f"unsigned(wb_adr) <= {self._address(port.last)}" if port.last < highest else ""
             yield " and ".join(filter(None, (low, high))), port.name

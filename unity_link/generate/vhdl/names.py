@@ -23,10 +23,13 @@ def identifier(text: str) -> str:
 
     What is a word of VHDL or the name of a type gets ``_x`` behind it.
     """
-    name = re.sub(r"[\W_]+", "_", text).strip("_").lower() or "x"
-    if not name[0].isalpha():
-        name = f"x_{name}"
+    name = _letters(text)
     return f"{name}_x" if name in RESERVED | TYPES or name.endswith("_t") else name
+
+
+def _letters(text: str) -> str:
+    name = re.sub(r"[\W_]+", "_", text).strip("_").lower() or "x"
+    return name if name[0].isalpha() else f"x_{name}"
 
 
 class Scope:
@@ -36,11 +39,17 @@ class Scope:
         self._taken = set(taken)
 
     def unique(self, text: str, *endings: str) -> str:
-        """Give a name for a text, numbered where it is taken; with endings, it is free with each of them too."""
-        name = first = identifier(text)
+        """Give a name for a text, numbered where it is taken.
+
+        Args:
+            text: a name or a path of a spec.
+            endings: what stands behind the name wherever it is used; an empty one where it is used by itself.
+        """
+        endings = endings or ("",)
+        name = first = identifier(text) if "" in endings else _letters(text)
         number = 1
-        while any(name + ending in self._taken for ending in ("", *endings)):
+        while any(name + ending in self._taken for ending in endings):
             number += 1
             name = f"{first}_{number}"
-        self._taken.update(name + ending for ending in ("", *endings))
+        self._taken.update(name + ending for ending in endings)
         return name

@@ -117,14 +117,14 @@ class Records:
         if component.path not in self._names:
             scope = Scope()
             names = {
-                signal.name: scope.unique(signal.name, *(("_valid", "_ready") if signal.fifo else ("_written",)))
+                signal.name: scope.unique(signal.name, "", *(("_valid", "_ready") if signal.fifo else ("_written",)))
                 for signal in component.signals
             }
             names |= {part.name: scope.unique(part.name) for part in component.parts if isinstance(part, Component)}
             for part in component.parts:
                 if not isinstance(part, Component):
                     endings = (f"_{index}" for index in range(len(part.items)))
-                    names[part.name] = scope.unique(part.name, *endings)
+                    names[part.name] = scope.unique(part.name, "", *endings)
             self._names[component.path] = names
         return self._names[component.path]
 

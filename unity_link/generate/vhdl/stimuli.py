@@ -41,7 +41,15 @@ class Stimuli:
         self._stored: dict[str, int] = {
             register.signal.path: 0 for register in bank.registers if register.signal.access.writes
         }
-        self.strobes = tuple(register for word in bank.words for register in self._struck(word))
+        self._gathered: dict[int, int] = {}
+        """What was written to the words of a value that is not whole yet, by their addresses."""
+        self._word_at = {word.address: word for word in bank.words}
+        self._first_strobe: dict[int, int] = {}
+        strobes: list[Register] = []
+        for word in bank.words:
+            self._first_strobe[word.address] = len(strobes)
+            strobes += self._struck(word)
+        self.strobes = tuple(strobes)
         """The registers whose pulses are watched; those of one word stand side by side."""
 
     @property
@@ -78,8 +86,8 @@ class Stimuli:
 
     def _word(self, address: int) -> int:
         """Give what an address must read as."""
-        (word,) = (one for one in self._bank.words if one.address == address)
-        return sum(_part_of(register.signal, self._raw_of(register), address) for register in word.read)
+        registers = self._word_at[address].read
+        return sum(_part_of(register.signal, self._raw_of(register), address) for register in registers)
 
     def _readable(self) -> list[Word]:
         return [word for word in self._bank.words if word.read and not any(one.signal.fifo for one in word.read)]
@@ -116,7 +124,7 @@ class Stimuli:
     def _write(self, word: Word, value: int) -> Iterator[str]:
         """Write a word, and see what hardware gets of it."""
         struck = self._struck(word)
-        first = self.strobes.index(struck[0]) if struck else 0
+        first = self._first_strobe[word.address]
         for register in struck:
             part = _part_mask(register.signal, word.address) & value
             self._stored[register.signal.path] = _joined(register.signal, self._gathered, word.address, part)
@@ -126,8 +134,6 @@ class Stimuli:
         yield from (self._see(register) for register in word.written if register.is_register)
         if struck and any(register.reads_back for register in struck):
             yield self._read(word.address)
-
-    _gathered: dict[int, int]
 
     # Sections
 
@@ -164,7 +170,6 @@ class Stimuli:
             yield from (self._read(word.address) for word in self._readable())
 
     def _writes(self, round_: int) -> Iterator[str]:
-        self._gathered = {}
         words = [word for word in self._bank.words if any(register.is_register for register in word.written)]
         for word in words:
             yield from self._write(word, self._number(self._data_bits, round_, word.address))

@@ -46,7 +46,7 @@ class EnumerationType(NamedTuple):
 
 def enumeration_type(enumeration: Enumeration, scope: Scope) -> EnumerationType:
     """Name the type of an enumeration and its literals, which begin with its name."""
-    name = scope.unique(enumeration.name, "_t").removesuffix("_x")
+    name = scope.unique(enumeration.name, "_t")
     literals = [
         Literal(scope.unique(f"{name}_{value.name}"), bit_literal(value.value, ENUMERATION_BITS), value.doc)
         for value in enumeration.values

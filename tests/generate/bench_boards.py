@@ -1,32 +1,50 @@
-"""Inside the simulator: the walker's whole generated gateware by its pins, a UART and a wire for the chain of the legs.
+"""Inside the simulator: whole generated boards by their pins, a UART, and a wire from the end of the chain to its top.
 
-The frames are made by `unity_link.wire`, the signals by the same spec, and nothing here knows the VHDL.
+The frames are made by `unity_link.wire`, the signals by the same spec, and nothing here knows the VHDL. There is one
+test for each board, as a board begins with a reset at power-up, which no pin repeats.
 """
 
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import cocotb
 from cocotb.clock import Clock
 from cocotb.triggers import ClockCycles, FallingEdge, Timer
 
 from unity_link.generate.vhdl import fingerprint
-from unity_link.spec import compile_file
+from unity_link.spec import compile_file, compile_text
 from unity_link.wire.crc import Crc
+
+if TYPE_CHECKING:
+    from unity_link.spec import Interface
 
 PERIOD_NS = 40
 BIT_CYCLES = 4
-CHAIN_FRAME_CYCLES = 2 * (2 * 18 * 2 * 32 + 2)
-WALKER = compile_file(Path(__file__).parents[2] / "examples" / "walker.ul").interface()
+WALKER = compile_file(Path(__file__).parents[2] / "examples" / "walker.ul")
+ECHO = compile_text(
+    """\
+public echo() {
+  @sent = 0x10: unsigned 48 WRITE();
+  @came = 0x12: unsigned 48 READ();
+  @low = 0x14[2:0]: unsigned READWRITE();
+  @high = 0x14[7:3]: signed WRITE();
+  @low_came = 0x15[2:0]: unsigned READ();
+  @high_came = 0x15[7:3]: signed READ();
+}
+"""
+)
+"""What is written and what is read have the same widths in the same order, so that the wire brings all back."""
 
 
 class Board:
-    """The board's pins."""
+    """The board's pins; the chain has so many bits."""
 
-    def __init__(self, dut: Any) -> None:
+    def __init__(self, dut: Any, interface: Interface, bits: int) -> None:
         self.dut = dut
+        self.interface = interface
+        self.chain_frame_cycles = 2 * (2 * bits + 2)
         self.received = bytearray()
 
     async def begin(self) -> None:
@@ -72,27 +90,31 @@ class Board:
                 await ClockCycles(self.dut.clk, BIT_CYCLES)
         return await self.frames(count)
 
+    async def round_the_chain(self) -> None:
+        """Wait until what was written has come back."""
+        await ClockCycles(self.dut.clk, 2 * self.chain_frame_cycles)
+
     async def set(self, path: str, value: float) -> None:
-        signal = WALKER.signals[path]
+        signal = self.interface.signals[path]
         (word,) = signal.encode(value)
         assert await self.ask(f"W{signal.address:02X}{word:08X}") == [f"W{signal.address:02X}"]
 
     async def get(self, path: str) -> float:
-        signal = WALKER.signals[path]
+        signal = self.interface.signals[path]
         (answer,) = await self.ask(f"R{signal.address:02X}")
         assert answer.startswith(f"R{signal.address:02X}")
         return signal.decode(int(answer[3:], 16))
 
 
 @cocotb.test
-async def everything_between_the_uart_and_the_chain_is_the_spec(dut: Any) -> None:
-    """One test, as it begins with a reset at power-up, which no pin repeats."""
-    board = Board(dut)
+async def the_walker_is_what_its_spec_says(dut: Any) -> None:
+    walker = WALKER.interface()
+    board = Board(dut, walker, 18 * 2 * 32)
     await board.begin()
 
     # The gateway says which map it was built for, and refuses what is not on it.
     (configuration,) = await board.ask("Q")
-    assert configuration.endswith(fingerprint(WALKER))
+    assert configuration.endswith(fingerprint(walker))
     assert await board.ask("R00") == ["X04"]
     assert await board.ask("W1000000001") == ["X04"]
 
@@ -101,15 +123,15 @@ async def everything_between_the_uart_and_the_chain_is_the_spec(dut: Any) -> Non
     for joint, angle in wanted.items():
         await board.set(f"{joint}.pos_sp", angle)
         await board.set(f"{joint}.spd_sp", abs(angle) / 2)
-    await ClockCycles(dut.clk, 2 * CHAIN_FRAME_CYCLES)
+    await board.round_the_chain()
     for joint, angle in wanted.items():
-        step = WALKER.signals[f"{joint}.cpos"].kind.step
+        step = walker.signals[f"{joint}.cpos"].kind.step
         assert abs(await board.get(f"{joint}.cpos") - angle) <= step
         assert abs(await board.get(f"{joint}.spd") - abs(angle) / 2) <= step
     assert await board.get("legs[1].coxa.cpos") == 0
 
     # The group of the spec fits into the gateway, and has the same values.
-    (group,) = WALKER.groups
+    (group,) = walker.groups
     addresses = "".join(f"{address:02X}" for address in group.addresses)
     settings = f"{group.number:02X}01{group.divisor:04X}{len(group.addresses):02X}{addresses}"
     assert await board.ask(f"GS{settings}") == [f"GS{group.number:02X}"]
@@ -120,4 +142,24 @@ async def everything_between_the_uart_and_the_chain_is_the_spec(dut: Any) -> Non
     words = [int(sample[5 + 8 * index : 13 + 8 * index], 16) for index in range(len(group.addresses))]
     values = dict(zip(group.signals, words, strict=True))
     for joint, angle in wanted.items():
-        assert [values[f"{joint}.cpos"]] == list(WALKER.signals[f"{joint}.pos_sp"].encode(angle))
+        assert [values[f"{joint}.cpos"]] == list(walker.signals[f"{joint}.pos_sp"].encode(angle))
+
+
+@cocotb.test
+async def blocks_and_masked_writes_reach_values_of_several_words_and_fields(dut: Any) -> None:
+    board = Board(dut, ECHO.interface(), 56)
+    await board.begin()
+    assert await board.ask("WM10" + "89ABCDEF" + "00001234") == ["WM1002"]
+    assert await board.ask("WK14" + "00000007" + "FFFFFFFD") == ["WK1400000000"]
+    assert await board.ask("WK14" + "000000F8" + "FFFFFF90") == ["WK1400000005"]
+    await board.round_the_chain()
+    assert await board.ask("RM1202") == ["RM1202" + "89ABCDEF" + "00001234"]
+    assert await board.get("low_came") == 5
+    assert await board.get("high_came") == -14
+    # A single word of several changes nothing until the last one comes.
+    assert await board.ask("W1011111111") == ["W10"]
+    await board.round_the_chain()
+    assert await board.ask("RM1202") == ["RM1202" + "89ABCDEF" + "00001234"]
+    assert await board.ask("W1100000001") == ["W11"]
+    await board.round_the_chain()
+    assert await board.ask("RM1202") == ["RM1202" + "11111111" + "00000001"]
