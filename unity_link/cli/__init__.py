@@ -6,7 +6,8 @@ One file for each family of commands. They parse, show and explain; what they do
 - `running` runs a command's coroutine until it is done or a signal comes, `output` says what stdout and stderr are for
 - `arguments` and `words` read and write addresses and values
 - `info`, `access` (read, write), `watch`, `simulate`, `terminal` with `explain`, `demo` with `demo_view` are commands
-- `spec` has the commands about specs: check, fmt, show, import, export; `generate` writes code from one
+- `spec` has the commands about specs: check, fmt, show, import; `generate` writes code from one
+- `recording` has record and replay; `export` is about recordings and specs
 - `ft232h` has those about the chip's EEPROM
 - `serve` shares a link; `service` tells systemd of a command that runs for long
 - `plots` draws curves
@@ -27,7 +28,21 @@ from typing import Annotated
 import typer
 
 import unity_link
-from unity_link.cli import access, bench, demo, ft232h, generate, info, serve, simulate, spec, terminal, watch
+from unity_link.cli import (
+    access,
+    bench,
+    demo,
+    export,
+    ft232h,
+    generate,
+    info,
+    recording,
+    serve,
+    simulate,
+    spec,
+    terminal,
+    watch,
+)
 from unity_link.cli.output import print_error
 from unity_link.cli.running import INTERRUPTED
 from unity_link.errors import ArgumentError, UnityLinkError
@@ -70,6 +85,8 @@ serve.add_to(app)
 terminal.add_to(app)
 spec.add_to(app)
 generate.add_to(app)
+recording.add_to(app)
+export.add_to(app)
 ft232h.add_to(app)
 bench.add_to(app)
 

@@ -9,7 +9,7 @@ import typer
 
 from unity_link.cli.arguments import Json  # noqa: TC001  (typer reads it)
 from unity_link.cli.output import is_live, out, print_line, print_note
-from unity_link.errors import ArgumentError
+from unity_link.errors import ArgumentError, UnityLinkError
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -50,8 +50,12 @@ def paper(
     from unity_link.paper import run_experiment
     from unity_link.paper.tables import to_markdown
 
-    if output is not None and output.exists() and not output.is_dir():
-        raise ArgumentError(f"--output {output} is no folder")
+    if output is not None:
+        # Before minutes of measuring.
+        try:
+            output.mkdir(parents=True, exist_ok=True)
+        except OSError as error:
+            raise ArgumentError(f"--output {output} is no folder that can be made: {error.strerror}") from None
     results = run_experiment(gateway=gateway, quick=quick, tell=lambda what: print_note(f"{what} ..."))
     if json:
         print_line(results.to_json(indent=-1).decode())
@@ -71,7 +75,7 @@ def _write(results: Results, folder: Path) -> None:
     try:
         files, reason = write_report(results, folder)
     except OSError as error:
-        raise ArgumentError(f"--output {folder} can't be written: {error.strerror}") from None
+        raise UnityLinkError(f"--output {folder} can't be written: {error.strerror}") from None
     if reason:
         print_note(reason)
     print_note("written: " + ", ".join(str(file) for file in files))

@@ -47,9 +47,6 @@ def add_to(app: typer.Typer) -> None:
     importing = typer.Typer(help="Make a spec of another description of registers.", no_args_is_help=True)
     importing.command("rdl")(import_rdl)
     app.add_typer(importing, name="import")
-    exporting = typer.Typer(help="Make another description of registers of a spec.", no_args_is_help=True)
-    exporting.command("rdl")(export_rdl)
-    app.add_typer(exporting, name="export")
 
 
 def check(spec: SpecFile, *, json: Json = False, address_bits: AddressBits = None, data_bits: DataBits = None) -> None:

@@ -19,6 +19,7 @@ import numpy as np
 from unity_link.bridges.serve.groups import ClientGroup
 from unity_link.bridges.serve.requests import Relayed, RelayedRows, Said, answer_digits
 from unity_link.bridges.serve.turns import Queue
+from unity_link.wire.frames import LF
 from unity_link.wire.messages import COMMANDS, Codec, ErrorCode, Repetition, Request, RequestError
 from unity_link.wire.reception import Place, Reception, Sequence, group_fits
 
@@ -204,15 +205,21 @@ class Client(asyncio.Protocol):
             self._execute(request, plain=plain)
         elif place is Place.FIRST_AHEAD:
             self._say(codec.out_of_sequence(self._sequence.expected), plain=plain)
-        elif place is Place.REPETITION and not self._awaited[number]:
-            # The answer to one that is under way will come, for nothing is lost between the client and here.
-            repetition = COMMANDS[request.command].repetition
-            if repetition is Repetition.READ_AGAIN:
-                self._execute(request, plain=plain)
-            elif repetition is Repetition.REFUSE:
-                self._say(codec.error(ErrorCode.ALREADY_EXECUTED, number), plain=plain)
-            elif repetition is Repetition.ACKNOWLEDGE:
-                self._say(codec.response(request), plain=plain)
+        elif place is Place.REPETITION and self._awaited[number]:
+            # Its answer will come, for nothing is lost between the client and here; till then, a sign of life.
+            self._write(LF)
+        elif place is Place.REPETITION:
+            self._repeat(request, number, plain=plain)
+
+    def _repeat(self, request: Request, number: int, *, plain: bool) -> None:
+        """Answer a request that was executed before."""
+        codec, repetition = self._known, COMMANDS[request.command].repetition
+        if repetition is Repetition.READ_AGAIN:
+            self._execute(request, plain=plain)
+        elif repetition is Repetition.REFUSE:
+            self._say(codec.error(ErrorCode.ALREADY_EXECUTED, number), plain=plain)
+        elif repetition is Repetition.ACKNOWLEDGE:
+            self._say(codec.response(request), plain=plain)
 
     # Requests
 

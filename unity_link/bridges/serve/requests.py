@@ -364,7 +364,7 @@ def _code_of(error: UnityLinkError, command: str) -> ErrorCode | None:
     if isinstance(error, GatewayError):
         return ErrorCode(error.code) if error.code in set(ErrorCode) else ErrorCode.BUS_ERROR
     if isinstance(error, UnsupportedError):
-        return ErrorCode.UNKNOWN_COMMAND
+        return ErrorCode.OUT_OF_RANGE
     if isinstance(error, UnansweredError) and error.outcome is Outcome.EXECUTED:
         refused = COMMANDS[command].repetition is Repetition.REFUSE
         return ErrorCode.ALREADY_EXECUTED if refused else None

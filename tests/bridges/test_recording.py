@@ -1,0 +1,392 @@
+"""Recordings: what is in the file, what a crash leaves of it, and the ways back out of it."""
+
+from __future__ import annotations
+
+import asyncio
+import itertools
+import json
+import math
+import os
+import resource
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from mcap.reader import make_reader
+from pyarrow import csv, parquet
+
+import unity_link
+from generate.every_kind import every_kind
+from simulated_time import run_simulated
+from unity_link import ArgumentError, BusError
+from unity_link.bridges.recording import Recorder, Recording, RecordingError, export, replay
+from unity_link.bridges.recording.messages import hex_to_words, words_to_hex
+from unity_link.spec.columns import Columns
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from unity_link.spec import Signal
+
+PROGRAM = str(Path(sys.executable).parent / "unity-link")
+SPEC = Path(__file__).parents[2] / "examples" / "scara.ul"
+FAST = "sim:scara?base_frequency_millihertz=20000000"
+"""A gateway whose groups publish two hundred times as often."""
+
+
+def record(path: Path, enough: Callable[[Recorder], bool], url: str = FAST, **options: Any) -> Recorder:
+    """Record the moving robot until there is enough."""
+
+    async def run() -> Recorder:
+        async with unity_link.connect(url) as link:
+            robot = unity_link.load(SPEC)(link)
+            recorder = Recorder(robot, path, **options)
+            await robot.j1.pos_sp.set(50)
+            running = asyncio.create_task(recorder.run())
+            while not enough(recorder) and not running.done():  # noqa: ASYNC110  (a thread writes)
+                await asyncio.sleep(0.01)
+            running.cancel()
+            await asyncio.wait([running])
+            return recorder
+
+    return asyncio.run(run())
+
+
+@pytest.fixture(scope="module")
+def recorded(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    path = tmp_path_factory.mktemp("recording") / "run.mcap"
+    record(path, lambda recorder: recorder.samples >= 100)
+    return path
+
+
+def run(*arguments: str | Path, **options: Any) -> subprocess.CompletedProcess[str]:
+    result = subprocess.run(
+        [PROGRAM, *map(str, arguments)], capture_output=True, text=True, timeout=120, check=False, **options
+    )
+    assert "Traceback" not in result.stderr
+    return result
+
+
+@given(st.integers(8, 64), st.integers(1, 5), st.data())
+def test_words_survive_being_written_as_hex(bits: int, addresses: int, data: st.DataObject) -> None:
+    rows = st.lists(st.integers(0, (1 << bits) - 1), min_size=addresses, max_size=addresses)
+    words = np.array(data.draw(st.lists(rows, min_size=1, max_size=4)), np.uint64)
+
+    texts = [text.decode() for text in words_to_hex(words, bits)]
+
+    assert np.array_equal(hex_to_words(texts, addresses, bits), words)
+
+
+def value_in(tree: Any, path: str) -> Any:
+    for step in path.replace("[", ".").replace("]", "").split("."):
+        tree = tree[int(step)] if isinstance(tree, list) else tree[step]
+    return tree
+
+
+@pytest.mark.parametrize("bits", [16, 64])
+def test_a_message_has_each_value_under_its_path_and_the_words_exactly(bits: int, tmp_path: Path) -> None:
+    spec = every_kind(bits)
+    path = tmp_path / "run.mcap"
+
+    async def run() -> None:
+        async with unity_link.connect(f"sim:?data_bits={bits}") as link:
+            robot = unity_link.load(spec)(link)
+            random = np.random.default_rng(bits)
+            for address in range(256):
+                await link.write(address, int.from_bytes(random.bytes(bits // 8)))
+            recorder = Recorder(robot, path, poll_hz=100)
+            running = asyncio.create_task(recorder.run())
+            while recorder.samples < 3:  # noqa: ASYNC110  (a thread writes)
+                await asyncio.sleep(0.01)
+            running.cancel()
+            await asyncio.wait([running])
+
+    asyncio.run(run())
+
+    recording = Recording(path)
+    (samples, _), *_ = recording.samples()
+    signals = {signal.path: signal for signal in samples.group.signals}
+    with path.open("rb") as file:
+        _, _, message = next(iter(make_reader(file).iter_messages()))
+    shown = json.loads(message.data)
+    values = Columns(samples.group.signals, samples.group.addresses).decode(samples.words)
+    for name, known in signals.items():
+        assert_same(value_in(shown["signals"], name), values[name][0].item(), known)
+
+
+def assert_same(shown: Any, value: Any, known: Signal) -> None:
+    if isinstance(value, float) and not math.isfinite(value):
+        assert shown is None, known.path
+    else:
+        assert shown == value, known.path
+
+
+def test_other_programs_find_a_channel_and_a_schema_for_each_group(recorded: Path) -> None:
+    with recorded.open("rb") as file:
+        summary = make_reader(file).get_summary()
+    assert summary is not None
+    (channel,) = summary.channels.values()
+    (schema,) = summary.schemas.values()
+    assert (channel.topic, channel.message_encoding, schema.encoding) == ("/scara/state", "json", "jsonschema")
+    properties = json.loads(schema.data)["properties"]["signals"]["properties"]
+    assert properties["j1"]["properties"]["cpos"] == {"type": "number", "description": "Current position.; in deg"}
+
+
+def test_a_recording_has_all_samples_in_order_and_the_robot_that_they_are_of(recorded: Path) -> None:
+    recording = Recording(recorded)
+
+    batches = [samples for samples, _ in recording.samples()]
+
+    sequence = np.concatenate([samples.sequence for samples in batches])
+    times = np.concatenate([samples.time for samples in batches])
+    instants = np.concatenate([samples.at for samples in batches])
+    assert recording.interface == unity_link.load(SPEC).interface
+    assert np.array_equal(sequence, np.arange(len(sequence)))
+    assert np.allclose(np.diff(times), 1 / 200)
+    assert np.allclose(np.diff(instants), 5_000_000, atol=1000)
+    assert not recording.was_cut
+
+
+def test_what_nothing_publishes_is_recorded_where_a_rate_to_poll_it_is_given(tmp_path: Path) -> None:
+    path = tmp_path / "run.mcap"
+    record(path, lambda recorder: recorder.samples >= 50, poll_hz=20)
+
+    groups = {group.name: [signal.path for signal in group.signals] for group in Recording(path).groups}
+
+    assert groups["state"][:2] == ["j1.cpos", "j1.spd"]
+    assert groups["rest"][:2] == ["j1.pos_sp", "j1.spd_sp"]
+
+
+def test_a_spec_that_publishes_nothing_is_not_recorded_silently(tmp_path: Path) -> None:
+    spec = tmp_path / "robot.ul"
+    spec.write_text("public robot() { @a = 1: READ(); }")
+
+    result = run("record", "sim:", spec, "-o", tmp_path / "run.mcap")
+
+    assert (result.returncode, result.stdout) == (2, "")
+    assert "nothing says when signals of robot are to be sampled" in result.stderr
+
+
+# What a crash leaves
+
+
+@pytest.mark.parametrize("share", [0.85, 0.92, 0.98])
+def test_a_file_that_was_cut_gives_what_came_before(recorded: Path, tmp_path: Path, share: float) -> None:
+    whole = recorded.read_bytes()
+    cut = tmp_path / "cut.mcap"
+    cut.write_bytes(whole[: int(len(whole) * share)])
+
+    recording = Recording(cut)
+    sequence = [number for samples, _ in recording.samples() for number in samples.sequence.tolist()]
+
+    assert sequence == list(range(len(sequence)))
+
+
+def test_a_recorder_that_is_killed_leaves_all_that_was_on_the_disk(tmp_path: Path) -> None:
+    path = tmp_path / "run.mcap"
+    with subprocess.Popen([PROGRAM, "record", FAST, str(SPEC), "-o", str(path)]) as process:
+        sizes: set[int] = set()
+        while len(sizes) < 4:
+            assert process.poll() is None
+            sizes |= {path.stat().st_size} if path.exists() else set()
+            time.sleep(0.01)
+        process.send_signal(signal.SIGKILL)
+
+    result = run("export", path, "--csv", "-o", tmp_path)
+
+    rows = csv.read_csv(tmp_path / "run.state.csv")["sequence"].to_pylist()
+    assert "was not finished" in result.stderr
+    assert len(rows) > 0
+    assert rows == list(range(len(rows)))
+
+
+def test_ctrl_c_finishes_the_file(tmp_path: Path) -> None:
+    path = tmp_path / "run.mcap"
+    with subprocess.Popen(
+        [PROGRAM, "record", FAST, str(SPEC), "-o", str(path)], stderr=subprocess.PIPE, text=True
+    ) as process:
+        while not path.exists() or path.stat().st_size < 5000:
+            assert process.poll() is None
+            time.sleep(0.01)
+        process.send_signal(signal.SIGINT)
+        _, said = process.communicate(timeout=60)
+
+    recording = Recording(path)
+    count = sum(len(samples.at) for samples, _ in recording.samples())
+    assert process.returncode == 130
+    assert f"{count:,} samples" in said
+    assert not recording.was_cut
+
+
+def test_a_full_disk_ends_the_recording_with_one_sentence_and_keeps_what_is_in_it(tmp_path: Path) -> None:
+    path = tmp_path / "run.mcap"
+    limit = 20_000
+
+    result = run(
+        *("record", FAST, SPEC, "-o", path, "--duration", "60"),
+        preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (limit, limit)),
+    )
+
+    recording = Recording(path)
+    sequence = [number for samples, _ in recording.samples() for number in samples.sequence.tolist()]
+    assert result.returncode == 1
+    assert f"error: {path} cannot be written on: File too large; what was recorded before is in it" in result.stderr
+    assert sequence == list(range(len(sequence)))
+    assert sequence
+
+
+def test_a_gateway_that_goes_away_ends_the_recording_and_the_file_is_whole(tmp_path: Path) -> None:
+    path = tmp_path / "run.mcap"
+    place = tmp_path / "gateway"
+    simulate = [PROGRAM, "simulate", "--robot", "scara", "--unix", str(place)]
+    with subprocess.Popen(simulate, stdout=subprocess.PIPE, text=True) as gateway:
+        assert gateway.stdout is not None
+        url = gateway.stdout.readline().strip()
+        with subprocess.Popen(
+            [PROGRAM, "record", url, str(SPEC), "-o", str(path)], stderr=subprocess.PIPE, text=True
+        ) as process:
+            while not path.exists() or path.stat().st_size < 4500:
+                assert process.poll() is None
+                time.sleep(0.01)
+            gateway.kill()
+            _, said = process.communicate(timeout=60)
+
+    assert process.returncode == 1
+    assert "error: " in said
+    assert not was_cut(path)
+
+
+def was_cut(path: Path) -> bool:
+    recording = Recording(path)
+    for _ in recording.samples():
+        pass
+    return recording.was_cut
+
+
+def test_a_recording_is_never_replaced_unasked(recorded: Path) -> None:
+    before = recorded.read_bytes()
+
+    result = run("record", FAST, SPEC, "-o", recorded, "--duration", "0.1")
+
+    assert result.returncode == 2
+    assert "is there already" in result.stderr
+    assert recorded.read_bytes() == before
+
+
+# Back
+
+
+def test_a_replay_publishes_each_recorded_sample_once(recorded: Path) -> None:
+    recording = Recording(recorded)
+    words = np.concatenate([samples.words for samples, _ in recording.samples()])
+
+    async def watch() -> list[Any]:
+        gateway, _ = replay(recording)
+        async with unity_link.connect(gateway) as link:
+            addresses = recording.groups[0].addresses
+            async with link.subscribe(addresses, divisor=100) as samples:
+                return [(await anext(samples)).values for _ in range(len(words))]
+
+    assert np.array_equal(np.array(run_simulated(watch())), words)
+
+
+def test_a_replay_refuses_writes_to_what_was_and_takes_others(recorded: Path) -> None:
+    async def write() -> None:
+        gateway, _ = replay(Recording(recorded))
+        async with unity_link.connect(gateway) as link:
+            await link.write(0x8C, 1)
+            with pytest.raises(BusError):
+                await link.write(0x88, 1)
+
+    run_simulated(write())
+
+
+@pytest.mark.parametrize("loop", [False, True])
+def test_a_replay_stands_still_at_its_end_or_begins_again(recorded: Path, loop: bool) -> None:
+    seen: list[int] = []
+
+    async def play() -> bool:
+        gateway, player = replay(Recording(recorded), speed=2, loop=loop)
+        async with unity_link.connect(gateway) as link:
+            for _ in range(500):
+                seen.append(await link.read(0x88))
+                await asyncio.sleep(0.01)
+            return player.ended
+
+    ended = run_simulated(play())
+
+    begins_again = any(later < earlier for earlier, later in itertools.pairwise(seen))
+    assert (begins_again, ended) == (loop, not loop)
+
+
+def test_a_replay_is_served_to_other_programs(recorded: Path, tmp_path: Path) -> None:
+    place = tmp_path / "replay"
+    with subprocess.Popen([PROGRAM, "replay", str(recorded), "--unix", str(place)], stdout=subprocess.PIPE) as process:
+        assert process.stdout is not None
+        url = process.stdout.readline().decode().strip()
+        again = tmp_path / "again.mcap"
+        result = run("record", url, SPEC, "-o", again, "--duration", "0.5")
+        process.send_signal(signal.SIGINT)
+    assert result.returncode == 0
+    assert process.returncode == 130
+    assert sum(len(samples.at) for samples, _ in Recording(again).samples()) > 0
+
+
+@pytest.mark.parametrize("form", ["parquet", "csv"])
+def test_a_table_has_a_row_for_each_sample_and_a_column_for_each_signal(
+    recorded: Path, tmp_path: Path, form: str
+) -> None:
+    recording = Recording(recorded)
+    ((samples, _),) = recording.samples()
+    done: list[int] = []
+
+    (path,) = export(recording, form, tmp_path, done.append)
+
+    table = (parquet.read_table if form == "parquet" else csv.read_csv)(path)
+    values = Columns(samples.group.signals, samples.group.addresses).decode(samples.words)
+    assert path.name == f"run.state.{form}"
+    assert table.column_names == ["time", "gateway_time", "sequence", "lost", *values]
+    assert table["sequence"].to_pylist() == samples.sequence.tolist()
+    for name, column in values.items():
+        assert table[name].to_pylist() == pytest.approx(column.tolist())
+    assert done
+    if form == "parquet":
+        assert table.schema.field("j1.cpos").metadata[b"unit"] == b"deg"
+        assert table["time"].cast("int64").to_pylist() == samples.at.tolist()
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        (["export", "nosuch.mcap", "--csv"], "nosuch.mcap cannot be read: No such file or directory"),
+        (["export", str(SPEC), "--csv"], "is no MCAP file"),
+        (["export", str(SPEC)], "one of --parquet and --csv was expected"),
+        (["replay", str(SPEC), "--pty"], "is no MCAP file"),
+        (["replay", str(SPEC)], "one of --pty, --tcp and --unix was expected"),
+        (["record", "sim:scara", str(SPEC)], "Missing option '--output'"),
+        (["record", "sim:scara", str(SPEC), "-o", "/nosuch/run.mcap"], "/nosuch/run.mcap cannot be written"),
+        (["record", "sim:scara", str(SPEC), "-o", "x", "--poll", "0"], "more than 0 Hz was expected"),
+    ],
+    ids=lambda value: " ".join(Path(word).name for word in value) if isinstance(value, list) else "",
+)
+def test_wrong_use_is_told_in_one_sentence(arguments: list[str], words: str) -> None:
+    result = run(*arguments)
+    assert result.returncode in {1, 2}
+    assert words in result.stderr
+
+
+def test_a_speed_that_is_none_is_refused(recorded: Path) -> None:
+    with pytest.raises(ArgumentError, match="a speed of 0 was asked for"):
+        replay(Recording(recorded), speed=0)
+
+
+def test_a_directory_that_cannot_be_written_is_told(recorded: Path) -> None:
+    with pytest.raises(RecordingError, match="cannot be written"):
+        export(Recording(recorded), "csv", Path(os.devnull) / "x")

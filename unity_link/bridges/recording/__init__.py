@@ -1,0 +1,26 @@
+"""Recordings: what a robot published, in an MCAP file (https://mcap.dev) that Foxglove and PlotJuggler open.
+
+- `messages`: what a sample is in the file: JSON with a schema, so that others read it without this package
+- `files`: writing; a file is whole to within a second at every instant, whatever ends the program
+- `recorder`: from a robot into a file
+- `reader`: back, of a file that was finished or cut
+- `replay`: a gateway that answers as the recorded one did
+- `tables`: to Parquet and CSV
+
+::
+
+    async with unity_link.connect("sim:scara") as link:
+        await Recorder(Scara(link), Path("run.mcap")).run()
+
+A file has all that it takes to understand it: two attachments, ``interface.json`` (the checked spec) and
+``gateway.json`` (`GatewayInfo`), and a channel for each group. Each message has the values of its signals, and the
+words that they were made of, so that nothing is lost where JSON has no number for a value.
+"""
+
+from unity_link.bridges.recording.files import RecordingError
+from unity_link.bridges.recording.reader import Recording
+from unity_link.bridges.recording.recorder import Recorder
+from unity_link.bridges.recording.replay import replay
+from unity_link.bridges.recording.tables import FORMATS, export
+
+__all__ = ["FORMATS", "Recorder", "Recording", "RecordingError", "export", "replay"]

@@ -1,0 +1,181 @@
+"""Writing a recording.
+
+The file is an MCAP of chunks. A chunk is closed and brought to the disk at least every second (`RecordingFile.sync`),
+so a program that is killed, or a machine that loses power, costs what came after that. A disk that is full costs no
+more: the file is cut back to its last whole chunk.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import io
+import json
+import os
+from typing import TYPE_CHECKING, Any
+
+import msgspec
+import numpy as np
+
+from unity_link.bridges.recording.messages import Encoder
+from unity_link.errors import ArgumentError, UnityLinkError
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+    from pathlib import Path
+
+    from unity_link.bridges.sampled import SampledGroup
+    from unity_link.data import Batch
+    from unity_link.spec import Interface
+    from unity_link.wire.gateway_info import GatewayInfo
+
+PROFILE = ""
+"""MCAP's word for the conventions of a framework; these are our own."""
+INTERFACE, GATEWAY = "interface.json", "gateway.json"
+"""Names of the attachments."""
+_CHUNK = 4 << 20
+_SAME_CLOCK = 1.0
+"""Seconds by which two groups of one gateway may disagree about its clock; a turn of its counter is far more."""
+
+
+class RecordingError(UnityLinkError):
+    """A recording cannot be written on or read; what it has up to there stays."""
+
+
+class RecordingFile:
+    """A recording that is being written. Its methods block while the disk does; one thread at a time."""
+
+    def __init__(
+        self,
+        path: Path,
+        interface: Interface,
+        gateway: GatewayInfo,
+        groups: Sequence[SampledGroup],
+        *,
+        overwrite: bool = False,
+    ) -> None:
+        """Begin a file.
+
+        Raises:
+            ArgumentError: where there is one of that name, unless `overwrite`; where it cannot be written.
+        """
+        from mcap.writer import Writer
+
+        self.path = path
+        self.messages = 0
+        """Written so far."""
+        try:
+            # The first kibibytes are buffered, and go to the disk with the first chunk.
+            self._raw = path.open("wb" if overwrite else "xb", buffering=0)
+        except FileExistsError:
+            raise ArgumentError(
+                f"{path} is there already: another name, or leave to overwrite it, was expected"
+            ) from None
+        except OSError as error:
+            raise ArgumentError(f"{path} cannot be written: {error.strerror or error}") from None
+        self._stream = io.BufferedWriter(self._raw, 1 << 20)
+        self._writer: Any = Writer(self._stream, chunk_size=_CHUNK)
+        self._whole = 0
+        self._epoch: float | None = None
+        self._epochs: dict[int, float] = {}
+        self._bits = interface.data_bits
+        self._encoders = [Encoder([proxy.signal for proxy in group.group.proxies]) for group in groups]
+        self._channels: list[int] = []
+        self._attempt(lambda: self._begin(interface, gateway, groups))
+
+    @property
+    def size(self) -> int:
+        """Bytes that are in the file for good."""
+        return self._whole
+
+    def write(self, group: int, batch: Batch) -> None:
+        """Write the samples of a batch, to the group of that number.
+
+        Raises:
+            RecordingError: where the disk does not take it.
+        """
+        at = self._instants(group, batch)
+        messages = self._encoders[group].encode(batch, self._bits)
+        self._attempt(lambda: self._add(self._channels[group], zip(at, batch.sequence.tolist(), messages, strict=True)))
+
+    def sync(self) -> None:
+        """Bring all that was written to the disk.
+
+        Raises:
+            RecordingError: where the disk does not take it.
+        """
+        self._attempt(self._sync)
+
+    def close(self) -> None:
+        """Finish the file, with its index.
+
+        Raises:
+            RecordingError: where the disk does not take it.
+        """
+        if not self._raw.closed:
+            self._attempt(self._finish)
+
+    # The inside
+
+    def _begin(self, interface: Interface, gateway: GatewayInfo, groups: Sequence[SampledGroup]) -> None:
+        from unity_link import __version__
+
+        writer = self._writer
+        writer.start(PROFILE, f"unity-link {__version__}")
+        for name, data in ((INTERFACE, interface), (GATEWAY, gateway)):
+            writer.add_attachment(0, 0, name, "application/json", msgspec.json.encode(data))
+        for encoder, (name, group) in zip(self._encoders, groups, strict=True):
+            topic = f"/{interface.name}/{name}"
+            schema = writer.register_schema(
+                f"{interface.name}.{name}", "jsonschema", json.dumps(encoder.schema).encode()
+            )
+            metadata = {"signals": "\n".join(proxy.path for proxy in group.proxies)}
+            self._channels.append(writer.register_channel(topic, "json", schema, metadata))
+        self._sync()
+
+    def _add(self, channel: int, messages: Any) -> None:
+        add = self._writer.add_message
+        for at, sequence, data in messages:
+            add(channel, at, data, at, sequence & 0xFFFFFFFF)
+            self.messages += 1
+
+    def _sync(self) -> None:
+        self._writer.flush()
+        os.fsync(self._raw.fileno())
+        self._whole = self._stream.tell()
+
+    def _finish(self) -> None:
+        self._writer.finish()
+        self._sync()
+        self._stream.close()
+
+    def _attempt(self, action: Any) -> None:
+        try:
+            action()
+        except OSError as error:
+            self._cut()
+            raise RecordingError(
+                f"{self.path} cannot be written on: {error.strerror or error}; what was recorded before is in it"
+            ) from None
+
+    def _cut(self) -> None:
+        """Leave the whole chunks alone in the file."""
+        with contextlib.suppress(OSError):
+            os.ftruncate(self._raw.fileno(), self._whole)
+        with contextlib.suppress(OSError, ValueError):
+            self._raw.close()
+
+    def _instants(self, group: int, batch: Batch) -> list[int]:
+        """Give the instants of samples in nanoseconds since 1970: of sampling, where the gateway tells them."""
+        seconds = batch.arrived
+        if batch.time is not None:
+            if group not in self._epochs:
+                self._epochs[group] = self._choose_epoch(float(batch.arrived[0] - batch.time[0]))
+            seconds = self._epochs[group] + batch.time
+        instants: list[int] = np.rint(seconds * 1e9).astype(np.int64).tolist()
+        return instants
+
+    def _choose_epoch(self, seen: float) -> float:
+        """Give the instant at which the gateway's clock was 0. One for all groups, so that they stay side by side."""
+        if self._epoch is None or abs(seen - self._epoch) > _SAME_CLOCK:
+            self._epoch = seen
+        return self._epoch

@@ -1,0 +1,112 @@
+"""A gateway that answers as the recorded one did: at each instant its bus has the words of the last sample."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from unity_link.errors import ArgumentError
+from unity_link.virtual.bus import AccessError
+from unity_link.virtual.gateway import VirtualGateway
+from unity_link.wire.messages import ErrorCode
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from unity_link.bridges.recording.reader import Recording
+
+
+class Player:
+    """The recorded words as a device. Time begins with the first access, and stands still at the end.
+
+    An access in the middle between two samples gives the earlier one; so a subscription of the recorded rate gets each
+    sample once, though neither clock is exact: the recording runs half a period ahead.
+    """
+
+    def __init__(self, recording: Recording, *, speed: float = 1.0, loop: bool = False) -> None:
+        """Make a player.
+
+        Args:
+            recording: what is played.
+            speed: how many times as fast as it was.
+            loop: whether it begins again at its end.
+
+        Raises:
+            ArgumentError: for a speed that is not more than 0, or a recording without samples.
+        """
+        if not speed > 0:
+            raise ArgumentError(f"a speed of {speed:g} was asked for, expected more than 0")
+        self.addresses = sorted({address for group in recording.groups for address in group.addresses})
+        self.position = 0.0
+        """Seconds of the recording that were played."""
+        self.ended = False
+        self._recording = recording
+        self._speed = speed
+        self._loop = loop
+        self._words = dict.fromkeys(self.addresses, 0)
+        self._rows = self._read()
+        self._began: float | None = None
+        self._next = next(self._rows, None)
+        if self._next is None:
+            raise ArgumentError(f"{recording.path} has no samples")
+        self._first = self._last = self._next[0]
+        self._ahead = self._half_a_period()
+
+    def read(self, offset: int, now: float) -> int:
+        """Give a word as it was."""
+        self._play(now)
+        return self._words[self.addresses[offset]]
+
+    def write(self, offset: int, value: int, now: float) -> None:  # noqa: ARG002  (nothing changes what has been)
+        """Refuse: nothing changes what has been."""
+        raise AccessError(ErrorCode.BUS_ERROR)
+
+    def _play(self, now: float) -> None:
+        if self._began is None:
+            self._began = now
+        self.position = (now - self._began) * self._speed
+        self._catch_up()
+        if self._next is None and self._loop:
+            length = (self._last - self._first) * 1e-9 + 2 * self._ahead
+            self.position %= length
+            self._began = now - self.position / self._speed
+            self._rows = self._read()
+            self._next = next(self._rows)
+            self._catch_up()
+        self.ended = self._next is None
+
+    def _catch_up(self) -> None:
+        due = self._first + int((self.position + self._ahead) * 1e9)
+        while self._next is not None and self._next[0] <= due:
+            self._last, addresses, words = self._next
+            self._words.update(zip(addresses, words, strict=True))
+            self._next = next(self._rows, None)
+
+    def _read(self) -> Iterator[tuple[int, tuple[int, ...], list[int]]]:
+        for samples, _ in self._recording.samples():
+            for at, words in zip(samples.at.tolist(), samples.words.tolist(), strict=True):
+                yield at, samples.group.addresses, words
+
+    def _half_a_period(self) -> float:
+        """Give half the shortest period of the recorded groups, in seconds of the recording."""
+        base = self._recording.gateway.base_frequency_hz
+        rates = [
+            base / group.divisor if group.divisor else group.rate_hz or 0.0
+            for group in self._recording.interface.groups
+            if group.divisor or group.rate_hz
+        ]
+        return 0.5 / max(rates) if rates else 0.0
+
+
+def replay(recording: Recording, *, speed: float = 1.0, loop: bool = False) -> tuple[VirtualGateway, Player]:
+    """Give a gateway as the recorded one was, and what plays the recording behind it.
+
+    What was not recorded is plain memory; a write to what was is a bus error. ``unity_link.connect(gateway)`` connects
+    to it, `unity_link.virtual.serving` gives it to other programs.
+
+    Raises:
+        ArgumentError: for a speed that is not more than 0, or a recording without samples.
+    """
+    player = Player(recording, speed=speed, loop=loop)
+    gateway = VirtualGateway(recording.gateway)
+    gateway.attach(player, player.addresses)
+    return gateway, player

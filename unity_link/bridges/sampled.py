@@ -1,0 +1,51 @@
+"""What a robot gives by itself: the groups whose samples bridges carry elsewhere."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, NamedTuple
+
+from unity_link.data import Group
+from unity_link.errors import ArgumentError
+
+if TYPE_CHECKING:
+    from unity_link.data import Robot
+
+
+class SampledGroup(NamedTuple):
+    """A group that is sampled again and again."""
+
+    name: str
+    """The spec's, or ``poll_10_hz`` for what the spec has polled, or ``rest`` for what is polled besides."""
+    group: Group
+
+
+def sampled_groups(robot: Robot, poll_hz: float | None = None) -> list[SampledGroup]:
+    """Give the groups of a robot that the gateway publishes or the host polls, in the order of the spec.
+
+    Args:
+        robot: a robot of any spec.
+        poll_hz: also poll, so often, every register that can be read and is in none of them.
+
+    Raises:
+        ArgumentError: where there is nothing at all.
+    """
+    found: dict[str, Group] = {}
+    rest = []
+    for proxy in robot.signals:
+        if not proxy.signal.access.reads or proxy.signal.fifo:
+            continue
+        group = robot.publishing_group(proxy)
+        if group is None:
+            rest.append(proxy)
+        elif group.model is not None:
+            found[group.model.name] = group
+        else:
+            found[f"poll_{proxy.signal.poll_hz:g}_hz".replace(".", "_")] = group
+    if poll_hz is not None and rest:
+        found["rest"] = Group.polled(poll_hz, rest)
+    if not found:
+        raise ArgumentError(
+            f"nothing says when signals of {robot.interface.name} are to be sampled: give PUBLISH or POLL in the spec, "
+            "or a rate to poll all of them"
+        )
+    return [SampledGroup(name, group) for name, group in found.items()]

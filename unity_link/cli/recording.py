@@ -1,0 +1,208 @@
+"""`unity-link record`, `replay`, `export RECORDING`: what a robot published, on the disk and back."""
+
+from __future__ import annotations
+
+import asyncio
+import sys
+import time
+from contextlib import contextmanager
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+
+from unity_link.cli.arguments import DEFAULT_TIMEOUT, Timeout, Url
+from unity_link.cli.output import print_line, print_note
+from unity_link.cli.running import run
+from unity_link.cli.spec import Name, SpecFile, compile_or_exit
+from unity_link.errors import ArgumentError
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterator
+
+    from unity_link.bridges.recording import Recorder
+    from unity_link.spec import Spec
+
+RecordingPath = Annotated[
+    Path, typer.Argument(metavar="RECORDING", help="A file of unity-link record.", show_default=False)
+]
+_PANEL = "Where it is served (one of them)"
+REFRESHES_PER_SECOND = 4
+
+
+def add_to(app: typer.Typer) -> None:
+    """Add the commands of this file; `export` belongs to specs, too, and is added by them."""
+    app.command()(record)
+    app.command()(replay)
+
+
+def record(
+    url: Url,
+    spec: SpecFile,
+    *,
+    output: Annotated[
+        Path,
+        typer.Option("--output", "-o", metavar="FILE", help="The recording, such as run.mcap.", show_default=False),
+    ],
+    poll: Annotated[
+        float | None, typer.Option(metavar="HZ", help="Also record what nothing publishes, by reading it so often.")
+    ] = None,
+    duration: Annotated[
+        float | None, typer.Option("--duration", metavar="SECONDS", min=0.0, help="End after so long.")
+    ] = None,
+    overwrite: Annotated[bool, typer.Option("--overwrite", help="Replace a file of that name.")] = False,
+    interface: Name = None,
+    timeout: Timeout = DEFAULT_TIMEOUT,
+) -> None:
+    """Record all that a robot publishes; Ctrl-C ends it.
+
+    The recording is an MCAP file, which Foxglove and PlotJuggler open. Whatever ends the program, what was recorded
+    up to a second before is in it.
+    """
+    if poll is not None and not poll > 0:
+        raise ArgumentError(f"--poll {poll:g}: more than 0 Hz was expected")
+    run(_record(url, compile_or_exit(spec), interface, output, poll, duration, overwrite=overwrite, timeout=timeout))
+
+
+async def _record(
+    url: str,
+    spec: Spec,
+    interface: str | None,
+    output: Path,
+    poll: float | None,
+    duration: float | None,
+    *,
+    overwrite: bool,
+    timeout: float,  # noqa: ASYNC109  (an option of the command)
+) -> None:
+    from unity_link.bridges.recording import Recorder
+    from unity_link.data import load
+    from unity_link.link import connect
+
+    robot_type = load(spec, interface)
+    async with connect(url, timeout=timeout) as link:
+        recorder = Recorder(robot_type(link), output, poll_hz=poll, overwrite=overwrite)
+        began = time.monotonic()
+        try:
+            async with asyncio.timeout(duration):
+                with _shown(lambda: _state(recorder, began)) as refresh:
+                    showing = asyncio.create_task(refresh())
+                    try:
+                        await recorder.run()
+                    finally:
+                        showing.cancel()
+        except TimeoutError:
+            if duration is None:
+                raise
+        finally:
+            print_note(f"{output}: {_state(recorder, began)}")
+
+
+def _state(recorder: Recorder, began: float) -> str:
+    seconds = max(time.monotonic() - began, 1e-9)
+    rate = recorder.samples / seconds
+    return (
+        f"{recorder.samples:,} samples in {seconds:.1f} s ({rate:,.0f} Hz), {recorder.lost:,} lost, "
+        f"{recorder.size / 1e6:,.1f} MB"
+    )
+
+
+@contextmanager
+def _shown(text: Callable[[], str]) -> Iterator[Callable[[], Any]]:
+    """Show a line that changes, on a terminal; give what refreshes it."""
+    from rich.console import Console
+
+    console = Console(stderr=True, highlight=False)
+    status = console.status(text()) if console.is_terminal else None
+
+    async def refresh() -> None:
+        while status is not None:
+            status.update(text())
+            await asyncio.sleep(1 / REFRESHES_PER_SECOND)
+
+    if status is None:
+        yield refresh
+    else:
+        with status:
+            yield refresh
+
+
+def replay(
+    recording: RecordingPath,
+    *,
+    pty: Annotated[
+        bool, typer.Option("--pty", help="A pseudo-terminal: looks like a serial port.", rich_help_panel=_PANEL)
+    ] = False,
+    tcp: Annotated[
+        int | None,
+        typer.Option(metavar="PORT", min=0, max=65535, help="A TCP port; 0 for any free one.", rich_help_panel=_PANEL),
+    ] = None,
+    unix: Annotated[
+        Path | None, typer.Option(metavar="PATH", help="A Unix socket, removed at the end.", rich_help_panel=_PANEL)
+    ] = None,
+    speed: Annotated[float, typer.Option(metavar="FACTOR", help="How many times as fast as it was.")] = 1.0,
+    loop: Annotated[bool, typer.Option("--loop", help="Begin again at the end.")] = False,
+) -> None:
+    """Serve a gateway that answers as the recorded one did.
+
+    Prints one line, its URL, when it is ready. Time begins with the first access of a program; at the end of the
+    recording all stays as it was last. A write to what was recorded is refused. Ctrl-C ends it.
+    """
+    if sum((pty, tcp is not None, unix is not None)) != 1:
+        raise ArgumentError("one of --pty, --tcp and --unix was expected")
+    run(_replay(recording, tcp, unix, speed, loop=loop))
+
+
+async def _replay(path: Path, tcp: int | None, unix: Path | None, speed: float, *, loop: bool) -> None:
+    from unity_link.bridges.recording import Recording
+    from unity_link.bridges.recording import replay as play
+    from unity_link.virtual.serving import serve_pty, serve_tcp, serve_unix
+
+    recording = Recording(path)
+    gateway, player = play(recording, speed=speed, loop=loop)
+    if tcp is not None:
+        serving = serve_tcp(gateway, tcp)
+    elif unix is not None:
+        serving = serve_unix(gateway, unix)
+    else:
+        serving = serve_pty(gateway)
+
+    def state() -> str:
+        return f"{path}: {player.position:.1f} s played" + (", ended" if player.ended else "")
+
+    async with serving as url:
+        print_line(url)
+        with _shown(state) as refresh:
+            showing = asyncio.create_task(refresh())
+            try:
+                await asyncio.get_running_loop().create_future()
+            finally:
+                showing.cancel()
+
+
+def export_recording(
+    recording: RecordingPath,
+    *,
+    parquet: Annotated[bool, typer.Option("--parquet", help="Parquet, with units as metadata.")] = False,
+    csv: Annotated[bool, typer.Option("--csv", help="CSV, for spreadsheets.")] = False,
+    output: Annotated[
+        Path, typer.Option("--output", "-o", metavar="DIR", help="Where to write; made where it is not there.")
+    ] = Path(),
+) -> None:
+    """Make tables of a recording: a file for each group, a row for each sample, a column for each signal."""
+    if parquet == csv:
+        raise ArgumentError("one of --parquet and --csv was expected")
+    from rich.console import Console
+    from rich.progress import Progress
+
+    from unity_link.bridges.recording import Recording, export
+
+    read = Recording(recording)
+    console = Console(file=sys.stderr)
+    with Progress(console=console, transient=True, disable=not console.is_terminal) as bar:
+        task = bar.add_task(recording.name, total=read.size)
+        paths = export(read, "parquet" if parquet else "csv", output, lambda done: bar.update(task, completed=done))
+    if read.was_cut:
+        print_note(f"{recording} was not finished: what is in it was exported")
+    for path in paths:
+        print_line(str(path))
