@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import asyncio
+import time
 
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from simulated_time import DeadlockError, on_simulated_time, run_simulated
+from simulated_time import DeadlockError, ModelledTimeLoop, on_simulated_time, run_simulated
 
 
 @on_simulated_time
@@ -35,3 +36,61 @@ def test_waiting_for_what_never_comes_is_an_error() -> None:
 
     with pytest.raises(DeadlockError, match="nothing is left"):
         run_simulated(wait())
+
+
+def test_with_host_time_the_clock_runs_with_the_programs_own_work() -> None:
+    async def work() -> tuple[float, float]:
+        loop = asyncio.get_running_loop()
+        processor, began = time.thread_time(), loop.time()
+        while loop.time() - began < 0.01:
+            pass
+        return loop.time() - began, time.thread_time() - processor
+
+    with asyncio.Runner(loop_factory=lambda: ModelledTimeLoop(host_time=True)) as runner:
+        counted, spent = runner.run(work())
+    assert 0.01 <= counted <= spent
+
+
+@pytest.mark.parametrize("host_time", [False, True], ids=["modelled", "with host time"])
+def test_the_clock_stands_still_while_a_model_computes(host_time: bool) -> None:
+    async def compute() -> list[float]:
+        loop = asyncio.get_running_loop()
+        assert isinstance(loop, ModelledTimeLoop)
+        with loop.standing_still():
+            began = loop.time()
+            with loop.standing_still():
+                sum(range(100_000))
+            loop.jump(2.0)
+            return [began, loop.time()]
+
+    with asyncio.Runner(loop_factory=lambda: ModelledTimeLoop(host_time=host_time)) as runner:
+        began, ended = runner.run(compute())
+    assert ended - began == pytest.approx(2.0, abs=1e-12)
+
+
+@on_simulated_time
+async def test_the_world_moves_inside_the_waiting_and_at_its_own_instants() -> None:
+    loop = asyncio.get_running_loop()
+    assert isinstance(loop, ModelledTimeLoop)
+    seen: list[float] = []
+
+    def move() -> None:
+        seen.append(loop.time())
+        if len(seen) < 3:
+            loop.call_world_at(loop.time() + 1.0, move)
+
+    loop.call_world_at(0.5, move)
+    await asyncio.sleep(2.0)
+    assert seen == [0.5, 1.5]
+    loop.call_world_at(0.0, None)
+    await asyncio.sleep(2.0)
+    assert seen == [0.5, 1.5]
+
+
+@on_simulated_time
+async def test_what_is_given_to_a_thread_is_done_at_once() -> None:
+    loop = asyncio.get_running_loop()
+    assert await loop.run_in_executor(None, divmod, 7, 2) == (3, 1)
+    with pytest.raises(ZeroDivisionError):
+        await loop.run_in_executor(None, divmod, 7, 0)
+    assert loop.time() == 0.0

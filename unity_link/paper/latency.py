@@ -35,14 +35,15 @@ def measure_latencies(bench: Workbench, stack: StackName, times: int) -> Iterato
         for rhythm in RHYTHMS:
             for mode in MODES:
                 measure = _measuring(access, mode, rhythm, times // 10 if mode == "off" else times)
+                modelled, total = bench.run_both(stack, measure)
                 yield Latency(
                     stack=stack,
                     access=access,
                     send_immediate=mode,
                     rhythm=rhythm,
                     gateware=gateware,
-                    modelled=bench.run(stack, measure, host_time=False),
-                    total=bench.run(stack, measure, host_time=True),
+                    modelled=modelled,
+                    total=total,
                 )
 
 

@@ -79,14 +79,14 @@ def _draw_bursts(figure: Any, results: Results) -> None:
         axes.set_xlabel("reads in one burst")
         axes.xaxis.set_major_formatter(_plain)
         axes.yaxis.set_major_formatter(_plain)
-    times.set_title("A burst of reads, until the last answer")
-    times.set_ylabel("ms")
+    times.set_title("Time of a burst of reads")
+    times.set_ylabel("until the last answer, ms")
     times.plot(1, published.FULL_STACK_READ_US / 1e3, marker="*", markersize=13, color=_PAPER, linestyle="none")
     times.plot(1, published.LOW_LEVEL_READ_US / 1e3, marker="*", markersize=13, color=_PAPER, linestyle="none")
     _note(times, "paper, full stack", 1, published.FULL_STACK_READ_US / 1e3)
     _note(times, "paper, low-level", 1, published.LOW_LEVEL_READ_US / 1e3, below=True)
-    rates.set_title("What its answers make")
-    rates.set_ylabel("Mb/s")
+    rates.set_title("Throughput of a burst of reads")
+    rates.set_ylabel("answers, Mb/s")
     rates.axhline(64, color=_LINE, linewidth=1, linestyle=":")
     rates.annotate(
         "8 MB/s: what the FIFO carries", (1, 64), (2, 4), textcoords="offset points", color=_LINE, fontsize=9

@@ -111,23 +111,25 @@ def check_rows(checks: Iterable[Check]) -> Iterator[Row]:
 
 
 def _head(results: Results) -> str:
-    behind = "the gateware itself, compiled" if results.parameters.gateway == "rtl" else "a model of the gateware"
+    behind = "the gateware itself" if results.parameters.gateway == "rtl" else "a model of the gateware"
     quick = "**A quick run, of too few accesses to be quoted.**\n\n" if results.parameters.quick else ""
     return f"""# The paper's experiment, again
 
 {quick}Written by `make table1` (`unity-link bench paper`), unity-link {results.version}, {results.date}, on
 {results.parameters.machine}.
 
-The virtual FT232H with {behind} behind it, through `ftdi-async://`: low-level the driver's transport alone, full stack
-the whole link. *Clock-exact* is counted on the RTL, *modelled* is the time of USB and chip, *measured* the processor
-time of the program on this machine, and what it makes the program wait for the USB. How that is done, and what it
-leaves out: [docs/paper.md](../docs/paper.md). {NOTHING}: the paper's figure is not known here, or it has none.
+The virtual FT232H with {behind} behind it, through `ftdi-async://`:
+*low-level* is the driver's transport alone, *full stack* the whole link. *Clock-exact* is counted on the RTL,
+*modelled* is the time of USB and chip, *measured* the processor time of the program on this machine, and what it makes
+the program wait for the USB. How that is done, and what it leaves out: [docs/paper.md](../docs/paper.md).
+{NOTHING}: the paper's figure is not known here, or it has none.
 """
 
 
 def _gateware(figures: GatewareFigures) -> str:
     head = ("clock-exact (RTL)", "cycles", f"at {figures.clock_hz / 1e6:g} MHz", "paper")
-    return "## The gateware alone\n\n" + table(head, gateware_rows(figures))
+    text = "## The gateware alone\n\nAt the port of its FIFOs; the bus answers in the cycle after it was asked.\n\n"
+    return text + table(head, gateware_rows(figures))
 
 
 def _latencies(latencies: Sequence[Latency]) -> str:

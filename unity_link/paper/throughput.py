@@ -32,14 +32,8 @@ def measure_throughputs(bench: Workbench, stack: StackName, count: int, runs: in
     """
     for access in ACCESSES:
         for mode in MODES:
-            measure = _measuring_rate(access, mode, count)
-            yield Throughput(
-                stack=stack,
-                access=access,
-                send_immediate=mode,
-                modelled=bench.run(stack, measure, host_time=False),
-                total=statistics.median(bench.run(stack, measure, host_time=True) for _ in range(runs)),
-            )
+            modelled, total = bench.run_both(stack, _measuring_rate(access, mode, count), runs)
+            yield Throughput(stack=stack, access=access, send_immediate=mode, modelled=modelled, total=total)
 
 
 def measure_bursts(bench: Workbench, stack: StackName, counts: Sequence[int], runs: int) -> Iterator[Burst]:

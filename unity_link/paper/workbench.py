@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import asyncio
 import gc
+import statistics
 from contextlib import asynccontextmanager
 from typing import TYPE_CHECKING, Literal, TypeVar
 
@@ -67,6 +68,15 @@ class Workbench(msgspec.Struct, frozen=True):
             loop_factory=lambda: ModelledTimeLoop(host_time=host_time and self.counts_host_time)
         ) as runner:
             return runner.run(self._measure(stack, measure))
+
+    def run_both(
+        self, stack: StackName, measure: Callable[[Stack], Coroutine[None, None, float]], runs: int = 1
+    ) -> tuple[float, float]:
+        """Give a figure without the program's time, and the median of several runs with it."""
+        modelled = self.run(stack, measure, host_time=False)
+        if not self.counts_host_time:
+            return modelled, modelled
+        return modelled, statistics.median(self.run(stack, measure, host_time=True) for _ in range(runs))
 
     async def _measure(self, stack: StackName, measure: Callable[[Stack], Coroutine[None, None, T]]) -> T:
         async with self._plugged_in(), (LowLevel if stack == "low-level" else FullStack).opened(OPENING) as way:
