@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import asyncio
-import gc
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -125,7 +124,6 @@ async def test_leaving_and_coming_back_at_once_loses_nobody() -> None:
         for _ in range(20):
             async for _value in robot.count:
                 break
-            gc.collect()
 
 
 @on_simulated_time
