@@ -132,6 +132,10 @@ class VirtualGateway:
         """The next ID expected."""
         return self._sequence.expected
 
+    @expected.setter
+    def expected(self, number: int) -> None:
+        self._sequence.expected = number
+
     # What is behind the bus
 
     @property
