@@ -1,7 +1,7 @@
 """The SCARA of the Unity-Link paper moves through a few poses, and says where it is.
 
 python examples/scara.py              # the virtual robot: no hardware
-python examples/scara.py serial:/dev/ttyUSB0?baud=3000000
+python examples/scara.py "serial:/dev/ttyUSB0?baud=3000000"
 """
 
 from __future__ import annotations

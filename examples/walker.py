@@ -1,7 +1,7 @@
 """A walking robot of 18 joints takes steps, three legs at a time, and reports how well its joints follow.
 
 python examples/walker.py             # the virtual robot: no hardware
-python examples/walker.py tcp:robot.local:4000
+python examples/walker.py tcp://robot.local:7000
 """
 
 from __future__ import annotations

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import asyncio
 import math
+import subprocess
+import sys
 from typing import TYPE_CHECKING, Any
 
 import hypothesis.strategies as st
@@ -246,6 +248,14 @@ async def test_signals_are_found_by_path_and_id_and_by_attributes() -> None:
         assert robot.signals_.path == "signals_"
         assert len(robot.signals) == len(ROBOT.interface.signals)
         assert (type(robot.actual), type(robot.command), type(robot.angle)) == (Readable, Writable, ReadWrite)
+
+
+def test_what_a_spec_needs_is_imported_when_a_spec_is_loaded() -> None:
+    program = (
+        "import sys, unity_link; early = {'lark', 'unity_link.data', 'unity_link.spec'} & set(sys.modules);"
+        "import unity_link.data; assert not early and 'lark' not in sys.modules, early"
+    )
+    subprocess.run([sys.executable, "-c", program], check=True)
 
 
 @pytest.mark.parametrize(
