@@ -235,6 +235,29 @@ async def test_closing_the_link_ends_iterations_and_callbacks_quietly() -> None:
     assert told == []
 
 
+@on_simulated_time
+async def test_samples_go_on_after_a_reconnection() -> None:
+    async with unity_link.connect(counting(), reconnect=True) as link:
+        robot = ROBOT(link)
+
+        async def read_on(samples: Any, count: int) -> list[int]:
+            seen = []
+            async for value in samples:
+                seen.append(value)
+                if len(seen) == count:
+                    return seen
+            raise AssertionError
+
+        async def cut() -> None:
+            await asyncio.sleep(0.5)
+            link._lose("the cable was pulled")
+
+        published, polled, _ = await asyncio.gather(read_on(robot.count, 200), read_on(robot.slow, 40), cut())
+        assert published == sorted(set(published))
+        assert polled == sorted(set(polled))
+        assert link.statistics.reconnections == 1
+
+
 # Groups
 
 
