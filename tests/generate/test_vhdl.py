@@ -9,27 +9,30 @@ import subprocess
 import sys
 from collections import Counter
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypeVar
 
 import pytest
 from hypothesis import given, settings
 
-from gateware.bench.runner import GATEWARE, rtl_sources, run_bench
+from gateware.bench.runner import GATEWARE, rtl_sources, run_bench, simulator_available
 from gateware.tools import yowasp
 from gateware.tools.convert import to_verilog
 from generate.bench_boards import ECHO, WALKER
-from generate.every_kind import WORD_BITS, every_kind
+from generate.every_kind import WORD_BITS, every_kind, good_values
 from spec_examples import FIGURE_1, specs
 from unity_link.errors import UnsupportedError
 from unity_link.generate import generate, write
 from unity_link.generate.vhdl import gateway_generics
 from unity_link.generate.vhdl.layout import align
 from unity_link.generate.vhdl.names import RESERVED, Scope, identifier
+from unity_link.generate.vhdl.stimuli import part_of
 from unity_link.generate.vhdl.types import bit_literal, real_literal
 from unity_link.spec import compile_file, compile_text
 from unity_link.spec.printer import print_file
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     from unity_link.spec import Spec
     from unity_link.spec.syntax import File
 
@@ -119,6 +122,16 @@ SPECS = {
 }
 
 
+Test = TypeVar("Test", bound="Callable[..., None]")
+
+
+def rtl(test: Test) -> Test:
+    """Mark a test that needs a simulator, and skip it where there is none."""
+    missing = pytest.mark.skipif(not simulator_available(), reason="no simulator: apt install ghdl-mcode")
+    marked: Test = pytest.mark.rtl(missing(test))
+    return marked
+
+
 def ghdl(folder: Path, *arguments: str) -> subprocess.CompletedProcess[str]:
     """Run GHDL in a folder; `arguments` begin with its command."""
     command, *others = arguments
@@ -145,7 +158,7 @@ def run(folder: Path, name: str) -> subprocess.CompletedProcess[str]:
     return ghdl(folder, "-r", f"{name}_bench", "--assert-level=failure")
 
 
-@pytest.mark.rtl
+@rtl
 @pytest.mark.parametrize("name", SPECS)
 def test_the_generated_bench_passes(name: str, tmp_path: Path) -> None:
     done = run(tmp_path, analyse(tmp_path, SPECS[name]))
@@ -154,13 +167,21 @@ def test_the_generated_bench_passes(name: str, tmp_path: Path) -> None:
     assert "warning" not in done.stdout + done.stderr
 
 
-@pytest.mark.rtl
+@rtl
 @settings(max_examples=3 + getattr(settings.default, "max_examples", 0) // 50)
 @given(file=specs())
 def test_the_bench_of_any_spec_passes(file: File, tmp_path_factory: pytest.TempPathFactory) -> None:
     folder = tmp_path_factory.mktemp("any")
     done = run(folder, analyse(folder, compile_text(print_file(file)), warn=False))
     assert done.returncode == 0, done.stdout + done.stderr
+
+
+@pytest.mark.parametrize("bits", WORD_BITS)
+def test_the_bench_expects_the_words_that_every_client_sends(bits: int) -> None:
+    for signal in every_kind(bits).interface().signals.values():
+        for value in good_values(signal):
+            raw = signal.kind.encode(value)
+            assert tuple(part_of(signal, raw, address) for address in signal.addresses) == signal.encode(value)
 
 
 FAULTS = {
@@ -182,7 +203,7 @@ FAULTS = {
 }
 
 
-@pytest.mark.rtl
+@rtl
 @pytest.mark.parametrize("name", FAULTS)
 def test_the_bench_finds_a_fault(name: str, tmp_path: Path) -> None:
     analyse(tmp_path, SPECS["everything"])
@@ -200,7 +221,7 @@ def test_the_bench_finds_a_fault(name: str, tmp_path: Path) -> None:
     assert "checks failed" in done.stdout + done.stderr
 
 
-@pytest.mark.rtl
+@rtl
 @pytest.mark.parametrize("name", ["figure 1", "walker", "everything", "reserved names", "every kind in words of 64"])
 def test_gateway_and_boards_elaborate_with_the_gateware(name: str, tmp_path: Path) -> None:
     paths = write(generate("vhdl", SPECS[name]), tmp_path)
@@ -212,7 +233,7 @@ def test_gateway_and_boards_elaborate_with_the_gateware(name: str, tmp_path: Pat
         assert (done.returncode, done.stderr) == (0, "")
 
 
-@pytest.mark.rtl
+@rtl
 @pytest.mark.parametrize(
     ("spec", "case"),
     [
@@ -236,7 +257,7 @@ def test_a_generated_board_works_by_its_pins(spec: Spec, case: str) -> None:
     )
 
 
-@pytest.mark.rtl
+@rtl
 @pytest.mark.slow
 def test_the_walker_is_synthesised_from_spec_and_pins_alone(tmp_path: Path) -> None:
     # Place and route takes minutes: `make synth` does it, and gateware/RESULTS.md tells what came out.
@@ -258,7 +279,7 @@ def test_the_walker_is_synthesised_from_spec_and_pins_alone(tmp_path: Path) -> N
     assert cells["LUT4"] < 12_000
 
 
-@pytest.mark.rtl
+@rtl
 @pytest.mark.slow
 def test_the_style_is_that_of_the_gateware(tmp_path: Path) -> None:
     paths = write(generate("vhdl", SPECS["everything"]), tmp_path)
@@ -272,7 +293,7 @@ def test_the_style_is_that_of_the_gateware(tmp_path: Path) -> None:
     assert done.stdout == ""
 
 
-@pytest.mark.rtl
+@rtl
 def test_the_commands_of_the_documentation_try_the_walker(tmp_path: Path) -> None:
     write(generate("vhdl", SPECS["walker"]), tmp_path)
     (commands,) = re.findall(r"```\{code-block\} shell\n:caption: in build/walker\n\n(.*?)```", _how_to(), re.DOTALL)
@@ -288,7 +309,7 @@ def test_the_commands_of_the_documentation_try_the_walker(tmp_path: Path) -> Non
     assert "checks passed" in done.stdout.splitlines()[-1]
 
 
-@pytest.mark.rtl
+@rtl
 def test_the_design_of_the_documentation_elaborates(tmp_path: Path) -> None:
     listings = dict(re.findall(r"```\{code-block\} \w+\n:caption: (\w+\.\w+)\n\n(.*?)```", _how_to(), re.DOTALL))
     paths = write(generate("vhdl", compile_text(listings["lamp.ul"])), tmp_path)

@@ -87,7 +87,7 @@ class Stimuli:
     def _word(self, address: int) -> int:
         """Give what an address must read as."""
         registers = self._word_at[address].read
-        return sum(_part_of(register.signal, self._raw_of(register), address) for register in registers)
+        return sum(part_of(register.signal, self._raw_of(register), address) for register in registers)
 
     def _readable(self) -> list[Word]:
         return [word for word in self._bank.words if word.read and not any(one.signal.fifo for one in word.read)]
@@ -126,7 +126,7 @@ class Stimuli:
         struck = self._struck(word)
         first = self._first_strobe[word.address]
         for register in struck:
-            part = _part_mask(register.signal, word.address) & value
+            part = part_mask(register.signal, word.address) & value
             self._stored[register.signal.path] = _joined(register.signal, self._gathered, word.address, part)
         if not struck:
             self._gathered[word.address] = value
@@ -181,7 +181,7 @@ class Stimuli:
         for word in self._bank.words:
             fields = [register for register in word.written if register.signal.is_field]
             for field in fields:
-                mask = _part_mask(field.signal, word.address)
+                mask = part_mask(field.signal, word.address)
                 changed = self._word(word.address) ^ mask
                 yield self._read(word.address, keep=True)
                 yield from self._write(word, changed)
@@ -276,12 +276,12 @@ def _after(round_: int) -> str:
     return f"'0', '1' after {3 * round_} * period + period / 4" if round_ else "'1'"
 
 
-def _part_mask(signal: Signal, address: int) -> int:
+def part_mask(signal: Signal, address: int) -> int:
     """Give the bits that a signal has of the word at an address."""
     return signal.mask >> (address - signal.address) * signal.word_bits & (1 << signal.word_bits) - 1
 
 
-def _part_of(signal: Signal, raw: int, address: int) -> int:
+def part_of(signal: Signal, raw: int, address: int) -> int:
     """Give what a signal adds to the word at an address."""
     return raw << signal.lowest_bit >> (address - signal.address) * signal.word_bits & (1 << signal.word_bits) - 1
 
