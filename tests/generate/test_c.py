@@ -41,12 +41,19 @@ EXAMPLES = HERE.parents[1] / "examples"
 
 
 @pytest.fixture(scope="session")
-def driver(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """The client as a program that takes commands, with sanitizers in it."""
-    directory = tmp_path_factory.mktemp("driver")
+def runtime(tmp_path_factory: pytest.TempPathFactory) -> list[Path]:
+    """What is the same for every spec, with sanitizers in it."""
+    directory = tmp_path_factory.mktemp("runtime")
     generated("c", compile_text(FIGURE_1), directory)
-    sources = [directory / "unity_link.c", directory / "unity_link_posix.c", HERE / "driver.c"]
-    return linked(C, compiled(C, sources, directory, *SANITIZED), directory / "driver", *SANITIZED)
+    return compiled(C, [directory / "unity_link.c", directory / "unity_link_posix.c"], directory, *SANITIZED)
+
+
+@pytest.fixture(scope="session")
+def driver(runtime: list[Path]) -> Path:
+    """The client as a program that takes commands."""
+    directory = runtime[0].parent
+    objects = compiled(C, [HERE / "driver.c"], directory, *SANITIZED)
+    return linked(C, [*runtime, *objects], directory / "driver", *SANITIZED)
 
 
 @pytest.fixture
@@ -83,7 +90,7 @@ def test_generated_code_compiles_without_a_warning_in_c_and_its_headers_in_cpp(
 def test_the_protocol_needs_nothing_of_posix(tmp_path: Path) -> None:
     generated("c", compile_text(FIGURE_1), tmp_path)
     headers = re.findall(r"#include <(\S+)>", (tmp_path / "unity_link.c").read_text())
-    assert headers == ["string.h"]
+    assert headers == ["stdio.h", "string.h"]
     assert "alloc" not in (tmp_path / "unity_link.c").read_text().replace("allocated", "")
 
 
@@ -273,6 +280,19 @@ def test_what_the_gateway_was_built_without_is_said(client: Driven) -> None:
         for command in ("masked 0 1 1", "rqueue 0 2", "wqueue 0 1", "immediate 1", "subscribe 0 10 - 10"):
             assert client(command).startswith(UNSUPPORTED)
         assert client.words("read 0") == [0]
+
+
+def test_what_no_gateway_could_do_is_refused_before_it_is_sent(client: Driven) -> None:
+    with simulate("tcp", "--set", "data_bits=16") as url:
+        client.words(f"connect {url} 5")
+        sent = client.words("statistics")[0]
+        assert client("read 100") == "38 read at 0x100: the gateway has no such address"
+        assert client("write 10 10000") == "38 write at 0x10: the gateway's words have fewer bits"
+        assert client("post 10 10000") == "38 posted write at 0x10: the gateway's words have fewer bits"
+        assert client("wblock 10 1 10000") == "38 block write at 0x10: the gateway's words have fewer bits"
+        assert client("rblock FF 2") == "38 block read at 0xFF: it would pass the gateway's last address"
+        assert client("rblock FF 0") == "38 block read at 0xFF: at least one word is needed"
+        assert client.words("statistics")[0] == sent
 
 
 @pytest.mark.parametrize(
@@ -538,7 +558,9 @@ int main(int count, char **arguments) {{
 
 
 @pytest.mark.parametrize("word_bits", WORD_BITS)
-def test_values_of_every_kind_stand_on_the_bus_and_come_back_as_in_python(word_bits: int, tmp_path: Path) -> None:
+def test_values_of_every_kind_stand_on_the_bus_and_come_back_as_in_python(
+    word_bits: int, runtime: list[Path], tmp_path: Path
+) -> None:
     spec = every_kind(word_bits)
     expressions = Layout(spec.interface()).expressions
     steps, expected = [], []
@@ -553,10 +575,9 @@ def test_values_of_every_kind_stand_on_the_bus_and_come_back_as_in_python(word_b
     functions = "".join(f"static void f{index}(void) {text}" for index, text in enumerate(steps))
     calls = " ".join(f"f{index}();" for index in range(len(steps)))
     (tmp_path / "program.c").write_text(PROGRAM.format(functions=functions, calls=calls))
-    files = generated("c", spec, tmp_path)
-    sources = [*(path for path in files if path.suffix == ".c"), tmp_path / "program.c"]
-    objects = compiled(C, sources, tmp_path, *SANITIZED, "-O0")
-    program = linked(C, objects, tmp_path / "program", *SANITIZED)
+    generated("c", spec, tmp_path)
+    objects = compiled(C, [tmp_path / "robot.c", tmp_path / "program.c"], tmp_path, *SANITIZED, "-O0")
+    program = linked(C, [*runtime, *objects], tmp_path / "program", *SANITIZED)
     with simulate("tcp", "--set", f"data_bits={word_bits}") as url:
         lines = output(program, url).splitlines()
     assert len(lines) == len(expected)

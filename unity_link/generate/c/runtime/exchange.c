@@ -14,32 +14,23 @@ static double now_of(const ul_link *link)
     return link->transport.now == NULL ? 0 : link->transport.now(link->transport.context);
 }
 
-/* Sentences for `ul_error`. */
-static char *put_limited(char *at, const char *end, const char *characters)
-{
-    while (*characters != '\0' && at < end) *at++ = *characters++;
-    return at;
-}
-
+/* Leave a sentence for `ul_error`. */
 static ul_status fail(ul_link *link, ul_status status, const char *what, const char *reason)
 {
-    char *at = link->error, *end = link->error + sizeof link->error - 1;
-    at = put_limited(at, end, what);
-    if (*what != '\0') at = put_limited(at, end, ": ");
-    *put_limited(at, end, reason) = '\0';
+    snprintf(link->error, sizeof link->error, "%s%s%s", what, *what == '\0' ? "" : ": ", reason);
     return status;
 }
 
-static ul_status fail_at(ul_link *link, ul_status status, const char *what, uint32_t address)
+static ul_status fail_at(ul_link *link, ul_status status, const char *what, uint32_t address, const char *reason)
 {
-    char number[] = "00000000", where[64];
-    unsigned digits = link->address_digits;
-    while (digits < 8 && address >> 4 * digits != 0) digits++;
-    if (*what == '\0') return fail(link, status, "", ul_status_text(status));
-    *put_number(number, digits, address) = '\0';
-    char *at = put_limited(where, where + 32, what);
-    *put_limited(put_limited(at, where + 40, " at 0x"), where + sizeof where - 1, number) = '\0';
-    return fail(link, status, where, ul_status_text(status));
+    char where[128];
+    snprintf(where, sizeof where, "%.100s at 0x%0*lX", what, (int)link->address_digits, (unsigned long)address);
+    return fail(link, status, where, reason == NULL ? ul_status_text(status) : reason);
+}
+
+static ul_status fail_batch(ul_link *link, const ul_batch *batch)
+{
+    return fail_at(link, batch->status, batch->what, batch->address, batch->reason);
 }
 
 static bool is_lost(ul_status status)
@@ -62,6 +53,16 @@ static void settle(ul_batch *batch, const ul_request *request, ul_status status)
         batch->status = UL_LOST;
     }
     if (batch->answered > 0 && batch->status == UL_LOST_NOT_EXECUTED) batch->status = UL_LOST;
+}
+
+/* End a request before it has begun. */
+static void refuse(ul_batch *batch, ul_status status, const char *what, uint32_t address, const char *reason)
+{
+    if (batch == NULL || batch->status != UL_OK) return;
+    batch->status = status;
+    batch->what = what;
+    batch->address = address;
+    batch->reason = reason;
 }
 
 /* The link has ended: so have all its requests. */
@@ -148,25 +149,41 @@ static void turn(ul_link *link, double until)
     repeat(link);
 }
 
+/* Say what is wrong with a request, or NULL. */
+static const char *fault_of(const ul_link *link, const ul_request *request)
+{
+    const shape *is = shape_of(request->command);
+    uint64_t word = request->word | request->mask;
+    if (request->address > ones(has_number(is) ? 8 : link->info.address_bits)) return "the gateway has no such address";
+    for (unsigned index = 0; is->words && index < request->count; index++) word |= request->source[index];
+    if ((is->word || is->words) && word > ones(link->info.data_bits)) return "the gateway's words have fewer bits";
+    return NULL;
+}
+
 /* Put a request under way, waiting for room. */
 static void start(ul_link *link, ul_batch *batch, ul_request request)
 {
     const shape *is = shape_of(request.command);
     size_t size = request_size(link, &request);
-    ul_status status = UL_OK;
     request.batch = batch;
-    if (is->feature != 0 && !(link->info.features & is->feature)) status = UL_UNSUPPORTED;
-    if (request.address > ones(has_number(is) ? 8 : link->info.address_bits)) status = UL_BAD_ARGUMENT;
-    if (is->word && (request.word | request.mask) > ones(link->info.data_bits)) status = UL_BAD_ARGUMENT;
-    if (!link->open) status = UL_LOST_NOT_EXECUTED;
-    while (status == UL_OK && !link->gone && !has_room(link, size, request.posted)) {
+    if (link->open) {
+        const char *fault = fault_of(link, &request);
+        if (fault != NULL) {
+            refuse(batch, UL_BAD_ARGUMENT, is->name, request.address, fault);
+            return;
+        }
+        if (is->feature & ~link->info.features) {
+            refuse(batch, UL_UNSUPPORTED, is->name, request.address, ul_status_text(UL_UNSUPPORTED));
+            return;
+        }
+    }
+    while (link->open && !link->gone && !has_room(link, size, request.posted)) {
         if (link->unfenced > 0) send_fence(link);
         turn(link, now_of(link) + LONGEST_TIMEOUT);
     }
-    if (link->gone) status = UL_LOST_NOT_EXECUTED;
     if (batch != NULL) batch->pending++;
-    if (status != UL_OK) {
-        settle(batch, &request, status);
+    if (!link->open || link->gone) {
+        settle(batch, &request, UL_LOST_NOT_EXECUTED);
         return;
     }
     link->statistics.requests++;

@@ -155,17 +155,6 @@ ul_status ul_open(ul_link *link, const ul_transport *transport, int node, double
     return status;
 }
 
-ul_status ul_close(ul_link *link)
-{
-    if (!link->open) return UL_OK;
-    ul_status status = link->gone ? UL_OK : ul_fence(link);
-    lose(link);
-    link->open = false;
-    link->subscriptions = NULL;
-    link->transport.close(link->transport.context);
-    return status;
-}
-
 const char *ul_error(const ul_link *link)
 {
     return link->error;

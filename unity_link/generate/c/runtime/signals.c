@@ -191,24 +191,45 @@ ul_status ul_encode_real(const ul_signal *signal, double value, uint64_t *words)
 
 /* Over a link */
 
-ul_status ul_refuse(ul_link *link, const ul_signal *signal)
+/* The values that a signal can say, or may be given. */
+static void range_of(const ul_signal *signal, double *low, double *high)
 {
-    return fail(link, UL_BAD_ARGUMENT, signal->path, "the value is outside of what it takes");
+    unsigned bits = signal->kind == UL_SIGNED ? signal->width - 1u : signal->width;
+    double numbers = (double)ones(bits), first = signal->offset;
+    *low = signal->minimum;
+    *high = signal->maximum;
+    if (is_limited(signal)) return;
+    if (signal->kind == UL_FLOAT) {
+        *high = signal->width == 16 ? 65504 : 0x1.fffffep127;
+        *low = -*high;
+        return;
+    }
+    if (signal->kind == UL_SIGNED) first -= (numbers + 1) * signal->step;
+    double last = signal->offset + numbers * signal->step;
+    *low = first < last ? first : last;
+    *high = first < last ? last : first;
 }
 
-/* Refuse what cannot be done with a signal, saying what is wrong. */
+ul_status ul_refuse(ul_link *link, const ul_signal *signal, double value)
+{
+    double low, high;
+    char reason[128];
+    range_of(signal, &low, &high);
+    snprintf(reason, sizeof reason, "%.12g is outside of %.12g to %.12g%s%s", value, low, high,
+             *signal->unit == '\0' ? "" : " ", signal->unit);
+    return fail(link, UL_BAD_ARGUMENT, signal->path, reason);
+}
+
+/* Refuse what cannot be done with a signal at all. */
 static bool cannot(const ul_link *link, ul_batch *batch, const ul_signal *signal, unsigned needed)
 {
-    ul_status status = UL_OK;
-    if (!(signal->properties & needed)) status = UL_BAD_ARGUMENT;
-    if (link->open && signal->word_bits != link->info.data_bits) status = UL_MALFORMED;
-    if (status == UL_OK) return false;
-    if (batch->status == UL_OK) {
-        batch->status = status;
-        batch->address = signal->address;
-        batch->what = needed == UL_READABLE ? "read of a signal that is written only" : "write of a signal that is read only";
-        if (status == UL_MALFORMED) batch->what = "signal of a spec with words of another width";
+    if (!(signal->properties & needed)) {
+        const char *reason = needed == UL_READABLE ? "it can only be written" : "it can only be read";
+        refuse(batch, UL_BAD_ARGUMENT, signal->path, signal->address, reason);
+        return true;
     }
+    if (!link->open || signal->word_bits == link->info.data_bits) return false;
+    refuse(batch, UL_UNSUPPORTED, signal->path, signal->address, "the gateway has words of another width than the spec");
     return true;
 }
 
@@ -238,11 +259,9 @@ static ul_status get_words(ul_link *link, const ul_signal *signal, uint64_t *wor
     return ul_finish(link, &batch);
 }
 
-/* Write the words of a value that could be encoded, or say that it could not. */
-static ul_status set_words(ul_link *link, const ul_signal *signal, ul_status encoded, const uint64_t *words)
+static ul_status set_words(ul_link *link, const ul_signal *signal, const uint64_t *words)
 {
     ul_batch batch = UL_BATCH;
-    if (encoded != UL_OK) return ul_refuse(link, signal);
     ul_start_set(link, &batch, signal, words);
     return ul_finish(link, &batch);
 }
@@ -255,16 +274,11 @@ ul_status ul_post_words(ul_link *link, const ul_signal *signal, const uint64_t *
     if (signal->properties & UL_FIELD) {
         ul_start_set(link, &link->posts, signal, words);
         flush(link);
-        return link->gone ? fail_at(link, UL_LOST_NOT_EXECUTED, "posted write", signal->address) : UL_OK;
+        return link->gone ? fail_at(link, UL_LOST_NOT_EXECUTED, signal->path, signal->address, NULL) : UL_OK;
     }
     for (unsigned index = 0; index < ul_words_of(signal) && status == UL_OK; index++)
         status = ul_post(link, signal->address + index, words[index]);
     return status;
-}
-
-static ul_status post_words(ul_link *link, const ul_signal *signal, ul_status encoded, const uint64_t *words)
-{
-    return encoded == UL_OK ? ul_post_words(link, signal, words) : ul_refuse(link, signal);
 }
 
 ul_status ul_get_bool(ul_link *link, const ul_bool *signal, bool *value)
@@ -302,47 +316,55 @@ ul_status ul_get_real(ul_link *link, const ul_real *signal, double *value)
 ul_status ul_set_bool(ul_link *link, const ul_bool *signal, bool value)
 {
     uint64_t words[UL_SIGNAL_WORDS];
-    return set_words(link, &signal->signal, ul_encode_unsigned(&signal->signal, value, words), words);
+    if (ul_encode_unsigned(&signal->signal, value, words)) return ul_refuse(link, &signal->signal, (double)value);
+    return set_words(link, &signal->signal, words);
 }
 
 ul_status ul_set_unsigned(ul_link *link, const ul_unsigned *signal, uint64_t value)
 {
     uint64_t words[UL_SIGNAL_WORDS];
-    return set_words(link, &signal->signal, ul_encode_unsigned(&signal->signal, value, words), words);
+    if (ul_encode_unsigned(&signal->signal, value, words)) return ul_refuse(link, &signal->signal, (double)value);
+    return set_words(link, &signal->signal, words);
 }
 
 ul_status ul_set_signed(ul_link *link, const ul_signed *signal, int64_t value)
 {
     uint64_t words[UL_SIGNAL_WORDS];
-    return set_words(link, &signal->signal, ul_encode_signed(&signal->signal, value, words), words);
+    if (ul_encode_signed(&signal->signal, value, words)) return ul_refuse(link, &signal->signal, (double)value);
+    return set_words(link, &signal->signal, words);
 }
 
 ul_status ul_set_real(ul_link *link, const ul_real *signal, double value)
 {
     uint64_t words[UL_SIGNAL_WORDS];
-    return set_words(link, &signal->signal, ul_encode_real(&signal->signal, value, words), words);
+    if (ul_encode_real(&signal->signal, value, words)) return ul_refuse(link, &signal->signal, value);
+    return set_words(link, &signal->signal, words);
 }
 
 ul_status ul_post_bool(ul_link *link, const ul_bool *signal, bool value)
 {
     uint64_t words[UL_SIGNAL_WORDS];
-    return post_words(link, &signal->signal, ul_encode_unsigned(&signal->signal, value, words), words);
+    if (ul_encode_unsigned(&signal->signal, value, words)) return ul_refuse(link, &signal->signal, (double)value);
+    return ul_post_words(link, &signal->signal, words);
 }
 
 ul_status ul_post_unsigned(ul_link *link, const ul_unsigned *signal, uint64_t value)
 {
     uint64_t words[UL_SIGNAL_WORDS];
-    return post_words(link, &signal->signal, ul_encode_unsigned(&signal->signal, value, words), words);
+    if (ul_encode_unsigned(&signal->signal, value, words)) return ul_refuse(link, &signal->signal, (double)value);
+    return ul_post_words(link, &signal->signal, words);
 }
 
 ul_status ul_post_signed(ul_link *link, const ul_signed *signal, int64_t value)
 {
     uint64_t words[UL_SIGNAL_WORDS];
-    return post_words(link, &signal->signal, ul_encode_signed(&signal->signal, value, words), words);
+    if (ul_encode_signed(&signal->signal, value, words)) return ul_refuse(link, &signal->signal, (double)value);
+    return ul_post_words(link, &signal->signal, words);
 }
 
 ul_status ul_post_real(ul_link *link, const ul_real *signal, double value)
 {
     uint64_t words[UL_SIGNAL_WORDS];
-    return post_words(link, &signal->signal, ul_encode_real(&signal->signal, value, words), words);
+    if (ul_encode_real(&signal->signal, value, words)) return ul_refuse(link, &signal->signal, value);
+    return ul_post_words(link, &signal->signal, words);
 }

@@ -3,7 +3,7 @@
 ul_status ul_finish(ul_link *link, ul_batch *batch)
 {
     while (batch->pending > 0 && !link->gone) turn(link, now_of(link) + LONGEST_TIMEOUT);
-    return batch->status == UL_OK ? UL_OK : fail_at(link, batch->status, batch->what, batch->address);
+    return batch->status == UL_OK ? UL_OK : fail_batch(link, batch);
 }
 
 void ul_start_read(ul_link *link, ul_batch *batch, uint32_t address, uint64_t *word)
@@ -25,15 +25,13 @@ void ul_start_write_masked(ul_link *link, ul_batch *batch, uint32_t address, uin
 /* The requests of a block, each as long as the gateway takes it; `step` is 0 for a queue. */
 static void start_block(ul_link *link, ul_batch *batch, ul_request request, size_t count, uint32_t step)
 {
-    uint64_t bad = 0, above = ones(link->info.data_bits);
-    for (size_t index = 0; request.source != NULL && index < count; index++) bad |= request.source[index] & ~above;
-    bool passes_end = count > 0 && step * (uint64_t)(count - 1) > ones(link->info.address_bits) - request.address;
-    if (link->open && (count == 0 || bad != 0 || request.address > ones(link->info.address_bits) || passes_end)) {
-        batch->pending++;
-        settle(batch, &request, UL_BAD_ARGUMENT);
+    const char *name = shape_of(request.command)->name;
+    size_t most = link->open ? link->block_words : count;
+    if (count == 0) refuse(batch, UL_BAD_ARGUMENT, name, request.address, "at least one word is needed");
+    if (link->open && step * (uint64_t)(count - 1) > ones(link->info.address_bits) - request.address) {
+        refuse(batch, UL_BAD_ARGUMENT, name, request.address, "it would pass the gateway's last address");
         return;
     }
-    size_t most = link->open ? link->block_words : count;
     for (size_t rest = count; rest > 0; rest -= request.count) {
         request.count = (unsigned)(rest < most ? rest : most);
         start(link, batch, request);
@@ -134,27 +132,38 @@ static ul_status ask_for(ul_link *link, ul_request request)
     return ul_finish(link, &batch);
 }
 
-static bool check_word(ul_link *link, uint32_t address, uint64_t word)
-{
-    return address <= ones(link->info.address_bits) && word <= ones(link->info.data_bits);
-}
-
 ul_status ul_post(ul_link *link, uint32_t address, uint64_t word)
 {
     ul_request request = {.command = "ws", .posted = true, .address = address, .word = word};
-    if (!link->open || link->gone) return fail_at(link, UL_LOST_NOT_EXECUTED, "posted write", address);
-    if (!check_word(link, address, word)) return fail_at(link, UL_BAD_ARGUMENT, "posted write", address);
+    const char *fault = link->open ? fault_of(link, &request) : NULL;
+    if (fault != NULL) return fail_at(link, UL_BAD_ARGUMENT, "posted write", address, fault);
     start(link, &link->posts, request);
     flush(link);
-    return UL_OK;
+    return link->open && !link->gone ? UL_OK : fail_at(link, UL_LOST, "posted write", address, NULL);
+}
+
+/* Give the first error of the posted writes since the last time, or else a status. */
+static ul_status take_posts(ul_link *link, ul_status status)
+{
+    ul_batch posts = link->posts;
+    link->posts = UL_BATCH;
+    return posts.status == UL_OK ? status : fail_batch(link, &posts);
 }
 
 ul_status ul_fence(ul_link *link)
 {
-    ul_status status = ask_for(link, (ul_request){.command = "h"});
-    ul_batch posts = link->posts;
-    link->posts = UL_BATCH;
-    return posts.status == UL_OK ? status : fail_at(link, posts.status, posts.what, posts.address);
+    return take_posts(link, ask_for(link, (ul_request){.command = "h"}));
+}
+
+ul_status ul_close(ul_link *link)
+{
+    if (!link->open) return UL_OK;
+    ul_status status = link->gone ? take_posts(link, UL_OK) : ul_fence(link);
+    lose(link);
+    link->open = false;
+    link->subscriptions = NULL;
+    link->transport.close(link->transport.context);
+    return status;
 }
 
 ul_status ul_send_immediate(ul_link *link, unsigned mode)
