@@ -89,8 +89,6 @@ class Cell(NamedTuple):
     """An address in the map."""
 
     address: str
-    signals: tuple[Signal, ...]
-    module: Module | None
     way: str
     """How it can be accessed: ``read``, ``write``, ``readwrite``, ``module`` or ``unused``."""
     title: str
@@ -282,7 +280,7 @@ class Page:
         if not signals and module is not None:
             way, title = "module", module.path or module.type
         anchor = self.anchor_of(signals[0].path) if signals else "modules" if way == "module" else ""
-        return Cell(self.hex(address), signals, module, way, title, anchor)
+        return Cell(self.hex(address), way, title, anchor)
 
 
 def number(value: float) -> str:
