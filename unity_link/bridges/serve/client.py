@@ -475,6 +475,8 @@ class Client(asyncio.Protocol):
             else:
                 if isinstance(entry, Said):
                     self._under_way -= len(entry.reply)
+                elif entry.awaited is not None and entry.number is not None:
+                    entry.awaited[entry.number] = 0
                 self._write(entry.reply)
             pending.popleft()
 
@@ -498,8 +500,6 @@ class Client(asyncio.Protocol):
         self._under_way -= request.cost
         if request.sent:
             self._shared.turns.arrived(self.queue, request.cost)
-        if request.awaited is not None and request.number is not None:
-            request.awaited[request.number] = 0
         if request.after is not None:
             after, request.after = request.after, None
             after()
