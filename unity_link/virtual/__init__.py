@@ -5,6 +5,7 @@
 - `scara`, `walker`: robots behind the bus, made of joints as in `servo`
 - `line`, `faults`: what can happen between a gateway and a host; each is a gateway in front of another one
 - `transport`, `serving`: gateways on an event loop, in the process and for other programs
+- `ft232h`: a USB chip in front of a gateway; `modelled_time`: a loop on which all of it is exact in time
 
 Everything that takes a `Gateway` takes any of them.
 """

@@ -2,7 +2,7 @@
 
 - `eeprom`: what the chip's memory says; `descriptors`: what it tells the USB of itself
 - `chip`: its two FIFOs, its rules for packets, its requests; knows no time but what it is told
-- `board`: the gateway behind its pins
+- `board`: a gateway behind its pins; `rtl_board`: the gateware itself, cycle for cycle
 - `timing`: all numbers of the model, each with its source
 - `host`: the host controller: moves packets between transfers and chip in modelled time
 - `bus`: virtual devices on a clock, with what can be done to them; `pyusb_backend` and `libusb1` are two ways to them,

@@ -2,7 +2,7 @@
 
 Bytes pass the pins in small steps (`STEP`), each done when its last byte would be: a request that comes alone is timed
 to the byte, and a stream costs the computer one event for a step. What the gateware does with a byte takes no time
-here; the gateware itself, in a simulator, takes this file's place where that counts.
+here; where that counts, `rtl_board` has the gateware itself in this file's place.
 
 With a FIFO at its pins nothing is ever lost: the receive FIFO stops RD# when it is full, the chip's TXE# stops WR#, and
 a full transmit FIFO stops the gateway. With a UART there is neither: what comes too fast is lost, on either side.
