@@ -280,7 +280,8 @@ static bool fill(ul_link *link)
     if (rest == sizeof link->receive) rest = 0;
     link->receive_start = 0;
     link->receive_size = rest;
-    ptrdiff_t come = link->transport.receive(link->transport.context, link->receive + rest, sizeof link->receive - rest);
+    size_t room = sizeof link->receive - rest;
+    ptrdiff_t come = link->transport.receive(link->transport.context, link->receive + rest, room);
     if (come < 0) lose(link);
     if (come <= 0) return false;
     link->receive_size += (size_t)come;

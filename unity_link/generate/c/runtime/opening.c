@@ -142,7 +142,8 @@ ul_status ul_open(ul_link *link, const ul_transport *transport, int node, double
         const char *session = link->info.id_digits == 2 ? "K00" : "K000";
         double asked = opens.until;
         bool started = false;
-        while (!started && !link->gone && (asked = now_of(link)) < opens.until) started = ask(&opens, session, false, 1);
+        while (!started && !link->gone && (asked = now_of(link)) < opens.until)
+            started = ask(&opens, session, false, 1);
         double round_trip = now_of(link) - asked;
         if (started) start_window(link, round_trip / (double)(strlen(session) + link->crc_digits + 1), round_trip);
         else status = fail(link, UL_NO_CONNECTION, "", "the gateway does not answer any more");

@@ -229,7 +229,7 @@ static bool cannot(const ul_link *link, ul_batch *batch, const ul_signal *signal
         return true;
     }
     if (!link->open || signal->word_bits == link->info.data_bits) return false;
-    refuse(batch, UL_UNSUPPORTED, signal->path, signal->address, "the gateway has words of another width than the spec");
+    refuse(batch, UL_UNSUPPORTED, signal->path, signal->address, "the gateway's words are not as wide as the spec's");
     return true;
 }
 

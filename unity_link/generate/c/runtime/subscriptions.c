@@ -86,6 +86,11 @@ static bool give_sample(const ul_link *link, ul_subscription *subscription, ul_s
     return true;
 }
 
+static ul_status fail_plainly(ul_link *link, ul_status status)
+{
+    return fail(link, status, "subscription", ul_status_text(status));
+}
+
 static bool is_subscribed(const ul_link *link, const ul_subscription *subscription)
 {
     const ul_subscription *one = link->subscriptions;
@@ -149,7 +154,7 @@ static const char *plan(const ul_link *link, ul_subscription *subscription)
 
 ul_status ul_subscribe(ul_link *link, ul_subscription *subscription)
 {
-    if (!link->open || link->gone) return fail(link, UL_LOST_NOT_EXECUTED, "subscription", ul_status_text(UL_LOST_NOT_EXECUTED));
+    if (!link->open || link->gone) return fail_plainly(link, UL_LOST_NOT_EXECUTED);
     if (is_subscribed(link, subscription)) return fail(link, UL_BAD_ARGUMENT, "subscription", "it has begun already");
     if (!(link->info.features & UL_FEATURE_GROUPS) || link->info.groups == 0)
         return fail(link, UL_UNSUPPORTED, "subscription", "the gateway was built without groups");
@@ -202,10 +207,10 @@ ul_status ul_next(ul_link *link, ul_subscription *subscription, ul_sample *sampl
 {
     double until = now_of(link) + (is_subscribed(link, subscription) ? seconds : 0);
     while (!give_sample(link, subscription, sample)) {
-        if (link->gone) return fail(link, UL_LOST, "subscription", ul_status_text(UL_LOST));
+        if (link->gone) return fail_plainly(link, UL_LOST);
         turn_idle(link, until);
         if (give_sample(link, subscription, sample)) return UL_OK;
-        if (now_of(link) >= until) return fail(link, UL_NO_SAMPLE, "subscription", ul_status_text(UL_NO_SAMPLE));
+        if (now_of(link) >= until) return fail_plainly(link, UL_NO_SAMPLE);
     }
     return UL_OK;
 }
@@ -232,7 +237,7 @@ ul_status ul_poll(ul_link *link, double seconds)
 {
     double until = now_of(link) + seconds;
     do {
-        if (link->gone) return fail(link, UL_LOST, "subscription", ul_status_text(UL_LOST));
+        if (link->gone) return fail_plainly(link, UL_LOST);
         turn_idle(link, until);
         if (link->dispatching) continue;
         link->dispatching = true;

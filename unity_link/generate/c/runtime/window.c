@@ -9,8 +9,8 @@
  *
  * A response to ID k, and `n k`, say that all before k were executed. Posted writes have no answer: they are done when
  * `executed` passes them. To *go back* is to send all that is not answered again, from `oldest` on, once for each
- * `oldest`; if that is lost too, the time out finds it. While the line loses, fewer requests are kept in flight, for one
- * damaged frame costs all those behind it. The time out is that of RFC 6298, and no request that was sent twice is timed.
+ * `oldest`; if that is lost too, the time out finds it. While the line loses, fewer requests are kept in flight, as one
+ * damaged frame costs all those behind it. The time out is RFC 6298's; what was sent twice is not timed.
  */
 
 static const double FIRST_TIMEOUT = 0.25, SHORTEST_TIMEOUT = 0.010, LONGEST_TIMEOUT = 2.0;
