@@ -122,7 +122,12 @@ def _fetch(root: Path) -> None:
             raise ToolMissingError(
                 f"GHDL {_LEAST_VERSION} or later converts the gateware; fetching Debian {_SUITE}'s failed: {reason[0]}"
             ) from error
-        (work / "root").rename(root)
+        try:
+            (work / "root").rename(root)
+        except OSError:
+            # Somebody else was quicker.
+            if not root.exists():
+                raise
 
 
 def _mirror() -> str:

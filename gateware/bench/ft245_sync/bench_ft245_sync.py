@@ -64,7 +64,7 @@ async def bytes_arrive_each_once_and_in_order(dut: SimHandleBase) -> None:
         for core_pause in (0.0, 0.5, 0.95):
             chip = await _prepare(dut, no_rxf, no_txe)
             sink = _sink(dut, core_pause)
-            data = _data(400)
+            data = _data(150)
             chip.to_gateware.extend(data)
             assert await sink.wait_for(len(data)) == [(byte, 0) for byte in data]
             chip.stop()
@@ -76,7 +76,7 @@ async def bytes_leave_each_once_and_in_order(dut: SimHandleBase) -> None:
     for no_rxf, no_txe in _FLAGS:
         for core_pause in (0.0, 0.5, 0.95):
             chip = await _prepare(dut, no_rxf, no_txe)
-            data = _data(400)
+            data = _data(150)
             await _source(dut, core_pause).send(data)
             await _until_written(chip, len(data))
             assert bytes(chip.from_gateware) == data
@@ -89,7 +89,7 @@ async def both_directions_share_the_bus(dut: SimHandleBase) -> None:
         for core_pause in (0.0, 0.5):
             chip = await _prepare(dut, no_rxf, no_txe)
             sink = _sink(dut, core_pause)
-            down, up = _data(1500), _data(1500, 12)
+            down, up = _data(600), _data(600, 12)
             chip.to_gateware.extend(down)
             await _source(dut, core_pause).send(up)
             assert await sink.wait_for(len(down)) == [(byte, 0) for byte in down]
@@ -103,14 +103,14 @@ async def both_directions_share_the_bus(dut: SimHandleBase) -> None:
 async def no_direction_waits_for_the_end_of_the_other(dut: SimHandleBase) -> None:
     chip = await _prepare(dut)
     _sink(dut)
-    chip.to_gateware.extend(_data(6000))
-    cocotb.start_soon(_source(dut).send(_data(6000)))
+    chip.to_gateware.extend(_data(3000))
+    cocotb.start_soon(_source(dut).send(_data(3000)))
     for _ in range(1000):
         await Timer(1, unit="us")
-        if len(chip.read_cycles) > 2000 or len(chip.write_cycles) > 2000:
+        if len(chip.read_cycles) > 1000 or len(chip.write_cycles) > 1000:
             break
     # Turns of 256 bytes, where the core is fast enough to ask for them.
-    fewest = 1200 if _CLK_NS < PERIOD_PS / 1000 else 400
+    fewest = 500 if _CLK_NS < PERIOD_PS / 1000 else 200
     assert min(len(chip.read_cycles), len(chip.write_cycles)) > fewest
     chip.stop()
 
@@ -202,7 +202,7 @@ async def nothing_is_lost_when_clkout_stops_for_a_while(dut: SimHandleBase) -> N
 @cocotb.test
 async def nothing_from_before_a_reset_comes_after_it(dut: SimHandleBase) -> None:
     rng = random.Random(15)
-    for clkout_stands in (False, True) * 8:
+    for clkout_stands in (False, True) * 4:
         chip = await _prepare(dut, 0.2, 0.2)
         chip.to_gateware.extend(b"\xee" * 100)
         source = cocotb.start_soon(_source(dut).send(b"\xee" * 100))
