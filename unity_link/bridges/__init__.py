@@ -5,5 +5,6 @@ command of it, and holds all that is said to people. A bridge reports through a 
 context ends, and says by one exception why it can't go on.
 
 - `serve`: the protocol itself, for several programs at once
+- `ros1`: a node of ROS 1; `topics` says how signals are named and typed there, `commands` how values come back
 - `recording`: what a robot published, on the disk and back; `sampled` says what that is, for other bridges, too
 """

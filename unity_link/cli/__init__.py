@@ -7,7 +7,7 @@ One file for each family of commands. They parse, show and explain; what they do
 - `arguments` and `words` read and write addresses and values
 - `info`, `access` (read, write), `watch`, `simulate`, `terminal` with `explain`, `demo` with `demo_view` are commands
 - `spec` has the commands about specs: check, fmt, show, import; `generate` writes code from one
-- `recording` has record and replay; `export` is about recordings and specs
+- `recording` has record and replay; `export` is about recordings and specs; `ros` has the bridges to ROS
 - `ft232h` has those about the chip's EEPROM
 - `serve` shares a link; `service` tells systemd of a command that runs for long
 - `plots` draws curves
@@ -37,6 +37,7 @@ from unity_link.cli import (
     generate,
     info,
     recording,
+    ros,
     serve,
     simulate,
     spec,
@@ -87,6 +88,7 @@ spec.add_to(app)
 generate.add_to(app)
 recording.add_to(app)
 export.add_to(app)
+ros.add_to(app)
 ft232h.add_to(app)
 bench.add_to(app)
 

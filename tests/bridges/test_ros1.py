@@ -1,0 +1,202 @@
+"""The bridge to ROS 1 against the real one: a rosmaster, nodes of rospy, and `rostopic`."""
+
+from __future__ import annotations
+
+import itertools
+import json
+import os
+import shutil
+import signal
+import socket
+import subprocess
+import sys
+import time
+from contextlib import contextmanager
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import pytest
+
+from unity_link import ConnectError, blocking
+from unity_link.bridges.ros1 import environment
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterator
+
+PROGRAM = str(Path(sys.executable).parent / "unity-link")
+SPEC = str(Path(__file__).parents[2] / "examples" / "scara.ul")
+SYSTEM_PYTHON = "/usr/bin/python3"
+GATEWAY = "sim:scara?base_frequency_millihertz=20000000"
+PATIENCE = 60
+
+needs_ros = pytest.mark.skipif(
+    shutil.which("rosmaster") is None or shutil.which("rostopic") is None,
+    reason="needs ROS 1: apt install python3-rospy python3-rostopic python3-rosmaster python3-sensor-msgs",
+)
+pytestmark = [needs_ros, pytest.mark.slow]
+
+LISTENER = """
+import json, sys, threading, rospy
+from sensor_msgs.msg import JointState
+seen, enough = [], threading.Event()
+def take(message):
+    seen.append((message.header.seq, message.header.stamp.to_nsec(), message.name, message.position))
+    if len(seen) >= int(sys.argv[1]):
+        enough.set()
+rospy.init_node("listener", anonymous=True, disable_signals=True)
+rospy.Subscriber("/scara/joint_states", JointState, take, tcp_nodelay=True)
+enough.wait(60)
+print(json.dumps(seen))
+"""
+TALKER = """
+import sys, time, rospy
+from std_msgs.msg import Float64
+rospy.init_node("talker", anonymous=True, disable_signals=True)
+publisher = rospy.Publisher("/scara/j1/pos_sp", Float64, tcp_nodelay=True, queue_size=None)
+while not publisher.get_num_connections():
+    time.sleep(0.01)
+for value in map(float, sys.argv[1:]):
+    publisher.publish(Float64(value))
+time.sleep(0.5)
+"""
+
+
+@pytest.fixture
+def ros(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> int:
+    """Choose a port for the master; every process of the test will look for it there."""
+    with socket.create_server(("127.0.0.1", 0)) as free:
+        port: int = free.getsockname()[1]
+    monkeypatch.setenv("ROS_MASTER_URI", f"http://127.0.0.1:{port}")
+    monkeypatch.setenv("ROS_IP", "127.0.0.1")
+    monkeypatch.setenv("ROS_HOME", str(tmp_path))
+    return port
+
+
+@contextmanager
+def master(port: int) -> Iterator[None]:
+    with subprocess.Popen(["rosmaster", "--core", "-p", str(port)], stdout=subprocess.DEVNULL) as process:
+        wait_until(lambda: is_listening(port))
+        try:
+            yield
+        finally:
+            process.kill()
+
+
+def is_listening(port: int) -> bool:
+    with socket.socket() as probe:
+        return probe.connect_ex(("127.0.0.1", port)) == 0
+
+
+def wait_until(condition: Callable[[], bool]) -> None:
+    deadline = time.monotonic() + PATIENCE
+    while not condition():
+        assert time.monotonic() < deadline
+        time.sleep(0.05)
+
+
+@contextmanager
+def bridge(tmp_path: Path) -> Iterator[tuple[subprocess.Popen[str], str]]:
+    """Run the bridge on a gateway that the test can look at, too; give it, and the URL of that."""
+    place = tmp_path / "gateway"
+    with subprocess.Popen([PROGRAM, "serve", GATEWAY, "--unix", str(place)], stdout=subprocess.PIPE) as server:
+        assert server.stdout is not None
+        url = server.stdout.readline().decode().strip()
+        with subprocess.Popen(
+            [PROGRAM, "ros1", SPEC, "--link", url],
+            stderr=subprocess.PIPE,
+            text=True,
+            env={**os.environ, "PYTHONUNBUFFERED": "1"},
+        ) as process:
+            try:
+                yield process, url
+            finally:
+                process.kill()
+                server.terminate()
+
+
+def wait_for(process: subprocess.Popen[str], words: str) -> str:
+    """Wait for a line on stderr."""
+    assert process.stderr is not None
+    for line in process.stderr:
+        if words in line:
+            return line
+    pytest.fail(f"the bridge ended without saying {words!r}")
+
+
+def peer(script: str, *arguments: str) -> str:
+    result = subprocess.run(
+        [SYSTEM_PYTHON, "-W", "ignore", "-c", script, *arguments],
+        capture_output=True,
+        text=True,
+        timeout=PATIENCE,
+        check=True,
+    )
+    return result.stdout
+
+
+def rostopic(*arguments: str) -> str:
+    return subprocess.run(["rostopic", *arguments], capture_output=True, text=True, timeout=PATIENCE, check=True).stdout
+
+
+def test_signals_are_topics_of_their_types_and_commands_are_subscribed_to(ros: int, tmp_path: Path) -> None:
+    with master(ros), bridge(tmp_path) as (process, _):
+        said = wait_for(process, "node /unity_link_scara")
+
+        topics = rostopic("list").split()
+        types = [rostopic("type", topic).strip() for topic in ("/scara/j1/cpos", "/scara/j4/pos_sp")]
+
+        assert "8 topics published, 8 subscribed to at /scara" in said
+        assert {"/scara/j1/cpos", "/scara/j4/spd", "/scara/j2/pos_sp", "/scara/joint_states"} <= set(topics)
+        assert types == ["std_msgs/Float64", "std_msgs/Float64"]
+        assert rostopic("echo", "-n1", "/scara/j1/cpos").split()[:2] == ["data:", "0.0"]
+
+
+def test_every_sample_arrives_once_in_order_at_the_distance_of_the_gateways_clock(ros: int, tmp_path: Path) -> None:
+    with master(ros), bridge(tmp_path) as (process, _):
+        wait_for(process, "node /unity_link_scara")
+
+        seen = json.loads(peer(LISTENER, "1000"))
+
+    sequence = [number for number, *_ in seen]
+    distances = [later[1] - earlier[1] for earlier, later in itertools.pairwise(seen)]
+    assert sequence == list(range(sequence[0], sequence[0] + len(seen)))
+    assert seen[0][2] == ["j1", "j2", "j3", "j4"]
+    # Within a batch the gateway's clock tells the distance; between batches the arrival has its say.
+    exact = [distance for distance in distances if abs(distance - 5_000_000) < 1000]
+    assert len(exact) > 0
+
+
+def test_values_on_a_topic_are_written_in_order_and_one_beyond_the_limits_is_told(ros: int, tmp_path: Path) -> None:
+    with master(ros), bridge(tmp_path) as (process, url):
+        wait_for(process, "node /unity_link_scara")
+
+        peer(TALKER, *(str(value / 10) for value in range(200)), "500", "25")
+
+        said = wait_for(process, "outside of its limits")
+        with blocking.connect(url) as link:
+            wait_until(lambda: link.read(0x8C) == round(25 / (360 / (50 * 4000))))
+            process.send_signal(signal.SIGINT)
+            summary = wait_for(process, "values written")
+        assert process.wait(PATIENCE) == 130
+    assert "j1.pos_sp: 500.0 is outside of its limits, -130 to 130 deg" in said
+    assert "201 values written" in summary
+
+
+def test_the_master_may_come_late_and_go_in_between(ros: int, tmp_path: Path) -> None:
+    with bridge(tmp_path) as (process, _):
+        wait_for(process, "waiting for the ROS master")
+        with master(ros):
+            wait_for(process, "node /unity_link_scara")
+            assert json.loads(peer(LISTENER, "10"))
+        wait_for(process, "is away")
+        with master(ros):
+            wait_for(process, "registered with the ROS master again")
+            assert json.loads(peer(LISTENER, "10"))
+
+
+def test_a_machine_without_ros_is_told_what_to_install(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(environment, "_PLACES", ())
+    monkeypatch.setattr("importlib.util.find_spec", lambda _: None)
+
+    with pytest.raises(ConnectError, match="apt install python3-rospy"):
+        environment.find_rospy()

@@ -1,0 +1,269 @@
+"""The bridge as a node of ROS 1."""
+
+from __future__ import annotations
+
+import asyncio
+import importlib
+import warnings
+from concurrent.futures import ThreadPoolExecutor
+from contextlib import AsyncExitStack
+from typing import TYPE_CHECKING, Any
+
+from unity_link.bridges.commands import Commands
+from unity_link.bridges.ros1.environment import find_rospy
+from unity_link.bridges.topics import command_topics, published_groups
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from unity_link.bridges.topics import CommandTopic, PublishedGroup, Topic
+    from unity_link.data import Batch, GroupSubscription, Robot
+
+BUFFER = 1 << 16
+"""Samples of each group that wait while subscribers are slow; after that the oldest are lost and counted."""
+LOOK_EVERY = 1.0
+"""Seconds between looks whether the master knows the node."""
+
+
+class Ros1Bridge:
+    """Publishes what a robot publishes, and writes what it is told.
+
+    Args:
+        robot: a robot of any spec, behind an open link.
+        namespace: what stands before the names of all topics; that of the interface if nothing is said.
+        poll_hz: also publish, read so often, what nothing samples.
+        report: is told in a sentence what a person should know.
+
+    Raises:
+        ConnectError: where ROS 1 is not installed.
+        ArgumentError: where the spec publishes nothing and `poll_hz` is not given.
+    """
+
+    def __init__(
+        self,
+        robot: Robot,
+        *,
+        namespace: str | None = None,
+        poll_hz: float | None = None,
+        report: Callable[[str], None] = lambda _: None,
+    ) -> None:
+        find_rospy()
+        self._robot = robot
+        self._namespace = "/" + (robot.interface.name if namespace is None else namespace).strip("/")
+        self._node_name = f"unity_link_{robot.interface.name}"
+        self._report = report
+        self._groups = published_groups(robot, poll_hz)
+        self._commands = Commands(report)
+        self._subscriptions: list[GroupSubscription] = []
+        self.published = 0
+        """Samples that were published."""
+
+    @property
+    def lost(self) -> int:
+        """Samples that the gateway took and that were not published."""
+        return sum(subscription.lost for subscription in self._subscriptions)
+
+    @property
+    def written(self) -> int:
+        """Values that came by topics and were written."""
+        return self._commands.written
+
+    async def run(self) -> None:
+        """Be the bridge until it is cancelled.
+
+        Raises:
+            LinkLostError: where the link ends.
+        """
+        # ROS cannot be stopped and started again in one process; its threads end with the process.
+        import rospy
+
+        loop = asyncio.get_running_loop()
+        # What asks the master may wait for long, and must not hold up samples.
+        asking, publishing = ThreadPoolExecutor(1, "ros-master"), ThreadPoolExecutor(1, "ros-publish")
+        try:
+            await self._find_master(asking)
+            await loop.run_in_executor(asking, self._start)
+            self._report(f"node /{self._node_name}: {self._count()} at {self._namespace}")
+            async with AsyncExitStack() as stack:
+                self._subscriptions = [
+                    await stack.enter_async_context(published.group.subscribe(buffer=BUFFER))
+                    for published in self._groups
+                ]
+                async with asyncio.TaskGroup() as tasks:
+                    for published, subscription in zip(self._groups, self._subscriptions, strict=True):
+                        tasks.create_task(self._carry(published, subscription, publishing))
+                    tasks.create_task(self._commands.run())
+                    tasks.create_task(self._stay_registered(asking))
+        except BaseExceptionGroup as group:
+            raise group.exceptions[0] from None
+        finally:
+            rospy.signal_shutdown("the bridge ends")
+            asking.shutdown(wait=False)
+            publishing.shutdown(wait=False)
+
+    # The node
+
+    def _count(self) -> str:
+        published = sum(len(published.topics) for published in self._groups)
+        return f"{published} topics published, {len(self._subscribers)} subscribed to"
+
+    def _start(self) -> None:
+        import rospy
+
+        rospy.init_node(self._node_name, disable_signals=True)
+        self._publishers = {
+            topic: self._publisher(topic.name, "std_msgs", topic.type)
+            for published in self._groups
+            for topic in published.topics
+        }
+        self._joint_publishers = {
+            published.joints.name: self._publisher(published.joints.name, "sensor_msgs", "JointState")
+            for published in self._groups
+            if published.joints is not None
+        }
+        self._subscribers = [self._subscriber(topic) for topic in command_topics(self._robot, self._groups)]
+        self._describe()
+
+    def _publisher(self, name: str, package: str, kind: str) -> Any:
+        import rospy
+
+        full_name, data_class = f"{self._namespace}/{name}", _message(package, kind)
+        with warnings.catch_warnings():
+            # Without a queue, which rospy warns of, it sends at once and in our thread: ten times the rate of its own.
+            warnings.simplefilter("ignore", SyntaxWarning)
+            return rospy.Publisher(full_name, data_class, tcp_nodelay=True, queue_size=None)
+
+    def _subscriber(self, topic: CommandTopic) -> Any:
+        import rospy
+
+        proxy, give = topic.proxy, self._commands.give
+
+        def take(message: Any) -> None:
+            give(proxy, message.data)
+
+        name = f"{self._namespace}/{topic.name}"
+        return rospy.Subscriber(name, _message("std_msgs", topic.type), take, tcp_nodelay=True, queue_size=None)
+
+    def _describe(self) -> None:
+        """Leave units, IDs and descriptions at the parameter server: ``~signals/j1/cpos/unit``."""
+        import rospy
+
+        topics: list[Topic | CommandTopic] = [*self._publishers, *command_topics(self._robot, self._groups)]
+        for topic in topics:
+            signal = topic.proxy.signal
+            facts = {"unit": signal.unit, "id": signal.id, "description": signal.doc}
+            rospy.set_param(f"~signals/{topic.name}", {name: text for name, text in facts.items() if text})
+
+    # The master
+
+    async def _find_master(self, asking: ThreadPoolExecutor) -> None:
+        loop = asyncio.get_running_loop()
+        told = False
+        while not await loop.run_in_executor(asking, _is_online):
+            if not told:
+                self._report(f"waiting for the ROS master at {_master_uri()}")
+            told = True
+            await asyncio.sleep(LOOK_EVERY)
+
+    async def _stay_registered(self, asking: ThreadPoolExecutor) -> None:
+        loop = asyncio.get_running_loop()
+        away = False
+        while True:
+            await asyncio.sleep(LOOK_EVERY)
+            was_away, away = away, not await loop.run_in_executor(asking, _is_online)
+            if away and not was_away:
+                self._report(f"the ROS master at {_master_uri()} is away: nodes that are connected stay so")
+            if not away and await loop.run_in_executor(asking, self._register_again):
+                self._report("registered with the ROS master again")
+
+    def _register_again(self) -> bool:
+        """Register with a master that does not know the node; say whether it was one."""
+        import rosgraph
+        import rospy
+        from rospy.impl.registration import Registration, get_registration_listeners
+
+        try:
+            rosgraph.Master(self._node_name).lookupNode(f"/{self._node_name}")
+        except rosgraph.MasterError:
+            pass
+        except OSError:
+            return False
+        else:
+            return False
+        listeners = get_registration_listeners()
+        publishers = [*self._publishers.values(), *self._joint_publishers.values()]
+        for publisher in publishers:
+            listeners.notify_added(publisher.resolved_name, publisher.type, Registration.PUB)
+        for subscriber in self._subscribers:
+            listeners.notify_added(subscriber.resolved_name, subscriber.type, Registration.SUB)
+        try:
+            self._describe()
+        except (OSError, rospy.ROSException):
+            return False
+        return True
+
+    # Samples
+
+    async def _carry(
+        self, published: PublishedGroup, subscription: GroupSubscription, publishing: ThreadPoolExecutor
+    ) -> None:
+        loop = asyncio.get_running_loop()
+        while True:
+            batch = await subscription.take()
+            await loop.run_in_executor(publishing, self._publish, published, batch)
+            self.published += len(batch)
+
+    def _publish(self, published: PublishedGroup, batch: Batch) -> None:
+        for topic in published.topics:
+            publisher = self._publishers[topic]
+            if not publisher.get_num_connections():
+                continue
+            message = publisher.data_class()
+            publish = publisher.publish
+            for value in batch[topic.proxy].tolist():
+                message.data = value
+                publish(message)
+        if published.joints is not None:
+            self._publish_joints(published, batch)
+
+    def _publish_joints(self, published: PublishedGroup, batch: Batch) -> None:
+        import rospy
+
+        joints = published.joints
+        assert joints is not None
+        publisher = self._joint_publishers[joints.name]
+        if not publisher.get_num_connections():
+            return
+        message = publisher.data_class(name=joints.names)
+        instants = _instants(batch)
+        for at, (positions, velocities, efforts) in zip(instants, joints.rows(batch), strict=True):
+            message.header.stamp = rospy.Time.from_sec(at)
+            message.position, message.velocity, message.effort = positions, velocities, efforts
+            publisher.publish(message)
+
+
+def _instants(batch: Batch) -> list[float]:
+    """Give the instants of samples by this machine's clock, their distances by the gateway's where it tells them."""
+    if batch.time is None:
+        instants: list[float] = batch.arrived.tolist()
+    else:
+        instants = (batch.time - batch.time[-1] + batch.arrived[-1]).tolist()
+    return instants
+
+
+def _message(package: str, kind: str) -> Any:
+    return getattr(importlib.import_module(f"{package}.msg"), kind)
+
+
+def _is_online() -> bool:
+    import rosgraph
+
+    online: bool = rosgraph.is_master_online()
+    return online
+
+
+def _master_uri() -> str:
+    import rosgraph
+
+    uri: str = rosgraph.get_master_uri()
+    return uri

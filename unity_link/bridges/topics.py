@@ -1,0 +1,135 @@
+"""Topics: how the signals of a robot are named, typed and grouped in ROS, 1 and 2 alike.
+
+A signal that is sampled is published at its path, ``legs[2].coxa.cpos`` as ``legs_2/coxa/cpos``; one that can be
+written is subscribed to at its path, or, where that is taken by what it publishes itself, at ``PATH/set``. A group that
+the spec declares as joints is a ``sensor_msgs/JointState`` besides, in radians and metres (REP 103).
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+
+from unity_link.bridges.sampled import sampled_groups
+from unity_link.data import Writable
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from numpy.typing import NDArray
+
+    from unity_link.data import Batch, Group, Proxy, Robot
+    from unity_link.spec import Joint, Kind
+
+_TYPES = {
+    "b1": "Bool",
+    **{f"u{size}": f"UInt{8 * size}" for size in (1, 2, 4, 8)},
+    **{f"i{size}": f"Int{8 * size}" for size in (1, 2, 4, 8)},
+    "f2": "Float32",
+    "f4": "Float32",
+    "f8": "Float64",
+}
+_SI = {"deg": math.pi / 180, "deg/s": math.pi / 180, "mm": 1e-3, "mm/s": 1e-3, "cm": 1e-2, "cm/s": 1e-2, "Nmm": 1e-3}
+"""Factors to what REP 103 asks for; every other unit is taken as it is."""
+
+
+class Topic(NamedTuple):
+    """One signal as a topic."""
+
+    name: str
+    """Relative to the namespace of the bridge."""
+    type: str
+    """Of ``std_msgs``: ``Float64``."""
+    proxy: Proxy[Any]
+
+
+class CommandTopic(NamedTuple):
+    """One signal that is written by a topic; the fields are those of `Topic`."""
+
+    name: str
+    type: str
+    proxy: Writable[Any]
+
+
+class JointTopic(NamedTuple):
+    """A group as the states of joints."""
+
+    name: str
+    names: list[str]
+    positions: list[Any]
+    velocities: list[Any]
+    efforts: list[Any]
+    """Columns by joint; empty where no joint of the group has such a signal."""
+
+    def rows(self, batch: Batch) -> Iterator[tuple[list[float], list[float], list[float]]]:
+        """Give positions, velocities and efforts of each sample, in SI units; NaN where a joint has none."""
+        columns = [_in_si(part, batch) for part in (self.positions, self.velocities, self.efforts)]
+        rows = [column.tolist() if column is not None else [[]] * len(batch) for column in columns]
+        return zip(*rows, strict=True)
+
+
+class PublishedGroup(NamedTuple):
+    """A group that is published."""
+
+    group: Group
+    topics: list[Topic]
+    joints: JointTopic | None
+
+
+def published_groups(robot: Robot, poll_hz: float | None = None) -> list[PublishedGroup]:
+    """Give what a robot publishes, as topics.
+
+    Raises:
+        ArgumentError: where there is nothing.
+    """
+    sampled = sampled_groups(robot, poll_hz)
+    several = sum(group.model is not None and bool(group.model.joints) for _, group in sampled) > 1
+    found = []
+    for name, group in sampled:
+        topics = [Topic(topic_name(proxy.path), message_type(proxy.signal.kind), proxy) for proxy in group.proxies]
+        joints = group.model.joints if group.model is not None else ()
+        topic = f"{name}/joint_states" if several else "joint_states"
+        found.append(PublishedGroup(group, topics, _joint_topic(topic, joints, robot) if joints else None))
+    return found
+
+
+def command_topics(robot: Robot, published: list[PublishedGroup]) -> list[CommandTopic]:
+    """Give the topics by which a robot's signals are written."""
+    taken = {topic.name for group in published for topic in group.topics}
+    found = []
+    for proxy in robot.signals:
+        if isinstance(proxy, Writable):
+            name = topic_name(proxy.path)
+            full_name = f"{name}/set" if name in taken else name
+            found.append(CommandTopic(full_name, message_type(proxy.signal.kind), proxy))
+    return found
+
+
+def topic_name(path: str) -> str:
+    """Write a path as ROS writes names: ``legs[2].coxa`` as ``legs_2/coxa``."""
+    return re.sub(r"\[(\d+)\]", r"_\1", path).replace(".", "/")
+
+
+def message_type(kind: Kind) -> str:
+    """Give the type of ``std_msgs`` that holds every value of a kind; enumerations are their numbers."""
+    return _TYPES[f"{kind.dtype.kind}{kind.dtype.itemsize}"]
+
+
+def _joint_topic(name: str, joints: tuple[Joint, ...], robot: Robot) -> JointTopic:
+    def proxies(part: str) -> list[Any]:
+        paths = [getattr(joint, part) for joint in joints]
+        return [None if path is None else robot[path] for path in paths] if any(paths) else []
+
+    names = [topic_name(joint.name) for joint in joints]
+    return JointTopic(name, names, proxies("position"), proxies("velocity"), proxies("effort"))
+
+
+def _in_si(proxies: list[Any], batch: Batch) -> NDArray[np.float64] | None:
+    if not proxies:
+        return None
+    missing = np.full(len(batch), np.nan)
+    columns = [missing if proxy is None else batch[proxy] * _SI.get(proxy.unit, 1.0) for proxy in proxies]
+    return np.stack(columns, axis=1).astype(np.float64)
