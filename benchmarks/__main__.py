@@ -22,10 +22,21 @@ from benchmarks import (
     memory,
     samples,
     sequential_read,
+    shared_link,
 )
 from benchmarks.measure import RUNS, Row
 
-BENCHMARKS = (sequential_read, concurrent_reads, batch_reads, block_reads, samples, group_reads, group_samples, memory)
+BENCHMARKS = (
+    sequential_read,
+    concurrent_reads,
+    batch_reads,
+    block_reads,
+    samples,
+    group_reads,
+    group_samples,
+    memory,
+    shared_link,
+)
 RESULTS = Path(__file__).with_name("RESULTS.md")
 _COLUMNS = ("Question", "Unity-Link", "Bare loop", "Time, ours to bare", "Target", "Met")
 

@@ -1,0 +1,81 @@
+"""How much of a link's rate is left when eight programs share it? Every program is a process of its own."""
+
+from __future__ import annotations
+
+import asyncio
+import shutil
+import statistics
+import sys
+import tempfile
+from asyncio.subprocess import PIPE
+from contextlib import asynccontextmanager
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from benchmarks.measure import Row
+from benchmarks.responder import responder
+
+if TYPE_CHECKING:
+    from asyncio.subprocess import Process
+    from collections.abc import AsyncIterator
+
+CLIENTS = 8
+SECONDS = 1.5
+PAIRS = 5
+LEAST = 0.8
+
+
+@asynccontextmanager
+async def server(port: str) -> AsyncIterator[str]:
+    """Share the link to a port by `unity-link serve`, and give the URL."""
+    program = shutil.which("unity-link", path=str(Path(sys.executable).parent)) or "unity-link"
+    with tempfile.TemporaryDirectory() as folder:
+        arguments = ["serve", f"serial:{port}", "--unix", f"{folder}/shared.sock"]
+        process = await asyncio.create_subprocess_exec(program, *arguments, stdout=PIPE, stderr=PIPE)
+        try:
+            yield await line_of(process)
+        finally:
+            process.terminate()
+            await process.wait()
+
+
+async def line_of(process: Process) -> str:
+    """Wait for a line that a process prints."""
+    assert process.stdout is not None
+    return (await process.stdout.readline()).decode().strip()
+
+
+async def rate(url: str, clients: int) -> float:
+    """Have so many programs read at once, and give how many reads a second they get in all."""
+    arguments = ["-m", "benchmarks.shared_client", url, str(SECONDS), "tasks"]
+    programs = [
+        await asyncio.create_subprocess_exec(sys.executable, *arguments, stdin=PIPE, stdout=PIPE)
+        for _ in range(clients)
+    ]
+    for program in programs:
+        await line_of(program)
+    for program in programs:
+        assert program.stdin is not None
+        program.stdin.write(b"\n")
+    rates = [float(await line_of(program)) for program in programs]
+    for program in programs:
+        await program.wait()
+    return sum(rates)
+
+
+async def measure() -> Row:
+    """Compare eight programs to one, each with 64 tasks that read in a loop, through the same server."""
+    with responder() as port:
+        async with server(port) as url:
+            await rate(url, 1)
+            pairs = [(await rate(url, CLIENTS), await rate(url, 1)) for _ in range(PAIRS)]
+    kept = statistics.median(eight / one for eight, one in pairs)
+    eight, one = (statistics.median(rates) for rates in zip(*pairs, strict=True))
+    return Row(
+        f"Reads by {CLIENTS} programs that share a link; beside it, by one alone",
+        f"{eight:,.0f} reads/s",
+        f"{one:,.0f} reads/s",
+        f"{1 / kept:.2f}",
+        f"at least {LEAST:.0%} of one alone",
+        kept >= LEAST,
+    )
