@@ -4,16 +4,16 @@ from __future__ import annotations
 
 import asyncio
 from concurrent.futures import ThreadPoolExecutor
-from contextlib import AsyncExitStack
 from typing import TYPE_CHECKING
 
+from unity_link.bridges.carrying import Carrier
 from unity_link.bridges.recording.files import RecordingFile
 from unity_link.bridges.sampled import sampled_groups
 
 if TYPE_CHECKING:
     from pathlib import Path
 
-    from unity_link.data import GroupSubscription, Robot
+    from unity_link.data import Robot
 
 SYNC_EVERY = 0.5
 """Seconds. What a crash may cost is twice that: a second."""
@@ -35,9 +35,9 @@ class Recorder:
     """
 
     def __init__(self, robot: Robot, path: Path, *, poll_hz: float | None = None, overwrite: bool = False) -> None:
-        self._groups = sampled_groups(robot, poll_hz)
-        self._file = RecordingFile(path, robot.interface, robot.link.gateway, self._groups, overwrite=overwrite)
-        self._subscriptions: list[GroupSubscription] = []
+        groups = sampled_groups(robot, poll_hz)
+        self._file = RecordingFile(path, robot.interface, robot.link.gateway, groups, overwrite=overwrite)
+        self._carrier = Carrier([group.group for group in groups], self._file.write, buffer=BUFFER)
 
     @property
     def samples(self) -> int:
@@ -47,7 +47,7 @@ class Recorder:
     @property
     def lost(self) -> int:
         """Samples that the gateway took and that did not arrive, or found the disk too slow."""
-        return sum(subscription.lost for subscription in self._subscriptions)
+        return self._carrier.lost
 
     @property
     def size(self) -> int:
@@ -64,29 +64,11 @@ class Recorder:
         loop = asyncio.get_running_loop()
         writer = ThreadPoolExecutor(1, "recorder")
         try:
-            await self._run(writer)
-        except BaseExceptionGroup as group:
-            raise group.exceptions[0] from None
+            await self._carrier.run(writer, self._sync(writer))
         finally:
             # The thread does one thing after another: all that it was given comes first.
             await asyncio.shield(loop.run_in_executor(writer, self._file.close))
             writer.shutdown()
-
-    async def _run(self, writer: ThreadPoolExecutor) -> None:
-        async with AsyncExitStack() as stack:
-            self._subscriptions = [
-                await stack.enter_async_context(group.group.subscribe(buffer=BUFFER)) for group in self._groups
-            ]
-            async with asyncio.TaskGroup() as tasks:
-                for number, subscription in enumerate(self._subscriptions):
-                    tasks.create_task(self._record(number, subscription, writer))
-                tasks.create_task(self._sync(writer))
-
-    async def _record(self, number: int, subscription: GroupSubscription, writer: ThreadPoolExecutor) -> None:
-        loop = asyncio.get_running_loop()
-        while True:
-            batch = await subscription.take()
-            await loop.run_in_executor(writer, self._file.write, number, batch)
 
     async def _sync(self, writer: ThreadPoolExecutor) -> None:
         loop = asyncio.get_running_loop()

@@ -8,7 +8,7 @@ from pathlib import Path
 
 from unity_link.errors import ConnectError
 
-_PLACES = ("/usr/lib/python3/dist-packages", "/opt/ros/noetic/lib/python3/dist-packages")
+_PLACES = ("/usr/lib/python3/dist-packages",)
 
 
 def find_rospy() -> None:
@@ -25,5 +25,5 @@ def find_rospy() -> None:
             return
     raise ConnectError(
         "ROS 1 is not installed here: apt install python3-rospy python3-std-msgs python3-sensor-msgs (Debian), "
-        "or source the set-up file of ROS Noetic"
+        "or source the set-up file of your ROS"
     )

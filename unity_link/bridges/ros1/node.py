@@ -6,9 +6,9 @@ import asyncio
 import importlib
 import warnings
 from concurrent.futures import ThreadPoolExecutor
-from contextlib import AsyncExitStack
 from typing import TYPE_CHECKING, Any
 
+from unity_link.bridges.carrying import Carrier, instants
 from unity_link.bridges.commands import Commands
 from unity_link.bridges.ros1.environment import find_rospy
 from unity_link.bridges.topics import command_topics, published_groups
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
     from unity_link.bridges.topics import CommandTopic, PublishedGroup, Topic
-    from unity_link.data import Batch, GroupSubscription, Robot
+    from unity_link.data import Batch, Robot
 
 BUFFER = 1 << 16
 """Samples of each group that wait while subscribers are slow; after that the oldest are lost and counted."""
@@ -54,14 +54,17 @@ class Ros1Bridge:
         self._report = report
         self._groups = published_groups(robot, poll_hz)
         self._commands = Commands(report)
-        self._subscriptions: list[GroupSubscription] = []
-        self.published = 0
+        self._carrier = Carrier([published.group for published in self._groups], self._publish, buffer=BUFFER)
+
+    @property
+    def published(self) -> int:
         """Samples that were published."""
+        return self._carrier.carried
 
     @property
     def lost(self) -> int:
         """Samples that the gateway took and that were not published."""
-        return sum(subscription.lost for subscription in self._subscriptions)
+        return self._carrier.lost
 
     @property
     def written(self) -> int:
@@ -84,18 +87,7 @@ class Ros1Bridge:
             await self._find_master(asking)
             await loop.run_in_executor(asking, self._start)
             self._report(f"node /{self._node_name}: {self._count()} at {self._namespace}")
-            async with AsyncExitStack() as stack:
-                self._subscriptions = [
-                    await stack.enter_async_context(published.group.subscribe(buffer=BUFFER))
-                    for published in self._groups
-                ]
-                async with asyncio.TaskGroup() as tasks:
-                    for published, subscription in zip(self._groups, self._subscriptions, strict=True):
-                        tasks.create_task(self._carry(published, subscription, publishing))
-                    tasks.create_task(self._commands.run())
-                    tasks.create_task(self._stay_registered(asking))
-        except BaseExceptionGroup as group:
-            raise group.exceptions[0] from None
+            await self._carrier.run(publishing, self._commands.run(), self._stay_registered(asking))
         finally:
             rospy.signal_shutdown("the bridge ends")
             asking.shutdown(wait=False)
@@ -204,16 +196,8 @@ class Ros1Bridge:
 
     # Samples
 
-    async def _carry(
-        self, published: PublishedGroup, subscription: GroupSubscription, publishing: ThreadPoolExecutor
-    ) -> None:
-        loop = asyncio.get_running_loop()
-        while True:
-            batch = await subscription.take()
-            await loop.run_in_executor(publishing, self._publish, published, batch)
-            self.published += len(batch)
-
-    def _publish(self, published: PublishedGroup, batch: Batch) -> None:
+    def _publish(self, number: int, batch: Batch) -> None:
+        published = self._groups[number]
         for topic in published.topics:
             publisher = self._publishers[topic]
             if not publisher.get_num_connections():
@@ -235,20 +219,10 @@ class Ros1Bridge:
         if not publisher.get_num_connections():
             return
         message = publisher.data_class(name=joints.names)
-        instants = _instants(batch)
-        for at, (positions, velocities, efforts) in zip(instants, joints.rows(batch), strict=True):
+        for at, (positions, velocities, efforts) in zip(instants(batch), joints.rows(batch), strict=True):
             message.header.stamp = rospy.Time.from_sec(at)
             message.position, message.velocity, message.effort = positions, velocities, efforts
             publisher.publish(message)
-
-
-def _instants(batch: Batch) -> list[float]:
-    """Give the instants of samples by this machine's clock, their distances by the gateway's where it tells them."""
-    if batch.time is None:
-        instants: list[float] = batch.arrived.tolist()
-    else:
-        instants = (batch.time - batch.time[-1] + batch.arrived[-1]).tolist()
-    return instants
 
 
 def _message(package: str, kind: str) -> Any:

@@ -64,6 +64,7 @@ class Client(asyncio.Protocol):
         self._flushing = False
         self._slow = False
         self._listening = True
+        self._said_all = False
 
     def _meet(self, codec: Codec) -> None:
         """Begin, now that it is known what the gateway is."""
@@ -104,6 +105,12 @@ class Client(asyncio.Protocol):
         """Take note that it does again."""
         self._slow = False
         self._listen()
+
+    def eof_received(self) -> bool:
+        """Take note that the client has said all, as a pipe into a socket does: what it asked is still answered."""
+        self._said_all = True
+        self._wake()
+        return True
 
     def connection_lost(self, exc: Exception | None) -> None:  # noqa: ARG002  (why it has gone changes nothing)
         """Leave: nothing of it is sent any more, and what it has set up ends."""
@@ -525,3 +532,5 @@ class Client(asyncio.Protocol):
         if self._transport is not None:
             self._transport.write(data)
             self._listen()
+            if self._said_all and not self._pending and not self.queue.requests:
+                self._transport.close()

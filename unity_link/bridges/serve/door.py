@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import asyncio
 import hmac
+import socket
 from typing import TYPE_CHECKING
 
 from unity_link.bridges.serve.client import Client
@@ -19,6 +20,8 @@ if TYPE_CHECKING:
 
 HURRY = 5.0
 """Seconds within which the token must have come."""
+KEEP_ALIVE = 30
+"""Seconds of silence after which a machine is asked whether it is still there."""
 MOST_CLIENTS = 256
 LONGEST_TOKEN = 256
 
@@ -42,6 +45,11 @@ class Door(asyncio.Protocol):
         """Let in, ask for the token, or hang up where there are too many."""
         assert isinstance(transport, asyncio.Transport)
         self._transport = transport
+        connection = transport.get_extra_info("socket")
+        if connection is not None and connection.family != socket.AF_UNIX:
+            # A client whose machine has gone without a word is found, and its groups are freed.
+            connection.setsockopt(socket.SOL_SOCKET, socket.SO_KEEPALIVE, 1)
+            connection.setsockopt(socket.IPPROTO_TCP, socket.TCP_KEEPIDLE, KEEP_ALIVE)
         if len(self._shared.clients) + len(self._shared.callers) >= MOST_CLIENTS:
             transport.abort()
         elif self._token is None:

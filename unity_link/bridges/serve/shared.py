@@ -15,7 +15,7 @@ import msgspec
 from unity_link.bridges.serve.groups import Slots
 from unity_link.bridges.serve.turns import Turns
 from unity_link.connection import Connection, Reconnect
-from unity_link.errors import ConnectError
+from unity_link.errors import ConnectError, GatewayError, LinkLostError, UnansweredError
 from unity_link.requests import Request
 from unity_link.wire.gateway_info import Feature
 from unity_link.wire.messages import Codec
@@ -27,7 +27,6 @@ if TYPE_CHECKING:
     from unity_link.bridges.serve.door import Door
     from unity_link.bridges.serve.groups import ClientGroup, Slot
     from unity_link.drivers import DriverUrl
-    from unity_link.errors import LinkLostError
     from unity_link.virtual import Gateway
 
 PATIENCE = 2.0
@@ -163,7 +162,12 @@ class SharedLink(Connection):
     async def _ask(self, command: str, fields: bytes) -> None:
         request = Request(self._codec, command, fields, 0, self.loop)
         self._exchange.submit(request)
-        await request.future
+        try:
+            await request.future
+        except GatewayError as error:
+            raise LinkLostError(f"the groups of the clients could not be set up again ({error})") from error
+        except UnansweredError as error:
+            raise LinkLostError(error.reason) from error
 
     def _interrupted(self, reason: str) -> None:
         self.turns.hold()

@@ -1,0 +1,75 @@
+"""How samples get from the event loop to a thread that writes or sends them, so that neither waits for the other."""
+
+from __future__ import annotations
+
+import asyncio
+from contextlib import AsyncExitStack
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Coroutine, Sequence
+    from concurrent.futures import Executor
+
+    from unity_link.data import Batch, Group, GroupSubscription
+
+
+class Carrier:
+    """Carries the samples of groups, all that have come together at a time.
+
+    Args:
+        groups: what is sampled.
+        hand_over: takes the number of a group and samples of it; called in the thread, it may block.
+        buffer: most samples of each group that wait meanwhile; then the oldest are lost, and counted.
+    """
+
+    def __init__(self, groups: Sequence[Group], hand_over: Callable[[int, Batch], None], *, buffer: int) -> None:
+        self.carried = 0
+        """Samples that were handed over."""
+        self._groups = groups
+        self._hand_over = hand_over
+        self._buffer = buffer
+        self._subscriptions: list[GroupSubscription] = []
+
+    @property
+    def lost(self) -> int:
+        """Samples that the gateway took and that were not handed over."""
+        return sum(subscription.lost for subscription in self._subscriptions)
+
+    async def run(self, thread: Executor, *beside: Coroutine[Any, Any, None]) -> None:
+        """Carry until it is cancelled or something fails.
+
+        Args:
+            thread: where samples are handed over; of one thread, so that they keep their order.
+            beside: what runs, and ends, at the same time.
+
+        Raises:
+            LinkLostError: where the link ends.
+            Exception: whatever `hand_over` or one beside raised first.
+        """
+        try:
+            async with AsyncExitStack() as stack, asyncio.TaskGroup() as tasks:
+                for coroutine in beside:
+                    tasks.create_task(coroutine)
+                self._subscriptions = [
+                    await stack.enter_async_context(group.subscribe(buffer=self._buffer)) for group in self._groups
+                ]
+                for number, subscription in enumerate(self._subscriptions):
+                    tasks.create_task(self._carry(number, subscription, thread))
+        except BaseExceptionGroup as group:
+            raise group.exceptions[0] from None
+
+    async def _carry(self, number: int, subscription: GroupSubscription, thread: Executor) -> None:
+        loop = asyncio.get_running_loop()
+        while True:
+            batch = await subscription.take()
+            await loop.run_in_executor(thread, self._hand_over, number, batch)
+            self.carried += len(batch)
+
+
+def instants(batch: Batch) -> list[float]:
+    """Give the instants of samples by this machine's clock, their distances by the gateway's where it tells them."""
+    if batch.time is None:
+        at: list[float] = batch.arrived.tolist()
+    else:
+        at = (batch.time - batch.time[-1] + batch.arrived[-1]).tolist()
+    return at
