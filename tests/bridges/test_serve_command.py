@@ -18,6 +18,7 @@ import pytest
 
 import unity_link
 from unity_link import BusTimeoutError, ConnectError, blocking
+from unity_link.bridges.serve.door import MOST_CLIENTS
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
@@ -116,10 +117,11 @@ def test_tcp_listens_on_this_machine_alone(tmp_path: Path) -> None:
         assert run("read", url, "0").returncode == 0
 
 
-def test_another_address_wants_a_token() -> None:
-    result = run("serve", "sim:", "--tcp", "0", "--host", "0.0.0.0")
+@pytest.mark.parametrize("place", [["--tcp", "0"], []], ids=["tcp", "no tcp"])
+def test_another_address_wants_tcp_and_a_token(place: list[str]) -> None:
+    result = run("serve", "sim:", *place, "--host", "0.0.0.0")
     assert result.returncode == 2
-    assert "--token-file" in result.stderr
+    assert ("--token-file" if place else "--tcp") in result.stderr
 
 
 @pytest.mark.parametrize(
@@ -293,3 +295,37 @@ def test_a_client_that_stops_reading_and_one_that_talks_nonsense_disturb_nobody(
         memory = int(Path(f"/proc/{process.pid}/statm").read_text().split()[1]) * os.sysconf("SC_PAGE_SIZE")
         assert memory < 200_000_000
         assert link.statistics.repetitions == 0
+
+
+def test_what_is_piped_into_the_socket_is_answered_to_its_end(tmp_path: Path) -> None:
+    place = tmp_path / "socket"
+    with started("serve", "sim:", "--unix", str(place)) as (_, url), socket.socket(socket.AF_UNIX) as pipe:
+        assert run("read", url, "0").returncode == 0
+        pipe.connect(str(place))
+        pipe.sendall(b"WS0A2A\rR0A\r" * 500)
+        pipe.shutdown(socket.SHUT_WR)
+        heard = b""
+        while data := pipe.recv(65536):
+            heard += data
+        assert heard == b"R0A0000002A\r\n" * 500
+
+
+def test_more_callers_than_there_is_room_for_are_hung_up_on(tmp_path: Path) -> None:
+    place = tmp_path / "socket"
+    with started("serve", "sim:", "--unix", str(place)) as (_, url), contextlib.ExitStack() as stack:
+        assert run("read", url, "0").returncode == 0
+        callers = [stack.enter_context(socket.socket(socket.AF_UNIX)) for _ in range(MOST_CLIENTS + 20)]
+        for caller in callers:
+            caller.connect(str(place))
+            caller.settimeout(60)
+        for caller in callers[:MOST_CLIENTS]:
+            caller.sendall(b"H\r")
+            assert caller.recv(100) == b"H\r\n"
+        for caller in callers[MOST_CLIENTS:]:
+            assert caller.recv(100) == b""
+        callers[0].close()
+
+        def room() -> bool:
+            return run("read", url, "0").returncode == 0
+
+        wait_until(room)

@@ -14,10 +14,10 @@ from unity_link.cli.arguments import Url  # noqa: TC001  (typer reads it)
 from unity_link.cli.output import print_line, print_note
 from unity_link.cli.running import run
 from unity_link.errors import ArgumentError
+from unity_link.listening import LOOPBACK
 
 _PANEL = "Where it is served (a Unix socket if nothing is said)"
 _DEFAULT_NAME = "unity-link.sock"
-LOOPBACK = "127.0.0.1"
 
 
 def add_to(app: typer.Typer) -> None:
@@ -63,8 +63,8 @@ def serve(
     Prints a line for each URL under which it is served: give that to programs and to other commands. The gateway may be
     away at first and in between: clients are told, and go on when it is back. Ctrl-C ends it.
     """
-    if tcp is None and host != LOOPBACK:
-        raise ArgumentError("--host goes with --tcp alone")
+    if tcp is None and (host != LOOPBACK or token_file is not None):
+        raise ArgumentError("--host and --token-file go with --tcp alone")
     token = _token(token_file)
     if tcp is not None and token is None and not _is_loopback(host):
         raise ArgumentError(

@@ -12,13 +12,13 @@ from unity_link.cli.arguments import number
 from unity_link.cli.output import print_line
 from unity_link.cli.running import run
 from unity_link.errors import ArgumentError
+from unity_link.listening import LOOPBACK
 
 if TYPE_CHECKING:
     from contextlib import AbstractAsyncContextManager
 
     from unity_link.virtual import Gateway
 
-LOOPBACK = "127.0.0.1"
 _PANEL = "Where it is served (one of them)"
 _NOISE_PANEL = "What the line does to bytes of both directions"
 
