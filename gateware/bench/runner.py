@@ -4,8 +4,8 @@ The sources are analysed once for each entity and state of `gateware/rtl` (the d
 named after a hash of them), so a second run starts at once and a changed source is never run stale. Generics are given
 when the simulation starts, so all configurations share one build.
 
-A bench fails if one of its tests fails, if none ran, or if the simulator printed a warning: an undriven or undefined
-signal shows up as a `numeric_std` warning and would otherwise pass unseen.
+A bench fails if one of its tests fails, if none ran, or if the simulator printed a warning: of a source, or of an
+undriven or undefined signal, which shows up in `numeric_std` and would otherwise pass unseen.
 """
 
 from __future__ import annotations
@@ -26,6 +26,7 @@ _BUILD = GATEWARE / "build" / "bench"
 _STD = "--std=08"
 # cocotb has pytest explain assertions; pytest's plugins have no business in a simulation, and take two seconds to load.
 _INSIDE = {"PYTHONWARNINGS": "error", "PYTEST_DISABLE_PLUGIN_AUTOLOAD": "1"}
+_SOURCE_WARNING = r"^.*:\d+:\d+:warning:.*$"
 _PICOSECONDS = {"fs": 0.001, "ps": 1, "ns": 10**3, "us": 10**6, "ms": 10**9, "s": 10**12}
 
 
@@ -137,6 +138,9 @@ def _build_once(runner: object, toplevel: str, sources: Sequence[Path], build_di
         )
     except RuntimeError as error:
         raise BenchError(f"{toplevel} does not analyse: {error}\n{_tail(log_file)}") from error
+    warned = re.findall(_SOURCE_WARNING, log_file.read_text(), re.MULTILINE)
+    if warned:
+        raise BenchError(f"{toplevel}: the simulator warns of a source: {warned[0]}")
     (scratch / library.name).replace(library)
     shutil.rmtree(scratch)
 
@@ -155,11 +159,12 @@ def _as_vhdl(value: object) -> object:
 
 
 def _warnings(log: str) -> list[str]:
-    """Return the simulator's warnings after the end of the first reset (until then registers are undefined)."""
+    """Return the simulator's warnings: of the sources, and after the end of the first reset of undefined signals."""
     reset_ended = re.search(r"reset ended at (\d+) ps", log)
     first_ps = int(reset_ended[1]) if reset_ended else 0
     found = re.finditer(r"^.*:@(\d+)([fpnum]?s):\((?:assertion|report) (?:warning|error)\).*$", log, re.MULTILINE)
-    return [match[0] for match in found if int(match[1]) * _PICOSECONDS[match[2]] >= first_ps]
+    late = [match[0] for match in found if int(match[1]) * _PICOSECONDS[match[2]] >= first_ps]
+    return re.findall(_SOURCE_WARNING, log, re.MULTILINE) + late
 
 
 def _tail(log_file: Path, lines: int = 20) -> str:

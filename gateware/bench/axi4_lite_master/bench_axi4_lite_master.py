@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 SLVERR = 2
 
 
-class _Slave:
+class Slave:
     """Memory behind AXI4-Lite that checks the rules of its channels: what is valid stays until it is taken."""
 
     def __init__(self, dut: SimHandleBase, pause: float) -> None:
@@ -91,12 +91,12 @@ class _Slave:
             dut.rvalid.value = 0
 
 
-async def _begin(dut: SimHandleBase, pause: float = 0.0) -> _Slave:
+async def _begin(dut: SimHandleBase, pause: float = 0.0) -> Slave:
     inputs = ("bus_request", "bus_write", "bus_address", "bus_write_data", "awready", "wready", "bresp", "bvalid")
     for name in (*inputs, "arready", "rdata", "rresp", "rvalid"):
         getattr(dut, name).value = 0
     await start(dut.clk, dut.rst)
-    return _Slave(dut, pause)
+    return Slave(dut, pause)
 
 
 async def _access(

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 
 from gateware.bench.runner import run_bench
@@ -11,3 +13,11 @@ from gateware.bench.runner import run_bench
 def test_axi4_lite_master(data_bits: int) -> None:
     module = "gateware.bench.axi4_lite_master.bench_axi4_lite_master"
     run_bench("axi4_lite_master", module, generics={"data_bits": data_bits})
+
+
+def test_a_whole_gateway_works_on_axi4_lite() -> None:
+    run_bench(
+        "axi4_lite_gateway",
+        "gateware.bench.axi4_lite_master.bench_axi4_lite_gateway",
+        extra_sources=[Path(__file__).resolve().parent / "axi4_lite_gateway.vhd"],
+    )

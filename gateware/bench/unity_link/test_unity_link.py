@@ -65,3 +65,9 @@ def test_a_gateway_answers_at_the_pins_of_its_medium(medium: str) -> None:
         generics={"physical": medium, "baud": 12_000_000},
         extra_env={"MEDIUM": medium},
     )
+
+
+def test_there_may_be_256_groups_of_255_addresses() -> None:
+    most = {"groups": 256, "group_words": 255, "sample_depth": 512, "data_bits": 8}
+    # A tick of 10,000 cycles.
+    _run("bench_most_groups", **most, base_frequency_millihertz=5_000_000)

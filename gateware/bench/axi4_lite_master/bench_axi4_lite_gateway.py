@@ -1,0 +1,68 @@
+"""Inside the simulator: the same requests as on Wishbone are answered by a gateway on AXI4-Lite."""
+
+from __future__ import annotations
+
+import random
+from typing import TYPE_CHECKING
+
+import cocotb
+
+from gateware.bench.axi4_lite_master.bench_axi4_lite_master import Slave
+from gateware.bench.streams import Sink, Source, start
+from gateware.bench.unity_link.gateway import checked
+
+if TYPE_CHECKING:
+    from cocotb.handle import SimHandleBase
+
+
+class _Gateway:
+    """A gateway with a memory on its bus, of which each channel is ready when it likes."""
+
+    def __init__(self, dut: SimHandleBase, pause: float) -> None:
+        self.slave = Slave(dut, pause)
+        self._source = Source(dut.clk, dut.in_data, dut.in_valid, dut.in_ready)
+        self._sink = Sink(dut.clk, dut.out_data, dut.out_valid, dut.out_ready)
+
+    async def ask(self, body: bytes, expected: bytes) -> None:
+        """Send a checked request, whose answer must be the checked frame of `expected`."""
+        self._sink.received.clear()
+        await self._source.send(checked(body))
+        assert bytes(await self._sink.wait_for(len(checked(expected)), 20_000)) == checked(expected), body
+
+
+async def _begin(dut: SimHandleBase, pause: float) -> _Gateway:
+    inputs = ("in_data", "in_valid", "out_ready", "awready", "wready", "bresp", "bvalid")
+    for name in (*inputs, "arready", "rdata", "rresp", "rvalid"):
+        getattr(dut, name).value = 0
+    await start(dut.clk, dut.rst)
+    return _Gateway(dut, pause)
+
+
+@cocotb.test
+async def requests_read_and_write_the_bus(dut: SimHandleBase) -> None:
+    for pause in (0.0, 0.4):
+        gateway = await _begin(dut, pause)
+        words = [random.Random(5).getrandbits(32) for _ in range(20)]
+        block = b"".join(b"%08X" % word for word in words)
+        await gateway.ask(b"W0A0000002A", b"W0A")
+        await gateway.ask(b"R0A", b"R0A0000002A")
+        await gateway.ask(b"WM20" + block, b"WM2014")
+        await gateway.ask(b"RM2014", b"RM2014" + block)
+        await gateway.ask(b"WK0A0000000F00000005", b"WK0A0000002A")
+        await gateway.ask(b"r000A", b"r0000000025")
+        await gateway.ask(b"GS000000010220210A", b"X03")
+        await gateway.ask(b"GS00000001022021", b"GS00")
+        assert gateway.slave.memory[0x0A * 4] == 0x25
+
+
+@cocotb.test
+async def errors_of_the_bus_are_answered_and_the_next_request_works(dut: SimHandleBase) -> None:
+    gateway = await _begin(dut, 0.0)
+    gateway.slave.failing = {0x30 * 4}
+    await gateway.ask(b"R30", b"X04")
+    await gateway.ask(b"W3000000001", b"X04")
+    gateway.slave.silent = True
+    await gateway.ask(b"R0A", b"X05")
+    gateway.slave.silent = False
+    await gateway.ask(b"W0A00000007", b"W0A")
+    await gateway.ask(b"R0A", b"R0A00000007")
