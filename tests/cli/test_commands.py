@@ -17,11 +17,13 @@ if TYPE_CHECKING:
     from collections.abc import Iterator
 
 PROGRAM = str(Path(sys.executable).parent / "unity-link")
+RTL = pytest.param("rtl", marks=pytest.mark.rtl)
+on_model_and_gateware = pytest.mark.parametrize("kind", ["sim", RTL])
 
 
 def run(*arguments: str, stdin: str = "") -> subprocess.CompletedProcess[str]:
     result = subprocess.run(
-        [PROGRAM, *arguments], input=stdin, capture_output=True, text=True, timeout=120, check=False
+        [PROGRAM, *arguments], input=stdin, capture_output=True, text=True, timeout=600, check=False
     )
     assert "Traceback" not in result.stderr
     return result
@@ -49,7 +51,10 @@ def served(*arguments: str) -> Iterator[tuple[subprocess.Popen[str], str]]:
         (["read", "sim:delta", "0"], 2, "no robot 'delta'"),
         (["read", "nosuch:x", "1"], 2, "it should begin with one of serial:"),
         (["write", "sim:", "0x10", "0x1FFFFFFFF"], 2, "does not fit in a word of 32 bits"),
+        (["read", "rtl:delta", "0"], 2, "no robot 'delta'"),
+        (["read", "rtl:?data_bits=16", "0"], 2, "no gateware was compiled with data_bits=16: there are data_bits=8"),
         (["simulate"], 2, "one of --pty, --tcp"),
+        (["simulate", "--rtl", "--pty", "--set", "groups=7"], 2, "no gateware was compiled with groups=7"),
         (["simulate", "--tcp", "99999"], 2, "65535"),
         (["read", "serial:/dev/nosuch", "1"], 1, "there is no port /dev/nosuch"),
         (["info", "tcp://127.0.0.1:1"], 1, "is it listening?"),
@@ -71,9 +76,10 @@ def test_a_port_that_is_taken_is_named() -> None:
 
 
 @pytest.mark.parametrize("medium", ["--pty", "--tcp", "--unix", "--udp"])
-def test_a_served_gateway_answers_other_programs(medium: str, tmp_path: Path) -> None:
+@on_model_and_gateware
+def test_a_served_gateway_answers_other_programs(kind: str, medium: str, tmp_path: Path) -> None:
     argument = {"--pty": [], "--tcp": ["0"], "--unix": [str(tmp_path / "socket")], "--udp": ["0"]}[medium]
-    with served(medium, *argument) as (_, url):
+    with served(medium, *argument, *(["--rtl"] if kind == "rtl" else [])) as (_, url):
         assert run("write", url, "0x10", "-1").returncode == 0
         result = run("read", url, "0x10", "2", "--json")
         assert result.returncode == 0
@@ -81,25 +87,40 @@ def test_a_served_gateway_answers_other_programs(medium: str, tmp_path: Path) ->
 
 
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
-def test_a_signal_ends_a_served_gateway_at_once(number: signal.Signals, tmp_path: Path) -> None:
+@on_model_and_gateware
+def test_a_signal_ends_a_served_gateway_at_once(kind: str, number: signal.Signals, tmp_path: Path) -> None:
     path = tmp_path / "socket"
-    with served("--unix", str(path)) as (process, url):
+    with served("--unix", str(path), *(["--rtl"] if kind == "rtl" else [])) as (process, url):
         assert url == f"unix:{path}"
         process.send_signal(number)
         assert process.wait() == 128 + number
     assert not path.exists()
 
 
-def test_what_a_program_may_read_is_json() -> None:
-    info = json.loads(run("info", "sim:", "--json").stdout)
+@on_model_and_gateware
+def test_what_a_program_may_read_is_json(kind: str) -> None:
+    url = f"{kind}:"
+    info = json.loads(run("info", url, "--json").stdout)
     assert (info["data_bits"], info["protocol_version"]) == (32, 1)
-    samples = [json.loads(line) for line in run("watch", "sim:", "0x10", "--count", "3", "--json").stdout.splitlines()]
+    samples = [json.loads(line) for line in run("watch", url, "0x10", "--count", "3", "--json").stdout.splitlines()]
     assert [sample["values"] for sample in samples] == [{"0x10": 0}] * 3
 
 
-def test_frames_are_typed_by_hand_and_answers_explained() -> None:
-    result = run("terminal", "sim:", stdin="W0A0000002A\nR0A\nRZZ\n")
+@on_model_and_gateware
+def test_frames_are_typed_by_hand_and_answers_explained(kind: str) -> None:
+    result = run("terminal", f"{kind}:", stdin="W0A0000002A\nR0A\nRZZ\n")
     assert "0x0000002A (42)" in result.stdout
+
+
+@pytest.mark.rtl
+def test_without_a_compiler_a_command_says_what_to_install(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    monkeypatch.setenv("PATH", str(tmp_path))
+    monkeypatch.delenv("CXX", raising=False)
+    for arguments in (["read", "rtl:", "0"], ["simulate", "--rtl", "--pty"]):
+        result = run(*arguments)
+        assert (result.returncode, result.stdout) == (1, "")
+        assert result.stderr.strip().endswith("no C++ compiler is there: apt install g++")
+        assert len(result.stderr.splitlines()) == 1
 
 
 @pytest.mark.slow

@@ -1,61 +1,46 @@
 """The gateways that the tests of the link run on, each by its id.
 
-A new kind of gateway joins by a line in `KINDS`: a function that gives a gateway of a configuration, fresh from reset,
-with memory behind it and bus errors at the addresses that it is told. Those in `SCHEMES` are reached through a virtual
-FT232H, by the driver of that scheme.
+`make_gateway` has every kind: `sim`, the model; `rtl`, the compiled gateware; and the model behind a virtual FT232H,
+reached by the driver of a scheme in `SCHEMES`. `make_bare` has those that can live on simulated time, on which no
+thread of a driver can.
 """
 
 from __future__ import annotations
 
 from contextlib import ExitStack
-from typing import TYPE_CHECKING, Protocol
+from typing import TYPE_CHECKING
 
 import pytest
 import pytest_asyncio
 
 import unity_link
+from makers import RTL, Maker, compiled, simulated, with_failing
 from unity_link.drivers import load_driver, parse_url
-from unity_link.virtual import VirtualGateway
-from unity_link.virtual.faults import Failing
 from unity_link.virtual.ft232h.board import GatewayBoard
 from unity_link.virtual.ft232h.bus import VirtualBus, VirtualFt232h
 from unity_link.virtual.ft232h.eeprom import build_eeprom
 from unity_link.virtual.ft232h.pyusb_backend import installed
-from unity_link.wire.gateway_info import GatewayInfo
-from unity_link.wire.messages import ErrorCode
 
 if TYPE_CHECKING:
     import asyncio
-    from collections.abc import AsyncIterator, Iterable, Iterator
+    from collections.abc import AsyncIterator, Iterator
 
     from unity_link import Link
-    from unity_link.virtual import Gateway
+    from unity_link.virtual import BareGateway, Gateway
 
-BUS_ERROR, BUS_TIMEOUT = 0xE0, 0xE8
-"""Addresses of which every access fails, in gateways that `Maker` is asked to make with `failing`."""
-
-
-class Maker(Protocol):
-    """Makes gateways of one kind."""
-
-    def __call__(self, info: GatewayInfo, *, failing: bool = False) -> Gateway: ...
+MAKERS: dict[str, Maker] = {"sim": simulated, "rtl": compiled}
+SCHEMES = ("ftdi", "ftdi-async")
 
 
-def simulated(info: GatewayInfo, *, failing: bool = False) -> Gateway:
-    gateway = VirtualGateway(info)
-    if failing:
-        gateway.attach(Failing(ErrorCode.BUS_ERROR), [BUS_ERROR])
-        gateway.attach(Failing(ErrorCode.BUS_TIMEOUT), [BUS_TIMEOUT])
-    return gateway
+@pytest.fixture(params=["sim", RTL])
+def make_bare(request: pytest.FixtureRequest) -> Maker:
+    """Make gateways of each kind in turn, for simulated time."""
+    return MAKERS[request.param]
 
 
-KINDS: dict[str, Maker] = {"sim": simulated, "ftdi": simulated, "ftdi-async": simulated}
-SCHEMES = {"ftdi", "ftdi-async"}
-
-
-@pytest.fixture(params=KINDS)
+@pytest.fixture(params=["sim", RTL, *SCHEMES])
 def make_gateway(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> Iterator[Maker]:
-    """Make gateways of each kind in turn."""
+    """Make gateways of each kind in turn, and have links to them go the way of the kind."""
     with ExitStack() as stack:
         if request.param in SCHEMES:
             bus = stack.enter_context(installed(VirtualBus()))
@@ -67,13 +52,13 @@ def make_gateway(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch
                 return await load_driver(url.scheme).connect(url, protocol)
 
             monkeypatch.setattr("unity_link.virtual.serving.connect_gateway", connect_through_chip)
-        yield KINDS[request.param]
+        yield MAKERS.get(request.param, simulated)
 
 
 @pytest.fixture
-def gateway(make_gateway: Maker) -> Gateway:
+def gateway(make_gateway: Maker) -> BareGateway:
     """Give a gateway of the default configuration, with failing addresses."""
-    return make_gateway(GatewayInfo(), failing=True)
+    return with_failing(make_gateway())
 
 
 @pytest_asyncio.fixture
@@ -81,8 +66,3 @@ async def link(gateway: Gateway) -> AsyncIterator[Link]:
     """Give an open link to `gateway`."""
     async with unity_link.connect(gateway) as link:
         yield link
-
-
-def words(gateway: Gateway, addresses: Iterable[int]) -> list[int]:
-    """Give what is in the memory behind a gateway."""
-    return [gateway.memory[address] for address in addresses]

@@ -1,4 +1,4 @@
-"""Exactly once, in order: the whole host against the gateway model, over lines that lose, damage and double bytes.
+"""Exactly once, in order: the whole host against each kind of gateway, over lines that lose, damage and double bytes.
 
 Everything runs on simulated time, so a seed takes milliseconds. The bus behind the gateway remembers each access, and
 each write carries a word of its own. Most seeds use a CRC of 32 bits: one of 8 bits lets one damaged frame of 256
@@ -12,10 +12,10 @@ import asyncio
 import random
 from typing import TYPE_CHECKING, Any
 
-import msgspec
 import pytest
 
 import unity_link
+from makers import CRC_32, Maker
 from recorded_bus import RecordedBus
 from simulated_time import run_simulated
 from unity_link.errors import AnswerLostError
@@ -28,9 +28,8 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Coroutine
 
     from unity_link import Link
-    from unity_link.virtual import Gateway
+    from unity_link.virtual import BareGateway, Gateway
 
-CRC_32 = GatewayInfo(crc_bits=32, crc_polynomial=0x04C11DB7)
 CALLS = 30
 BATCH = 40
 ADDRESSES = 16
@@ -124,12 +123,11 @@ def wait_for_nobody(gateway: Gateway) -> Gateway:
 
 
 async def run_program(
-    seed: int, info: GatewayInfo, chances: dict[str, float], line: Callable[[VirtualGateway], Gateway] = wait_for_nobody
+    seed: int, bare: BareGateway, chances: dict[str, float], line: Callable[[BareGateway], Gateway] = wait_for_nobody
 ) -> Program:
     """Run the program of a seed, and compare what the bus saw with what was called."""
-    model = VirtualGateway(info)
-    bus = RecordedBus(model)
-    noisy = NoisyLine(line(model), Noise(2 * seed, **chances), Noise(2 * seed + 1, **chances))
+    bus = RecordedBus(bare)
+    noisy = NoisyLine(line(bare), Noise(2 * seed, **chances), Noise(2 * seed + 1, **chances))
     async with unity_link.connect(noisy, timeout=3600) as link:
         program = Program(link, seed)
         await program.run()
@@ -148,45 +146,51 @@ def spread(total: float) -> dict[str, float]:
     return {"loss": total / 3, "flip": total / 3, "double": total / 3}
 
 
-def small_fifo(model: VirtualGateway) -> Gateway:
+def small_fifo(bare: BareGateway) -> Gateway:
     """Put a slow line before a gateway, whose receive FIFO overflows unless the host counts."""
-    return SlowLine(model, bytes_per_second=100_000)
+    return SlowLine(bare, bytes_per_second=100_000)
 
 
-WITHOUT_FLOW_CONTROL = msgspec.structs.replace(
-    CRC_32, features=CRC_32.features & ~Feature.FLOW_CONTROL, receive_fifo_bytes=64, transmit_fifo_bytes=64
-)
-LONG_IDS = msgspec.structs.replace(CRC_32, id_digits=3)
+WITHOUT_FLOW_CONTROL = {
+    **CRC_32,
+    "features": GatewayInfo().features & ~Feature.FLOW_CONTROL,
+    "receive_fifo_bytes": 64,
+    "transmit_fifo_bytes": 64,
+}
+SHORT_IDS = {**CRC_32, "id_digits": 2}
+LONG_IDS = {**CRC_32, "id_digits": 3}
 RATES = pytest.mark.parametrize("total", [0.0, 0.003, 0.01], ids="{:.1%}".format)
 
 
 @RATES
-@pytest.mark.parametrize("info", [CRC_32, LONG_IDS], ids=["short IDs", "long IDs"])
-def test_each_write_is_executed_exactly_once_and_in_order(info: GatewayInfo, total: float) -> None:
+@pytest.mark.parametrize("fields", [SHORT_IDS, LONG_IDS], ids=["short IDs", "long IDs"])
+def test_each_write_is_executed_exactly_once_and_in_order(
+    make_bare: Maker, fields: dict[str, int], total: float
+) -> None:
     for seed in range(50):
-        run_simulated(run_program(seed, info, spread(total)))
+        run_simulated(run_program(seed, make_bare(**fields), spread(total)))
 
 
 @RATES
-def test_so_it_is_where_the_receive_fifo_is_small_and_nothing_stops_the_host(total: float) -> None:
+def test_so_it_is_where_the_receive_fifo_is_small_and_nothing_stops_the_host(make_bare: Maker, total: float) -> None:
     for seed in range(50):
-        run_simulated(run_program(seed, WITHOUT_FLOW_CONTROL, spread(total), small_fifo))
+        run_simulated(run_program(seed, make_bare(**WITHOUT_FLOW_CONTROL), spread(total), small_fifo))
 
 
 @RATES
-def test_so_it_is_with_the_usual_crc_of_8_bits_where_it_finds_the_damage(total: float) -> None:
+def test_so_it_is_with_the_usual_crc_of_8_bits_where_it_finds_the_damage(make_bare: Maker, total: float) -> None:
     for seed in range(25):
-        run_simulated(run_program(seed, GatewayInfo(), spread(total)))
+        run_simulated(run_program(seed, make_bare(crc_bits=8), spread(total)))
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("kind", ["loss", "flip", "double", "all"])
-def test_thousands_of_seeds_are_executed_exactly_once_and_in_order(kind: str) -> None:
+def test_thousands_of_seeds_are_executed_exactly_once_and_in_order(make_bare: Maker, kind: str) -> None:
     for seed in range(1000, 1500):
         chances = spread(0.01) if kind == "all" else {kind: 0.006}
-        run_simulated(run_program(seed, CRC_32, chances))
+        run_simulated(run_program(seed, make_bare(**CRC_32), chances))
         if seed % 4 == 0:
-            run_simulated(run_program(seed, WITHOUT_FLOW_CONTROL, chances, small_fifo))
+            run_simulated(run_program(seed, make_bare(**WITHOUT_FLOW_CONTROL), chances, small_fifo))
 
 
 def test_the_proof_can_fail() -> None:
@@ -198,14 +202,10 @@ def test_the_proof_can_fail() -> None:
                 self.expected = self.expected - 1 & 0xFF
             return super().receive(data, now)
 
-    def forgetful(model: VirtualGateway) -> Gateway:
-        other = Forgetful(CRC_32)
-        other.bus = model.bus
-        return other
-
     async def all_seeds() -> None:
         for seed in range(20):
-            await run_program(seed, CRC_32, spread(0.003), forgetful)
+            forgetful = Forgetful(GatewayInfo(crc_bits=32, crc_polynomial=0x04C11DB7))
+            await run_program(seed, forgetful, spread(0.003))
 
     with pytest.raises((AssertionError, unity_link.UnityLinkError)):
         run_simulated(all_seeds())

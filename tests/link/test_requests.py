@@ -9,7 +9,8 @@ import numpy as np
 import pytest
 
 import unity_link
-from unity_link import ArgumentError, BusError, BusTimeoutError, Feature, GatewayInfo, OutOfRangeError, UnsupportedError
+from makers import BUS_ERROR, BUS_TIMEOUT, Maker, on_each_kind
+from unity_link import ArgumentError, BusError, BusTimeoutError, Feature, OutOfRangeError, UnsupportedError
 
 if TYPE_CHECKING:
     from collections.abc import Awaitable, Callable
@@ -18,7 +19,6 @@ if TYPE_CHECKING:
     from unity_link.virtual import Gateway
 
 pytestmark = pytest.mark.asyncio
-BUS_ERROR, BUS_TIMEOUT = 0xE0, 0xE8
 
 
 def words(gateway: Gateway, start: int, count: int) -> list[int]:
@@ -57,8 +57,8 @@ async def test_numpy_integers_are_taken_as_words_and_addresses(link: Link, gatew
 
 
 @pytest.mark.parametrize("count", [1, 2, 255, 256])
-async def test_a_block_comes_back_as_it_was_written(make_gateway: Any, count: int) -> None:
-    gateway = make_gateway(GatewayInfo())
+async def test_a_block_comes_back_as_it_was_written(make_gateway: Maker, count: int) -> None:
+    gateway = make_gateway()
     values = np.arange(count, dtype=np.uint32) * np.uint32(0x01010101)
     async with unity_link.connect(gateway) as link:
         await link.write_block(0, values)
@@ -68,8 +68,8 @@ async def test_a_block_comes_back_as_it_was_written(make_gateway: Any, count: in
     assert read.tolist() == values.tolist()
 
 
-async def test_a_long_block_is_split_at_the_gateways_limit(make_gateway: Any) -> None:
-    gateway = make_gateway(GatewayInfo(block_words=10))
+async def test_a_long_block_is_split_at_the_gateways_limit(make_gateway: Maker) -> None:
+    gateway = make_gateway(block_words=10)
     async with unity_link.connect(gateway) as link:
         before = link.statistics.requests
         await link.write_block(3, range(35))
@@ -294,9 +294,9 @@ BARE: dict[str, Callable[[Link], Awaitable[object]]] = {
 
 @pytest.mark.parametrize(("name", "call"), BARE.items(), ids=BARE)
 async def test_what_a_gateway_was_built_without_is_named_and_not_sent(
-    make_gateway: Any, name: str, call: Callable[[Link], Awaitable[object]]
+    make_gateway: Maker, name: str, call: Callable[[Link], Awaitable[object]]
 ) -> None:
-    gateway = make_gateway(GatewayInfo(features=Feature.FLOW_CONTROL))
+    gateway = make_gateway(features=Feature.FLOW_CONTROL)
     async with unity_link.connect(gateway) as link:
         sent = link.statistics.bytes_sent
         with pytest.raises(UnsupportedError, match=f"built without {name}"):
@@ -309,16 +309,18 @@ async def test_what_a_gateway_was_built_without_is_named_and_not_sent(
 # Widths
 
 
-@pytest.mark.parametrize("id_digits", [2, 3])
-@pytest.mark.parametrize(
-    ("data_bits", "address_bits"), [(8, 8), (9, 13), (12, 16), (16, 10), (33, 20), (40, 32), (64, 32)]
-)
-async def test_every_request_works_at_every_width(
-    make_gateway: Any, data_bits: int, address_bits: int, id_digits: int
-) -> None:
-    gateway = make_gateway(GatewayInfo(data_bits=data_bits, address_bits=address_bits, id_digits=id_digits))
+WIDTHS = [
+    {"data_bits": data_bits, "address_bits": address_bits, "id_digits": id_digits}
+    for data_bits, address_bits in [(8, 8), (9, 13), (12, 16), (16, 10), (32, 8), (33, 20), (40, 32), (64, 32)]
+    for id_digits in (2, 3)
+]
+
+
+@on_each_kind(WIDTHS, compiled=[2, 8, 9, 15])
+async def test_every_request_works_at_every_width(make_gateway: Maker, fields: dict[str, int]) -> None:
+    data_bits, address_bits, _ = fields.values()
     top, last = (1 << data_bits) - 1, (1 << address_bits) - 1
-    async with unity_link.connect(gateway) as link:
+    async with unity_link.connect(make_gateway(**fields)) as link:
         await link.write(last, top)
         assert await link.read(last) == top
         assert await link.write_masked(last, 0, 1) == top
@@ -341,11 +343,15 @@ async def test_every_request_works_at_every_width(
             assert (await anext(samples)).values.tolist() == [top, top - 1, 5]
 
 
-@pytest.mark.parametrize(
-    ("bits", "polynomial"), [(8, 0x31), (16, 0x1021), (16, 0x8005), (32, 0x04C11DB7), (32, 0x1EDC6F41)]
-)
-async def test_every_crc_works(make_gateway: Any, bits: int, polynomial: int) -> None:
-    async with unity_link.connect(make_gateway(GatewayInfo(crc_bits=bits, crc_polynomial=polynomial))) as link:
+CRCS = [
+    {"crc_bits": bits, "crc_polynomial": polynomial}
+    for bits, polynomial in [(8, 0x31), (16, 0x1021), (16, 0x8005), (32, 0x04C11DB7), (32, 0x1EDC6F41)]
+]
+
+
+@on_each_kind(CRCS, compiled=[1, 3])
+async def test_every_crc_works(make_gateway: Maker, fields: dict[str, int]) -> None:
+    async with unity_link.connect(make_gateway(**fields)) as link:
         await link.write_many(range(100), range(100))
         assert (await link.read_block(0, 100)).tolist() == list(range(100))
         assert link.statistics.damaged_frames == 0
@@ -354,10 +360,11 @@ async def test_every_crc_works(make_gateway: Any, bits: int, polynomial: int) ->
 # What a link knows
 
 
-async def test_the_link_knows_its_gateway(make_gateway: Any) -> None:
-    info = GatewayInfo(build_id=0xCAFE, clock_hz=12_000_000)
-    async with unity_link.connect(make_gateway(info)) as link:
-        assert link.gateway == info
+async def test_the_link_knows_its_gateway(make_gateway: Maker) -> None:
+    gateway = make_gateway(build_id=0xCAFE)
+    async with unity_link.connect(gateway) as link:
+        assert link.gateway == gateway.info
+        assert link.gateway.build_id == 0xCAFE
 
 
 async def test_statistics_count_what_happened(link: Link) -> None:

@@ -2,8 +2,9 @@
 
 A sample belongs to the instant at which it is due, not to the one at which the loop comes to it. So the pump steps from
 one due instant to the next, as far as the loop's time has come. It never does more in one go than `MOST_BYTES` or
-`MOST_STEPS`, so that the loop stays alive; a gateway that is asked for more samples than this machine can make runs
-late, and what is later than `MOST_LAG` is counted as overruns, as is all that becomes due while the medium is blocked.
+`MOST_STEPS`, or for longer than `MOST_TURN`, so that the loop stays alive; a gateway that is asked for more samples
+than this machine can make runs late, and what is later than `MOST_LAG` is counted as overruns, as is all that becomes
+due while the medium is blocked.
 """
 
 from __future__ import annotations
@@ -20,6 +21,8 @@ MOST_BYTES = 65536
 """Bytes that are published before the loop gets its turn."""
 MOST_STEPS = 2048
 """Due instants that are passed before the loop gets its turn."""
+MOST_TURN = 0.02
+"""Seconds that may go by before the loop gets its turn."""
 MOST_LAG = 0.25
 """Seconds by which the gateway's time may be behind that of the loop."""
 
@@ -74,12 +77,12 @@ class Pump:
     def _catch_up(self, now: float) -> float:
         """Go on to `now`, or as far as one turn can; gives the gateway's time then."""
         gateway, published, steps = self.gateway, 0, 0
-        reached = now
+        reached, began = now, self._loop.time()
         while not self._closed and (due := gateway.next_due) is not None and due <= now:
             if self.blocked or now - due > MOST_LAG:
                 frames = gateway.advance(now, room=0)
                 due = now
-            elif published >= MOST_BYTES or steps >= MOST_STEPS:
+            elif published >= MOST_BYTES or steps >= MOST_STEPS or self._loop.time() - began >= MOST_TURN:
                 return reached
             else:
                 frames = gateway.advance(due)

@@ -1,15 +1,11 @@
 """One gateway that is the gateware: bytes and the time go in, bytes come out, clock cycles pass in between.
 
-Time. The gateware knows only cycles of its clock, and its `Q` says truthfully how many there are in a second. This
-machine simulates about a million of them in a second, so a served gateway is clocked far slower than a board. While
-nothing that depends on time can happen, simulated time stands still between calls and each request costs only the
-cycles that it takes. Once a group was started, time has to pass: from then until the answer to `K` (which stops all
-groups), `next_due` asks for `advance` every `SLICE` seconds and cycles keep pace with the `now` that it is given. What
-a slow machine can't make up for in one call (`MOST_CYCLES`) is left out: the gateware's time then falls behind, as its
-timestamps show, but nothing piles up.
-
-So timestamps of one subscription are exact to the cycle, and two subscriptions with rest between them seem closer in
-time than they were.
+Time. The gateware knows only cycles of its clock, and its `Q` says truthfully how many there are in a second. A machine
+simulates about two million of them in a second, so a served gateway is clocked far slower than a board. Cycles in which
+nothing can happen, because no group is running and no byte is under way, are skipped: the gateware's clock is set
+forward, by whole base ticks. While a group runs, each cycle counts: `next_due` asks for `advance` every `SLICE`
+seconds, and cycles keep pace with the `now` that it is given. What a slow machine can't make up for in one call
+(`MOST_LATE`) is left out: the gateware's time then falls behind, as its timestamps show, but nothing piles up.
 """
 
 from __future__ import annotations
@@ -31,8 +27,8 @@ if TYPE_CHECKING:
 
 SLICE = 0.001
 """Seconds between two calls of `advance` while groups may be running."""
-MOST_CYCLES = 50_000
-"""Cycles that pass in one call at most because of time."""
+MOST_LATE = 10 * SLICE
+"""Seconds of the gateware's clock that pass in one call at most, while groups are running."""
 _MOST_TO_QUIET = 50_000_000
 _MOST_TO_QUIET_WITH_GROUPS = 8192
 _UNLIMITED = ctypes.c_size_t(-1).value
@@ -99,28 +95,25 @@ class RtlGateway:
 
     def __init__(self, configuration: str = "default") -> None:
         build = find(configuration)
-        self._prefix = b"" if build.node is None else b"Z%02X" % build.node
         self._library = load(configuration)
         self._handle = int(self._library.ul_create())
         self._free = weakref.finalize(self, self._library.ul_destroy, self._handle)
         self.wake: Callable[[], None] = _do_nothing
         self._origin: float | None = None
-        self._ticking = False
-        self._last_sent = self._last_received = b""
         self._devices: dict[int, tuple[Device, int]] = {}
         self._fault: BaseException | None = None
         # The library keeps the address alone: the function must live as long as the gateway.
         self._device_function = DeviceFunction(_device_of(weakref.ref(self)))
         self._library.ul_set_device(self._handle, self._device_function, None)
-        self.info = self._ask_for_info()
+        self.info = self._ask_for_info(b"" if build.node is None else b"Z%02X" % build.node)
+        # In cycles; those of a fraction don't come in whole ones.
+        self._base_tick = max(1, self.info.clock_hz * 1000 // self.info.base_frequency_millihertz)
         self.memory = RtlMemory(self._library, self._handle, self.info)
 
     def reset(self) -> None:
         """Go back to the state after power-up. What is behind the bus stays as it is."""
         self._library.ul_reset(self._handle)
         self._origin = None
-        self._ticking = False
-        self._last_sent = self._last_received = b""
 
     # What is behind the bus
 
@@ -164,7 +157,7 @@ class RtlGateway:
     @property
     def next_due(self) -> float | None:
         """When `advance` should be called next; None while time makes no difference."""
-        if self._origin is None or not (self._ticking or self.waiting):
+        if self._origin is None or not (self.ticking or self._is_held_up):
             return None
         return self._time() + SLICE
 
@@ -172,14 +165,14 @@ class RtlGateway:
         """Take bytes at the time `now` (seconds), and give what is sent until the gateway has nothing left to do."""
         self._pass_time(now)
         self._library.ul_push(self._handle, data, len(data))
-        self._watch_starts(data)
-        return self._settle()
+        self._run_until_quiet()
+        return self._pull()
 
     def advance(self, now: float, room: int | None = None) -> bytes:
         """Let time pass up to `now` (seconds), and give what was sent, as far as there is `room`."""
         self._library.ul_set_room(self._handle, _UNLIMITED if room is None else room)
         self._pass_time(now)
-        if self.waiting:
+        if self._is_held_up:
             self._run_until_quiet()
         self._library.ul_set_room(self._handle, _UNLIMITED)
         return self._pull()
@@ -201,8 +194,8 @@ class RtlGateway:
 
     @property
     def ticking(self) -> bool:
-        """Whether groups may be running, so that time has to pass although no byte does."""
-        return self._ticking
+        """Whether groups are running, so that time has to pass although no byte does."""
+        return bool(self._library.ul_running(self._handle))
 
     def set_pace(self, bytes_per_second: float) -> None:
         """Have each byte take its time at the medium, in both directions, from now on."""
@@ -222,11 +215,10 @@ class RtlGateway:
         library.ul_push(handle, offered, len(offered))
         library.ul_set_room(handle, room)
         flushes = self.flushes
-        passed = int(library.ul_run_at_pins(handle, cycles, not self._ticking))
+        passed = int(library.ul_run_at_pins(handle, cycles, not self.ticking))
         taken = len(offered) - self.waiting
         library.ul_take_back(handle)
         library.ul_set_room(handle, _UNLIMITED)
-        self._watch_starts(offered[:taken])
         self._raise_fault()
         return Passage(passed, taken, self._pull(), self.flushes != flushes)
 
@@ -237,13 +229,21 @@ class RtlGateway:
 
     # The inside
 
-    def _ask_for_info(self) -> GatewayInfo:
-        beginning = self._prefix + b"Q"
-        answer = self.receive(beginning + b"\r", 0.0)
+    def _ask_for_info(self, prefix: bytes) -> GatewayInfo:
+        beginning = prefix + b"Q"
+        question = beginning + b"\r"
+        self._library.ul_push(self._handle, question, len(question))
+        self._run_until_quiet()
+        answer = self._pull()
         self.reset()
         if not answer.startswith(beginning):
             raise ConnectError(f"the gateware answered {answer!r} to Q: it was not built as it should be")
         return GatewayInfo.from_hex(answer[len(beginning) : -2])
+
+    @property
+    def _is_held_up(self) -> bool:
+        """Whether bytes wait for room, on their way in or out."""
+        return self.waiting > 0 or bool(self._library.ul_stalled(self._handle))
 
     def _time(self) -> float:
         """The gateway's time in the caller's seconds."""
@@ -251,43 +251,23 @@ class RtlGateway:
         return self._origin + self.cycles / self.info.clock_hz
 
     def _pass_time(self, now: float) -> None:
-        """Let cycles pass up to `now`, where they matter; else say that now is now."""
-        if not hasattr(self, "info"):
-            return
-        if self._origin is not None and (self._ticking or self._time() > now):
-            missing = round((now - self._time()) * self.info.clock_hz)
-            if missing > 0:
-                self._run(min(missing, MOST_CYCLES))
-            if missing <= MOST_CYCLES:
-                return
-        self._origin = now - self.cycles / self.info.clock_hz
-
-    def _watch_starts(self, data: bytes) -> None:
-        """Take note of a request that may start a group; it is not parsed, as waiting for nothing costs only cycles."""
-        seen = self._last_received + data
-        self._ticking = self._ticking or b"GN" in seen or b"gn" in seen
-        self._last_received = seen[-1:]
-
-    def _watch_stops(self, sent: bytes) -> None:
-        """Take note of the answer to K: all groups have stopped."""
-        seen = self._last_sent + sent
-        end = self._prefix + b"K"
-        at = max(seen.rfind(b"\n" + end), 0 if self._last_sent == b"" and seen.startswith(end) else -1)
-        if at >= 0:
-            self._ticking = b"GN" in seen[at:] or b"gn" in seen[at:]
-        self._last_sent = seen[-1:]
-
-    def _settle(self) -> bytes:
-        self._run_until_quiet()
-        return self._pull()
+        """Let cycles pass up to `now`, or skip those in which nothing can happen."""
+        if self._origin is None:
+            self._origin = now - self.cycles / self.info.clock_hz
+        missing = max(0, round((now - self._time()) * self.info.clock_hz))
+        if self.ticking or self._is_held_up:
+            most = round(MOST_LATE * self.info.clock_hz)
+            self._run(min(missing, most))
+            self._origin += max(0, missing - most) / self.info.clock_hz
+        else:
+            self._library.ul_skip(self._handle, missing - missing % self._base_tick)
 
     def _run(self, cycles: int) -> None:
         self._library.ul_run(self._handle, cycles)
         self._raise_fault()
 
     def _run_until_quiet(self) -> None:
-        most = _MOST_TO_QUIET_WITH_GROUPS if self._ticking else _MOST_TO_QUIET
-        self._library.ul_run_until_quiet(self._handle, most)
+        self._library.ul_run_until_quiet(self._handle, _MOST_TO_QUIET, _MOST_TO_QUIET_WITH_GROUPS)
         self._raise_fault()
 
     def _pull(self) -> bytes:
@@ -296,9 +276,7 @@ class RtlGateway:
             return b""
         buffer = ctypes.create_string_buffer(size)
         self._library.ul_pull(self._handle, buffer, size)
-        sent = buffer.raw
-        self._watch_stops(sent)
-        return sent
+        return buffer.raw
 
     def _access(self, address: int, word: int | None) -> int:
         """Let a device answer one access; gives the word read."""

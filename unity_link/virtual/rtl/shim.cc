@@ -7,7 +7,7 @@
 // Order within a cycle: inputs are set, then one evaluation with a rising clock settles the logic and computes what the
 // registers will hold. Both sides' signals are looked at before it is committed, which is as a register would see them
 // at that edge. So handshakes are exact. A step with the clock low, which CXXRTL does not need where the logic has no
-// feedback (`make_model` checks that), would take the time of another evaluation.
+// feedback, would take the time of another evaluation.
 //
 // The bus answers each access with the cycle after it, as block RAM does: `ack` is a register. In classic mode the
 // strobe that is still up beside `ack` belongs to the access just answered.
@@ -119,6 +119,7 @@ public:
 		cycles = 0;
 		flushes = 0;
 		quiet_ = 0;
+		stalled = false;
 		in_due_ = out_due_ = 0;
 	}
 
@@ -127,15 +128,36 @@ public:
 			cycle();
 	}
 
-	// Runs until nothing moves any more, or what moves waits for room; at most `most` cycles. Gives the cycles run.
-	uint64_t run_until_quiet(uint64_t most) {
+	// Runs until nothing moves any more, or what moves waits for room; at most `most` cycles, or `most_with_groups`
+	// while a group is running, which never rests. Gives the cycles run.
+	uint64_t run_until_quiet(uint64_t most, uint64_t most_with_groups) {
 		uint64_t count = 0;
 		quiet_ = 0;
-		while (quiet_ < QUIET_CYCLES && count < most) {
+		while (quiet_ < QUIET_CYCLES && count < (running() ? most_with_groups : most)) {
 			cycle();
 			++count;
 		}
 		return count;
+	}
+
+	// Whether a group is running, so that something may happen at any tick.
+	bool running() const {
+#ifdef UL_RUNNING
+		return !top_.UL_RUNNING.curr.is_zero();
+#else
+		return false;
+#endif
+	}
+
+	// Does what `run` does, at no cost, for a gateway that is quiet and has no group running: nothing changes then but
+	// its clock, and the phase of the base tick unless `count` is a multiple of that.
+	void skip(uint64_t count) {
+#ifdef UL_STAMP
+		auto &stamp = top_.UL_STAMP;
+		set(stamp.curr, static_cast<uint32_t>(get(stamp.curr) + count));
+		stamp.next = stamp.curr;
+#endif
+		cycles += count;
 	}
 
 	// Runs as the pins of a medium would see it: until a flush, or, with `stop_when_quiet`, until nothing moves; at most
@@ -164,6 +186,8 @@ public:
 	size_t room = std::numeric_limits<size_t>::max();
 	bool lost_before_next = false;
 	bool trigger = false;
+	// Whether a byte to send found no room in the last cycle.
+	bool stalled = false;
 
 private:
 	void cycle() {
@@ -183,6 +207,7 @@ private:
 
 		const bool taken = offered && get(top_.p_in__ready);
 		const bool sent = room_left && get(top_.p_out__valid);
+		stalled = !room_left && get(top_.p_out__valid);
 		const bool on_bus = get(top_.p_wb__cyc);
 		if (taken) {
 			to_gateway.pop_front();
@@ -252,11 +277,16 @@ void ul_destroy(Gateway *gateway) { delete gateway; }
 void ul_reset(Gateway *gateway) { gateway->reset(); }
 
 void ul_run(Gateway *gateway, uint64_t cycles) { gateway->run(cycles); }
-uint64_t ul_run_until_quiet(Gateway *gateway, uint64_t most) { return gateway->run_until_quiet(most); }
+uint64_t ul_run_until_quiet(Gateway *gateway, uint64_t most, uint64_t most_with_groups) {
+	return gateway->run_until_quiet(most, most_with_groups);
+}
 uint64_t ul_run_at_pins(Gateway *gateway, uint64_t most, int stop_when_quiet) {
 	return gateway->run_at_pins(most, stop_when_quiet != 0);
 }
 void ul_set_pace(Gateway *gateway, double cycles_per_byte) { gateway->pace = cycles_per_byte; }
+int ul_running(const Gateway *gateway) { return gateway->running(); }
+int ul_stalled(const Gateway *gateway) { return gateway->stalled; }
+void ul_skip(Gateway *gateway, uint64_t cycles) { gateway->skip(cycles); }
 uint64_t ul_cycles(const Gateway *gateway) { return gateway->cycles; }
 uint64_t ul_flushes(const Gateway *gateway) { return gateway->flushes; }
 

@@ -1,0 +1,73 @@
+"""Makers of gateways for tests that run on each kind of them: the model, and the compiled gateware.
+
+The gateware has few configurations. A maker is told only the fields that a test needs, and gives a gateway that has
+these; `on_each_kind` is for a test that needs more configurations than were compiled.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Protocol
+
+import pytest
+
+from unity_link.virtual import VirtualGateway
+from unity_link.virtual.faults import Failing
+from unity_link.virtual.rtl import RtlGateway, choose
+from unity_link.wire.gateway_info import Feature, GatewayInfo
+from unity_link.wire.messages import ErrorCode
+
+if TYPE_CHECKING:
+    from collections.abc import Collection, Sequence
+
+    from unity_link.virtual import BareGateway
+
+BUS_ERROR, BUS_TIMEOUT = 0xE0, 0xE8
+"""Addresses of which every access fails, in a gateway `with_failing`."""
+CRC_32 = {"crc_bits": 32, "crc_polynomial": 0x04C11DB7}
+SLOW = {"base_frequency_millihertz": 1_000_000}
+"""Samples at 1 kHz at most: what tests on simulated time run with."""
+KINDS = ("sim", "rtl", "ftdi", "ftdi-async")
+RTL = pytest.param("rtl", marks=pytest.mark.rtl)
+
+
+class Maker(Protocol):
+    """Makes gateways of one kind, fresh from reset, with zeros in the memory behind them."""
+
+    def __call__(self, **fields: int) -> BareGateway:
+        """Make a gateway whose `GatewayInfo` has these fields."""
+
+
+def simulated(**fields: int) -> BareGateway:
+    features = Feature(fields.pop("features", GatewayInfo().features))
+    return VirtualGateway(GatewayInfo(**fields, features=features))
+
+
+def compiled(**fields: int) -> BareGateway:
+    return RtlGateway(choose(fields).name)
+
+
+def with_failing(gateway: BareGateway) -> BareGateway:
+    """Have every access of two addresses fail."""
+    gateway.attach(Failing(ErrorCode.BUS_ERROR), [BUS_ERROR])
+    gateway.attach(Failing(ErrorCode.BUS_TIMEOUT), [BUS_TIMEOUT])
+    return gateway
+
+
+def on_each_kind(values: Sequence[dict[str, int]], compiled: Collection[int]) -> pytest.MarkDecorator:
+    """Parametrise a test by `make_gateway` and `fields`.
+
+    Args:
+        values: of `fields`.
+        compiled: places in `values` of those that the gateware was compiled with.
+    """
+    cases = [
+        pytest.param(kind, fields, marks=[pytest.mark.rtl] if kind == "rtl" else [], id=f"{kind}-{_text(fields)}")
+        for kind in KINDS
+        for place, fields in enumerate(values)
+        if kind != "rtl" or place in compiled
+    ]
+    return pytest.mark.parametrize(("make_gateway", "fields"), cases, indirect=["make_gateway"])
+
+
+def _text(fields: dict[str, int]) -> str:
+    return "-".join(str(value) for value in fields.values())
