@@ -6,6 +6,7 @@ import os
 import socket
 import subprocess
 import sys
+from itertools import accumulate
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -65,7 +66,9 @@ def test_programs_in_c_and_python_and_a_person_share_a_robot(driver: Path, place
             assert [int(next(iter(samples)).values[0]) for _ in range(3)] == [1200] * 3
             ones = [one("next 0 30").split() for _ in range(20)]
             twos = [two("next 0 30").split() for _ in range(20)]
-        assert [int(sample[1]) for sample in ones] == [int(sample[1]) for sample in twos] == list(range(20))
+        # A client that is not asked for samples in time loses some, and says so.
+        assert numbers(ones) == [int(sample[1]) for sample in ones]
+        assert numbers(twos) == [int(sample[1]) for sample in twos]
         assert {len(sample) for sample in ones} == {5}
         assert {len(sample) for sample in twos} == {6}
         typed.connect(str(place))
@@ -75,3 +78,8 @@ def test_programs_in_c_and_python_and_a_person_share_a_robot(driver: Path, place
         two.words("close")
         one.words("write 8c 7")
         assert link.read(0x8C) == 7
+
+
+def numbers(samples: list[list[str]]) -> list[int]:
+    """Give the numbers that samples must have, from how many were lost before each."""
+    return [number - 1 for number in accumulate(int(sample[2]) + 1 for sample in samples)]
