@@ -9,7 +9,9 @@ from typing import TYPE_CHECKING, Self
 import pipe
 from unity_link.bridges.serve.client import Client
 from unity_link.bridges.serve.shared import SharedLink
+from unity_link.drivers import DriverUrl
 from unity_link.link import Link
+from unity_link.virtual.serving import connect_gateway
 
 if TYPE_CHECKING:
     from collections.abc import AsyncIterator, Callable
@@ -84,7 +86,7 @@ class PipedLink(Link):
     def __init__(
         self, shared: SharedLink, noise: tuple[Noise, Noise] | None = None, reconnect: Reconnect | None = None
     ) -> None:
-        assert not hasattr(shared._target, "scheme")
+        assert not isinstance(shared._target, DriverUrl)
         super().__init__(shared._target, reconnect)
         self._shared = shared
         self._noise = noise or (None, None)
@@ -97,3 +99,22 @@ class PipedLink(Link):
     async def __aenter__(self) -> Self:
         await self.open(3600)
         return self
+
+
+class ServedGateway(SharedLink):
+    """A shared link of a gateway that has a single client, and ends with it."""
+
+    async def _connect_stream(self, stream: Stream) -> None:
+        assert not isinstance(self._target, DriverUrl)
+        await connect_gateway(self._target, stream)
+
+    def leave(self, client: Client) -> None:
+        super().leave(client)
+        self._keep(self.loop.create_task(self.finish()))
+
+
+async def connect_through_server(gateway: Gateway, protocol: asyncio.Protocol) -> asyncio.Transport:
+    """Connect a protocol to a gateway that is shared, in place of `unity_link.virtual.serving.connect_gateway`."""
+    shared = ServedGateway(gateway, lambda _: None)
+    shared.open_when_there()
+    return pipe.connect(protocol, Client(shared))

@@ -1,8 +1,8 @@
 """The gateways that the tests of the link run on, each by its id.
 
 `make_gateway` has every kind: `sim`, the model; `rtl`, the compiled gateware; and the model behind a virtual FT232H,
-reached by the driver of a scheme in `SCHEMES`. `make_bare` has those that can live on simulated time, on which no
-thread of a driver can.
+reached by the driver of a scheme in `SCHEMES`; and `serve`, the model through a server that shares it. `make_bare` has
+those that can live on simulated time, on which no thread of a driver can.
 """
 
 from __future__ import annotations
@@ -15,6 +15,7 @@ import pytest_asyncio
 
 import unity_link
 from makers import RTL, Maker, compiled, simulated, with_failing
+from sharing import connect_through_server
 from unity_link.drivers import load_driver, parse_url
 from unity_link.virtual.ft232h.board import GatewayBoard
 from unity_link.virtual.ft232h.bus import VirtualBus, VirtualFt232h
@@ -30,15 +31,30 @@ if TYPE_CHECKING:
 
 MAKERS: dict[str, Maker] = {"sim": simulated, "rtl": compiled}
 SCHEMES = ("ftdi", "ftdi-async")
+WAY = "unity_link.virtual.serving.connect_gateway"
+"""What connects a link to a gateway of this process."""
 
 
-@pytest.fixture(params=["sim", RTL])
-def make_bare(request: pytest.FixtureRequest) -> Maker:
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """Take the tests of a link's life from `serve`: that of the server's link is another one than its clients'."""
+    items[:] = [item for item in items if not (item.path.name == "test_life.py" and "serve" in _kinds(item))]
+
+
+def _kinds(item: pytest.Item) -> list[object]:
+    return (
+        list(item.callspec.params.values()) if isinstance(item, pytest.Function) and hasattr(item, "callspec") else []
+    )
+
+
+@pytest.fixture(params=["sim", "serve", RTL])
+def make_bare(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> Maker:
     """Make gateways of each kind in turn, for simulated time."""
-    return MAKERS[request.param]
+    if request.param == "serve":
+        monkeypatch.setattr(WAY, connect_through_server)
+    return MAKERS.get(request.param, simulated)
 
 
-@pytest.fixture(params=["sim", RTL, *SCHEMES])
+@pytest.fixture(params=["sim", "serve", RTL, *SCHEMES])
 def make_gateway(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> Iterator[Maker]:
     """Make gateways of each kind in turn, and have links to them go the way of the kind."""
     with ExitStack() as stack:
@@ -51,7 +67,9 @@ def make_gateway(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch
                 url = parse_url(f"{request.param}://ftdi:232h:{serial}/1")
                 return await load_driver(url.scheme).connect(url, protocol)
 
-            monkeypatch.setattr("unity_link.virtual.serving.connect_gateway", connect_through_chip)
+            monkeypatch.setattr(WAY, connect_through_chip)
+        if request.param == "serve":
+            monkeypatch.setattr(WAY, connect_through_server)
         yield MAKERS.get(request.param, simulated)
 
 
