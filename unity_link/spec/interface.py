@@ -181,9 +181,6 @@ class InterfaceDraft:
 
     def _check_sharing(self, address: int, placed: Placed, sharing: list[Placed], writers: list[Signal]) -> None:
         signal = placed.signal
-        if signal.fifo and any(one.signal is not signal and one.signal.access is signal.access for one in sharing):
-            message = f"{signal.path} is a FIFO port and cannot share address {address:#x}"
-            self._error(placed.address, "overlap", message)
         if signal.words > 1 and signal.access.writes and len(writers) > 1:
             message = f"{signal.path} has several words, so that no other signal can be written at address {address:#x}"
             self._error(placed.address, "overlap", message)
@@ -195,11 +192,13 @@ class InterfaceDraft:
                 None,
             )
             if other is not None:
+                reading = f"takes a word from {other.signal.path}" if other.signal.fifo else f"gives {other.signal.path}"
                 message = (
-                    f"{signal.path} is one of several fields written at address {address:#x}, where reading gives "
-                    f"{other.signal.path} instead"
+                    f"{signal.path} is one of several fields written at address {address:#x}, where reading {reading} "
+                    "instead"
                 )
-                advice = "fields of one word are written by reading it first: make the field READWRITE, or move it"
+                advice = "move it to another address" if other.signal.fifo else "make the field READWRITE, or move it"
+                advice = f"fields of one word are written by reading it first: {advice}"
                 self._error(placed.address, "overlap", message, advice)
 
     def _check_ids(self) -> None:
@@ -283,10 +282,13 @@ def _hex(address: int) -> str:
 
 
 def _mask_at(signal: Signal, address: int) -> int:
-    """Give the bits that a signal takes of the word at an address."""
-    return signal.mask >> (address - signal.address) * signal.word_bits & (1 << signal.word_bits) - 1
+    """Give the bits that a signal takes of the word at an address: all, where an access to any moves a FIFO."""
+    whole = (1 << signal.word_bits) - 1
+    return whole if signal.fifo else signal.mask >> (address - signal.address) * signal.word_bits & whole
 
 
 def _bits(signal: Signal) -> str:
+    if signal.fifo:
+        return "the whole word, as a FIFO port"
     high = signal.lowest_bit + signal.width - 1
     return f"bit {high}" if signal.width == 1 else f"bits {high}:{signal.lowest_bit}"
