@@ -83,7 +83,7 @@ def test_everything_that_systemrdl_has_no_word_for_comes_back(tmp_path: Path) ->
         "@d = 4: READ(FIFO(16), POLL(2.5));",
         "@e = 4: WRITE(FIFO);",
         "@f = 5: ufixed 4.12 READ(PUBLISH(3, 7));",
-        '/// A line.\n/// Another "one".\n@g = 6: float 16 WRITE();',
+        '/// A line.\n/// Another "one"; two \\\\ at \\ the end \\\\\n@g = 6: float 16 WRITE();',
         outside="enum mode { off, on = 3 }\ngroup g(RATE=100.5, TRIGGER, ON_CHANGE);\ngroup h;",
     )  # fmt: skip
     assert seen(returned(interface, tmp_path)) == seen(interface)

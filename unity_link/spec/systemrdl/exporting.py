@@ -143,6 +143,6 @@ def _identifier(path: str, suffix: str = "") -> str:
 
 
 def _string(text: str) -> str:
-    # SystemRDL escapes only the quote, so that a backslash could hide one; a control character would end the text.
+    # A control character would end the text.
     text = "".join(character for character in text if character >= " " or character in "\n\t")
     return '"' + text.replace("\\", "\\\\").replace('"', '\\"') + '"'

@@ -128,7 +128,7 @@ class _Importer:
     # From SystemRDL's own tree
 
     def _part(self, node: Any) -> _Part:
-        part = _Part(node.type_name or node.inst_name, doc=node.get_property("desc") or "")
+        part = _Part(node.type_name or node.inst_name, doc=_desc(node))
         for child in node.children(unroll=False):
             kind = type(child).__name__
             if kind == "RegNode":
@@ -252,8 +252,7 @@ class _Importer:
 
     def _ours(self, node: Any, name: str) -> str | None:
         name = f"ul_{name}"
-        value = node.get_property(name) if name in node.list_properties(list_all=True) else None
-        return None if value is None else value.replace("\\\\", "\\")
+        return node.get_property(name) if name in node.list_properties(list_all=True) else None
 
     # Writing
 
@@ -299,8 +298,8 @@ def _effects(node: Any) -> Iterator[str]:
 
 
 def _desc(node: Any) -> str:
-    desc: str = node.get_property("desc") or ""
-    return desc.replace("\\\\", "\\")
+    desc: str | None = node.get_property("desc")
+    return desc or ""
 
 
 def _doc(text: str) -> str:
