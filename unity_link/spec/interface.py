@@ -192,10 +192,10 @@ class InterfaceDraft:
                 None,
             )
             if other is not None:
-                reading = f"takes a word from {other.signal.path}" if other.signal.fifo else f"gives {other.signal.path}"
+                does = "takes a word from" if other.signal.fifo else "gives"
                 message = (
-                    f"{signal.path} is one of several fields written at address {address:#x}, where reading {reading} "
-                    "instead"
+                    f"{signal.path} is one of several fields written at address {address:#x}, where reading {does} "
+                    f"{other.signal.path} instead"
                 )
                 advice = "move it to another address" if other.signal.fifo else "make the field READWRITE, or move it"
                 advice = f"fields of one word are written by reading it first: {advice}"
