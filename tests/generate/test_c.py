@@ -9,7 +9,7 @@ from itertools import pairwise
 from typing import TYPE_CHECKING
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import Phase, given, settings
 
 from generate.every_kind import WORD_BITS, bad_values, every_kind, written
 from generate.peers import MEDIA, Fault, FaultyLine, Medium, damage, double, lose, replace, serve, simulate
@@ -124,7 +124,7 @@ def test_names_that_c_or_cpp_keep_for_themselves_get_an_underscore(tmp_path: Pat
     compiled(CPP, [tmp_path / "program.cc"], tmp_path)
 
 
-@settings(max_examples=12)
+@settings(max_examples=12, phases=[Phase.explicit, Phase.reuse, Phase.generate])
 @given(specs())
 def test_any_spec_makes_code_that_compiles(tmp_path_factory: pytest.TempPathFactory, file: File) -> None:
     directory = tmp_path_factory.mktemp("any")

@@ -125,6 +125,7 @@ def test_signals_are_read_and_written_by_their_paths(medium: Medium, runtime: li
     CHECK(robot.mode.get() == Walker::Mode::walking && robot.on.get());
     CHECK(robot.speed.get() == -3.0);
     CHECK(std::string(to_string(robot.mode.get())) == "walking" && to_string(Walker::Mode{9}) == nullptr);
+    CHECK(std::string(to_string(Walker::Mode::class_)) == "class");
     robot.mode.set(Walker::Mode::class_);
     robot.on.post(false);
     link.fence();

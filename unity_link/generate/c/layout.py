@@ -12,7 +12,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, NamedTuple
 
 from unity_link.errors import UnsupportedError
-from unity_link.generate.c.names import GLOBAL, Names
+from unity_link.generate.c.names import GLOBAL, RESERVED, Names
 from unity_link.spec.kinds import KindName
 from unity_link.spec.model import Component, ComponentArray
 
@@ -33,6 +33,8 @@ class Constant(NamedTuple):
     """In C."""
     short: str
     """In C++."""
+    text: str
+    """In the spec."""
     value: int
     doc: str
 
@@ -224,7 +226,8 @@ class Layout:
 
     def _enumeration(self, enumeration: Enumeration) -> EnumerationType:
         widths = [one.width for one in self.interface.signals.values() if one.kind.enumeration == enumeration]
-        names, shorts = Names(), Names()
+        # An enumerator would hide the constant of the interface.
+        names, shorts = Names(), Names([*RESERVED, self.prefix])
         name = self._global(enumeration.name)
         return EnumerationType(
             name,
@@ -232,7 +235,7 @@ class Layout:
             self._global(f"{enumeration.name}_signal"),
             32 if max(widths) <= 32 else 64,
             tuple(
-                Constant(names.take(f"{name}_{one.name}".upper()), shorts.take(one.name), one.value, one.doc)
+                Constant(names.take(f"{name}_{one.name}".upper()), shorts.take(one.name), one.name, one.value, one.doc)
                 for one in enumeration.values
             ),
             enumeration.doc,

@@ -88,15 +88,20 @@ def _properties(signal: Signal) -> str:
 
 
 def limits(signal: Signal) -> str:
-    """Say which values a signal takes, for people; nothing for one that is only read."""
-    if not signal.access.writes:
-        return ""
+    """Say which values a signal takes, for people, where its type does not say it."""
     low, high = signal.limits
-    if not math.isfinite(low) and not math.isfinite(high):
+    if not signal.access.writes or _says_it(signal) or not (math.isfinite(low) or math.isfinite(high)):
         return ""
     if math.isfinite(low) and math.isfinite(high):
         return f"{low:.12g} to {high:.12g}"
     return f"at most {high:.12g}" if math.isfinite(high) else f"at least {low:.12g}"
+
+
+def _says_it(signal: Signal) -> bool:
+    kind = signal.kind
+    if kind.name in {KindName.BOOL, KindName.ENUM}:
+        return True
+    return not kind.is_scaled and not _is_limited(signal) and kind.width in {32, 64}
 
 
 def describe(member: SignalMember) -> str:

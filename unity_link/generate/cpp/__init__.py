@@ -74,7 +74,7 @@ def _aligned(lines: list[tuple[str, str]]) -> list[str]:
 def converted(member: GroupMember, to: str) -> str:
     """Give a member of `values` as the type of the same member in the other language."""
     value = f"values.{member.name}"
-    is_same = member.type.cpp in {f"std::{to}", member.type.value}
+    is_same = member.type.cpp.removeprefix("std::") == member.type.value
     return value if is_same else f"static_cast<{to}>({value})"
 
 
