@@ -5,6 +5,9 @@ command of it, and holds all that is said to people. A bridge reports through a 
 context ends, and says by one exception why it can't go on.
 
 - `serve`: the protocol itself, for several programs at once
-- `ros1`: a node of ROS 1; `topics` says how signals are named and typed there, `commands` how values come back
-- `recording`: what a robot published, on the disk and back; `sampled` says what that is, for other bridges, too
+- `ros1`, `ros2`: topics of ROS; `topics` says how signals are named and typed there, `commands` how values come back
+- `carrying` and `gateway_time`: how samples get to a thread that sends them, and when they were taken
+- `recording`: what a robot published, on the disk and back; `sampled` says what that is, for other bridges, too,
+  and `messages` how a sample is written
+- `live`: a page of moving pictures, and the same for the Foxglove app
 """

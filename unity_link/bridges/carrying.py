@@ -64,12 +64,3 @@ class Carrier:
             batch = await subscription.take()
             await loop.run_in_executor(thread, self._hand_over, number, batch)
             self.carried += len(batch)
-
-
-def instants(batch: Batch) -> list[float]:
-    """Give the instants of samples by this machine's clock, their distances by the gateway's where it tells them."""
-    if batch.time is None:
-        at: list[float] = batch.arrived.tolist()
-    else:
-        at = (batch.time - batch.time[-1] + batch.arrived[-1]).tolist()
-    return at

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from pathlib import Path  # noqa: TC003  (typer reads it)
 from typing import TYPE_CHECKING, Annotated
 
+import msgspec
 import typer
 
 from unity_link.cli.output import print_note
@@ -12,8 +14,13 @@ from unity_link.cli.spec import Name, SpecFile, compile_or_exit
 from unity_link.errors import ArgumentError
 
 if TYPE_CHECKING:
+    from unity_link.bridges.ros1 import Ros1Bridge
+    from unity_link.bridges.ros2 import Ros2Bridge, Settings
     from unity_link.spec import Spec
 
+OptionalLinkUrl = Annotated[
+    str | None, typer.Option("--link", metavar="URL", help="Where the gateway is; or it stands in --params.")
+]
 LinkUrl = Annotated[
     str, typer.Option("--link", metavar="URL", help="Where the gateway is, such as sim:scara.", show_default=False)
 ]
@@ -29,6 +36,7 @@ Poll = Annotated[
 def add_to(app: typer.Typer) -> None:
     """Add the commands of this file."""
     app.command()(ros1)
+    app.command()(ros2)
 
 
 def ros1(
@@ -54,6 +62,65 @@ async def _ros1(spec: Spec, interface: str | None, url: str, namespace: str | No
         try:
             await bridge.run()
         finally:
-            print_note(
-                f"{bridge.published:,} samples published, {bridge.lost:,} lost, {bridge.written:,} values written"
-            )
+            print_note(_summary(bridge))
+
+
+def ros2(  # noqa: PLR0913  (each is an option)
+    spec: SpecFile,
+    *,
+    link: OptionalLinkUrl = None,
+    params: Annotated[
+        Path | None, typer.Option("--params", metavar="FILE", help="Parameters of the node, as ROS 2's YAML has them.")
+    ] = None,
+    namespace: Namespace = None,
+    poll: Poll = None,
+    quality: Annotated[
+        str | None, typer.Option(metavar="PROFILE", help="reliable (the default) or sensor_data, for all topics.")
+    ] = None,
+    domain: Annotated[int | None, typer.Option(metavar="N", help="The DDS domain; ROS_DOMAIN_ID without.")] = None,
+    network: Annotated[
+        bool, typer.Option("--network", help="Speak to other machines, too, not to this one alone.")
+    ] = False,
+    interface: Name = None,
+) -> None:
+    """Be on the topics of ROS 2, without a ROS installation: signals that are sampled, and signals that can be written.
+
+    What is said here goes before what stands in --params. Needs pip install "unity-link[ros2]".
+    """
+    from unity_link.bridges.ros2 import Quality, Settings, read_settings
+
+    if quality is not None and quality not in set(Quality):
+        raise ArgumentError(f"--quality {quality}: one of {', '.join(Quality)} was expected")
+    if poll is not None and not poll > 0:
+        raise ArgumentError(f"--poll {poll:g}: more than 0 Hz was expected")
+    said = {
+        "link": link,
+        "namespace": namespace,
+        "poll_hz": poll,
+        "quality": None if quality is None else Quality(quality),
+        "domain": domain,
+        "network": network or None,
+    }
+    read = Settings() if params is None else read_settings(params)
+    settings = msgspec.structs.replace(read, **{name: value for name, value in said.items() if value is not None})
+    if settings.link is None:
+        raise ArgumentError("nothing says where the gateway is: --link URL was expected, or link in --params")
+    run(_ros2(compile_or_exit(spec), interface, settings.link, settings))
+
+
+async def _ros2(spec: Spec, interface: str | None, url: str, settings: Settings) -> None:
+    from unity_link.bridges.ros2 import Ros2Bridge
+    from unity_link.data import load
+    from unity_link.link import connect
+
+    robot_type = load(spec, interface)
+    async with connect(url, reconnect=True) as link:
+        bridge = Ros2Bridge(robot_type(link), settings, report=print_note)
+        try:
+            await bridge.run()
+        finally:
+            print_note(_summary(bridge))
+
+
+def _summary(bridge: Ros1Bridge | Ros2Bridge) -> str:
+    return f"{bridge.published:,} samples published, {bridge.lost:,} lost, {bridge.written:,} values written"

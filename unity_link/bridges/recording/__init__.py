@@ -1,6 +1,7 @@
 """Recordings: what a robot published, in an MCAP file (https://mcap.dev) that Foxglove and PlotJuggler open.
 
-- `messages`: what a sample is in the file: JSON with a schema, so that others read it without this package
+- `unity_link.bridges.messages`: what a sample is in the file: JSON with a schema, so that others read it without this
+  package
 - `files`: writing; a file is whole to within a second at every instant, whatever ends the program
 - `recorder`: from a robot into a file
 - `reader`: back, of a file that was finished or cut

@@ -16,7 +16,8 @@ from typing import TYPE_CHECKING, Any
 import msgspec
 import numpy as np
 
-from unity_link.bridges.recording.messages import Encoder
+from unity_link.bridges.gateway_time import GatewayTime
+from unity_link.bridges.messages import Encoder
 from unity_link.errors import ArgumentError, UnityLinkError
 
 if TYPE_CHECKING:
@@ -33,8 +34,6 @@ PROFILE = ""
 INTERFACE, GATEWAY = "interface.json", "gateway.json"
 """Names of the attachments."""
 _CHUNK = 4 << 20
-_SAME_CLOCK = 1.0
-"""Seconds by which two groups of one gateway may disagree about its clock; a turn of its counter is far more."""
 
 
 class RecordingError(UnityLinkError):
@@ -75,8 +74,7 @@ class RecordingFile:
         self._stream = io.BufferedWriter(self._raw, 1 << 20)
         self._writer: Any = Writer(self._stream, chunk_size=_CHUNK)
         self._whole = 0
-        self._epoch: float | None = None
-        self._epochs: dict[int, float] = {}
+        self._time = GatewayTime()
         self._bits = interface.data_bits
         self._encoders = [Encoder([proxy.signal for proxy in group.group.proxies]) for group in groups]
         self._channels: list[int] = []
@@ -93,7 +91,7 @@ class RecordingFile:
         Raises:
             RecordingError: where the disk does not take it.
         """
-        at = self._instants(group, batch)
+        at: list[int] = np.rint(self._time.instants(group, batch) * 1e9).astype(np.int64).tolist()
         messages = self._encoders[group].encode(batch, self._bits)
         self._attempt(lambda: self._add(self._channels[group], zip(at, batch.sequence.tolist(), messages, strict=True)))
 
@@ -163,19 +161,3 @@ class RecordingFile:
             os.ftruncate(self._raw.fileno(), self._whole)
         with contextlib.suppress(OSError, ValueError):
             self._raw.close()
-
-    def _instants(self, group: int, batch: Batch) -> list[int]:
-        """Give the instants of samples in nanoseconds since 1970: of sampling, where the gateway tells them."""
-        seconds = batch.arrived
-        if batch.time is not None:
-            if group not in self._epochs:
-                self._epochs[group] = self._choose_epoch(float(batch.arrived[0] - batch.time[0]))
-            seconds = self._epochs[group] + batch.time
-        instants: list[int] = np.rint(seconds * 1e9).astype(np.int64).tolist()
-        return instants
-
-    def _choose_epoch(self, seen: float) -> float:
-        """Give the instant at which the gateway's clock was 0. One for all groups, so that they stay side by side."""
-        if self._epoch is None or abs(seen - self._epoch) > _SAME_CLOCK:
-            self._epoch = seen
-        return self._epoch

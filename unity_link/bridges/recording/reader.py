@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, BinaryIO, NamedTuple
 import msgspec
 import numpy as np
 
+from unity_link.bridges.messages import Message, hex_to_words
 from unity_link.bridges.recording.files import GATEWAY, INTERFACE, RecordingError
-from unity_link.bridges.recording.messages import Message, hex_to_words
 from unity_link.spec import Interface
 from unity_link.wire.gateway_info import GatewayInfo
 

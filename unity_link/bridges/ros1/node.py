@@ -8,15 +8,16 @@ import warnings
 from concurrent.futures import ThreadPoolExecutor
 from typing import TYPE_CHECKING, Any
 
-from unity_link.bridges.carrying import Carrier, instants
+from unity_link.bridges.carrying import Carrier
 from unity_link.bridges.commands import Commands
+from unity_link.bridges.gateway_time import GatewayTime
 from unity_link.bridges.ros1.environment import find_rospy
 from unity_link.bridges.topics import command_topics, published_groups
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from unity_link.bridges.topics import CommandTopic, PublishedGroup, Topic
+    from unity_link.bridges.topics import CommandTopic, Topic
     from unity_link.data import Batch, Robot
 
 BUFFER = 1 << 16
@@ -54,6 +55,7 @@ class Ros1Bridge:
         self._report = report
         self._groups = published_groups(robot, poll_hz)
         self._commands = Commands(report)
+        self._time = GatewayTime()
         self._carrier = Carrier([published.group for published in self._groups], self._publish, buffer=BUFFER)
 
     @property
@@ -208,18 +210,20 @@ class Ros1Bridge:
                 message.data = value
                 publish(message)
         if published.joints is not None:
-            self._publish_joints(published, batch)
+            self._publish_joints(number, batch)
 
-    def _publish_joints(self, published: PublishedGroup, batch: Batch) -> None:
+    def _publish_joints(self, number: int, batch: Batch) -> None:
         import rospy
 
-        joints = published.joints
+        joints = self._groups[number].joints
         assert joints is not None
         publisher = self._joint_publishers[joints.name]
         if not publisher.get_num_connections():
             return
         message = publisher.data_class(name=joints.names)
-        for at, (positions, velocities, efforts) in zip(instants(batch), joints.rows(batch), strict=True):
+        for at, (positions, velocities, efforts) in zip(
+            self._time.instants(number, batch).tolist(), joints.rows(batch), strict=True
+        ):
             message.header.stamp = rospy.Time.from_sec(at)
             message.position, message.velocity, message.effort = positions, velocities, efforts
             publisher.publish(message)

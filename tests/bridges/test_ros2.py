@@ -1,0 +1,233 @@
+"""The bridge to ROS 2 against a participant of CycloneDDS in another process, with ROS 2's own type definitions."""
+
+from __future__ import annotations
+
+import itertools
+import json
+import os
+import signal
+import subprocess
+import sys
+import time
+from contextlib import contextmanager
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import pytest
+from rosbags.typesys import Stores, get_typestore
+
+from unity_link import ArgumentError, blocking
+from unity_link.bridges.ros2 import Quality, Settings, read_settings
+from unity_link.bridges.ros2.messages import JOINT_STATE, STANDARD, joint_state
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterator
+
+PROGRAM = str(Path(sys.executable).parent / "unity-link")
+PEER = str(Path(__file__).with_name("dds_peer.py"))
+SPEC = str(Path(__file__).parents[2] / "examples" / "scara.ul")
+GATEWAY = "sim:scara?base_frequency_millihertz=20000000"
+PATIENCE = 60
+ROS = get_typestore(Stores.ROS2_JAZZY)
+DOMAINS = itertools.count(60 + os.getpid() % 100)
+"""Tests that run side by side must not hear each other."""
+
+VALUES: dict[str, Any] = {
+    "Bool": True,
+    **{f"{sign}Int{bits}": (1 << (bits - 1)) - 1 for sign in ("", "U") for bits in (8, 16, 32, 64)},
+    "Float32": 1.5,
+    "Float64": -2.25,
+}
+
+
+def cdr(message: Any) -> bytes:
+    serialized: bytes = message.serialize()
+    return serialized
+
+
+@pytest.mark.parametrize("name", STANDARD)
+def test_a_standard_message_is_the_bytes_the_name_and_the_hash_that_ros_2_gives_it(name: str) -> None:
+    known = STANDARD[name]
+    full_name = f"std_msgs/msg/{name}"
+
+    ours = cdr(known.struct(data=VALUES[name]))
+
+    theirs = bytes(ROS.serialize_cdr(ROS.types[full_name](data=VALUES[name]), full_name))
+    assert ours == theirs
+    assert known.struct.__idl_typename__ == f"std_msgs::msg::dds_::{name}_"
+    assert known.hash == ROS.hash_rihs01(full_name)
+
+
+def test_the_states_of_joints_are_the_bytes_that_ros_2_gives_them() -> None:
+    name = "sensor_msgs/msg/JointState"
+    message = joint_state(12.5, ["a", "b"], [1.0, 2.0], [3.0, 4.0], [])
+
+    theirs: Any = ROS.deserialize_cdr(cdr(message), name)
+
+    assert (theirs.header.stamp.sec, theirs.header.stamp.nanosec) == (12, 500_000_000)
+    assert (theirs.name, theirs.position.tolist(), theirs.velocity.tolist()) == (["a", "b"], [1.0, 2.0], [3.0, 4.0])
+    assert theirs.effort.tolist() == []
+    assert JOINT_STATE.hash == ROS.hash_rihs01(name)
+
+
+# With a peer
+
+
+@contextmanager
+def bridge(tmp_path: Path, domain: int, *options: str) -> Iterator[tuple[subprocess.Popen[str], str]]:
+    """Run the bridge on a gateway that the test can look at, too; give it, and the URL of that."""
+    place = tmp_path / "gateway"
+    with subprocess.Popen([PROGRAM, "serve", GATEWAY, "--unix", str(place)], stdout=subprocess.PIPE) as server:
+        assert server.stdout is not None
+        url = server.stdout.readline().decode().strip()
+        with subprocess.Popen(
+            [PROGRAM, "ros2", SPEC, "--link", url, "--domain", str(domain), *options],
+            stderr=subprocess.PIPE,
+            text=True,
+        ) as process:
+            try:
+                yield process, url
+            finally:
+                process.kill()
+                server.terminate()
+
+
+def wait_for(process: subprocess.Popen[str], words: str) -> str:
+    assert process.stderr is not None
+    for line in process.stderr:
+        if words in line:
+            return line
+    pytest.fail(f"the bridge ended without saying {words!r}")
+
+
+def wait_until(condition: Callable[[], bool]) -> None:
+    deadline = time.monotonic() + PATIENCE
+    while not condition():
+        assert time.monotonic() < deadline
+        time.sleep(0.05)
+
+
+def peer(domain: int, *arguments: str) -> Any:
+    result = subprocess.run(
+        [sys.executable, PEER, str(domain), *arguments],
+        capture_output=True,
+        text=True,
+        timeout=2 * PATIENCE,
+        check=True,
+    )
+    return json.loads(result.stdout) if result.stdout else None
+
+
+def listen(domain: int, topic: str, name: str, count: int) -> list[Any]:
+    seen: list[Any] = peer(domain, "listen", topic, name, str(count))
+    assert len(seen) >= count
+    return seen
+
+
+@pytest.mark.slow
+def test_every_sample_arrives_once_and_in_order(tmp_path: Path) -> None:
+    domain = next(DOMAINS)
+    with bridge(tmp_path, domain) as (process, url):
+        assert "8 topics published, 8 subscribed to at /scara" in wait_for(process, "topics published")
+
+        seen = listen(domain, "rt/scara/joint_states", "sensor_msgs/msg/JointState", 400)
+        with blocking.connect(url) as link:
+            link.write(0x8C, 1000)
+        values = listen(domain, "rt/scara/j1/cpos", "std_msgs/msg/Float64", 100)
+
+        process.send_signal(signal.SIGINT)
+        summary = wait_for(process, "samples published")
+        assert process.wait(PATIENCE) == 130
+
+    stamps = [message["header"]["stamp"] for message in seen]
+    instants = [stamp["sec"] * 1_000_000_000 + stamp["nanosec"] for stamp in stamps]
+    assert instants == sorted(instants)
+    assert seen[0]["name"] == ["j1", "j2", "j3", "j4"]
+    assert values[-1]["data"] > 0
+    assert " 0 lost" in summary
+
+
+@pytest.mark.slow
+def test_values_on_a_topic_are_written_in_order_and_one_beyond_the_limits_is_told(tmp_path: Path) -> None:
+    domain = next(DOMAINS)
+    with bridge(tmp_path, domain, "--namespace", "arm") as (process, url):
+        wait_for(process, "at /arm")
+
+        values = [str(value / 10) for value in range(200)]
+        peer(domain, "talk", "rt/arm/j1/pos_sp", "std_msgs/msg/Float64", *values, "500", "25.0")
+
+        said = wait_for(process, "outside of its limits")
+        with blocking.connect(url) as link:
+            wait_until(lambda: link.read(0x8C) == round(25 / (360 / (50 * 4000))))
+        process.send_signal(signal.SIGINT)
+        summary = wait_for(process, "values written")
+    assert "j1.pos_sp: 500.0 is outside of its limits, -130 to 130 deg" in said
+    assert "201 values written" in summary
+
+
+@pytest.mark.slow
+def test_a_peer_may_come_late_and_go_in_between(tmp_path: Path) -> None:
+    domain = next(DOMAINS)
+    with bridge(tmp_path, domain) as (process, _):
+        wait_for(process, "topics published")
+        for _ in range(2):
+            listen(domain, "rt/scara/j1/cpos", "std_msgs/msg/Float64", 20)
+        process.send_signal(signal.SIGINT)
+        assert " 0 lost" in wait_for(process, "samples published")
+
+
+# Settings
+
+
+def test_parameters_stand_in_a_file_as_ros_2_writes_them(tmp_path: Path) -> None:
+    file = tmp_path / "bridge.yaml"
+    file.write_text(
+        "unity_link_scara:\n  ros__parameters:\n    link: sim:scara\n    namespace: arm\n    poll_hz: 10.0\n"
+        "    topics:\n      j1/cpos: {quality: sensor_data}\n"
+    )
+
+    settings = read_settings(file)
+
+    assert (settings.link, settings.namespace, settings.poll_hz) == ("sim:scara", "arm", 10.0)
+    assert settings.quality_of("j1/cpos") is Quality.SENSOR_DATA
+    assert settings.quality_of("j2/cpos") is Quality.RELIABLE
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        ("node: {ros__parameters: {lnk: x}}", "unknown field `lnk`"),
+        ("node: {ros__parameters: {quality: best}}", "Invalid enum value 'best'"),
+        ("a: [", "while parsing"),
+        ("{}", "parameters of 0 nodes"),
+    ],
+)
+def test_a_file_of_parameters_that_is_wrong_is_told_why(tmp_path: Path, text: str, words: str) -> None:
+    file = tmp_path / "bridge.yaml"
+    file.write_text(text)
+
+    with pytest.raises(ArgumentError, match=words):
+        read_settings(file)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        ([], "nothing says where the gateway is"),
+        (["--link", "sim:scara", "--quality", "best"], "one of reliable, sensor_data was expected"),
+        (["--link", "sim:scara", "--domain", "233"], "a number from 0 to 232 was expected"),
+        (["--params", "/nosuch"], "/nosuch cannot be read"),
+    ],
+    ids=lambda value: " ".join(value) if isinstance(value, list) else "",
+)
+def test_wrong_use_is_told_in_one_sentence(arguments: list[str], words: str) -> None:
+    result = subprocess.run(
+        [PROGRAM, "ros2", SPEC, *arguments], capture_output=True, text=True, timeout=PATIENCE, check=False
+    )
+    assert result.returncode == 2
+    assert words in result.stderr
+    assert "Traceback" not in result.stderr
+
+
+def test_other_machines_are_spoken_to_only_where_that_is_asked_for() -> None:
+    assert not Settings().network

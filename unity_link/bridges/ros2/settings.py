@@ -1,0 +1,83 @@
+"""What can be chosen: on the command line, or in a file of parameters as ROS 2 writes them.
+
+::
+
+    unity_link_scara:
+      ros__parameters:
+        link: serial:/dev/ttyUSB0
+        namespace: arm
+        poll_hz: 10.0
+        quality: reliable
+        topics:
+          j1/cpos: {quality: sensor_data}
+"""
+
+from __future__ import annotations
+
+import enum
+from typing import TYPE_CHECKING
+
+import msgspec
+
+from unity_link.errors import ArgumentError
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+
+class Quality(enum.StrEnum):
+    """Profiles of quality of service, by ROS 2's names for them."""
+
+    RELIABLE = "reliable"
+    """All messages arrive; a reader that is too slow holds up the bridge, which then loses samples and counts them."""
+    SENSOR_DATA = "sensor_data"
+    """Best effort: what is not taken at once is lost. Readers must ask for best effort, too."""
+
+
+class TopicSettings(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """What is chosen for one topic."""
+
+    quality: Quality
+
+
+class Settings(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
+    """The parameters of the bridge."""
+
+    link: str | None = None
+    """The URL of the gateway."""
+    namespace: str | None = None
+    """What stands before all topics; the interface's name if nothing is said."""
+    poll_hz: float | None = None
+    """How often to read, for publication, what nothing samples."""
+    quality: Quality = Quality.RELIABLE
+    topics: dict[str, TopicSettings] = {}
+    """By their names without namespace."""
+    network: bool = False
+    """Whether to speak to other machines; else only to programs of this one."""
+    domain: int | None = None
+    """The domain; ROS_DOMAIN_ID, or 0, if nothing is said."""
+
+    def quality_of(self, topic: str) -> Quality:
+        """Give the profile of a topic."""
+        return self.topics[topic].quality if topic in self.topics else self.quality
+
+
+class _Node(msgspec.Struct, forbid_unknown_fields=True):
+    ros__parameters: Settings
+
+
+def read_settings(path: Path) -> Settings:
+    """Read a file of parameters of one node, whatever its name.
+
+    Raises:
+        ArgumentError: where it cannot be read, or has something else in it.
+    """
+    try:
+        nodes = msgspec.yaml.decode(path.read_bytes(), type=dict[str, _Node])
+    except OSError as error:
+        raise ArgumentError(f"{path} cannot be read: {error.strerror or error}") from None
+    except msgspec.DecodeError as error:
+        raise ArgumentError(f"{path}: {error}") from None
+    if len(nodes) != 1:
+        raise ArgumentError(f"{path} has parameters of {len(nodes)} nodes: one was expected")
+    return next(iter(nodes.values())).ros__parameters
