@@ -205,6 +205,13 @@ def test_the_module_needs_no_compiler_of_specs(tmp_path: Path) -> None:
     subprocess.run([sys.executable, "-c", program], cwd=tmp_path, check=True)
 
 
+def test_a_class_says_what_its_declaration_says_and_an_attribute_what_its_place() -> None:
+    (file,) = generate("python", compile_file(EXAMPLES / "scara.ul"))
+    servo = "A servo axis: it moves to its set point, not faster than its speed set point."
+    assert f'class Joint(Component):\n    """{servo}"""\n' in file.text
+    assert '    j2: Joint\n    """Elbow."""\n' in file.text
+
+
 def test_the_same_spec_gives_the_same_bytes_wherever_it_lies(tmp_path: Path) -> None:
     text = (EXAMPLES / "scara.ul").read_text()
     modules = []

@@ -9,6 +9,7 @@ from spec_examples import FIGURE_1, interface_of
 from unity_link.errors import ArgumentError
 from unity_link.spec import (
     Access,
+    Component,
     ComponentArray,
     Group,
     Interface,
@@ -334,6 +335,9 @@ def test_doc_strings_reach_the_model() -> None:
     assert interface.doc == "The robot.\n\nAll of it."
     assert interface.signals["led"].doc == "A led."
     assert [part.doc for part in interface.root.parts] == ["The first.", "Any."]
+    first, _ = interface.root.parts
+    assert isinstance(first, Component)
+    assert first.type_doc == "Any."
 
 
 def test_the_model_is_immutable_and_can_be_written_as_json() -> None:

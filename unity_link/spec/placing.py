@@ -206,7 +206,10 @@ class Contents:
             known = [*(name for name, one in components.items() if not one.node.public), *MODULES]
             if self._node.public:
                 known.append(GATEWAY_WORD)
-            advice = did_you_mean(member.type, known) or f"declare it: {member.type}() {{ ... }}"
+            advice = did_you_mean(member.type, known)
+            if not advice and member.type.isupper():
+                advice = f"modules are {listed(MODULES, 'and')}; one of your own is known where its class is imported"
+            advice = advice or f"declare it: {member.type}() {{ ... }}"
             self._evaluator.fault(place, "unknown-component", f"there is no {what} '{member.type}'", advice)
             return None
         if member.type in self._where.chain:
@@ -318,7 +321,7 @@ class Contents:
 
 
 def _documented(component: Component, member: Placement) -> Component:
-    return msgspec.structs.replace(component, doc="\n".join(member.doc))
+    return msgspec.structs.replace(component, doc="\n".join(member.doc), type_doc=component.doc)
 
 
 def whole_address(evaluator: Evaluator, place: tuple[int, int], value: Result) -> int | None:

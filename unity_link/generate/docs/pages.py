@@ -43,6 +43,12 @@ class Row(NamedTuple):
     """What else is said of it."""
     anchor: str
 
+    @property
+    def description(self) -> str:
+        """Its doc string and the notes, as one text."""
+        notes = "; ".join(self.notes)
+        return f"{self.signal.doc} ({notes})" if self.signal.doc and notes else self.signal.doc or notes
+
 
 class Field(NamedTuple):
     """Some bits of a word in a diagram: of a signal, or unused."""

@@ -24,6 +24,10 @@ IMPORTED = ("ClassVar", "Component", "IntEnum", "Link", "Mapping", "Robot")
 """Names that the module has for itself, beside those of proxies and hardware modules."""
 
 
+_SHOWN = 4
+"""Addresses of a signal that its doc string names."""
+
+
 class Attribute(NamedTuple):
     """A member of a class."""
 
@@ -90,7 +94,12 @@ def describe(interface: Interface) -> Described:
             maker.make(declaration, names[declaration], uses[declaration]) for declaration in reversed(uses)
         ),
         enumerations=tuple(
-            EnumClass(known.name, enumerations[known.name], known.doc or f"{known.name}.", _members(known.values))
+            EnumClass(
+                known.name,
+                enumerations[known.name],
+                known.doc or f"The enumeration {known.name} of the spec.",
+                _members(known.values),
+            )
             for known in interface.enumerations
         ),
         parameters=_arguments([parameter.name for parameter in interface.parameters if parameter.value is None]),
@@ -127,9 +136,9 @@ class _Maker:
         free = python_names(attribute.name for attribute in attributes)
         named = (attribute._replace(name=name) for name, attribute in zip(free, attributes, strict=True))
         # A component without a doc string of its own has that of the place where it is put.
-        docs = {use.doc for use in uses}
+        docs = {use.type_doc or use.doc for use in uses}
         doc = docs.pop() if len(docs) == 1 else ""
-        return Class(declaration, name, doc or f"{declaration}.", tuple(named))
+        return Class(declaration, name, doc or f"The component {declaration} of the spec.", tuple(named))
 
     def _members(self, uses: list[Component]) -> Iterator[Iterable[Attribute]]:
         first = uses[0]
@@ -182,7 +191,9 @@ def _text(doc: str) -> list[str]:
 def _properties(signals: list[Signal]) -> list[str]:
     """Say what holds for a signal in all uses of its component."""
     first = signals[0]
-    addresses = ", ".join(f"{signal.address:#x}" for signal in signals[:4]) + (", ..." if len(signals) > 4 else "")
+    addresses = ", ".join(f"{signal.address:#x}" for signal in signals[:_SHOWN])
+    if len(signals) > _SHOWN:
+        addresses += f" and {len(signals) - _SHOWN} more"
     bits = "" if first.width == first.word_bits * first.words else f", bits {_bits(first)}"
     lines = [f"{first.kind if len({signal.kind for signal in signals}) == 1 else first.kind.name} at {addresses}{bits}"]
     if len({signal.unit for signal in signals}) == 1 and first.unit:
