@@ -24,6 +24,7 @@ from unity_link.virtual.build import build_gateway
 from unity_link.virtual.faults import Failing
 from unity_link.wire.crc import Crc
 from unity_link.wire.frames import Framing
+from unity_link.wire.gateway_info import Feature
 from unity_link.wire.messages import ErrorCode
 
 if TYPE_CHECKING:
@@ -404,6 +405,17 @@ def test_a_request_that_the_gateway_never_understands_is_given_up_and_those_behi
         assert client.words("rmany 10 11") == [0, 8]
         assert line.count("^w00") == 3
         assert line.count("^h00") == 1
+
+
+def test_a_gateway_without_flow_control_gets_no_more_than_its_fifo_holds(client: Driven) -> None:
+    built = {"features": Feature(0x7F) & ~Feature.FLOW_CONTROL, "receive_fifo_bytes": 64}
+    with serve(build_gateway(configuration=built, bytes_per_second=20_000)) as url:
+        client.words(f"connect {url} 10")
+        for value in range(100):
+            client.words(f"post 10 {value:X}")
+        assert client.words("rmany " + "10 " * 50) == [99] * 50
+        client.words("wblock 20 " + " ".join(f"{value:X}" for value in range(6)))
+        assert client.words("statistics")[2:] == [0, 0, 0, 0]
 
 
 @pytest.mark.parametrize("medium", MEDIA)
