@@ -29,18 +29,41 @@ class _Plan(NamedTuple):
 
     accesses: int
     """Of which a latency is the median."""
+    latency_runs: int
+    """Of which the best counts, here and below."""
     burst: int
     """Accesses of the shorter burst of a rate."""
     runs: int
     burst_sizes: tuple[int, ...]
     publish_sizes: tuple[int, ...]
+    publish_runs: int
     publish_rate: float
     """Hz, at which one word is published for a while."""
     publish_seconds: float
 
 
-_FULL = _Plan(300, 5000, 3, tuple(2**power for power in range(13)), (1, 2, 4, 8, 16, 32, 64, 128, 255), 31_250, 0.5)
-_QUICK = _Plan(50, 1500, 1, (1, 8, 64, 512), (1, 16, 255), 31_250, 0.02)
+_FULL = _Plan(
+    accesses=100,
+    latency_runs=7,
+    burst=5000,
+    runs=3,
+    burst_sizes=tuple(4**power for power in range(7)),
+    publish_sizes=(1, 2, 4, 8, 16, 32, 64, 128, 255),
+    publish_runs=2,
+    publish_rate=31_250,
+    publish_seconds=0.5,
+)
+_QUICK = _Plan(
+    accesses=50,
+    latency_runs=1,
+    burst=1500,
+    runs=1,
+    burst_sizes=(1, 8, 64, 512),
+    publish_sizes=(1, 16, 255),
+    publish_runs=1,
+    publish_rate=31_250,
+    publish_seconds=0.02,
+)
 
 
 def run_experiment(
@@ -74,13 +97,13 @@ def run_experiment(
     bursts: list[Burst] = []
     for stack in STACKS:
         tell(f"{stack}: single accesses")
-        latencies += measure_latencies(bench, stack, plan.accesses)
+        latencies += measure_latencies(bench, stack, plan.accesses, plan.latency_runs)
         tell(f"{stack}: long bursts")
         throughputs += measure_throughputs(bench, stack, plan.burst, plan.runs)
         tell(f"{stack}: bursts of reads of all lengths")
         bursts += measure_bursts(bench, stack, plan.burst_sizes, plan.runs)
     tell("publishing: limits")
-    limits = list(measure_limits(bench, plan.publish_sizes))
+    limits = list(measure_limits(bench, plan.publish_sizes, plan.publish_runs))
     tell("publishing: one word for a while")
     sustained = measure_sustained(bench, plan.publish_rate, plan.publish_seconds)
     results = Results(

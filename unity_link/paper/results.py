@@ -48,7 +48,8 @@ class Latency(msgspec.Struct, frozen=True, kw_only=True):
     modelled: float
     """The median of the modelled time, what the gateware takes included, for a program that takes no time."""
     total: float
-    """The median with the processor time of the program, and with the wait for the USB that this may cost."""
+    """The median with the processor time of the program, and with the wait for the USB that this may cost; the best of
+    several runs."""
 
 
 class Throughput(msgspec.Struct, frozen=True, kw_only=True):
@@ -59,7 +60,7 @@ class Throughput(msgspec.Struct, frozen=True, kw_only=True):
     send_immediate: SendImmediate
     modelled: float
     total: float
-    """With the processor time of the program; the median of several runs."""
+    """With the processor time of the program; the best of several runs."""
 
 
 class Burst(msgspec.Struct, frozen=True, kw_only=True):

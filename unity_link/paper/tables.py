@@ -144,7 +144,7 @@ def _latencies(latencies: Sequence[Latency]) -> str:
         "together, µs",
         "paper, µs",
     )
-    return "## One access\n\nMedians.\n\n" + table(head, latency_rows(latencies))
+    return "## One access\n\nMedians, of the best of several runs.\n\n" + table(head, latency_rows(latencies))
 
 
 def _throughputs(throughputs: Sequence[Throughput]) -> str:
@@ -157,8 +157,8 @@ def _throughputs(throughputs: Sequence[Throughput]) -> str:
         "of 64 Mb/s",
         "paper, Mb/s",
     )
-    text = "## Long bursts\n\nMb/s of what fills the line: answers of reads, requests of writes.\n\n"
-    return text + table(head, throughput_rows(throughputs))
+    text = "Mb/s of what fills the line: answers of reads, requests of writes. The best of several runs."
+    return f"## Long bursts\n\n{text}\n\n" + table(head, throughput_rows(throughputs))
 
 
 def _publishing(results: Results) -> str:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import asyncio
 import gc
-import statistics
 from contextlib import asynccontextmanager
 from typing import TYPE_CHECKING, Literal, TypeVar
 
@@ -22,7 +21,7 @@ from unity_link.virtual.rtl import RtlGateway
 from unity_link.wire.gateway_info import GatewayInfo
 
 if TYPE_CHECKING:
-    from collections.abc import AsyncIterator, Callable, Coroutine
+    from collections.abc import AsyncIterator, Callable, Coroutine, Iterable, Sequence
 
     from unity_link.paper.stacks import Stack, StackName
     from unity_link.virtual.ft232h.board import Board
@@ -69,14 +68,29 @@ class Workbench(msgspec.Struct, frozen=True):
         ) as runner:
             return runner.run(self._measure(stack, measure))
 
-    def run_both(
-        self, stack: StackName, measure: Callable[[Stack], Coroutine[None, None, float]], runs: int = 1
-    ) -> tuple[float, float]:
-        """Give a figure without the program's time, and the median of several runs with it."""
-        modelled = self.run(stack, measure, host_time=False)
+    def best(
+        self,
+        stack: StackName,
+        measures: Sequence[Callable[[Stack], Coroutine[None, None, float]]],
+        runs: int,
+        choose: Callable[[Iterable[float]], float],
+    ) -> list[tuple[float, float]]:
+        """Give figures without the program's time, and the best of several runs with it.
+
+        What else runs on the machine spoils the caches, and so can only make a figure worse. The measurements take
+        turns, so that it does that to all of them alike.
+
+        Args:
+            stack: the way to the gateway.
+            measures: each gives a figure.
+            runs: how often with the program's time.
+            choose: `min`, or `max` where more is better.
+        """
+        modelled = [self.run(stack, measure, host_time=False) for measure in measures]
         if not self.counts_host_time:
-            return modelled, modelled
-        return modelled, statistics.median(self.run(stack, measure, host_time=True) for _ in range(runs))
+            return list(zip(modelled, modelled, strict=True))
+        rounds = [[self.run(stack, measure, host_time=True) for measure in measures] for _ in range(runs)]
+        return list(zip(modelled, map(choose, zip(*rounds, strict=True)), strict=True))
 
     async def _measure(self, stack: StackName, measure: Callable[[Stack], Coroutine[None, None, T]]) -> T:
         async with self._plugged_in(), (LowLevel if stack == "low-level" else FullStack).opened(OPENING) as way:
