@@ -1,11 +1,12 @@
 """One link, many programs: the protocol itself, served on a Unix socket or a TCP port.
 
-    clients          Client: frames, order, groups of each    \
-    in their turns   Turns                                     >  SharedLink: one window, one gateway
-    groups           Slots: who holds which                   /
+    Door -> Client and its Conversation, for each \
+            Turns: whose request is next          |- SharedLink: one window, one gateway
+            Slots: who holds which group          /
 
 - `door`: who is let in
-- `client`: what one client says and is told
+- `client`: one connection, and the order of its requests and answers
+- `conversation`: what its frames mean
 - `requests`: a client's request on its way through the link's window
 - `turns`: whose request is next
 - `groups`: the groups of all clients on those of the gateway

@@ -18,6 +18,8 @@ from typing import TYPE_CHECKING, Protocol
 from unity_link.wire.messages import GroupFlag
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     from unity_link.exchange import Exchange
     from unity_link.wire.messages import Codec
 
@@ -29,8 +31,8 @@ _TIMESTAMP_DIGITS = 8
 class Taker(Protocol):
     """Who takes samples."""
 
-    def sample(self, body: bytes, *, plain: bool) -> None:
-        """Take the body of a publish."""
+    def sample(self, frame: bytes) -> None:
+        """Take the frame of a publish."""
 
 
 class ClientGroup:
@@ -48,7 +50,7 @@ class ClientGroup:
         """Fields of `GS` behind the number, as the gateway gets them."""
         self._head = b"P%02X" % number
         self._taker = taker
-        self._plain = False
+        self._frame: Callable[[bytes], bytes]
         self._size = 0
         self._offset = 0
         self._next = 0
@@ -62,7 +64,7 @@ class ClientGroup:
         layout = codec.fields("GS", 0, flags & ~GroupFlag.PLAIN, divisor, len(addresses), addresses)
         self.settings = layout[2:]
         self.running = False
-        self._plain = bool(flags & GroupFlag.PLAIN)
+        self._frame = codec.framing.plain_reply if flags & GroupFlag.PLAIN else codec.framing.checked
         stamp = _TIMESTAMP_DIGITS if flags & GroupFlag.TIMESTAMP else 0
         self._size = _HEAD + stamp + codec.info.data_digits * len(addresses)
         self._seconds_each = divisor / codec.info.base_frequency_hz if flags & GroupFlag.PERIODIC else None
@@ -84,7 +86,7 @@ class ClientGroup:
         except ValueError:
             return
         self._next = sequence + 1
-        self._taker.sample(b"%b%02X%b" % (self._head, sequence, body[_HEAD:]), plain=self._plain)
+        self._taker.sample(self._frame(b"%b%02X%b" % (self._head, sequence, body[_HEAD:])))
 
 
 class Slot:

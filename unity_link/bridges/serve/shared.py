@@ -31,7 +31,7 @@ if TYPE_CHECKING:
 
 PATIENCE = 2.0
 """Seconds that requests wait for a gateway that is away: less than what a host waits in silence."""
-PAUSES = Reconnect(longest_pause=1.0)
+PAUSES = Reconnect(longest_pause=2.0)
 _OFF, _ALWAYS, _ADAPTIVE = range(3)
 _MODE_NAMES = ("off", "always", "adaptive")
 
@@ -74,7 +74,7 @@ class SharedLink(Connection):
     def leave(self, client: Client) -> None:
         """Let a client go, and free what it has set up."""
         self.clients.discard(client)
-        for group in client.groups.values():
+        for group in client.conversation.groups.values() if client.conversation is not None else ():
             self._end_group(group)
         mode = self.change_mode()
         if mode is not None and not self._exchange.suspended:
@@ -85,7 +85,7 @@ class SharedLink(Connection):
 
         The gateway has one mode for all: whoever wants answers at once gets them.
         """
-        modes = {client.mode for client in self.clients} or {_ADAPTIVE}
+        modes = {client.conversation.mode for client in self.clients if client.conversation} or {_ADAPTIVE}
         mode = next(mode for mode in (_ALWAYS, _ADAPTIVE, _OFF) if mode in modes)
         if mode == self._mode:
             return None

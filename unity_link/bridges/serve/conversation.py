@@ -1,0 +1,317 @@
+"""What one client says, and what it means: frames, sequence, groups, send-immediate.
+
+To its client, a `Conversation` is a gateway that has just been reset. It checks frames and their sequence as every
+gateway does (`unity_link.wire.reception`), hands on what is the next to be executed, and answers everything else
+itself. Reads and writes of single words are most of the traffic: those that stand side by side are checked and handed
+on together, and a lone one takes a short way that does what the long one would, or gives up before anything changes.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from unity_link.bridges.serve.groups import ClientGroup
+from unity_link.bridges.serve.requests import Relayed, RelayedRows, answer_digits
+from unity_link.wire.frames import LF
+from unity_link.wire.messages import COMMANDS, Codec, ErrorCode, Repetition, Request, RequestError
+from unity_link.wire.reception import Place, Reception, Sequence, group_fits
+
+if TYPE_CHECKING:
+    from unity_link.bridges.serve.client import Client
+    from unity_link.bridges.serve.groups import Slot
+    from unity_link.bridges.serve.shared import SharedLink
+
+FEWEST_ROWS = 8
+"""Requests side by side that are worth a turn of numpy."""
+ADAPTIVE = 2
+_HEX = b"0123456789ABCDEF"
+_IS_HEX = np.zeros(256, np.bool_)
+_IS_HEX[list(_HEX)] = True
+_R, _W = b"rw"
+
+
+class Conversation:
+    """The session of one client.
+
+    Args:
+        client: who speaks, and is answered.
+        shared: the link that it shares with others.
+        codec: the messages of the gateway.
+    """
+
+    def __init__(self, client: Client, shared: SharedLink, codec: Codec) -> None:
+        self.groups: dict[int, ClientGroup] = {}
+        self.mode = ADAPTIVE
+        """The send-immediate mode that the client asks for."""
+        self._client = client
+        self._shared = shared
+        self._codec = codec
+        self._reception = Reception(codec)
+        self._sequence = Sequence(codec.ring)
+        self._awaited = bytearray(codec.ring)
+        """For each ID whether a request is under way."""
+        self._most_kept = self._reception.longest + 1
+        self._prepare_short_way(codec)
+
+    # Frames
+
+    def read(self, data: bytes) -> bytes:
+        """Take all whole frames, or as many as the client may have under way; give what is left."""
+        start, batched, typed = 0, True, b"\r" in data
+        while self._client.listening:
+            if batched:
+                # Looked for at the start of a read and behind what interrupts a batch, not at each line.
+                before, start = start, self._take_rows(data, start)
+                batched = start != before
+                continue
+            end = data.find(b"\n", start)
+            plain = typed and (found := data.find(b"\r", start, end if end >= 0 else len(data))) >= 0
+            end = found if plain else end
+            if end < 0:
+                break
+            line = data[start:end]
+            start = end + 1
+            if plain or not self._relay_quickly(line):
+                self._take(line, plain=plain)
+                batched = not plain
+        rest = data[start:]
+        # Of a frame that is too long, enough is kept to know it by.
+        return rest[: self._most_kept] if self._client.listening else rest
+
+    def _take(self, line: bytes, *, plain: bool) -> None:
+        """Take one frame."""
+        if not line:
+            return
+        codec = self._codec
+        try:
+            request = self._reception.read(line, plain=plain)
+        except RequestError as refusal:
+            self._say(codec.error(refusal.code), plain=plain)
+            return
+        if request.command == "Q":
+            # Who asks while the gateway is away asks again; an answer would promise too much.
+            if not self._shared.away:
+                self._say(b"Q" + codec.info.to_hex(), plain=plain)
+        elif request.command == "K":
+            self._start_session(request, plain=plain)
+        elif request.id is None:
+            self._execute(request, plain=plain)
+        else:
+            self._in_sequence(request, request.id, plain=plain)
+
+    def _start_session(self, request: Request, *, plain: bool) -> None:
+        self._sequence.start(request.values[0])
+        # What is under way belongs to the session before.
+        self._awaited = bytearray(len(self._awaited))
+        for group in self.groups.values():
+            self._stop(group)
+        self._choose_mode(ADAPTIVE)
+        self._say(self._codec.response(request), plain=plain)
+
+    def _in_sequence(self, request: Request, number: int, *, plain: bool) -> None:
+        """Hand on the next request, and no other (protocol section 3)."""
+        codec, place = self._codec, self._sequence.place(number)
+        if place is Place.NEXT:
+            self._execute(request, plain=plain)
+        elif place is Place.FIRST_AHEAD:
+            self._say(codec.out_of_sequence(self._sequence.expected), plain=plain)
+        elif place is Place.REPETITION and self._awaited[number]:
+            # Its answer will come, for nothing is lost between the client and here; till then, a sign of life.
+            self._client.write(LF)
+        elif place is Place.REPETITION:
+            self._repeat(request, number, plain=plain)
+
+    def _repeat(self, request: Request, number: int, *, plain: bool) -> None:
+        """Answer a request that was executed before."""
+        codec, repetition = self._codec, COMMANDS[request.command].repetition
+        if repetition is Repetition.READ_AGAIN:
+            self._execute(request, plain=plain)
+        elif repetition is Repetition.REFUSE:
+            self._say(codec.error(ErrorCode.ALREADY_EXECUTED, number), plain=plain)
+        elif repetition is Repetition.ACKNOWLEDGE:
+            self._say(codec.response(request), plain=plain)
+
+    # Requests
+
+    def _execute(self, request: Request, *, plain: bool) -> None:
+        """Hand a request on, or do it where it is about what only this client sees."""
+        command, values = request.command, request.values
+        if command == "GS":
+            self._set_up_group(request, plain=plain)
+        elif command in ("GN", "GX", "GP"):
+            self._change_group(request, plain=plain)
+        elif command == "I":
+            self._send_immediate(request, plain=plain)
+        else:
+            codec = self._codec
+            count = values[1] if command in ("RM", "RQ") else 1
+            digits = answer_digits(codec, command, count)
+            self._relay(request, codec.fields(command, *values), digits, plain=plain)
+
+    def _relay(self, request: Request, fields: bytes, digits: int | None, *, plain: bool) -> Relayed:
+        codec = self._codec
+        head = codec.response(request)
+        relayed = Relayed(codec, request.command, fields, digits, self._client, head, request.id, plain=plain)
+        self._client.hand_on(relayed, self._awaited)
+        return relayed
+
+    def _relay_silently(self, command: str, fields: bytes) -> Relayed:
+        """Have a request done that the client did not ask for; what it asks for next is answered behind it."""
+        relayed = Relayed(self._codec, command, fields, 0, self._client, b"")
+        relayed.silent = True
+        self._client.hand_on(relayed, self._awaited)
+        return relayed
+
+    # The short way for single words
+
+    def _prepare_short_way(self, codec: Codec) -> None:
+        info = codec.info
+        self._read_size = 1 + info.id_digits + info.address_digits + codec.framing.crc.digits
+        self._write_size = self._read_size + info.data_digits
+        self._data_digits = info.data_digits
+        self._crc_text = codec.framing.crc.text
+        self._crc_digits = codec.framing.crc.digits
+        self._id_digits = info.id_digits
+        self._id_number = codec.id_number
+
+    def _take_rows(self, data: bytes, start: int) -> int:
+        """Hand on the reads or writes of one word that stand side by side; give where they end."""
+        letter = data[start : start + 1]
+        if letter == b"r":
+            command, size, digits = "R", self._read_size + 1, self._data_digits
+        elif letter == b"w":
+            command, size, digits = "W", self._write_size + 1, 0
+        else:
+            return start
+        codec, expected = self._codec, self._sequence.expected
+        last = start + (FEWEST_ROWS - 1) * size
+        number = codec.id_text[expected + FEWEST_ROWS - 1 & self._sequence.mask]
+        if data[last : last + 1 + self._id_digits] != letter + number or self._shared.away:
+            return start
+        room = self._client.room // (2 * size) + FEWEST_ROWS
+        count = min((len(data) - start) // size, room, codec.ring // 2)
+        head = 1 + self._id_digits
+        width = size - head - self._crc_digits - 1
+        fields = codec.matching_rows(command, expected, data[start : start + count * size], width)
+        good = _IS_HEX[fields].all(axis=1)
+        count = len(fields) if good.all() else int(good.argmin())
+        if not count:
+            return start
+        self._sequence.advance(count)
+        rows = RelayedRows(codec, command, fields[:count], digits, self._client, expected)
+        self._client.hand_on_rows(rows, self._awaited)
+        return start + count * size
+
+    def _relay_quickly(self, line: bytes) -> bool:
+        """Hand on `r`, `w` or `ws` with the expected ID in the usual spelling, or leave it to the long way."""
+        size = len(line)
+        digits: int | None = self._data_digits
+        if size == self._read_size and line[0] == _R:
+            head, command = 1, "R"
+        elif size == self._write_size and line[0] == _W:
+            head, command, digits = 1, "W", 0
+        elif size == self._write_size + 1 and line[:2] == b"ws":
+            head, command, digits = 2, "WS", None
+        else:
+            return False
+        body = line[: -self._crc_digits]
+        after = head + self._id_digits
+        number = self._id_number.get(line[head:after])
+        sequence = self._sequence
+        if number != sequence.expected or self._crc_text(body) != line[-self._crc_digits :]:
+            return False
+        fields = body[after:]
+        if fields.translate(None, _HEX):
+            return False
+        sequence.advance()
+        self._client.hand_on(
+            Relayed(self._codec, command, fields, digits, self._client, line[:after], number), self._awaited
+        )
+        return True
+
+    # Groups
+
+    def _set_up_group(self, request: Request, *, plain: bool) -> None:
+        number, flags, divisor, _, addresses = request.values
+        if not group_fits(self._codec.info, number, flags, divisor, addresses):
+            self._refuse(request, plain=plain)
+            return
+        group = self.groups.setdefault(number, ClientGroup(number, self._client))
+        group.set_up(self._codec, flags, divisor, addresses)
+        if group.slot is None:
+            self._say(self._codec.response(request), plain=plain)
+        else:
+            self._shared.slots.silence(group.slot)
+            self._name(group.slot, self._relay(request, group.slot.text + group.settings, 0, plain=plain))
+
+    def _change_group(self, request: Request, *, plain: bool) -> None:
+        group = self.groups.get(request.values[0])
+        if group is None:
+            self._refuse(request, plain=plain)
+            return
+        slot = group.slot
+        if self._shared.away and request.command != "GX":
+            # Nothing is to begin by itself when the gateway is back.
+            self._say(self._codec.error(ErrorCode.BUS_TIMEOUT, request.id), plain=plain)
+            return
+        if slot is None and request.command == "GX":
+            self._say(self._codec.response(request), plain=plain)
+            return
+        if slot is None and (slot := self._shared.slots.take(group)) is not None:
+            group.begin_anew()
+            self._name(slot, self._relay_silently("GS", slot.text + group.settings))
+        if slot is None:
+            self._refuse(request, plain=plain)
+            return
+        if request.command == "GX":
+            group.running = False
+        else:
+            group.running = group.running or request.command == "GN"
+            self._shared.slots.listen(slot)
+        self._name(slot, self._relay(request, slot.text, 0, plain=plain))
+
+    def _stop(self, group: ClientGroup) -> None:
+        """Stop a group without an answer."""
+        if group.running and group.slot is not None:
+            self._name(group.slot, self._relay_silently("GX", group.slot.text))
+        group.running = False
+
+    def _name(self, slot: Slot, relayed: Relayed) -> None:
+        """Keep a slot as long as a request names it."""
+        if relayed.reply is not None:
+            return
+        slot.busy += 1
+
+        def over() -> None:
+            slot.busy -= 1
+            self._shared.slots.settle(slot)
+
+        relayed.after = over
+
+    # Send-immediate
+
+    def _send_immediate(self, request: Request, *, plain: bool) -> None:
+        mode = request.values[0]
+        if mode > ADAPTIVE:
+            self._refuse(request, plain=plain)
+            return
+        self._choose_mode(mode)
+        self._say(self._codec.response(request), plain=plain)
+
+    def _choose_mode(self, mode: int) -> None:
+        self.mode = mode
+        wanted = self._shared.change_mode()
+        if wanted is not None:
+            self._relay_silently("I", b"%02X" % wanted)
+
+    # Answers
+
+    def _refuse(self, request: Request, *, plain: bool) -> None:
+        self._say(self._codec.error(ErrorCode.OUT_OF_RANGE, request.id), plain=plain)
+
+    def _say(self, body: bytes, *, plain: bool) -> None:
+        """Answer without the gateway, behind what is under way."""
+        framing = self._codec.framing
+        self._client.say(framing.plain_reply(body) if plain else framing.checked(body))
