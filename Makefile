@@ -16,6 +16,8 @@ PIP_INSTALL := $(BIN)/python -m pip install --quiet --disable-pip-version-check
 PYTHON ?=
 # More options for pytest, as in `make test PYTEST_ARGS="-k window"`.
 PYTEST_ARGS ?=
+# Tests run in so many processes side by side, each file in one of them; 0 for none beside pytest's own.
+PYTEST_PROCESSES ?= auto
 
 .PHONY: help venv demo test lint format bench table1 docs lock upgrade clean
 
@@ -28,7 +30,7 @@ demo: $(CORE) ## the virtual robot: read, write and subscribe, ten seconds, no h
 	@$(BIN)/unity-link demo
 
 test: $(ALL) ## the test suite, with coverage
-	@$(BIN)/python -m pytest --cov --cov-report=term $(PYTEST_ARGS)
+	@$(BIN)/python -m pytest --numprocesses $(PYTEST_PROCESSES) --dist loadfile --cov --cov-report=term $(PYTEST_ARGS)
 
 lint: $(ALL) ## formatting, ruff, types, direction of the imports
 	@$(BIN)/ruff format --check .
