@@ -8,6 +8,7 @@ One file for each family of commands. They parse, show and explain; what they do
 - `info`, `access` (read, write), `watch`, `simulate`, `terminal` with `explain`, `demo` with `demo_view` are commands
 - `spec` has the commands about specs: check, fmt, show, import; `generate` writes code from one
 - `recording` has record and replay; `export` is about recordings and specs; `ros` has the bridges to ROS
+- `zenoh` has the bridge to Zenoh
 - `ft232h` has those about the chip's EEPROM
 - `serve` shares a link; `service` tells systemd of a command that runs for long
 - `plots` draws curves
@@ -43,6 +44,7 @@ from unity_link.cli import (
     spec,
     terminal,
     watch,
+    zenoh,
 )
 from unity_link.cli.output import print_error
 from unity_link.cli.running import INTERRUPTED
@@ -89,6 +91,7 @@ generate.add_to(app)
 recording.add_to(app)
 export.add_to(app)
 ros.add_to(app)
+zenoh.add_to(app)
 ft232h.add_to(app)
 bench.add_to(app)
 

@@ -28,6 +28,7 @@ _MODULES = {
     "rtl": "virtual",
     "ftdi": "ft232h",
     "ftdi-async": "ft232h_async",
+    "zenoh": "zenoh",
 }
 _DEVICE_NAMES = frozenset({"ftdi", "ftdi-async"})
 """Schemes whose URLs have a device in a form of its own, such as ``ftdi:232h:SERIAL``, where others have host and port.

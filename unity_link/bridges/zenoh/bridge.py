@@ -1,0 +1,159 @@
+"""The bridge: one gateway, for all who are in one Zenoh network."""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+import secrets
+from typing import TYPE_CHECKING
+
+from unity_link.bridges.sampled import sampled_groups
+from unity_link.bridges.serve.shared import SharedLink
+from unity_link.bridges.zenoh.own_link import OwnLink
+from unity_link.bridges.zenoh.samples import Samples
+from unity_link.bridges.zenoh.signals import Signals
+from unity_link.bridges.zenoh.streams import Streams
+from unity_link.drivers import DriverUrl, parse_url, prepare
+from unity_link.drivers.zenoh_session import Declared, Network, check_prefix, close_session, open_session
+from unity_link.errors import ConnectError, LinkLostError
+
+if TYPE_CHECKING:
+    from collections.abc import AsyncIterator, Callable
+
+    import zenoh
+
+    from unity_link.data import Robot
+    from unity_link.virtual import Gateway
+
+NEVER = 1e9
+"""Seconds: the gateway may be away at the start."""
+LOOK = 1.0
+"""Seconds that another bridge of the same prefix has to answer."""
+
+
+class ZenohBridge:
+    """Shares a gateway with a Zenoh network.
+
+    Args:
+        robot_type: the class of the robot, as `unity_link.load` gives it.
+        target: the URL of the gateway, or one of this process.
+        prefix: what all keys begin with: ``robot/1``.
+        network: how the session finds others.
+        poll_hz: also publish, read so often, what nothing samples.
+        every: seconds between publications of samples at least.
+        report: is told in a sentence what a person should know.
+    """
+
+    def __init__(
+        self,
+        robot_type: type[Robot],
+        target: str | Gateway,
+        prefix: str,
+        *,
+        network: Network | None = None,
+        poll_hz: float | None = None,
+        every: float = 0.0,
+        report: Callable[[str], None] = lambda _: None,
+    ) -> None:
+        self._robot_type = robot_type
+        self._target = parse_url(target) if isinstance(target, str) else target
+        self._given_prefix = prefix
+        self._network = network or Network()
+        self._poll_hz = poll_hz
+        self._every = every
+        self._report = report
+        self._samples: list[Samples] = []
+        self._signals: Signals | None = None
+
+    @property
+    def published(self) -> int:
+        """Samples that were published, or that nobody asked for."""
+        return sum(samples.carrier.carried for samples in self._samples)
+
+    @property
+    def lost(self) -> int:
+        """Samples that the gateway took and that did not get as far."""
+        return sum(samples.carrier.lost for samples in self._samples)
+
+    @property
+    def written(self) -> int:
+        """Values that came by keys and were written."""
+        return 0 if self._signals is None else self._signals.written
+
+    async def run(self) -> None:
+        """Be the bridge until it is cancelled.
+
+        Raises:
+            ArgumentError: for a prefix or an endpoint that Zenoh does not take, or a spec that publishes nothing where
+                `poll_hz` is not given.
+            ConnectError: where another bridge has the prefix, no session can be opened, or the link ends for good.
+        """
+        if isinstance(self._target, DriverUrl):
+            await prepare(self._target)
+        async with _session(self._network) as session:
+            prefix = check_prefix(self._given_prefix)
+            token = await asyncio.to_thread(_take_prefix, session, prefix)
+            shared = SharedLink(self._target, self._report)
+            try:
+                shared.open_when_there()
+                await self._serve(session, prefix, shared)
+            except LinkLostError:
+                # It says why.
+                shared.ended.result()
+                raise
+            finally:
+                await shared.finish()
+                token.undeclare()
+
+    async def _serve(self, session: zenoh.Session, prefix: str, shared: SharedLink) -> None:
+        link = OwnLink(shared, self._target)
+        try:
+            opening = asyncio.ensure_future(link.open(NEVER))
+            await asyncio.wait([opening, shared.ended], return_when=asyncio.FIRST_COMPLETED)
+            if shared.ended.done():
+                opening.cancel()
+                shared.ended.result()
+            await opening
+            robot = self._robot_type(link)
+            self._samples = [
+                Samples(session, prefix, group, self._every) for group in sampled_groups(robot, self._poll_hz)
+            ]
+            self._signals = Signals(session, prefix, robot, shared, self._report)
+            streams = Streams(session, prefix, shared)
+            try:
+                async with asyncio.TaskGroup() as tasks:
+                    for samples in self._samples:
+                        tasks.create_task(samples.run())
+                    tasks.create_task(self._signals.run())
+                    self._report(f"{robot.interface.name} at {prefix}: {len(self._samples)} groups published")
+            finally:
+                streams.close()
+        except BaseExceptionGroup as group:
+            raise group.exceptions[0] from None
+        finally:
+            await link.aclose()
+
+
+@contextlib.asynccontextmanager
+async def _session(network: Network) -> AsyncIterator[zenoh.Session]:
+    session = await asyncio.to_thread(open_session, network, meeting=True)
+    try:
+        yield session
+    finally:
+        await asyncio.to_thread(close_session, session)
+
+
+def _take_prefix(session: zenoh.Session, prefix: str) -> Declared:
+    """Show that there is a bridge with this prefix, unless there is one already. Blocks."""
+    place = f"{prefix}/@bridge"
+    own = f"{place}/{secrets.token_hex(8)}"
+    token: Declared = session.liveliness().declare_token(own)
+    others = [
+        str(reply.ok.key_expr)
+        for reply in session.liveliness().get(f"{place}/*", timeout=LOOK)
+        if reply.ok is not None and str(reply.ok.key_expr) != own
+    ]
+    if others:
+        token.undeclare()
+        raise ConnectError(f"another bridge has the prefix {prefix}: end that one, or choose another --prefix")
+    return token

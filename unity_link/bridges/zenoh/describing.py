@@ -1,0 +1,38 @@
+"""What a bridge says of its robot: where everything is, and what values there can be."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import msgspec
+
+from unity_link.bridges.topics import topic_name
+
+if TYPE_CHECKING:
+    from unity_link.data import Proxy, Robot
+
+
+def describe(robot: Robot, prefix: str) -> dict[str, Any]:
+    """Give the interface, the gateway, and every signal by its path."""
+    return {
+        "interface": robot.interface.name,
+        "gateway": msgspec.to_builtins(robot.link.gateway),
+        "signals": {proxy.path: _describe_signal(proxy, prefix) for proxy in robot.signals},
+    }
+
+
+def _describe_signal(proxy: Proxy[Any], prefix: str) -> dict[str, Any]:
+    signal = proxy.signal
+    enumeration = signal.kind.enumeration
+    facts = {
+        "key": f"{prefix}/signals/{topic_name(signal.path)}",
+        "id": signal.id,
+        "kind": str(signal.kind),
+        "access": str(signal.access),
+        "unit": signal.unit,
+        "description": signal.doc,
+        "group": signal.group,
+        "values": {value.name: value.value for value in enumeration.values} if enumeration is not None else None,
+        "limits": signal.limits if signal.access.writes and enumeration is None else None,
+    }
+    return {name: fact for name, fact in facts.items() if fact not in ("", None)}

@@ -1,0 +1,224 @@
+"""Reads and writes by keys: queries that are answered, and publications of others that are written without an answer.
+
+Below the prefix of the bridge:
+
+- ``signals/j1/cpos``: a query gives the value, one with a payload writes it; ``signals/**`` gives all
+- ``read``: a query with a list of paths gives an object of values; without, those of all signals
+- ``write``: a query with an object of values by paths, or a list of such objects, writes them, and answers when all
+  are on the bus; a publication writes the same without an answer
+- ``info``: a query gives what there is
+
+Payloads are JSON. Writes of one sender are executed in order. What one message asks for is checked whole before
+anything of it is written.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import functools
+from typing import TYPE_CHECKING, Any
+
+import msgspec
+
+from unity_link.bridges.topics import topic_name
+from unity_link.bridges.zenoh.describing import describe
+from unity_link.bridges.zenoh.writing import Objects, Writer
+from unity_link.data import Group, Readable, Writable
+from unity_link.drivers.zenoh_session import Declared, Inbox
+from unity_link.errors import ArgumentError, UnansweredError, UnityLinkError
+
+if TYPE_CHECKING:
+    from collections.abc import Awaitable, Callable
+
+    import zenoh
+
+    from unity_link.bridges.serve.shared import SharedLink
+    from unity_link.data import Proxy, Robot
+
+    Answering = Callable[[zenoh.KeyExpr, bytes], Awaitable[dict[str, Any]]]
+    """Gives for a query's key and payload what is replied, by the names of keys below the prefix."""
+
+MOST_QUERIES = 1024
+"""Queries that are being answered, beyond which more are refused."""
+MOST_PUTS = 4096
+"""Publications that wait to be written, beyond which who publishes waits."""
+JSON = "application/json"
+AWAY = "the gateway is away; nothing was done that it has not done already"
+
+
+class Signals:
+    """The signals of a robot at their keys.
+
+    Args:
+        session: an open session.
+        prefix: what all keys begin with.
+        robot: the robot, behind an open link.
+        shared: what that link goes through.
+        report: is told in a sentence of what was published and could not be written, once for each kind of fault.
+    """
+
+    def __init__(
+        self, session: zenoh.Session, prefix: str, robot: Robot, shared: SharedLink, report: Callable[[str], None]
+    ) -> None:
+        self.written = 0
+        """Values that were written."""
+        self.answered = 0
+        """Queries that were answered."""
+        self._session = session
+        self._prefix = prefix
+        self._robot = robot
+        self._shared = shared
+        self._report = report
+        self._told: set[str] = set()
+        self._by_name = {f"signals/{topic_name(proxy.path)}": proxy for proxy in robot.signals}
+        self._writer = Writer(robot)
+        self._group = functools.lru_cache(256)(self._make_group)
+        self._answering: set[asyncio.Task[None]] = set()
+        self._inbox: Inbox[bytes]
+        self._puts: asyncio.Queue[list[bytes]] = asyncio.Queue()
+
+    async def run(self) -> None:
+        """Answer and write until cancelled.
+
+        Raises:
+            LinkLostError: where the link ends for good.
+        """
+        self._inbox = told = Inbox(self._take, MOST_PUTS)
+        kinds = {"signals/**": self._signals, "read": self._read, "write": self._write, "info": self._info}
+        asked: list[Inbox[zenoh.Query]] = [Inbox(functools.partial(self._begin, kind)) for kind in kinds.values()]
+        declared: list[Declared] = [
+            self._session.declare_queryable(f"{self._prefix}/{key}", inbox.give)
+            for key, inbox in zip(kinds, asked, strict=True)
+        ]
+        subscriber = self._session.declare_subscriber(
+            f"{self._prefix}/write", lambda sample: told.give(sample.payload.to_bytes())
+        )
+        try:
+            await self._write_puts()
+        finally:
+            told.close()
+            for inbox in asked:
+                inbox.close()
+            for one in (*declared, subscriber):
+                one.undeclare()
+            for task in self._answering:
+                task.cancel()
+
+    # Publications of others
+
+    def _take(self, payloads: list[bytes]) -> None:
+        # The next ones come together when these are written; so whoever publishes too fast waits in the end.
+        self._inbox.hold()
+        self._puts.put_nowait(payloads)
+
+    async def _write_puts(self) -> None:
+        while True:
+            objects = []
+            for payload in await self._puts.get():
+                try:
+                    objects += self._writer.read(payload)
+                except ArgumentError as error:
+                    self._tell(str(error))
+            try:
+                await self._writer.write(objects, posted=True)
+                await self._robot.link.fence()
+                self.written += sum(map(len, objects))
+            except UnansweredError:
+                raise
+            except UnityLinkError as error:
+                self._tell(AWAY if self._shared.away else str(error))
+            self._inbox.release()
+
+    def _tell(self, text: str) -> None:
+        # Numbers change from one to the next of the same fault.
+        kind = "".join(character for character in text if not character.isdigit())
+        if kind not in self._told:
+            self._told.add(kind)
+            self._report(f"{text} (told once)")
+
+    # Queries
+
+    def _begin(self, answering: Answering, queries: list[zenoh.Query]) -> None:
+        for query in queries:
+            if len(self._answering) >= MOST_QUERIES:
+                with query:
+                    _refuse(query, f"{MOST_QUERIES} queries are being answered already: put several values into one")
+                continue
+            task = asyncio.create_task(self._answer(answering, query))
+            self._answering.add(task)
+            task.add_done_callback(self._answering.discard)
+
+    async def _answer(self, answering: Answering, query: zenoh.Query) -> None:
+        payload = query.payload.to_bytes() if query.payload is not None else b""
+        with query:
+            try:
+                answers = await answering(query.key_expr, payload)
+            except (UnityLinkError, UnicodeDecodeError) as error:
+                _refuse(query, AWAY if self._shared.away and not isinstance(error, ArgumentError) else str(error))
+                return
+            for name, value in answers.items():
+                query.reply(f"{self._prefix}/{name}", msgspec.json.encode(value), encoding=JSON)
+            self.answered += 1
+
+    async def _info(self, _: zenoh.KeyExpr, __: bytes) -> dict[str, Any]:
+        return {"info": describe(self._robot, self._prefix)}
+
+    async def _write(self, key: zenoh.KeyExpr, payload: bytes) -> dict[str, Any]:
+        if not payload and str(key) != f"{self._prefix}/write":
+            # Who asks for everything there is writes nothing.
+            return {}
+        return {"write": await self._write_objects(self._writer.read(payload))}
+
+    async def _write_objects(self, objects: Objects) -> dict[str, int]:
+        await self._writer.write(objects, posted=False)
+        count = sum(map(len, objects))
+        self.written += count
+        return {"written": count}
+
+    async def _read(self, _: zenoh.KeyExpr, payload: bytes) -> dict[str, Any]:
+        if payload:
+            try:
+                paths = msgspec.json.decode(payload, type=list[str])
+            except msgspec.DecodeError as error:
+                raise ArgumentError(f'a list of paths was expected, as in ["j1.cpos"]: {error}') from None
+        else:
+            paths = [proxy.path for proxy in self._robot.signals if isinstance(proxy, Readable)]
+        if not paths:
+            return {"read": {}}
+        values = await self._group(tuple(dict.fromkeys(self._robot[path] for path in paths))).get()
+        return {"read": {path: values[self._robot[path]] for path in paths}}
+
+    async def _signals(self, key: zenoh.KeyExpr, payload: bytes) -> dict[str, Any]:
+        # The key may have wildcards: it means what matches here, and may mean as much elsewhere.
+        found = {name: proxy for name, proxy in self._by_name.items() if key.intersects(_key(f"{self._prefix}/{name}"))}
+        if payload:
+            return await self._write_signal(key, found, payload)
+        readable = {name: proxy for name, proxy in found.items() if isinstance(proxy, Readable)}
+        if not readable:
+            one = next(iter(found.values()), None)
+            raise ArgumentError(f"there is no signal at {key}" if one is None else f"{one.path} cannot be read so")
+        values = await self._group(tuple(readable.values())).get()
+        return {name: values[proxy] for name, proxy in readable.items()}
+
+    async def _write_signal(self, key: zenoh.KeyExpr, found: dict[str, Proxy[Any]], payload: bytes) -> dict[str, Any]:
+        if len(found) != 1:
+            raise ArgumentError(f"{key} is {len(found)} signals, and a value is for one: write several at /write")
+        ((name, proxy),) = found.items()
+        if not isinstance(proxy, Writable):
+            raise ArgumentError(f"{proxy.path} can only be read")
+        return {name: await self._write_objects(self._writer.read_one(proxy, payload))}
+
+    @staticmethod
+    def _make_group(proxies: tuple[Proxy[Any], ...]) -> Group:
+        return Group(*proxies)
+
+
+@functools.lru_cache(4096)
+def _key(text: str) -> zenoh.KeyExpr:
+    import zenoh
+
+    return zenoh.KeyExpr(text)
+
+
+def _refuse(query: zenoh.Query, text: str) -> None:
+    query.reply_err(msgspec.json.encode({"error": text}), encoding=JSON)

@@ -1,0 +1,95 @@
+"""Links of other machines: each is a client of the shared link, whose bytes come and go over two keys of its own.
+
+A client asks at ``PREFIX/@link/open`` with a name that it has made up; from then on it publishes at
+``PREFIX/@link/NAME/up`` and is answered at ``PREFIX/@link/NAME/down``. It shows by a token of liveliness,
+``PREFIX/@link/NAME/client``, that it is there, and the bridge by ``PREFIX/@link/NAME/bridge``. So either side learns of
+the other's end, however it came about, and what a client has set up ends with it.
+"""
+
+from __future__ import annotations
+
+import functools
+import re
+from typing import TYPE_CHECKING
+
+from unity_link.bridges.serve.client import Client
+from unity_link.bridges.serve.door import MOST_CLIENTS
+from unity_link.drivers.zenoh_session import OPEN, Declared, Inbox, KeyTransport
+
+if TYPE_CHECKING:
+    import zenoh
+
+    from unity_link.bridges.serve.shared import SharedLink
+
+_NAME = re.compile(r"[0-9a-f]{16}")
+
+
+class Streams:
+    """The streams of one bridge.
+
+    Args:
+        session: an open session.
+        prefix: what all keys begin with.
+        shared: the link that is shared.
+    """
+
+    def __init__(self, session: zenoh.Session, prefix: str, shared: SharedLink) -> None:
+        import zenoh
+
+        self._session = session
+        self._place = f"{prefix}/@link"
+        self._shared = shared
+        self._open: dict[str, tuple[KeyTransport, Declared]] = {}
+        asked: Inbox[zenoh.Query] = Inbox(self._answer)
+        gone: Inbox[str] = Inbox(self._forget)
+
+        def watch(sample: zenoh.Sample) -> None:
+            if sample.kind == zenoh.SampleKind.DELETE:
+                gone.give(str(sample.key_expr).split("/")[-2])
+
+        self._declared: tuple[Declared, ...] = (
+            session.liveliness().declare_subscriber(f"{self._place}/*/client", watch),
+            session.declare_queryable(f"{prefix}/{OPEN}", asked.give),
+        )
+
+    def _answer(self, queries: list[zenoh.Query]) -> None:
+        for query in queries:
+            with query:
+                payload = query.payload
+                refusal = self._serve(payload.to_bytes().decode(errors="replace") if payload is not None else "")
+                if refusal is None:
+                    query.reply(query.key_expr, b"")
+                else:
+                    query.reply_err(refusal)
+
+    def _serve(self, name: str) -> str | None:
+        """Serve a client; give what speaks against it."""
+        if name in self._open:
+            return None
+        if not _NAME.fullmatch(name):
+            return f"a name of 16 hex digits was expected, not {name[:40]!r}"
+        if len(self._shared.clients) >= MOST_CLIENTS:
+            return f"it has {MOST_CLIENTS} clients already"
+        place = f"{self._place}/{name}"
+        token: Declared = self._session.liveliness().declare_token(f"{place}/bridge")
+        client = Client(self._shared)
+        over = functools.partial(self._over, name)
+        transport = KeyTransport(self._session, f"{place}/down", f"{place}/up", client, over)
+        self._open[name] = transport, token
+        client.connection_made(transport)
+        return None
+
+    def _over(self, name: str) -> None:
+        _, token = self._open.pop(name)
+        token.undeclare()
+
+    def _forget(self, names: list[str]) -> None:
+        for name in names:
+            if name in self._open:
+                self._open[name][0].abort()
+
+    def close(self) -> None:
+        """End all streams."""
+        for declared in self._declared:
+            declared.undeclare()
+        self._forget(list(self._open))

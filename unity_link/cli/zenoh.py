@@ -1,0 +1,69 @@
+"""`unity-link zenoh`: a robot for all who are in one Zenoh network."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from unity_link.cli.output import print_note
+from unity_link.cli.ros import LinkUrl, Poll  # noqa: TC001  (typer reads them)
+from unity_link.cli.running import run
+from unity_link.cli.spec import Name, SpecFile, compile_or_exit
+from unity_link.errors import ArgumentError
+
+if TYPE_CHECKING:
+    from unity_link.bridges.zenoh import ZenohBridge
+
+
+def add_to(app: typer.Typer) -> None:
+    """Add the commands of this file."""
+    app.command()(zenoh)
+
+
+def zenoh(  # noqa: PLR0913  (each is an option of the command)
+    spec: SpecFile,
+    *,
+    link: LinkUrl,
+    prefix: Annotated[
+        str, typer.Option("--prefix", metavar="KEY", help="Before all keys, such as robot/1.", show_default=False)
+    ],
+    connect: Annotated[
+        list[str] | None, typer.Option("--connect", metavar="ENDPOINT", help="Connect to it: tcp/router:7447.")
+    ] = None,
+    listen: Annotated[
+        list[str] | None,
+        typer.Option("--listen", metavar="ENDPOINT", help="Listen there: tcp/0.0.0.0:7447 is for other machines."),
+    ] = None,
+    mode: Annotated[str | None, typer.Option("--mode", metavar="MODE", help="peer, or client of one router.")] = None,
+    config: Annotated[
+        str | None, typer.Option("--config", metavar="FILE", help="Configuration of Zenoh: TLS, access control.")
+    ] = None,
+    every: Annotated[
+        float, typer.Option("--every", metavar="SECONDS", help="Publish samples no more often, more at a time.")
+    ] = 0.0,
+    poll: Poll = None,
+    interface: Name = None,
+) -> None:
+    """Share a gateway with a Zenoh network: samples as publications, reads and writes as queries, and whole links.
+
+    Nothing is open to other machines unless --connect, --listen or --config says so. Needs pip install
+    "unity-link[zenoh]".
+    """
+    from unity_link.bridges.zenoh import Network, ZenohBridge
+    from unity_link.data import load
+
+    if poll is not None and not poll > 0:
+        raise ArgumentError(f"--poll {poll:g}: more than 0 Hz was expected")
+    if not every >= 0:
+        raise ArgumentError(f"--every {every:g}: 0 or more seconds were expected")
+    network = Network(connect=tuple(connect or ()), listen=tuple(listen or ()), mode=mode, config=config)
+    robot_type = load(compile_or_exit(spec), interface)
+    run(_run(ZenohBridge(robot_type, link, prefix, network=network, poll_hz=poll, every=every, report=print_note)))
+
+
+async def _run(bridge: ZenohBridge) -> None:
+    try:
+        await bridge.run()
+    finally:
+        print_note(f"{bridge.published:,} samples carried, {bridge.lost:,} lost, {bridge.written:,} values written")
