@@ -76,6 +76,11 @@ class Connection:
 
     # Life
 
+    @property
+    def connected(self) -> bool:
+        """Whether there is a session now; not while the connection is being opened again, nor after the end."""
+        return not self._exchange.suspended
+
     async def open(self, timeout: float) -> None:  # noqa: ASYNC109  (it is an argument of `connect`)
         """Connect and start a session.
 

@@ -26,8 +26,8 @@ import unity_link
 from generate.every_kind import every_kind
 from simulated_time import run_simulated
 from unity_link import ArgumentError, BusError
-from unity_link.bridges.recording import Recorder, Recording, RecordingError, export, replay
 from unity_link.bridges.messages import hex_to_words, words_to_hex
+from unity_link.bridges.recording import Recorder, Recording, RecordingError, export, replay
 from unity_link.spec.columns import Columns
 
 if TYPE_CHECKING:

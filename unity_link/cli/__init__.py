@@ -10,7 +10,7 @@ One file for each family of commands. They parse, show and explain; what they do
 - `recording` has record and replay; `export` is about recordings and specs; `ros` has the bridges to ROS
 - `zenoh` has the bridge to Zenoh
 - `ft232h` has those about the chip's EEPROM
-- `serve` shares a link; `service` tells systemd of a command that runs for long
+- `live` shows signals on a page; `serve` shares a link; `service` tells systemd of a command that runs for long
 - `plots` draws curves
 
 Modules import at their top only what every command needs; what is slow to load is imported where it is used, so that
@@ -37,6 +37,7 @@ from unity_link.cli import (
     ft232h,
     generate,
     info,
+    live,
     recording,
     ros,
     serve,
@@ -83,6 +84,7 @@ demo.add_to(app)
 info.add_to(app)
 access.add_to(app)
 watch.add_to(app)
+live.add_to(app)
 simulate.add_to(app)
 serve.add_to(app)
 terminal.add_to(app)

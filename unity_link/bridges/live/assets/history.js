@@ -1,0 +1,81 @@
+// The rows of one plot: instants, and for each curve its values. Their number is bounded: where samples come faster
+// than the plot has points, each bin of time keeps the lowest and the highest of each curve, so that no peak is lost.
+
+const BINS = 1000; // across the plot
+const MOST_ROWS = 8192;
+const SET_ANEW = 1; // seconds by which time goes back where the gateway began anew
+
+export class History {
+  constructor(curves) {
+    this.curves = curves; // where each curve finds its values: { stream, column }
+    this.rows = [[], ...curves.map(() => [])];
+    this.newest = -Infinity;
+    this.bin = null;
+    this.width = 0; // seconds of a bin; 0: every sample is a row
+  }
+
+  // Take samples of the stream that leads this plot; curves of other streams hold their latest value.
+  take(leader, batch, window) {
+    const width = window / BINS;
+    this.width = leader.rate * width > 2 ? width : 0;
+    for (let i = 0; i < batch.count; i++) {
+      let at = batch.at[i];
+      if (at < this.newest - SET_ANEW) this.clear();
+      at = Math.max(at, this.newest);
+      if (batch.lost[i]) this.gap(at);
+      this.newest = at;
+      const values = this.curves.map(({ stream, column }) =>
+        stream === leader ? numberOrNothing(batch.columns[column][i]) : stream.latest[column],
+      );
+      if (this.width) this.collect(at, values);
+      else this.push(at, values);
+    }
+    if (this.rows[0].length > MOST_ROWS) this.rows.forEach((row) => row.splice(0, MOST_ROWS / 2));
+  }
+
+  // Interrupt the curves.
+  gap(at) {
+    this.flush();
+    this.push(at, this.curves.map(() => null));
+  }
+
+  clear() {
+    this.rows.forEach((row) => (row.length = 0));
+    this.bin = null;
+    this.newest = -Infinity;
+  }
+
+  push(at, values) {
+    this.flush();
+    this.rows[0].push(at);
+    values.forEach((value, curve) => this.rows[curve + 1].push(value));
+  }
+
+  collect(at, values) {
+    const number = Math.floor(at / this.width);
+    if (this.bin === null || this.bin.number !== number) {
+      this.flush();
+      this.bin = { number, first: at, last: at, low: values.slice(), high: values.slice(), rising: values.map(() => true) };
+      return;
+    }
+    const { low, high, rising } = this.bin;
+    this.bin.last = at;
+    values.forEach((value, curve) => {
+      if (value === null) return;
+      if (low[curve] === null || value < low[curve]) { low[curve] = value; rising[curve] = false; }
+      if (high[curve] === null || value > high[curve]) { high[curve] = value; rising[curve] = true; }
+    });
+  }
+
+  flush() {
+    const bin = this.bin;
+    if (bin === null) return;
+    this.bin = null;
+    this.push(bin.first, bin.low.map((low, curve) => (bin.rising[curve] ? low : bin.high[curve])));
+    if (bin.last > bin.first) this.push(bin.last, bin.high.map((high, curve) => (bin.rising[curve] ? high : bin.low[curve])));
+  }
+}
+
+function numberOrNothing(value) {
+  return Number.isFinite(value) ? value : null;
+}

@@ -1,0 +1,136 @@
+// Scrolling plots by uPlot. The axis of time stands still, and the curves move under it.
+
+/* global uPlot */
+
+const AXIS = 54; // pixels of the axis of values
+
+export function color(name) {
+  // A colour that is one of two is not known to a canvas; as the colour of an element it has been chosen.
+  probe.style.color = `var(--${name})`;
+  return getComputedStyle(probe).color;
+}
+
+const probe = document.createElement("i");
+probe.hidden = true;
+document.documentElement.append(probe);
+
+let colors = {};
+
+// Read the colours of the page again; to be called when it goes light or dark.
+export function refreshColors() {
+  colors = {};
+}
+
+function known(name) {
+  return (colors[name] ??= color(name));
+}
+
+const font = "11px system-ui, 'DejaVu Sans', sans-serif";
+
+function axis(more) {
+  return {
+    stroke: () => known("quiet"),
+    font,
+    grid: { stroke: () => known("grid"), width: 1 },
+    ticks: { show: false },
+    ...more,
+  };
+}
+
+function range(plot, low, high) {
+  if (low === null || high === null) return [0, 1];
+  if (high - low > 1e-9 * Math.max(Math.abs(low), Math.abs(high))) return uPlot.rangeNum(low, high, 0.12, true);
+  const room = Math.abs(high) * 0.1 || 1;
+  return [low - room, high + room];
+}
+
+// Make a plot of curves { label, stepped } in an element; the caller gives it data and a window of time.
+export function makePlot(element, curves) {
+  const splits = (plot, _, from, to) => {
+    const seconds = to - from;
+    const step = seconds > 40 ? 10 : seconds > 15 ? 5 : seconds > 6 ? 2 : seconds > 3 ? 1 : 0.5;
+    const places = [];
+    for (let back = 0; back <= seconds + 1e-9; back += step) places.unshift(to - back);
+    return places;
+  };
+  const plot = new uPlot(
+    {
+      width: Math.max(element.clientWidth, 50),
+      height: element.clientHeight,
+      padding: [8, 16, 0, 0],
+      legend: { show: false },
+      cursor: { drag: { x: false, y: false }, points: { show: false }, y: false },
+      scales: { x: { time: false, auto: false }, y: { range } },
+      axes: [
+        axis({ splits, values: (plot, at) => at.map((one) => (at.at(-1) - one < 1e-6 ? "now" : `−${+(at.at(-1) - one).toFixed(1)} s`)), size: 26 }),
+        axis({ size: AXIS, gap: 4 }),
+      ],
+      series: [
+        {},
+        ...curves.map(({ label, stepped }, number) => ({
+          label,
+          stroke: () => known(`curve-${number % 6}`),
+          width: 1.6,
+          points: { show: false },
+          paths: stepped ? uPlot.paths.stepped({ align: 1 }) : undefined,
+        })),
+      ],
+    },
+    [[], ...curves.map(() => [])],
+    element,
+  );
+  new ResizeObserver(() => plot.setSize({ width: Math.max(element.clientWidth, 50), height: element.clientHeight })).observe(element);
+  return plot;
+}
+
+// Show the rows from `until - window` to `until`.
+export function show(plot, rows, until, window) {
+  plot.batch(() => {
+    plot.setData(rows, false);
+    plot.setScale("x", { min: until - window, max: until });
+  });
+}
+
+// Make a histogram of bins of equal ratio, whose numbers are logarithms.
+export function makeHistogram(element, label) {
+  const plot = new uPlot(
+    {
+      width: Math.max(element.clientWidth, 50),
+      height: element.clientHeight,
+      padding: [8, 16, 0, 0],
+      legend: { show: false },
+      cursor: { show: false },
+      scales: { x: { time: false, range: (plot, low, high) => [low, high] }, y: { range: (plot, low, high) => [0, Math.max(high, 1) * 1.08] } },
+      axes: [
+        axis({ splits: (plot, _, from, to) => ticks(from, to), values: (plot, at) => at.map((one) => label(10 ** one)), size: 26, grid: { show: false } }),
+        axis({ size: AXIS, gap: 4 }),
+      ],
+      series: [
+        {},
+        {
+          stroke: () => known("accent"),
+          fill: () => known("accent"),
+          width: 0,
+          points: { show: false },
+          paths: uPlot.paths.bars({ size: [0.86, 60], radius: 0.15 }),
+        },
+      ],
+    },
+    [[], []],
+    element,
+  );
+  new ResizeObserver(() => plot.setSize({ width: Math.max(element.clientWidth, 50), height: element.clientHeight })).observe(element);
+  return plot;
+}
+
+function ticks(from, to) {
+  const all = [];
+  const parts = to - from > 2 ? [1] : [1, 2, 5];
+  for (let decade = Math.floor(from); decade <= to; decade++) {
+    for (const part of parts) {
+      const at = decade + Math.log10(part);
+      if (at >= from && at <= to) all.push(at);
+    }
+  }
+  return all;
+}

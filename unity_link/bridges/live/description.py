@@ -1,0 +1,116 @@
+"""What the page is told of a robot: its signals, which stream has them, and the values that they take."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING
+
+import msgspec
+
+from unity_link.data import Writable
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from unity_link.bridges.sampled import SampledGroup
+    from unity_link.data import Proxy, Robot
+
+WIDEST_EXACT = 53
+"""Bits of a whole number that a double, and so the page, has exactly."""
+
+
+class Stream(msgspec.Struct, frozen=True):
+    """Signals that are sampled together."""
+
+    name: str
+    rate_hz: float | None
+    """As the spec or the host says; None where samples are not periodic."""
+
+
+class SignalAbout(msgspec.Struct, frozen=True, kw_only=True):
+    """One signal."""
+
+    path: str
+    name: str
+    part: str
+    """Path of the component that it stands in; empty for the robot itself."""
+    id: str
+    unit: str
+    doc: str
+    kind: str
+    step: float | None
+    """Distance of two neighbouring values; None of floats."""
+    low: float | None
+    high: float | None
+    """Limits of what may be written; None where there is none."""
+    limited: bool
+    """Whether the spec limits it closer than its bits do."""
+    names: list[tuple[int, str]]
+    """Of an enumeration."""
+    writable: bool
+    stream: int | None
+    column: int | None
+    """Where its samples are; None of what is only written."""
+
+
+class About(msgspec.Struct, frozen=True, kw_only=True, tag_field="type", tag="about"):
+    """All that the page needs to know before it shows something."""
+
+    robot: str
+    doc: str
+    gateway: str
+    """Where the gateway is, without tokens."""
+    writes: bool
+    """Whether there is a way to write, for those who have the token."""
+    parts: dict[str, str]
+    """Descriptions of the components by their paths."""
+    streams: list[Stream]
+    signals: list[SignalAbout]
+
+
+def describe(robot: Robot, groups: Sequence[SampledGroup], rates: Sequence[float | None], gateway: str) -> About:
+    """Describe a robot, not writable."""
+    places = {
+        proxy: (stream, column)
+        for stream, group in enumerate(groups)
+        for column, proxy in enumerate(group.group.proxies)
+    }
+    interface = robot.interface
+    return About(
+        robot=interface.name,
+        doc=interface.doc,
+        gateway=gateway.partition("?")[0],
+        writes=False,
+        parts={part.path: part.doc for part in interface.root.walk()},
+        streams=[Stream(group.name, rate) for group, rate in zip(groups, rates, strict=True)],
+        signals=[_about(proxy, places.get(proxy)) for proxy in robot.signals if proxy in places or is_written(proxy)],
+    )
+
+
+def is_written(proxy: Proxy[object]) -> bool:
+    """Say whether a signal takes values: a queue does not, for a value there cannot be replaced by another one."""
+    return isinstance(proxy, Writable)
+
+
+def _about(proxy: Proxy[object], place: tuple[int, int] | None) -> SignalAbout:
+    signal = proxy.signal
+    kind = signal.kind
+    part, _, name = signal.path.rpartition(".")
+    low, high = signal.limits
+    return SignalAbout(
+        path=signal.path,
+        name=name,
+        part=part,
+        id=signal.id,
+        unit=signal.unit,
+        doc=signal.doc,
+        kind=kind.name.value,
+        step=None if kind.name == "float" else abs(kind.step),
+        low=low if math.isfinite(low) else None,
+        high=high if math.isfinite(high) else None,
+        limited=signal.minimum is not None and signal.maximum is not None,
+        names=[(value.value, value.name) for value in kind.enumeration.values] if kind.enumeration else [],
+        writable=is_written(proxy),
+        stream=None if place is None else place[0],
+        column=None if place is None else place[1],
+    )

@@ -1,0 +1,68 @@
+"""Samples on their way to one browser: bounded, whatever the browser does."""
+
+from __future__ import annotations
+
+import struct
+from collections import deque
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from unity_link.data import Batch, Proxy
+
+MOST_BYTES = 4 << 20
+"""What waits for a browser that does not read; then the oldest samples are dropped, and counted."""
+HEAD = struct.Struct("<dQ")
+"""This machine's clock in seconds since 1970, and the samples that were dropped since the browser came."""
+BATCH_HEAD = struct.Struct("<II")
+"""Number of the stream, and of its samples that follow."""
+
+
+class Chunk(NamedTuple):
+    """A batch as the browser gets it; all browsers share it."""
+
+    samples: int
+    data: bytes
+
+
+def encode(stream: int, batch: Batch, instants: NDArray[np.float64], proxies: tuple[Proxy[object], ...]) -> Chunk:
+    """Write a batch of the stream of that number."""
+    table = np.empty((2 + len(proxies), len(batch)), "<f8")
+    table[0] = instants
+    table[1] = batch.lost
+    for row, proxy in enumerate(proxies, start=2):
+        table[row] = batch.columns[proxy]
+    return Chunk(len(batch), BATCH_HEAD.pack(stream, len(batch)) + table.tobytes())
+
+
+class Outbox:
+    """What one browser has not got yet."""
+
+    def __init__(self, most_bytes: int = MOST_BYTES) -> None:
+        self.dropped = 0
+        """Samples that were dropped."""
+        self.bytes = 0
+        """Bytes that wait."""
+        self._most_bytes = most_bytes
+        self._chunks: deque[Chunk] = deque()
+
+    def put(self, chunk: Chunk) -> None:
+        """Add a batch; the oldest go where there is no room."""
+        self._chunks.append(chunk)
+        self.bytes += len(chunk.data)
+        while self.bytes > self._most_bytes and len(self._chunks) > 1:
+            oldest = self._chunks.popleft()
+            self.bytes -= len(oldest.data)
+            self.dropped += oldest.samples
+
+    def take(self, now: float) -> bytes | None:
+        """Give all that waits as one message; None where nothing does."""
+        if not self._chunks:
+            return None
+        message = b"".join([HEAD.pack(now, self.dropped), *(chunk.data for chunk in self._chunks)])
+        self._chunks.clear()
+        self.bytes = 0
+        return message

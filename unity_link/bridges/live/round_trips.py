@@ -1,0 +1,73 @@
+"""How quickly the gateway answers: reads of one word, one after the other, and how often each duration came."""
+
+from __future__ import annotations
+
+import asyncio
+import math
+import statistics
+import time
+from collections import deque
+from typing import TYPE_CHECKING
+
+import msgspec
+
+if TYPE_CHECKING:
+    from unity_link.link import Link
+
+PAUSE = 0.1
+"""Seconds between reads."""
+RECENT = 600
+"""Round trips that the median and the 99 % are of: a minute."""
+SHORTEST = 1e-6
+"""Seconds; the lower end of the first bin."""
+BINS_PER_DECADE = 10
+BINS = 7 * BINS_PER_DECADE
+"""Up to ten seconds."""
+
+
+class Histogram(msgspec.Struct, frozen=True):
+    """What was measured, for the page."""
+
+    counts: list[int]
+    """How often each duration came: bins of equal ratio from `SHORTEST` on, `BINS_PER_DECADE` for a factor of 10."""
+    median: float | None
+    within: float | None
+    """Seconds within which 99 % of the recent round trips were."""
+
+
+class RoundTrips:
+    """Measures the round trips of a link."""
+
+    def __init__(self, link: Link, address: int) -> None:
+        self._link = link
+        self._address = address
+        self._counts = [0] * BINS
+        self._recent: deque[float] = deque(maxlen=RECENT)
+
+    async def run(self) -> None:
+        """Measure until it is cancelled.
+
+        Raises:
+            LinkLostError: where the link ends.
+        """
+        while True:
+            await asyncio.sleep(PAUSE)
+            sessions = self._link.statistics.reconnections
+            began = time.perf_counter()
+            await self._link.read(self._address)
+            # How long a link was away is no round trip.
+            if self._link.statistics.reconnections == sessions:
+                self.take(time.perf_counter() - began)
+
+    def take(self, seconds: float) -> None:
+        """Count a round trip."""
+        place = math.floor(math.log10(max(seconds, SHORTEST) / SHORTEST) * BINS_PER_DECADE)
+        self._counts[min(max(place, 0), BINS - 1)] += 1
+        self._recent.append(seconds)
+
+    def histogram(self) -> Histogram:
+        """Give what was measured so far."""
+        recent = sorted(self._recent)
+        median = statistics.median(recent) if recent else None
+        within = recent[min(len(recent) - 1, math.ceil(0.99 * len(recent)))] if recent else None
+        return Histogram(list(self._counts), median, within)

@@ -1,0 +1,81 @@
+"""Values that come from a page. Where writes are not allowed there is no `Writing`, and nothing that could write."""
+
+from __future__ import annotations
+
+import hmac
+from typing import TYPE_CHECKING, Any
+
+import msgspec
+
+from unity_link.bridges.live.description import is_written
+from unity_link.errors import ArgumentError, UnityLinkError
+
+if TYPE_CHECKING:
+    from unity_link.data import Robot, Writable
+
+
+class Hello(msgspec.Struct, tag_field="type", tag="hello", forbid_unknown_fields=True):
+    """A page tells the token that its URL had."""
+
+    token: str
+
+
+class Write(msgspec.Struct, tag_field="type", tag="write", forbid_unknown_fields=True):
+    """A page wants a value written."""
+
+    number: int
+    """What its answer is to be known by."""
+    signal: str
+    value: bool | int | float | str
+    """In the signal's unit; of an enumeration a number or a name."""
+
+
+class Written(msgspec.Struct, tag_field="type", tag="written"):
+    """The value is on the bus."""
+
+    number: int
+
+
+class Refused(msgspec.Struct, tag_field="type", tag="refused"):
+    """The value was not written, or it is not known whether it was; the reason says which."""
+
+    number: int
+    reason: str
+
+
+class Writing:
+    """Writes what pages that know the token ask for.
+
+    Args:
+        robot: whose signals.
+        token: what a page must know.
+    """
+
+    def __init__(self, robot: Robot, token: str) -> None:
+        self.written = 0
+        """Values that were written."""
+        self._link = robot.link
+        self._token = token.encode()
+        self._signals: dict[str, Writable[Any]] = {
+            proxy.path: proxy  # type: ignore[misc]
+            for proxy in robot.signals
+            if is_written(proxy)
+        }
+
+    def knows(self, token: str) -> bool:
+        """Say whether a token is the right one, in a time that does not tell how much of it was."""
+        return hmac.compare_digest(token.encode(), self._token)
+
+    async def write(self, wish: Write) -> Written | Refused:
+        """Write a value that is within its limits. While the link is away nothing is: it would come as a surprise."""
+        try:
+            proxy = self._signals.get(wish.signal)
+            if proxy is None:
+                raise ArgumentError(f"there is no signal {wish.signal!r} that can be written")
+            if not self._link.connected:
+                return Refused(wish.number, "the link is away: nothing was written")
+            await proxy.set(wish.value)
+        except UnityLinkError as error:
+            return Refused(wish.number, str(error))
+        self.written += 1
+        return Written(wish.number)

@@ -1,0 +1,161 @@
+"""What a sample is in a recording, and for those who watch as if it were one: JSON.
+
+::
+
+    {"sequence": 7, "time": 0.07, "lost": 0, "words": "000003E8", "signals": {"j1": {"cpos": 1.5}}}
+
+``signals`` is the tree of the spec, so that what a program calls ``legs[2].coxa.cpos`` has the same name in the tools
+that open the file. ``words`` has the words of the group, in the order of its addresses, each as hex digits of whole
+bytes: the values again, exactly.
+"""
+
+from __future__ import annotations
+
+import json
+import re
+from typing import TYPE_CHECKING, Any
+
+import msgspec
+import numpy as np
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator, Sequence
+
+    from unity_link.data import Batch
+    from unity_link.spec import Signal
+    from unity_link.wire.messages import Words
+
+_STEP = re.compile(r"([^.\[\]]+)|\[(\d+)\]")
+_TYPES = {"b": "boolean", "i": "integer", "u": "integer", "f": "number"}
+
+
+class Message(msgspec.Struct):
+    """What is read back of a message."""
+
+    sequence: int
+    time: float | None
+    lost: int
+    words: str
+
+
+class Encoder:
+    """Writes the samples of one group, all of a batch at once."""
+
+    def __init__(self, signals: Sequence[Signal]) -> None:
+        tree: dict[str, Any] = {}
+        for place, signal in enumerate(signals):
+            _plant(tree, _steps(signal.path), place)
+        self._order: list[int] = []
+        values = _template(tree, self._order)
+        head = '{"sequence":%d,"time":%b,"lost":%d,"words":"%b","signals":'
+        self._template = f"{head}{values}}}".encode()
+        self.schema = _message_schema(tree, signals)
+        """JSON schema of a message."""
+
+    def encode(self, batch: Batch, word_bits: int) -> Iterator[bytes]:
+        """Give the messages of the samples of a batch."""
+        times = [b"null"] * len(batch) if batch.time is None else _texts(batch.time.tolist())
+        columns = [column.tolist() for column in batch.columns.values()]
+        texts = [_texts(columns[place]) for place in self._order]
+        rows = zip(
+            batch.sequence.tolist(),
+            times,
+            batch.lost.tolist(),
+            words_to_hex(batch.words, word_bits),
+            *texts,
+            strict=True,
+        )
+        template = self._template
+        return (template % row for row in rows)
+
+
+def words_to_hex(words: Words, word_bits: int) -> list[bytes]:
+    """Write words of shape (samples, addresses); give a text for each sample."""
+    size = _word_bytes(word_bits)
+    big_endian = np.ascontiguousarray(words.astype(">u8")).view(np.uint8).reshape(*words.shape, 8)[..., 8 - size :]
+    text = big_endian.tobytes().hex().upper().encode()
+    length = 2 * size * words.shape[1]
+    return [text[start : start + length] for start in range(0, len(text), length)]
+
+
+def hex_to_words(texts: Sequence[str], addresses: int, word_bits: int) -> Words:
+    """Read what `words_to_hex` wrote; shape (samples, addresses).
+
+    Raises:
+        ValueError: for text that is something else.
+    """
+    size = _word_bytes(word_bits)
+    given = np.frombuffer(bytes.fromhex("".join(texts)), np.uint8).reshape(len(texts), addresses, size)
+    padded = np.zeros((len(texts), addresses, 8), np.uint8)
+    padded[..., 8 - size :] = given
+    return padded.view(">u8")[..., 0].astype(np.uint64)
+
+
+def _word_bytes(word_bits: int) -> int:
+    return -(-word_bits // 8)
+
+
+def _texts(values: list[Any]) -> list[bytes]:
+    """Write numbers as JSON does; one that JSON cannot say is null."""
+    return msgspec.json.encode(values)[1:-1].split(b",")
+
+
+# The tree of names: objects are dicts, arrays are lists with {} where the group has nothing, leaves are places
+
+
+def _steps(path: str) -> list[str | int]:
+    return [name or int(index) for name, index in _STEP.findall(path)]
+
+
+def _plant(tree: Any, steps: list[str | int], place: int) -> None:
+    for step, following in zip(steps, [*steps[1:], None], strict=True):
+        if isinstance(step, int):
+            tree.extend({} for _ in range(step + 1 - len(tree)))
+        below: Any = place if following is None else [] if isinstance(following, int) else {}
+        if following is None or (isinstance(tree, dict) and step not in tree):
+            tree[step] = below
+        tree = tree[step]
+
+
+def _template(tree: Any, order: list[int]) -> str:
+    if isinstance(tree, int):
+        order.append(tree)
+        return "%b"
+    if isinstance(tree, list):
+        return f"[{','.join(_template(item, order) for item in tree)}]"
+    return f"{{{','.join(f'{json.dumps(name)}:{_template(item, order)}' for name, item in tree.items())}}}"
+
+
+def _message_schema(tree: Any, signals: Sequence[Signal]) -> dict[str, Any]:
+    return {
+        "$schema": "https://json-schema.org/draft/2020-12/schema",
+        "type": "object",
+        "properties": {
+            "sequence": {"type": "integer", "description": "number of the sample, lost ones counted"},
+            "time": {"type": ["number", "null"], "description": "instant of sampling, seconds of the gateway's clock"},
+            "lost": {"type": "integer", "description": "samples lost before this one"},
+            "words": {"type": "string", "description": "the words as they came, in hex"},
+            "signals": _schema(tree, signals),
+        },
+    }
+
+
+def _schema(tree: Any, signals: Sequence[Signal]) -> dict[str, Any]:
+    if isinstance(tree, int):
+        return _value_schema(signals[tree])
+    if isinstance(tree, list):
+        # Readers want one schema for all items; an item may lack what the group has only of others.
+        merged: dict[str, Any] = {}
+        for item in tree:
+            merged.update(item)
+        return {"type": "array", "items": _schema(merged, signals)}
+    properties = {name: _schema(item, signals) for name, item in tree.items()}
+    return {"type": "object", "properties": properties}
+
+
+def _value_schema(signal: Signal) -> dict[str, Any]:
+    kind = signal.kind
+    schema: dict[str, Any] = {"type": _TYPES[kind.dtype.kind]}
+    names = [f"{value.value}: {value.name}" for value in kind.enumeration.values] if kind.enumeration else []
+    described = "; ".join(filter(None, [signal.doc, ", ".join(names), signal.unit and f"in {signal.unit}"]))
+    return {**schema, "description": described} if described else schema

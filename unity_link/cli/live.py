@@ -1,0 +1,174 @@
+"""`unity-link live`: signals as pictures, on a page of this machine."""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+import os
+import secrets
+import sys
+import time
+from pathlib import Path  # noqa: TC003  (typer reads it)
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from unity_link.cli.arguments import DEFAULT_TIMEOUT, Timeout, Url, number
+from unity_link.cli.output import print_line, print_note
+from unity_link.cli.running import run
+from unity_link.cli.spec import Name, compile_or_exit
+from unity_link.errors import ArgumentError
+
+if TYPE_CHECKING:
+    import socket
+
+    from unity_link.bridges.live import LivePage
+    from unity_link.bridges.sampled import SampledGroup
+    from unity_link.data import Robot
+    from unity_link.link import Link
+    from unity_link.spec import Spec
+
+PORT = 8421
+FOXGLOVE_PORT = 8765
+"""Where the Foxglove app looks if nothing else is said."""
+_FOXGLOVE = "Foxglove"
+
+
+def add_to(app: typer.Typer) -> None:
+    """Add the commands of this file."""
+    app.command()(live)
+
+
+def live(  # noqa: PLR0913  (its options)
+    url: Url,
+    spec: Annotated[
+        Path | None, typer.Argument(metavar="[SPEC]", help="A spec, such as robot.ul.", show_default=False)
+    ] = None,
+    *,
+    watch: Annotated[
+        list[int] | None,
+        typer.Option(
+            "--watch", metavar="ADDRESS", parser=number, help="Without a spec: a word to show; again for each word."
+        ),
+    ] = None,
+    rate: Annotated[float, typer.Option("--rate", metavar="HZ", help="Of --watch: samples a second.")] = 100.0,
+    poll: Annotated[
+        float, typer.Option("--poll", metavar="HZ", help="How often to read what nothing samples; 0: not at all.")
+    ] = 10.0,
+    allow_writes: Annotated[
+        bool, typer.Option("--allow-writes", help="Let the page that knows the printed token write signals.")
+    ] = False,
+    port: Annotated[
+        int, typer.Option("--port", metavar="PORT", min=0, max=65535, help="Of the page; 0 for any free one.")
+    ] = PORT,
+    browser: Annotated[bool, typer.Option("--browser/--no-browser", help="Whether to open the page.")] = True,
+    foxglove: Annotated[
+        bool, typer.Option("--foxglove", help="Also serve the samples to the Foxglove app.", rich_help_panel=_FOXGLOVE)
+    ] = False,
+    foxglove_port: Annotated[
+        int,
+        typer.Option(
+            "--foxglove-port", metavar="PORT", min=1, max=65535, help="Of --foxglove.", rich_help_panel=_FOXGLOVE
+        ),
+    ] = FOXGLOVE_PORT,
+    interface: Name = None,
+    timeout: Timeout = DEFAULT_TIMEOUT,
+) -> None:
+    """Show signals as moving pictures, on a page of this machine.
+
+    Prints the address of the page and opens it. Gateway and browser may go and come back. Ctrl-C ends it.
+    """
+    if (spec is None) == (not watch):
+        raise ArgumentError("a SPEC was expected, or words by --watch ADDRESS")
+    for name, hertz in (("--rate", rate), ("--poll", poll)):
+        if hertz < 0 or (name == "--rate" and hertz == 0):
+            raise ArgumentError(
+                f"{name} {hertz:g}: {'more than 0' if name == '--rate' else '0 or more'} Hz was expected"
+            )
+    compiled = None if spec is None else compile_or_exit(spec)
+    chosen = _Shown(compiled, interface, watch or [], rate, poll or None)
+    token = _token() if allow_writes else None
+    run(_live(url, chosen, token, port, foxglove_port if foxglove else None, browser=browser, timeout=timeout))
+
+
+class _Shown:
+    """What the user wants to see."""
+
+    def __init__(
+        self, spec: Spec | None, interface: str | None, words: list[int], rate: float, poll: float | None
+    ) -> None:
+        self._spec = spec
+        self._interface = interface
+        self._words = words
+        self._rate = rate
+        self._poll = poll
+
+    def behind(self, link: Link) -> tuple[Robot, list[SampledGroup]]:
+        """Give the robot behind a link, and its groups."""
+        if self._spec is None:
+            from unity_link.bridges.live import robot_of_words
+
+            return robot_of_words(link, self._words, self._rate)
+        from unity_link.bridges.sampled import sampled_groups
+        from unity_link.data import load
+
+        robot = load(self._spec, self._interface)(link)
+        return robot, sampled_groups(robot, self._poll)
+
+
+def _token() -> str:
+    return os.environ.get("UNITY_LINK_TOKEN") or secrets.token_urlsafe(16)
+
+
+async def _live(
+    url: str,
+    shown: _Shown,
+    token: str | None,
+    port: int,
+    foxglove_port: int | None,
+    *,
+    browser: bool,
+    timeout: float,  # noqa: ASYNC109  (an option of the command)
+) -> None:
+    from unity_link.bridges.live import LivePage, bind
+    from unity_link.bridges.live.foxglove import FoxgloveServer
+    from unity_link.link import connect
+
+    async with contextlib.AsyncExitStack() as stack:
+        link = await stack.enter_async_context(connect(url, timeout=timeout, reconnect=True))
+        robot, groups = shown.behind(link)
+        foxglove = None
+        if foxglove_port is not None:
+            foxglove = stack.enter_context(FoxgloveServer(robot, groups, foxglove_port))
+        listener = stack.enter_context(bind(port))
+        page = LivePage(robot, groups, gateway=url, token=token, foxglove=foxglove)
+        _announce(listener, token, foxglove, browser=browser)
+        began = time.monotonic()
+        try:
+            await page.run(listener)
+        finally:
+            print_note(_summary(page, time.monotonic() - began))
+
+
+def _announce(listener: socket.socket, token: str | None, foxglove: object, *, browser: bool) -> None:
+    host, port = listener.getsockname()
+    address = f"http://{host}:{port}/" + (f"#token={token}" if token is not None else "")
+    print_line(address)
+    if foxglove is not None:
+        print_line(str(foxglove))
+    if browser and _has_screen():
+        import webbrowser
+
+        # Some browsers hold up who starts them.
+        asyncio.get_running_loop().run_in_executor(None, webbrowser.open, address)
+
+
+def _has_screen() -> bool:
+    """Say whether a browser would have a window; one in the terminal would be in the way."""
+    return sys.platform in {"darwin", "win32"} or any(os.environ.get(name) for name in ("DISPLAY", "WAYLAND_DISPLAY"))
+
+
+def _summary(page: LivePage, seconds: float) -> str:
+    rate = page.samples / max(seconds, 1e-9)
+    text = f"{page.samples:,} samples in {seconds:.1f} s ({rate:,.0f} Hz), {page.lost:,} lost"
+    return text + (f", {page.written:,} values written" if page.written else "")
