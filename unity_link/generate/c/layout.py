@@ -197,7 +197,6 @@ class Layout:
         self.value_types: dict[str, ValueType] = {}
         """By the paths of the signals."""
         self._places: dict[tuple[str, str], list[Signal]] = {}
-        self._docs: dict[str, set[str]] = {}
         self._look_around()
         self.types: dict[str, PartType] = {}
         """By their names in C, those of parts before what they are part of."""
@@ -244,7 +243,6 @@ class Layout:
     def _look_around(self) -> None:
         """Gather all places of each declaration."""
         for component in self.interface.root.walk():
-            self._docs.setdefault(component.type, set()).add(component.doc)
             for signal in component.signals:
                 self._places.setdefault((component.type, signal.name), []).append(signal)
         for signals in self._places.values():
@@ -310,14 +308,11 @@ class Layout:
         )
         name = self.root_type if is_root else self._global(component.type)
         short = "Robot" if is_root else self._short(component.type)
-        return PartType(name, short, self._type_doc(component), signals, parts, modules)
+        return PartType(name, short, component.type_doc or component.doc, signals, parts, modules)
 
     def _varies(self, component_type: str, name: str) -> bool:
         places = self._places[component_type, name]
         return len({(signal.unit, signal.minimum, signal.maximum) for signal in places}) > 1
-
-    def _type_doc(self, component: Component) -> str:
-        return component.doc if len(self._docs[component.type]) == 1 else ""
 
     def _part(self, name: str, part: Component | ComponentArray) -> PartMember:
         if isinstance(part, Component):
