@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 
 from spec_examples import FIGURE_1
+from unity_link.generate import TARGETS
 from unity_link.spec import format_text
 
 WRONG = "public robot() {\n  @a = 1: REED();\n}\n"
@@ -137,3 +138,17 @@ def test_a_place_that_cannot_be_written_is_told(folder: Path) -> None:
     done = run(folder, "export", "rdl", "scara.ul", "-o", "no/such/folder.rdl")
     assert done.returncode == 2
     assert "no/such/folder.rdl cannot be written: No such file or directory" in done.stderr
+
+
+def test_generate_writes_the_files_and_tells_them(folder: Path) -> None:
+    done = run(folder, "generate", "docs", "scara.ul", "-o", "made")
+    assert (done.returncode, done.stdout.split()) == (0, ["made/scara.html", "made/scara.md"])
+    assert all((folder / name).exists() for name in done.stdout.split())
+
+
+@pytest.mark.parametrize("arguments", [[], ["rust"], ["rust", "scara.ul"]])
+def test_generate_tells_what_it_can_make(folder: Path, arguments: list[str]) -> None:
+    done = run(folder, "generate", *arguments)
+    assert done.returncode == 2
+    assert "Traceback" not in done.stderr
+    assert all(target in done.stderr for target in TARGETS)

@@ -15,9 +15,8 @@ from generate.every_kind import WORD_BITS, bad_values, every_kind, written
 from generate.peers import MEDIA, Fault, FaultyLine, Medium, damage, double, lose, replace, serve, simulate
 from generate.programs import CPP, HERE, SANITIZED, C, Driven, compiled, generated, linked, output
 from spec_examples import FIGURE_1, specs
-from unity_link.generate import generate
 from unity_link.generate.c.layout import Layout
-from unity_link.spec import KindName, compile_file, compile_text
+from unity_link.spec import KindName, compile_text
 from unity_link.spec.printer import print_file
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.build import build_gateway
@@ -93,12 +92,6 @@ def test_the_protocol_needs_nothing_of_posix(tmp_path: Path) -> None:
     headers = re.findall(r"#include <(\S+)>", (tmp_path / "unity_link.c").read_text())
     assert headers == ["stdio.h", "string.h"]
     assert "alloc" not in (tmp_path / "unity_link.c").read_text().replace("allocated", "")
-
-
-def test_output_is_the_same_each_time_and_names_its_source() -> None:
-    first, second = (generate("c", compile_file(EXAMPLES / "scara.ul")) for _ in range(2))
-    assert first == second
-    assert all("scara.ul, SHA-256" in file.text.splitlines()[0] for file in first)
 
 
 def test_names_that_c_or_cpp_keep_for_themselves_get_an_underscore(tmp_path: Path) -> None:

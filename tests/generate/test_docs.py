@@ -4,10 +4,7 @@
 
 from __future__ import annotations
 
-import os
 import re
-import subprocess
-import sys
 from html.parser import HTMLParser
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -207,16 +204,3 @@ def test_numbers_are_written_for_people(value: float, text: str) -> None:
 
 def test_markdown_shows_text_as_it_is() -> None:
     assert markdown("a_b | *c*\n [d]") == r"a\_b \| \*c\* \[d\]"
-
-
-def test_output_is_the_same_in_every_run(tmp_path: Path) -> None:
-    (tmp_path / "robot.ul").write_text(FIELDS)
-    texts = []
-    for seed in ("1", "2"):
-        code = "from unity_link.cli import main; main()"
-        command = [sys.executable, "-c", code, "generate", "docs", "robot.ul", "-o", seed]
-        environment = {**os.environ, "PYTHONHASHSEED": seed}
-        subprocess.run(command, cwd=tmp_path, env=environment, check=True, capture_output=True)
-        texts.append({path.name: path.read_bytes() for path in sorted((tmp_path / seed).iterdir())})
-    assert texts[0] == texts[1]
-    assert sorted(texts[0]) == ["robot.html", "robot.md"]

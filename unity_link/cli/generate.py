@@ -9,6 +9,7 @@ import typer
 
 from unity_link.cli.output import print_line
 from unity_link.cli.spec import Name, SpecFile, compile_or_exit
+from unity_link.generate import TargetName  # noqa: TC001  (typer reads the annotations)
 
 
 def add_to(app: typer.Typer) -> None:
@@ -17,7 +18,7 @@ def add_to(app: typer.Typer) -> None:
 
 
 def generate(
-    target: Annotated[str, typer.Argument(help="What to make; an unknown one lists them.", show_default=False)],
+    target: Annotated[TargetName, typer.Argument(metavar="TARGET", help="What to make.", show_default=False)],
     spec: SpecFile,
     *,
     output: Annotated[
@@ -27,8 +28,7 @@ def generate(
 ) -> None:
     """Generate code from a spec: typed proxies, clients in C, C++ and MATLAB, VHDL, documents."""
     from unity_link.generate import generate as make
-    from unity_link.generate import load_target, write
+    from unity_link.generate import write
 
-    load_target(target)
     for path in write(make(target, compile_or_exit(spec), interface), output):
         print_line(str(path))

@@ -5,7 +5,7 @@ One folder a target, with its templates. The module of a target has
 - ``DOC``: what it makes, in a line
 - ``files(interface, templates)``: the files, one after another; `templates` renders those of its folder
 
-A new target is a new folder and a new line of `TARGETS`. Output is the same for the same spec, byte for byte, and each
+A new target is a new folder and a new word of `TargetName`. Output is the same for the same spec, byte for byte, and each
 file begins by naming the spec and its hash (`Templates.origin`)::
 
     for file in generate("c", compile_file("robot.ul")):
@@ -16,7 +16,7 @@ from __future__ import annotations
 
 import importlib
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, NamedTuple, Protocol, cast
+from typing import TYPE_CHECKING, Any, Literal, NamedTuple, Protocol, cast, get_args
 
 from unity_link.errors import ArgumentError
 
@@ -27,8 +27,9 @@ if TYPE_CHECKING:
 
     from unity_link.spec import Interface, Spec
 
-TARGETS: tuple[str, ...] = ("c", "cpp", "docs", "matlab", "python", "vhdl")
+TargetName = Literal["c", "cpp", "docs", "matlab", "python", "ros1", "ros2", "vhdl"]
 """Each is a folder of this package."""
+TARGETS: tuple[str, ...] = get_args(TargetName)
 
 
 class GeneratedFile(NamedTuple):
@@ -37,6 +38,8 @@ class GeneratedFile(NamedTuple):
     name: str
     """Its path in the directory that is written to, with slashes."""
     text: str
+    executable: bool = False
+    """Whether it is a program."""
 
 
 class Target(Protocol):
@@ -120,6 +123,8 @@ def write(files: list[GeneratedFile], directory: Path) -> list[Path]:
         try:
             path.parent.mkdir(parents=True, exist_ok=True)
             path.write_text(file.text, encoding="utf-8", newline="\n")
+            if file.executable:
+                path.chmod(0o755)
         except OSError as error:
             raise ArgumentError(f"{path} cannot be written: {error.strerror or error}") from None
         paths.append(path)
