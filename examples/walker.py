@@ -71,4 +71,9 @@ async def main(url: str) -> None:
 
 
 if __name__ == "__main__":
-    asyncio.run(main(sys.argv[1] if len(sys.argv) > 1 else "sim:walker"))
+    try:
+        asyncio.run(main(sys.argv[1] if len(sys.argv) > 1 else "sim:walker"))
+    except unity_link.UnityLinkError as error:
+        sys.exit(f"error: {error}")
+    except KeyboardInterrupt:
+        sys.exit(130)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 import shutil
 import subprocess
 import sys
@@ -41,6 +42,14 @@ def test_the_walker_walks() -> None:
     assert samples > 1000
     assert values == 36
     assert lines[-1] == "the fastest joint made 8.0 rad/s"
+
+
+@pytest.mark.parametrize("name", ["scara.py", "walker.py"])
+def test_an_example_without_a_gateway_says_so_in_a_line(name: str) -> None:
+    command = [sys.executable, EXAMPLES / name, "unix:/nowhere/robot"]
+    done = subprocess.run(command, capture_output=True, text=True, timeout=120, check=False)
+    assert (done.returncode, done.stdout) == (1, "")
+    assert re.fullmatch(r"error: unix:/nowhere/robot: .*\n", done.stderr)
 
 
 @pytest.mark.parametrize("path", NOTEBOOKS, ids=lambda path: path.name)

@@ -250,6 +250,9 @@ def test_a_very_long_line_is_cut_around_the_place() -> None:
     (found,) = faults("public x() { " + "@a = 1: READ(); " * 0 + " " * 5000 + "@b = 1: REED();" + " " * 5000 + "}")
     assert all(len(line) < 200 for line in found.render().splitlines())
     assert "@b = 1: REED();" in found.render()
+    shown = found.render().splitlines()[1]
+    assert shown.startswith("    1 | ... ")
+    assert shown.endswith(" ...")
 
 
 def test_the_number_of_diagnostics_shown_is_limited() -> None:

@@ -25,6 +25,7 @@ MOST_SHOWN = 100
 """Diagnostics beyond this many are counted, not shown."""
 _MOST_COLUMNS = 160
 """A longer line is cut around the place."""
+_CUT = "..."
 
 
 class Span(msgspec.Struct, frozen=True):
@@ -115,6 +116,9 @@ def underlined(text: str, span: Span) -> list[str]:
     end = max(min(end, len(text)), start + 1)
     cut = max(0, start - _MOST_COLUMNS // 2)
     shown = text[cut : cut + _MOST_COLUMNS]
+    shown = f"{_CUT if cut else ''}{shown[len(_CUT) if cut else 0 :]}"
+    if cut + _MOST_COLUMNS < len(text):
+        shown = f"{shown[: -len(_CUT)]}{_CUT}"
     printable = "".join(
         character if character.isprintable() or character == "\t" else "\N{REPLACEMENT CHARACTER}"
         for character in shown

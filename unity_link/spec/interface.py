@@ -157,11 +157,11 @@ class InterfaceDraft:
         taken: dict[str, list[Placed]] = {"reads": [], "writes": []}
         for placed in sharing:
             signal = placed.signal
-            mask = _mask_at(signal, address)
+            mask = _taken(signal, address)
             for way, allowed in (("reads", signal.access.reads), ("writes", signal.access.writes)):
                 if not allowed:
                     continue
-                clash = next((one for one in taken[way] if _mask_at(one.signal, address) & mask), None)
+                clash = next((one for one in taken[way] if _taken(one.signal, address) & mask), None)
                 taken[way].append(placed)
                 if clash is not None:
                     self._report_overlap(address, clash, placed)
@@ -185,10 +185,10 @@ class InterfaceDraft:
             message = f"{signal.path} has several words, so that no other signal can be written at address {address:#x}"
             self._error(placed.address, "overlap", message)
         # A masked write reads the word first, and must read what was written.
-        masks = _mask_at(signal, address)
+        masks = _taken(signal, address)
         if signal.access.writes and len(writers) > 1:
             other = next(
-                (one for one in sharing if not one.signal.access.writes and _mask_at(one.signal, address) & masks),
+                (one for one in sharing if not one.signal.access.writes and _taken(one.signal, address) & masks),
                 None,
             )
             if other is not None:
@@ -281,10 +281,9 @@ def _hex(address: int) -> str:
     return f"{address:#x}" if address >= 0 else str(address)
 
 
-def _mask_at(signal: Signal, address: int) -> int:
+def _taken(signal: Signal, address: int) -> int:
     """Give the bits that a signal takes of the word at an address: all, where an access to any moves a FIFO."""
-    whole = (1 << signal.word_bits) - 1
-    return whole if signal.fifo else signal.mask >> (address - signal.address) * signal.word_bits & whole
+    return (1 << signal.word_bits) - 1 if signal.fifo else signal.mask_at(address)
 
 
 def _bits(signal: Signal) -> str:

@@ -105,6 +105,10 @@ class Signal(msgspec.Struct, frozen=True, kw_only=True):
         """The bits of its word that are its own; of several words, those of all as one number."""
         return ((1 << self.width) - 1) << self.lowest_bit
 
+    def mask_at(self, address: int) -> int:
+        """Give the bits that are its own of the word at one of its addresses."""
+        return self.mask >> (address - self.address) * self.word_bits & (1 << self.word_bits) - 1
+
     @property
     def limits(self) -> tuple[float, float]:
         """Smallest and largest value that a write may have."""

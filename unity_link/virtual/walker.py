@@ -1,6 +1,6 @@
 """The walking robot of `examples/walker.ul`: 18 servo joints, six legs of coxa, femur and tibia.
 
-Joint j = 0..17 (leg j / 3) has four words at 10 + 4 j:
+Joint j = 0..17 (leg j / 3) has four words at 0x10 + 4 j:
 
 | offset | word                                                                             |
 |--------|----------------------------------------------------------------------------------|

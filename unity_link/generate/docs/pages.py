@@ -219,7 +219,7 @@ class Page:
     # Diagrams
 
     def _has_fields(self, address: int) -> bool:
-        return any(_mask_at(signal, address) != (1 << signal.word_bits) - 1 for signal in self._at[address])
+        return any(signal.mask_at(address) != (1 << signal.word_bits) - 1 for signal in self._at[address])
 
     def _word(self, address: int) -> Word:
         signals = self._at[address]
@@ -232,8 +232,8 @@ class Page:
     def _lane(self, address: int, signals: list[Signal]) -> tuple[Field, ...]:
         fields: list[Field] = []
         next_bit = self.interface.data_bits - 1
-        for signal in sorted(signals, key=lambda one: -_mask_at(one, address)):
-            mask = _mask_at(signal, address)
+        for signal in sorted(signals, key=lambda one: -one.mask_at(address)):
+            mask = signal.mask_at(address)
             high, low = mask.bit_length() - 1, (mask & -mask).bit_length() - 1
             if high < next_bit:
                 fields.append(Field(next_bit, high + 1, None))
@@ -342,10 +342,6 @@ def _notes(signal: Signal) -> Iterator[str]:
         yield "FIFO port" if signal.fifo_words is None else f"FIFO port, {signal.fifo_words} words deep"
     if signal.is_field:
         yield "written by a masked write"
-
-
-def _mask_at(signal: Signal, address: int) -> int:
-    return signal.mask >> (address - signal.address) * signal.word_bits & (1 << signal.word_bits) - 1
 
 
 def _overlap(first: tuple[Field, ...], second: tuple[Field, ...]) -> bool:

@@ -126,7 +126,7 @@ class Stimuli:
         struck = self._struck(word)
         first = self._first_strobe[word.address]
         for register in struck:
-            part = part_mask(register.signal, word.address) & value
+            part = register.signal.mask_at(word.address) & value
             self._stored[register.signal.path] = _joined(register.signal, self._gathered, word.address, part)
         if not struck:
             self._gathered[word.address] = value
@@ -181,7 +181,7 @@ class Stimuli:
         for word in self._bank.words:
             fields = [register for register in word.written if register.signal.is_field]
             for field in fields:
-                mask = part_mask(field.signal, word.address)
+                mask = field.signal.mask_at(word.address)
                 changed = self._word(word.address) ^ mask
                 yield self._read(word.address, keep=True)
                 yield from self._write(word, changed)
@@ -274,11 +274,6 @@ class Stimuli:
 def _after(round_: int) -> str:
     """Write a '1' that comes at once in the first round, and later in each further one, never with a rising edge."""
     return f"'0', '1' after {3 * round_} * period + period / 4" if round_ else "'1'"
-
-
-def part_mask(signal: Signal, address: int) -> int:
-    """Give the bits that a signal has of the word at an address."""
-    return signal.mask >> (address - signal.address) * signal.word_bits & (1 << signal.word_bits) - 1
 
 
 def part_of(signal: Signal, raw: int, address: int) -> int:

@@ -77,7 +77,8 @@ def _compiled(path: Path, top: str | None) -> Any:
 
     class Collector(MessagePrinter):
         def print_message(self, severity: Severity, text: str, src_ref: Any) -> None:
-            if severity < Severity.ERROR:
+            # The last one only says that there were errors.
+            if severity < Severity.ERROR or (severity is Severity.FATAL and found):
                 return
             line, (first, last) = getattr(src_ref, "line", 1), getattr(src_ref, "line_selection", (0, 0))
             span = Span(str(getattr(src_ref, "path", path)), line, first + 1, line, last + 2)
