@@ -81,6 +81,7 @@ def _draw_bursts(figure: Any, results: Results) -> None:
         axes.yaxis.set_major_formatter(_plain)
     times.set_title("Time of a burst of reads")
     times.set_ylabel("until the last answer, ms")
+    times.set_ylim(bottom=0.1)
     times.plot(1, published.FULL_STACK_READ_US / 1e3, marker="*", markersize=13, color=_PAPER, linestyle="none")
     times.plot(1, published.LOW_LEVEL_READ_US / 1e3, marker="*", markersize=13, color=_PAPER, linestyle="none")
     _note(times, "paper, full stack", 1, published.FULL_STACK_READ_US / 1e3)
@@ -148,7 +149,7 @@ def _draw_publishing(figure: Any, results: Results) -> None:
 
 
 def _note(axes: Any, text: str, x: float, y: float, *, below: bool = False) -> None:
-    offset = (9, -11 if below else 4)
+    offset = (9, -20 if below else 4)
     axes.annotate(text, (x, y), offset, textcoords="offset points", color=_PAPER, fontsize=9)
 
 
