@@ -86,6 +86,7 @@ CONFIGURATIONS: dict[str, dict[str, int]] = {
     "node": {**_CLOCK, "node": 5},
     "slow": _SLOW_CLOCK,
     "crc_32": {**_SLOW_CLOCK, **_CRC_32},
+    "long_ids": {**_SLOW_CLOCK, **_CRC_32, "id_digits": 3},
     # Behind a UART of three wires, which stops nobody.
     "uart": {**_SLOW_CLOCK, **_CRC_32, "flow_control": False, "rx_fifo_depth": 64, "tx_fifo_depth": 64},
 }

@@ -190,6 +190,8 @@ def test_an_unknown_configuration_is_named() -> None:
         ({"data_bits": 64}, None, "wide"),
         ({"groups": 0}, None, "minimal"),
         ({"crc_bits": 32}, None, "crc_32"),
+        ({"id_digits": 3}, None, "long_ids"),
+        ({"clock_hz": 50_000_000}, None, "ft232h"),
         ({}, 5, "node"),
     ],
 )

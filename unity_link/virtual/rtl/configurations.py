@@ -81,6 +81,8 @@ def find(name: str) -> Configuration:
 def choose(fields: Mapping[str, int], node: int | None = None) -> Configuration:
     """Give the build that has some fields of `GatewayInfo`, and is otherwise as much as can be like the default one.
 
+    One with a quicker clock, which a PC can't keep pace with, is given only if nothing else fits.
+
     Args:
         fields: what it must have.
         node: the number that it must have on a medium that several share, None for a medium of its own.
@@ -94,7 +96,14 @@ def choose(fields: Mapping[str, int], node: int | None = None) -> Configuration:
         have = sorted({_describe(candidate, fields, node) for candidate in known}, key=lambda text: (len(text), text))
         wanted = "&".join(f"{name}={value}" for name, value in _fields(fields, node).items())
         raise ArgumentError(f"no gateware was compiled with {wanted}: there are {', '.join(have)}")
-    return min(matching, key=lambda candidate: (candidate.distance(default), candidate.name))
+    return min(
+        matching,
+        key=lambda candidate: (
+            candidate.info.clock_hz > default.info.clock_hz,
+            candidate.distance(default),
+            candidate.name,
+        ),
+    )
 
 
 def _fields(fields: Mapping[str, int], node: int | None) -> dict[str, int]:
