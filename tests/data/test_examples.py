@@ -46,7 +46,7 @@ def test_the_walker_walks() -> None:
 
 @pytest.mark.parametrize("name", ["scara.py", "walker.py"])
 def test_an_example_without_a_gateway_says_so_in_a_line(name: str) -> None:
-    command = [sys.executable, EXAMPLES / name, "unix:/nowhere/robot"]
+    command = [sys.executable, str(EXAMPLES / name), "unix:/nowhere/robot"]
     done = subprocess.run(command, capture_output=True, text=True, timeout=120, check=False)
     assert (done.returncode, done.stdout) == (1, "")
     assert re.fullmatch(r"error: unix:/nowhere/robot: .*\n", done.stderr)
