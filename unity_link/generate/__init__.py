@@ -5,8 +5,8 @@ One folder a target, with its templates. The module of a target has
 - ``DOC``: what it makes, in a line
 - ``files(interface, templates)``: the files, one after another; `templates` renders those of its folder
 
-A new target is a new folder and a new word of `TargetName`. Output is the same for the same spec, byte for byte, and each
-file begins by naming the spec and its hash (`Templates.origin`)::
+A new target is a new folder and a new word of `TargetName`. Output is the same for the same spec, byte for byte, and
+each file begins by naming the spec and its hash (`Templates.origin`)::
 
     for file in generate("c", compile_file("robot.ul")):
         print(file.name, len(file.text))

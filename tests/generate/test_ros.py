@@ -1,0 +1,123 @@
+"""Generated packages of ROS: roslaunch starts that of ROS 1; of that of ROS 2, what needs no ROS 2 is checked."""
+
+from __future__ import annotations
+
+import ast
+import os
+import shutil
+import signal
+import socket
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any
+from xml.etree import ElementTree as ET
+
+import pytest
+import yaml
+
+from unity_link.generate import generate, write
+from unity_link.spec import compile_file, compile_text
+
+EXAMPLES = Path(__file__).parents[2] / "examples"
+PROGRAM = str(Path(sys.executable).parent / "unity-link")
+PATIENCE = 60
+
+needs_ros = pytest.mark.skipif(
+    shutil.which("roslaunch") is None or shutil.which("rostopic") is None,
+    reason="needs ROS 1: apt install python3-rospy python3-roslaunch python3-rostopic python3-sensor-msgs",
+)
+
+
+@pytest.fixture
+def packages(tmp_path: Path) -> dict[str, Path]:
+    spec = compile_file(EXAMPLES / "scara.ul")
+    for target in ("ros1", "ros2"):
+        write(generate(target, spec), tmp_path / target)
+    return {target: tmp_path / target / "scara_unity_link" for target in ("ros1", "ros2")}
+
+
+@pytest.fixture
+def environment(tmp_path: Path, packages: dict[str, Path]) -> dict[str, str]:
+    """Have ROS find the package, and programs our Python."""
+    with socket.create_server(("127.0.0.1", 0)) as free:
+        port = free.getsockname()[1]
+    return {
+        **os.environ,
+        "ROS_MASTER_URI": f"http://127.0.0.1:{port}",
+        "ROS_IP": "127.0.0.1",
+        "ROS_HOME": str(tmp_path / "ros"),
+        "ROS_PACKAGE_PATH": f"{packages['ros1'].parent}:/usr/share",
+        "PATH": f"{Path(sys.executable).parent}:{os.environ['PATH']}",
+    }
+
+
+@needs_ros
+@pytest.mark.slow
+def test_roslaunch_starts_the_node_of_a_generated_package(environment: dict[str, str]) -> None:
+    with subprocess.Popen(
+        ["/usr/bin/python3", shutil.which("roslaunch") or "", "scara_unity_link", "scara.launch", "link:=sim:scara"],
+        env=environment,
+        stdout=subprocess.DEVNULL,
+        stderr=subprocess.PIPE,
+        text=True,
+    ) as launched:
+        try:
+            assert launched.stderr is not None
+            assert any("8 topics published, 8 subscribed to at /scara" in line for line in launched.stderr)
+            said = subprocess.run(
+                ["rostopic", "echo", "-n1", "/scara/joint_states"],
+                env=environment,
+                capture_output=True,
+                text=True,
+                timeout=PATIENCE,
+                check=True,
+            ).stdout
+        finally:
+            launched.send_signal(signal.SIGINT)
+            launched.communicate(timeout=PATIENCE)
+    assert "position: [0.0, 0.0, 0.0, 0.0]" in said
+
+
+def test_a_package_of_ros_1_says_what_catkin_must_know(packages: dict[str, Path]) -> None:
+    folder = packages["ros1"]
+    package: Any = ET.parse(folder / "package.xml").getroot()
+    launch: Any = ET.parse(folder / "launch" / "scara.launch").getroot()
+    assert package.findtext("name") == "scara_unity_link"
+    assert launch.find("node").get("type") == "bridge"
+    assert os.access(folder / "scripts" / "bridge", os.X_OK)
+    assert "scripts/scara.py" in (folder / "CMakeLists.txt").read_text()
+
+
+def test_a_package_of_ros_2_says_what_colcon_must_know(packages: dict[str, Path]) -> None:
+    folder = packages["ros2"]
+    package: Any = ET.parse(folder / "package.xml").getroot()
+    parameters = yaml.safe_load((folder / "config" / "scara.yaml").read_text())
+    assert package.findtext("export/build_type") == "ament_python"
+    assert (folder / "resource" / "scara_unity_link").is_file()
+    assert parameters["unity_link_scara"]["ros__parameters"]["namespace"] == "scara"
+    for path in folder.rglob("*.py"):
+        ast.parse(path.read_text(), str(path))
+
+
+@pytest.mark.parametrize("target", ["ros1", "ros2"])
+def test_every_file_names_the_spec_and_its_hash(target: str) -> None:
+    spec = compile_file(EXAMPLES / "walker.ul")
+    files = [file for file in generate(target, spec) if file.text]
+    assert files == [file for file in generate(target, spec) if file.text]
+    for file in files:
+        assert spec.sources[0].sha256 in file.text, file.name
+        assert not any(line.endswith(" ") for line in file.text.splitlines()), file.name
+
+
+@pytest.mark.parametrize("target", ["ros1", "ros2"])
+def test_a_description_with_signs_of_xml_and_quotes_stays_a_description(target: str, tmp_path: Path) -> None:
+    spec = compile_text('/// Arm <1> & "two" -- and \\ more.\npublic Arm() { @a = 1: READ(POLL(1)); }')
+
+    write(generate(target, spec), tmp_path)
+
+    package: Any = ET.parse(tmp_path / "arm_unity_link" / "package.xml").getroot()
+    assert package.findtext("description") == 'Arm <1> & "two" -- and \\ more.'
+    for path in tmp_path.rglob("*"):
+        if path.is_file() and (path.suffix == ".py" or path.name == "bridge"):
+            ast.parse(path.read_text(), str(path))

@@ -1,0 +1,47 @@
+"""The bridge as a program of a ROS package; `unity-link generate ros1` writes one."""
+
+from __future__ import annotations
+
+import argparse
+import asyncio
+import sys
+from typing import TYPE_CHECKING
+
+from unity_link.bridges.ros1.environment import find_rospy
+from unity_link.bridges.ros1.node import Ros1Bridge
+from unity_link.errors import UnityLinkError
+from unity_link.link import connect
+
+if TYPE_CHECKING:
+    from unity_link.data import Robot
+
+
+def main(robot: type[Robot]) -> None:
+    """Be the bridge of a robot, as the command line says; roslaunch's own words are left out."""
+    try:
+        find_rospy()
+        asyncio.run(_run(robot, _options(robot.__doc__ or "")))
+    except UnityLinkError as error:
+        sys.exit(f"error: {error}")
+    except KeyboardInterrupt:
+        pass
+
+
+def _options(description: str) -> argparse.Namespace:
+    import rospy
+
+    parser = argparse.ArgumentParser(description=description)
+    parser.add_argument("--link", required=True, metavar="URL", help="where the gateway is, such as sim:scara")
+    parser.add_argument("--namespace", help="before all topics; the interface's name without")
+    parser.add_argument("--poll", type=float, metavar="HZ", help="also publish what nothing samples, read so often")
+    return parser.parse_args(rospy.myargv()[1:])
+
+
+async def _run(robot: type[Robot], options: argparse.Namespace) -> None:
+    async with connect(options.link, reconnect=True) as link:
+        bridge = Ros1Bridge(robot(link), namespace=options.namespace, poll_hz=options.poll, report=_tell)
+        await bridge.run()
+
+
+def _tell(text: str) -> None:
+    print(text, file=sys.stderr, flush=True)  # noqa: T201  (roslaunch shows it)
