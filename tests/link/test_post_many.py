@@ -8,13 +8,12 @@ import numpy as np
 import pytest
 
 import unity_link
+from makers import CRC_32, Maker
 from recorded_bus import RecordedBus
 from simulated_time import on_simulated_time, run_simulated
 from unity_link import ArgumentError, BusError, LinkLostError, blocking
 from unity_link.errors import Outcome
-from unity_link.virtual import VirtualGateway
 from unity_link.virtual.faults import Noise, NoisyLine
-from unity_link.wire.gateway_info import GatewayInfo
 from valve import Valve, cut
 
 COUNT = 1000
@@ -25,8 +24,8 @@ WRITES = list(zip(ADDRESSES.tolist(), VALUES.tolist(), strict=True))
 
 
 @on_simulated_time
-async def test_all_are_written_once_and_in_order_when_the_fence_returns() -> None:
-    model = VirtualGateway()
+async def test_all_are_written_once_and_in_order_when_the_fence_returns(make_bare: Maker) -> None:
+    model = make_bare()
     bus = RecordedBus(model)
     async with unity_link.connect(model) as link:
         await link.post_many(ADDRESSES, VALUES)
@@ -35,8 +34,8 @@ async def test_all_are_written_once_and_in_order_when_the_fence_returns() -> Non
 
 
 @on_simulated_time
-async def test_other_calls_take_turns_with_a_long_batch() -> None:
-    model = VirtualGateway()
+async def test_other_calls_take_turns_with_a_long_batch(make_bare: Maker) -> None:
+    model = make_bare()
     bus = RecordedBus(model)
     async with unity_link.connect(model) as link:
         posting = asyncio.ensure_future(link.post_many(ADDRESSES, VALUES))
@@ -48,9 +47,9 @@ async def test_other_calls_take_turns_with_a_long_batch() -> None:
 
 
 @pytest.mark.parametrize("seed", range(20))
-def test_a_line_that_loses_and_damages_bytes_changes_nothing(seed: int) -> None:
+def test_a_line_that_loses_and_damages_bytes_changes_nothing(make_bare: Maker, seed: int) -> None:
     async def run() -> None:
-        model = VirtualGateway(GatewayInfo(crc_bits=32, crc_polynomial=0x04C11DB7))
+        model = make_bare(**CRC_32)
         bus = RecordedBus(model)
         noise = [Noise(2 * seed + way, loss=0.001, flip=0.001) for way in range(2)]
         async with unity_link.connect(NoisyLine(model, *noise), timeout=60) as link:
@@ -63,8 +62,8 @@ def test_a_line_that_loses_and_damages_bytes_changes_nothing(seed: int) -> None:
 
 
 @on_simulated_time
-async def test_the_fence_raises_the_first_error_and_counts_the_others() -> None:
-    model = VirtualGateway()
+async def test_the_fence_raises_the_first_error_and_counts_the_others(make_bare: Maker) -> None:
+    model = make_bare()
     RecordedBus(model, failing=frozenset({3}))
     async with unity_link.connect(model) as link:
         await link.post_many([1, 3, 2, 3], [0, 0, 0, 0])
@@ -74,8 +73,8 @@ async def test_the_fence_raises_the_first_error_and_counts_the_others() -> None:
 
 
 @on_simulated_time
-async def test_one_that_is_cancelled_has_written_what_was_sent_and_nothing_else() -> None:
-    model = VirtualGateway()
+async def test_one_that_is_cancelled_has_written_what_was_sent_and_nothing_else(make_bare: Maker) -> None:
+    model = make_bare()
     bus, gateway = RecordedBus(model), Valve(model)
     async with unity_link.connect(gateway) as link:
         gateway.requests_pass = False
@@ -89,8 +88,8 @@ async def test_one_that_is_cancelled_has_written_what_was_sent_and_nothing_else(
 
 
 @on_simulated_time
-async def test_a_link_that_is_lost_on_the_way_leaves_open_what_was_executed() -> None:
-    model = VirtualGateway()
+async def test_a_link_that_is_lost_on_the_way_leaves_open_what_was_executed(make_bare: Maker) -> None:
+    model = make_bare()
     gateway = Valve(model)
     async with unity_link.connect(gateway) as link:
         gateway.requests_pass = False
@@ -103,8 +102,8 @@ async def test_a_link_that_is_lost_on_the_way_leaves_open_what_was_executed() ->
 
 
 @on_simulated_time
-async def test_what_does_not_fit_raises_before_anything_is_sent() -> None:
-    async with unity_link.connect(VirtualGateway()) as link:
+async def test_what_does_not_fit_raises_before_anything_is_sent(make_bare: Maker) -> None:
+    async with unity_link.connect(make_bare()) as link:
         sent = link.statistics.requests
         for addresses, values, words in (([1, 2], [1], "2 addresses"), ([], [], "0"), ([256], [1], "0x100")):
             with pytest.raises(ArgumentError, match=words):
@@ -112,8 +111,9 @@ async def test_what_does_not_fit_raises_before_anything_is_sent() -> None:
         assert link.statistics.requests == sent
 
 
-def test_the_blocking_link_has_it() -> None:
-    with blocking.connect("sim:") as link:
+@pytest.mark.parametrize("url", ["sim:", pytest.param("rtl:", marks=pytest.mark.rtl)])
+def test_the_blocking_link_has_it(url: str) -> None:
+    with blocking.connect(url) as link:
         link.post_many([1, 2], [10, 20])
         link.fence()
         assert link.read_many([1, 2]).tolist() == [10, 20]
