@@ -77,14 +77,31 @@ async def test_the_world_moves_inside_the_waiting_and_at_its_own_instants() -> N
     def move() -> None:
         seen.append(loop.time())
         if len(seen) < 3:
-            loop.call_world_at(loop.time() + 1.0, move)
+            loop.call_world_at(move, loop.time() + 1.0, move)
 
-    loop.call_world_at(0.5, move)
+    loop.call_world_at(move, 0.5, move)
     await asyncio.sleep(2.0)
     assert seen == [0.5, 1.5]
-    loop.call_world_at(0.0, None)
+    loop.call_world_at(move, 0.0, None)
     await asyncio.sleep(2.0)
     assert seen == [0.5, 1.5]
+
+
+@on_simulated_time
+async def test_each_part_of_the_world_has_its_timer_also_where_another_one_takes_it_away() -> None:
+    loop = asyncio.get_running_loop()
+    assert isinstance(loop, ModelledTimeLoop)
+    seen: list[str] = []
+
+    def first() -> None:
+        seen.append("first")
+        loop.call_world_at("second", 0.0, None)
+
+    loop.call_world_at("first", 1.0, first)
+    loop.call_world_at("second", 1.0, lambda: seen.append("second"))
+    loop.call_world_at("third", 0.5, lambda: seen.append("third"))
+    await asyncio.sleep(2.0)
+    assert seen == ["third", "first"]
 
 
 @on_simulated_time

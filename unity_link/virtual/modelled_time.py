@@ -4,7 +4,7 @@ Its clock begins at 0, stands still while there is work, and jumps to the next t
 ``host_time``, the processor time that the program itself takes counts as well: then `time` is what a program would see
 that works as long as this one does, and waits as long as the model says.
 
-A model that stands for a part of the world has a timer of its own, `call_world_at`. It is called inside the loop's
+Each model that stands for a part of the world has a timer of its own, `call_world_at`. It is called inside the loop's
 waiting, with the clock standing still, as a kernel and what is behind it work while a program sleeps.
 
 Real sockets have no place here, and no thread may take time: the default executor works at once.
@@ -14,6 +14,7 @@ from __future__ import annotations
 
 import asyncio
 import contextlib
+import math
 import selectors
 import time
 from concurrent.futures import Future, ThreadPoolExecutor
@@ -49,7 +50,8 @@ class _JumpingSelector(selectors.DefaultSelector):
         self._offset = -host_time()
         self._frozen: float | None = None
         """The time while it stands still."""
-        self._world: tuple[float, Callable[[], object]] | None = None
+        self._world: dict[object, tuple[float, Callable[[], object]]] = {}
+        """By whom, when, and what is called."""
 
     @property
     def now(self) -> float:
@@ -75,9 +77,11 @@ class _JumpingSelector(selectors.DefaultSelector):
             self._offset = self._frozen - self._host_time()
             self._frozen = None
 
-    def set_world(self, when: float, callback: Callable[[], object] | None) -> None:
-        """Set the world's timer, or none."""
-        self._world = None if callback is None else (when, callback)
+    def set_world(self, owner: object, when: float, callback: Callable[[], object] | None) -> None:
+        """Set the timer of one part of the world, or none."""
+        self._world.pop(owner, None)
+        if callback is not None:
+            self._world[owner] = when, callback
 
     def select(self, timeout: float | None = None) -> list[tuple[selectors.SelectorKey, int]]:
         """Give what is ready, or let the time pass until something is."""
@@ -85,8 +89,9 @@ class _JumpingSelector(selectors.DefaultSelector):
             until = None if timeout is None else self.now + max(0.0, timeout)
             self._move_world()
             while not super().select(0):
-                if self._world is not None and (until is None or self._world[0] <= until):
-                    self._frozen = self._world[0]
+                due = min((when for when, _ in self._world.values()), default=math.inf)
+                if due < math.inf and (until is None or due <= until):
+                    self._frozen = due
                     self._move_world()
                 elif until is not None:
                     self._frozen = until
@@ -98,10 +103,9 @@ class _JumpingSelector(selectors.DefaultSelector):
 
     def _move_world(self) -> None:
         """Call the world as often as it wants until now."""
-        while self._world is not None and self._world[0] <= self.now:
-            callback = self._world[1]
-            self._world = None
-            callback()
+        while due := [owner for owner, (when, _) in self._world.items() if when <= self.now]:
+            # One at a time: what it does may take another one's timer away.
+            self._world.pop(due[0])[1]()
 
 
 class ModelledTimeLoop(asyncio.SelectorEventLoop):
@@ -128,6 +132,6 @@ class ModelledTimeLoop(asyncio.SelectorEventLoop):
         """Keep the clock where it is while a model computes."""
         return self._jumping.standing_still()
 
-    def call_world_at(self, when: float, callback: Callable[[], object] | None) -> None:
-        """Have the world's part called at `when` and not before; there is one such timer. None for no more."""
-        self._jumping.set_world(when, callback)
+    def call_world_at(self, owner: object, when: float, callback: Callable[[], object] | None) -> None:
+        """Have a part of the world called at `when` and not before; each `owner` has one timer. None for no more."""
+        self._jumping.set_world(owner, when, callback)

@@ -50,7 +50,7 @@ class LoopHost:
         """Look again when something will have ended."""
         with self._loop.standing_still():
             due = self._device.next_end
-            self._loop.call_world_at(due or 0.0, None if due is None else self._advance)
+            self._loop.call_world_at(self, due or 0.0, None if due is None else self._advance)
 
     def _advance(self) -> None:
         with self._device.changed:
@@ -59,7 +59,7 @@ class LoopHost:
 
     def close(self) -> None:
         """Stand still."""
-        self._loop.call_world_at(0.0, None)
+        self._loop.call_world_at(self, 0.0, None)
 
 
 class ThreadHost:
