@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import os
 import random
+import re
 from typing import TYPE_CHECKING
 
 import cocotb
@@ -26,7 +27,15 @@ ERROR_AT, SILENT_AT = 0xE0, 0xE8
 GROUPS, GROUP_WORDS = 16, 32
 COMMANDS = ("R", "RM", "RQ", "W", "WM", "WQ", "WK", "WS", "GS", "GN", "GX", "GP", "I", "H", "Q", "K")
 WEIGHTS = (8, 4, 2, 8, 4, 2, 3, 3, 3, 3, 2, 3, 1, 3, 0.3, 1)
+TIMED = 1 | 2 | 8
+"""Flags of groups whose samples depend on when it is: periodic, on trigger, with timestamp."""
 GARBAGE = bytes(range(256))
+
+
+def _sets_a_clock(frame: bytes) -> bool:
+    """Whether a frame may set a group up with a timestamp, a period or a trigger, if only by what damaged it."""
+    flags = re.findall(rb"(?:GS|gs[0-9A-Fa-f]{2})[0-9A-Fa-f]{2}([0-9A-Fa-f]{2})", frame)
+    return any(int(digits, 16) & TIMED for digits in flags)
 
 
 class Frames:
@@ -103,7 +112,12 @@ class Frames:
         return bytes(data)
 
     def one(self) -> bytes:
-        """Give one frame, or what is left of it."""
+        """Give one frame, or what is left of it, which asks for nothing that depends on time."""
+        while _sets_a_clock(frame := self._any()):
+            pass
+        return frame
+
+    def _any(self) -> bytes:
         rng = self._rng
         body = self._body()
         # Wrong before the check is made: the frame is whole, what it asks for is not.
