@@ -123,4 +123,7 @@ async def _ros2(spec: Spec, interface: str | None, url: str, settings: Settings)
 
 
 def _summary(bridge: Ros1Bridge | Ros2Bridge) -> str:
-    return f"{bridge.published:,} samples published, {bridge.lost:,} lost, {bridge.written:,} values written"
+    return (
+        f"{bridge.published:,} samples published, {bridge.lost:,} lost; "
+        f"{bridge.messages:,} messages sent, {bridge.written:,} values written"
+    )

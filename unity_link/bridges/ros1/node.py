@@ -54,6 +54,8 @@ class Ros1Bridge:
         self._node_name = f"unity_link_{robot.interface.name}"
         self._report = report
         self._groups = published_groups(robot, poll_hz)
+        self.messages = 0
+        """Messages that were sent, of all topics that somebody has subscribed to."""
         self._commands = Commands(report)
         self._time = GatewayTime()
         self._carrier = Carrier([published.group for published in self._groups], self._publish, buffer=BUFFER)
@@ -209,6 +211,7 @@ class Ros1Bridge:
             for value in batch[topic.proxy].tolist():
                 message.data = value
                 publish(message)
+            self.messages += len(batch)
         if published.joints is not None:
             self._publish_joints(number, batch)
 
@@ -227,6 +230,7 @@ class Ros1Bridge:
             message.header.stamp = rospy.Time.from_sec(at)
             message.position, message.velocity, message.effort = positions, velocities, efforts
             publisher.publish(message)
+        self.messages += len(batch)
 
 
 def _message(package: str, kind: str) -> Any:

@@ -49,6 +49,8 @@ class Ros2Bridge:
         self._namespace = (robot.interface.name if namespace is None else namespace).strip("/")
         self._report = report
         self._groups = published_groups(robot, self._settings.poll_hz)
+        self.messages = 0
+        """Messages that were sent, of all topics that somebody reads."""
         self._commands = Commands(report)
         self._time = GatewayTime()
         self._carrier = Carrier([published.group for published in self._groups], self._publish, buffer=BUFFER)
@@ -190,6 +192,7 @@ class Ros2Bridge:
         for message in messages:
             try:
                 write(message)
+                self.messages += 1
             except DDSException:
                 # A reader asked for all and takes nothing.
                 self._unsent += 1

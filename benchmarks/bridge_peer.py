@@ -1,0 +1,107 @@
+"""The other end of a bridge, in a process of its own: `bridge_peer.py ros1|ros2 listen|talk SECONDS RATE`.
+
+A listener prints a line when it is ready, counts the messages of one signal until none has come for `QUIET` seconds,
+and prints the number. A talker sends values of another at a steady rate, and prints how many.
+"""
+
+from __future__ import annotations
+
+import sys
+import time
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+QUIET = 2.0
+TOPIC_OUT, TOPIC_IN = "bench/value", "bench/target"
+PIECES_PER_SECOND = 200
+
+
+def listen(count: Callable[[], int]) -> int:
+    """Wait until messages have come and come no more; give their number."""
+    seen, at = 0, time.monotonic()
+    while not seen or time.monotonic() - at < QUIET:
+        time.sleep(0.01)
+        if (now := count()) != seen:
+            seen, at = now, time.monotonic()
+    return seen
+
+
+def talk(send: Callable[[float], Any], seconds: float, rate: float) -> int:
+    """Send values at a rate, in pieces; give their number."""
+    sent, began = 0, time.monotonic()
+    while (elapsed := time.monotonic() - began) < seconds:
+        while sent < elapsed * rate:
+            send(float(sent))
+            sent += 1
+        time.sleep(1 / PIECES_PER_SECOND)
+    return sent
+
+
+def ros1(what: str, seconds: float, rate: float) -> int:
+    """Be a node of rospy."""
+    import rospy  # type: ignore[import-not-found, unused-ignore]
+    from std_msgs.msg import Float64  # type: ignore[import-not-found, unused-ignore]
+
+    rospy.init_node("peer", anonymous=True, disable_signals=True)
+    if what == "listen":
+        seen = [0]
+
+        def take(_: Any) -> None:
+            seen[0] += 1
+
+        rospy.Subscriber(f"/{TOPIC_OUT}", Float64, take, tcp_nodelay=True)
+        ready()
+        return listen(lambda: seen[0])
+    publisher = rospy.Publisher(f"/{TOPIC_IN}", Float64, tcp_nodelay=True, queue_size=None)
+    while not publisher.get_num_connections():
+        time.sleep(0.01)
+    ready()
+    return talk(lambda value: publisher.publish(Float64(value)), seconds, rate)
+
+
+def ros2(what: str, seconds: float, rate: float) -> int:
+    """Be a participant of DDS."""
+    from cyclonedds.core import Policy, Qos
+    from cyclonedds.pub import DataWriter
+    from cyclonedds.sub import DataReader
+    from cyclonedds.topic import Topic
+    from cyclonedds.util import duration
+
+    from unity_link.bridges.ros2.domain import open_participant
+    from unity_link.bridges.ros2.messages import STANDARD
+    from unity_link.bridges.ros2.settings import Settings
+
+    participant, domain = open_participant(Settings())
+    struct = STANDARD["Float64"].struct
+    quality = Qos(Policy.Reliability.Reliable(duration(seconds=10)), Policy.History.KeepAll)
+    if what == "listen":
+        reader = DataReader(participant, Topic(participant, f"rt/{TOPIC_OUT}", struct), qos=quality)
+        seen = 0
+
+        def count() -> int:
+            nonlocal seen
+            seen += len(reader.take(N=10_000))
+            return seen
+
+        ready()
+        return listen(count)
+    writer = DataWriter(participant, Topic(participant, f"rt/{TOPIC_IN}", struct), qos=quality)
+    while not writer.get_matched_subscriptions():
+        time.sleep(0.01)
+    ready()
+    sent = talk(lambda value: writer.write(struct(value)), seconds, rate)
+    time.sleep(QUIET)
+    del domain
+    return sent
+
+
+def ready() -> None:
+    """Say that messages can come."""
+    print("ready", flush=True)
+
+
+if __name__ == "__main__":
+    kind, way, length, hertz = sys.argv[1:]
+    print({"ros1": ros1, "ros2": ros2}[kind](way, float(length), float(hertz)), flush=True)

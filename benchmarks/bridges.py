@@ -1,0 +1,203 @@
+"""How many samples and values a second do the bridges carry, with none lost? Written to BRIDGES.md by `make bench-ros`.
+
+A virtual gateway in the bridge's own process publishes at the rate; a peer in another process counts what arrives, or
+sends values, which the bridge counts as it writes them. The paper carries 1,800 samples a second to ROS, and 300 values
+a second from it.
+"""
+
+from __future__ import annotations
+
+import datetime as dt
+import os
+import re
+import shutil
+import signal
+import socket
+import subprocess
+import sys
+import tempfile
+import time
+from contextlib import contextmanager
+from pathlib import Path
+from typing import TYPE_CHECKING, NamedTuple
+
+from benchmarks.__main__ import machine
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+SECONDS = 30.0
+RESULTS = Path(__file__).with_name("BRIDGES.md")
+PEER = str(Path(__file__).with_name("bridge_peer.py"))
+PROGRAM = str(Path(sys.executable).parent / "unity-link")
+SPEC = """
+group fast(1, 1, TIMESTAMPS);
+public bench() {
+  GATEWAY(DATA_BITS=64);
+  @value = 0x10: float 64 READ(PUBLISH(fast));
+  @target = 0x20: float 64 WRITE();
+}
+"""
+GATEWAY = "sim:?data_bits=64&base_frequency_millihertz={}000"
+
+
+class Row(NamedTuple):
+    """What was seen of one bridge in one direction."""
+
+    what: str
+    rate: float
+    carried: int
+    expected: int
+    target: int
+
+    @property
+    def met(self) -> bool:
+        """Say whether the target was reached with none lost."""
+        return self.rate >= 0.99 * self.target and self.carried == self.expected
+
+
+def to_peer(kind: str, folder: Path, rate: int) -> Row:
+    """Have samples carried to a peer."""
+    with peering(kind, "listen") as peer, bridging(kind, folder, rate) as bridge:
+        began = time.monotonic()
+        time.sleep(SECONDS)
+        _, lost, sent, _ = end(bridge)
+        elapsed = time.monotonic() - began
+        received = int(answer(peer))
+    return Row(f"{kind}: gateway to topic", received / elapsed, received, sent + lost, rate)
+
+
+def from_peer(kind: str, folder: Path, rate: int) -> Row:
+    """Have values of a peer written."""
+    with bridging(kind, folder, 100) as bridge, peering(kind, "talk", rate) as peer:
+        sent = int(answer(peer))
+        time.sleep(1)
+        *_, written = end(bridge)
+    return Row(f"{kind}: topic to gateway", written / SECONDS, written, sent, rate)
+
+
+def recording(folder: Path, rate: int) -> Row:
+    """Have samples recorded."""
+    result = subprocess.run(
+        [*command("record", rate, folder), "-o", str(folder / "run.mcap"), "--duration", str(SECONDS), "--overwrite"],
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    carried, lost = numbers(r"([\d,]+) samples in .* ([\d,]+) lost", result.stderr)
+    return Row("record: gateway to disk", (carried + lost) / SECONDS, carried, carried + lost, rate)
+
+
+def command(kind: str, rate: int, folder: Path) -> list[str]:
+    """Give the command line of a bridge."""
+    spec = folder / "bench.ul"
+    spec.write_text(SPEC)
+    url = GATEWAY.format(rate)
+    return [PROGRAM, kind, *([url, str(spec)] if kind == "record" else [str(spec), "--link", url])]
+
+
+@contextmanager
+def bridging(kind: str, folder: Path, rate: int) -> Iterator[subprocess.Popen[str]]:
+    """Run a bridge."""
+    with subprocess.Popen(command(kind, rate, folder), stderr=subprocess.PIPE, text=True) as bridge:
+        assert bridge.stderr is not None
+        for line in bridge.stderr:
+            if "subscribed to" in line:
+                break
+        try:
+            yield bridge
+        finally:
+            bridge.kill()
+
+
+@contextmanager
+def peering(kind: str, what: str, rate: float = 0.0) -> Iterator[subprocess.Popen[str]]:
+    """Run a peer."""
+    python = "/usr/bin/python3" if kind == "ros1" else sys.executable
+    environment = {**os.environ, "PYTHONPATH": "" if kind == "ros1" else str(Path(__file__).parents[1])}
+    with subprocess.Popen(
+        [python, "-W", "ignore", PEER, kind, what, str(SECONDS), str(rate)],
+        stdout=subprocess.PIPE,
+        text=True,
+        env=environment,
+    ) as peer:
+        assert answer(peer) == "ready"
+        try:
+            yield peer
+        finally:
+            peer.kill()
+
+
+def answer(peer: subprocess.Popen[str]) -> str:
+    """Give the next line that a peer prints."""
+    assert peer.stdout is not None
+    return peer.stdout.readline().strip()
+
+
+def end(bridge: subprocess.Popen[str]) -> tuple[int, ...]:
+    """End a bridge; give how many samples it published and lost, messages it sent, and values it wrote."""
+    bridge.send_signal(signal.SIGINT)
+    assert bridge.stderr is not None
+    pattern = r"([\d,]+) samples published, ([\d,]+) lost; ([\d,]+) messages sent, ([\d,]+) values written"
+    return numbers(pattern, bridge.stderr.read())
+
+
+def numbers(pattern: str, text: str) -> tuple[int, ...]:
+    """Find numbers in what a program said."""
+    found = re.search(pattern, text)
+    assert found is not None, text
+    return tuple(int(number.replace(",", "")) for number in found.groups())
+
+
+@contextmanager
+def ros_master(folder: Path) -> Iterator[None]:
+    """Run a master of ROS 1."""
+    with socket.create_server(("127.0.0.1", 0)) as free:
+        port = free.getsockname()[1]
+    os.environ.update(ROS_MASTER_URI=f"http://127.0.0.1:{port}", ROS_IP="127.0.0.1", ROS_HOME=str(folder))
+    with subprocess.Popen(
+        [str(shutil.which("rosmaster")), "--core", "-p", str(port)], stdout=subprocess.DEVNULL
+    ) as process:
+        try:
+            yield
+        finally:
+            process.kill()
+
+
+def document(rows: list[Row]) -> str:
+    """Give the text of BRIDGES.md."""
+    lines = [
+        "# Bridges",
+        "",
+        f"Sustained for {SECONDS:.0f} s, from a virtual gateway in the bridge's process to a peer in another process,",
+        "and back.",
+        "Run again by `make bench-ros`. The paper: 1,800 samples a second to ROS, 300 values a second from it.",
+        "",
+        f"Seen on {dt.datetime.now(dt.UTC):%Y-%m-%d}: {machine()}.",
+        "",
+        "| Bridge | a second | carried | lost | asked for | met |",
+        "|---|---|---|---|---|---|",
+    ]
+    for row in rows:
+        met = "yes" if row.met else "**no**"
+        lost = row.expected - row.carried
+        lines.append(f"| {row.what} | {row.rate:,.0f} | {row.carried:,} | {lost:,} | {row.target:,} | {met} |")
+    return "\n".join(lines) + "\n"
+
+
+def main() -> None:
+    """Measure all that this machine has the peers of."""
+    rows = []
+    with tempfile.TemporaryDirectory() as name:
+        folder = Path(name)
+        if shutil.which("rosmaster"):
+            with ros_master(folder):
+                rows += [to_peer("ros1", folder, 30_000), from_peer("ros1", folder, 10_000)]
+        rows += [to_peer("ros2", folder, 25_000), from_peer("ros2", folder, 25_000), recording(folder, 50_000)]
+    text = document(rows)
+    RESULTS.write_text(text, encoding="utf-8")
+    print(text)
+
+
+if __name__ == "__main__":
+    main()
