@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import msgspec
 
@@ -16,8 +16,17 @@ if TYPE_CHECKING:
     from unity_link.data import Proxy, Robot
     from unity_link.hardware import Bus
 
-Objects = list[dict["Proxy[Any]", Any]]
-"""What is written together, one after the other."""
+
+class Value(NamedTuple):
+    """What is to be written to one signal: checked, and encoded once."""
+
+    proxy: Proxy[Any]
+    value: Any
+    words: tuple[int, ...]
+
+
+Objects = list[list[Value]]
+"""What is written, one object after the other."""
 
 
 class Writer:
@@ -58,20 +67,18 @@ class Writer:
             value = msgspec.json.decode(payload)
         except (msgspec.DecodeError, UnicodeDecodeError) as error:
             raise ArgumentError(f"a value for {proxy.path} was expected: {error}") from None
-        proxy.signal.encode(value)
-        return [{proxy: value}]
+        return [[Value(proxy, value, proxy.signal.encode(value))]]
 
-    def _check(self, given: Any) -> dict[Proxy[Any], Any]:
+    def _check(self, given: Any) -> list[Value]:
         if not isinstance(given, dict):
             raise ArgumentError(f'an object such as {{"j1.pos_sp": 5}} was expected, not {given!r:.80}')
         known = self._known
-        found = {}
+        found = []
         for path, value in given.items():
             proxy = known.get(path)
             if proxy is None:
                 raise ArgumentError(f"{self._robot[path].path} is not one that can be written so")
-            proxy.signal.encode(value)
-            found[proxy] = value
+            found.append(Value(proxy, value, proxy.signal.encode(value)))
         return found
 
     async def write(self, objects: Objects, *, posted: bool) -> None:
@@ -85,14 +92,14 @@ class Writer:
             GatewayError: the first error; the other writes may have been executed.
         """
         for run in _runs(objects):
-            if isinstance(run, dict):
-                await write_values(run, posted=posted)
+            if isinstance(run, list):
+                await write_values({proxy: value for proxy, value, _ in run}, posted=posted)
             else:
                 bus, addresses, words = run
                 await (bus.post_many if posted else bus.write_many)(addresses, words)
 
 
-def _runs(objects: Objects) -> Iterator[dict[Proxy[Any], Any] | tuple[Bus, list[int], list[int]]]:
+def _runs(objects: Objects) -> Iterator[list[Value] | tuple[Bus, list[int], list[int]]]:
     """Join what follows each other and is nothing but whole words on one bus."""
     bus: Bus | None = None
     addresses: list[int] = []
@@ -104,16 +111,16 @@ def _runs(objects: Objects) -> Iterator[dict[Proxy[Any], Any] | tuple[Bus, list[
             yield one
             bus, addresses, words = None, [], []
             continue
-        for proxy, value in one.items():
+        for proxy, _, encoded in one:
             if bus is not None and proxy.bus is not bus:
                 yield bus, addresses, words
                 addresses, words = [], []
             bus = proxy.bus
             addresses.append(proxy.signal.address)
-            words += proxy.signal.encode(value)
+            words += encoded
     if bus is not None and addresses:
         yield bus, addresses, words
 
 
-def _is_plain(proxies: Iterable[Proxy[Any]]) -> bool:
-    return not any(proxy.signal.is_field or proxy.signal.words > 1 for proxy in proxies)
+def _is_plain(values: Iterable[Value]) -> bool:
+    return not any(len(words) > 1 or proxy.signal.is_field for proxy, _, words in values)
