@@ -48,7 +48,8 @@ class FoxgloveServer:
             raise ConnectError("Foxglove needs foxglove-sdk: pip install 'unity-link[foxglove]'") from None
         self._bits = robot.interface.data_bits
         self._encoders = [Encoder([proxy.signal for proxy in group.group.proxies]) for group in groups]
-        context = foxglove.Context()
+        # The server loses its channels with the context that they are of.
+        self._context = context = foxglove.Context()
         self._channels = [
             foxglove.Channel(
                 f"/{robot.interface.name}/{group.name}",

@@ -77,9 +77,11 @@ class Viewer:
     async def _receive(self) -> None:
         decode = msgspec.json.Decoder(Hello | Write).decode
         while True:
-            text = await self._socket.receive_text()
+            event = await self._socket.receive()
+            if event["type"] == "websocket.disconnect":
+                return
             try:
-                answer = await self._answer(decode(text))
+                answer = await self._answer(decode(event.get("text") or event.get("bytes") or b""))
             except msgspec.DecodeError:
                 await self._socket.close(_POLICY_VIOLATION)
                 return

@@ -69,8 +69,11 @@ export class Card {
     this.plot = makePlot(this.place, this.curves.map(({ name, kind }) => ({ label: name, stepped: kind === "bool" || kind === "enum" })));
   }
 
+  // Draw if it can be seen; give how many plots were drawn.
   draw(until, window) {
-    if (this.plot && this.visible) show(this.plot, this.history.rows, until, window);
+    if (!this.plot || !this.visible) return 0;
+    show(this.plot, this.history.rows, until, window);
+    return 1;
   }
 
   // Keep what is shown, whatever comes.

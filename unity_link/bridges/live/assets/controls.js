@@ -6,7 +6,6 @@
 import { make, say } from "./dom.js";
 import { decimals, limit } from "./values.js";
 
-const SLIDER_STEPS = 200;
 const WIDEST_SLIDER = 4096; // steps of a signal without limits of its own that still make a slider
 const HOLD = 700; // milliseconds that a written value is left alone
 
@@ -47,7 +46,7 @@ export class Control {
     });
     const { low, high, step } = signal;
     const narrow = low !== null && high !== null && (signal.limited || (high - low) / (step ?? 1) <= WIDEST_SLIDER);
-    const slider = narrow ? make("input", { type: "range", min: low, max: high, step: sliderStep(signal), "aria-label": `${signal.path}, slider` }) : null;
+    const slider = narrow ? make("input", { type: "range", min: low, max: high, step: "any", "aria-label": `${signal.path}, slider` }) : null;
     const write = (value) => limit(signal, value);
     number.addEventListener("change", () => {
       if (number.value === "" || !Number.isFinite(number.valueAsNumber)) return this.refuse("a number was expected");
@@ -55,9 +54,10 @@ export class Control {
       this.want(number.valueAsNumber);
     });
     slider?.addEventListener("input", () => {
-      // The ends are exact, whatever the steps of the slider are.
-      number.value = write(slider.valueAsNumber);
-      this.want(slider.valueAsNumber);
+      // Fractions go as they are, for a limit that was rounded may be beyond the limit.
+      const value = Number.isInteger(step) ? Math.round(slider.valueAsNumber) : slider.valueAsNumber;
+      number.value = write(value);
+      this.want(value);
     });
     this.reflect = (value) => {
       const written = write(value);
@@ -106,9 +106,4 @@ export class Control {
   enable(allowed) {
     this.inputs.forEach((input) => (input.disabled = !allowed));
   }
-}
-
-function sliderStep({ low, high, step }) {
-  const coarse = (high - low) / SLIDER_STEPS;
-  return step === null ? coarse : Math.max(1, Math.round(coarse / step)) * step;
 }

@@ -31,7 +31,7 @@ let questions = 0;
 const answers = new Map();
 
 // What was drawn and what came, for those who want to know how smoothly the page runs.
-const seen = (window.unityLink = { frames: 0, samples: 0 });
+const seen = (window.unityLink = { frames: 0, plots: 0, samples: 0 });
 
 // The connection
 
@@ -167,7 +167,7 @@ function draw(now) {
     [lastSecond, framesThen] = [now, seen.frames];
     if (status) drawHistogram(status.round_trips.counts);
   }
-  if (!paused) cards.forEach((card) => card.draw(clock.now() - DELAY, window_));
+  if (!paused) for (const card of cards) seen.plots += card.draw(clock.now() - DELAY, window_);
   if (now - lastTexts >= TEXTS_EVERY) {
     lastTexts = now;
     tellTexts();
