@@ -37,6 +37,8 @@ MOST_PUT = 60_000
 """Bytes of one publication of a stream: more would go in fragments, which are lost together."""
 MOST_KEPT = 1 << 20
 """Bytes that wait for a protocol that does not read; the protocol makes up for what is lost beyond."""
+MOST_QUEUED = 16
+"""Batches of 64 KiB that wait for a slow network, of a stream: as many as Zenoh takes."""
 _SOURCE_LINE = re.compile(r" at \S+\.rs:\d+\.?| - Caused by")
 _RETRY = {"period_init_ms": 100, "period_max_ms": 1000, "period_increase_factor": 2}
 
@@ -125,6 +127,7 @@ def _configuration(network: Network, *, meeting: bool) -> zenoh.Config:
         "scouting/multicast/enabled": False,
         "listen/endpoints": [],
         "transport/link/tx/queue/congestion_control/drop/wait_before_drop": 0,
+        "transport/link/tx/queue/size/interactive_high": MOST_QUEUED,
     }
     alone = not (network.connect or network.listen or network.mode)
     if alone and _same(config, zenoh.Config(), "connect/endpoints", "listen/endpoints", "mode"):
@@ -242,7 +245,6 @@ class KeyTransport(asyncio.Transport):
             there,
             congestion_control=zenoh.CongestionControl.DROP,
             priority=zenoh.Priority.INTERACTIVE_HIGH,
-            express=True,
         )
         subscriber = session.declare_subscriber(back, lambda sample: give(sample.payload.to_bytes()))
         self._put = publisher.put

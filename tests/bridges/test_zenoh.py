@@ -1,0 +1,347 @@
+"""The bridge to Zenoh as a process, against sessions of Zenoh in this one and links over it."""
+
+from __future__ import annotations
+
+import asyncio
+import itertools
+import os
+import signal
+import socket
+import subprocess
+import sys
+import time
+from contextlib import contextmanager
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import msgspec
+import pytest
+
+import unity_link
+from unity_link import ArgumentError, ConnectError, LinkLostError, blocking
+from unity_link.drivers.zenoh_session import Network, close_session, open_session
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterator
+
+    import zenoh
+
+PROGRAM = str(Path(sys.executable).parent / "unity-link")
+SPEC = str(Path(__file__).parents[2] / "examples" / "scara.ul")
+GATEWAY = "sim:scara?base_frequency_millihertz=20000000"
+PATIENCE = 60
+POS_SP, COUNTS = 0x8C, 50 * 4000 / 360
+pytestmark = pytest.mark.slow
+
+
+def free_endpoint() -> str:
+    with socket.create_server(("127.0.0.1", 0)) as free:
+        return f"tcp/127.0.0.1:{free.getsockname()[1]}"
+
+
+def wait_until(condition: Callable[[], object]) -> None:
+    deadline = time.monotonic() + PATIENCE
+    while not condition():
+        assert time.monotonic() < deadline
+        time.sleep(0.02)
+
+
+def wait_for(process: subprocess.Popen[str], words: str) -> str:
+    """Wait for a line on stderr."""
+    assert process.stderr is not None
+    for line in process.stderr:
+        assert "Traceback" not in line
+        if words in line:
+            return line
+    pytest.fail(f"the program ended without saying {words!r}")
+
+
+@contextmanager
+def program(*arguments: str) -> Iterator[subprocess.Popen[str]]:
+    with subprocess.Popen(
+        [PROGRAM, *arguments],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+        env={**os.environ, "PYTHONUNBUFFERED": "1"},
+    ) as process:
+        try:
+            yield process
+        finally:
+            process.kill()
+
+
+@contextmanager
+def bridge(endpoint: str, link: str = GATEWAY, prefix: str = "robot/1") -> Iterator[subprocess.Popen[str]]:
+    """Run a bridge that listens at an endpoint."""
+    with program("zenoh", SPEC, "--link", link, "--prefix", prefix, "--listen", endpoint) as process:
+        yield process
+
+
+@contextmanager
+def session(endpoint: str) -> Iterator[zenoh.Session]:
+    opened = open_session(Network(connect=(endpoint,)))
+    try:
+        yield opened
+    finally:
+        close_session(opened)
+
+
+def ask(peer: zenoh.Session, key: str, payload: object = None) -> Any:
+    """Give the only answer; that of a refusal, too."""
+    given = None if payload is None else msgspec.json.encode(payload)
+    for _ in range(100):
+        for reply in peer.get(key, payload=given):
+            answer = reply.ok if reply.ok is not None else reply.err
+            assert answer is not None
+            return msgspec.json.decode(answer.payload.to_bytes())
+        time.sleep(0.05)
+    pytest.fail(f"nothing answers at {key}")
+
+
+def url(endpoint: str, prefix: str = "robot/1") -> str:
+    return f"zenoh:{prefix}?connect={endpoint}"
+
+
+# Keys
+
+
+def test_signals_are_read_and_written_by_keys_in_batches_and_by_wildcards() -> None:
+    place = free_endpoint()
+    with bridge(place) as process, session(place) as peer:
+        wait_for(process, "scara at robot/1")
+
+        assert ask(peer, "robot/1/signals/j1/cpos") == 0
+        assert ask(peer, "robot/1/read", ["j1.cpos", "j2.cpos"]) == {"j1.cpos": 0, "j2.cpos": 0}
+        assert len(ask(peer, "robot/1/read")) == 16
+        assert ask(peer, "robot/1/write", [{"j1.pos_sp": 5}, {"j1.pos_sp": 7.2, "j2.pos_sp": 1}]) == {"written": 3}
+        assert ask(peer, "robot/1/signals/j1/pos_sp", 9) == {"written": 1}
+        assert ask(peer, "robot/1/signals/j1/pos_sp") == 9
+        assert len(list(peer.get("robot/*/signals/*/pos_sp"))) == 4
+        assert ask(peer, "robot/1/info")["signals"]["j1.pos_sp"]["limits"] == [-130, 130]
+
+
+@pytest.mark.parametrize(
+    ("key", "payload", "words"),
+    [
+        ("write", {"j1.pos_sp": 500}, "outside of its limits, -130 to 130 deg"),
+        ("write", [{"j1.pos_sp": 5}, {"j1.pos_spp": 6}], "did you mean 'j1.pos_sp'"),
+        ("write", 7, "an object such as"),
+        ("write", {"j1.cpos": 1}, "j1.cpos is not one that can be written"),
+        ("write", {"j1.pos_sp": None}, "j1.pos_sp"),
+        ("read", {"j1.cpos": 1}, "a list of paths was expected"),
+        ("read", ["j9.cpos"], "no signal 'j9.cpos'"),
+        ("signals/j1/cpos", 5, "can only be read"),
+        ("signals/j1/*", 5, "4 signals"),
+        ("signals/nothing", None, "no signal at"),
+    ],
+)
+def test_what_makes_no_sense_is_refused_and_nothing_of_it_is_written(
+    key: str, payload: object, words: str, refusing: zenoh.Session
+) -> None:
+    assert words in ask(refusing, f"robot/1/{key}", payload)["error"]
+    assert ask(refusing, "robot/1/signals/j1/pos_sp") == 0
+
+
+@pytest.fixture(scope="module")
+def refusing() -> Iterator[zenoh.Session]:
+    place = free_endpoint()
+    with bridge(place) as process, session(place) as peer:
+        wait_for(process, "scara at robot/1")
+        yield peer
+
+
+def test_publications_are_written_in_order_and_one_beyond_the_limits_is_told() -> None:
+    place = free_endpoint()
+    with bridge(place) as process, session(place) as peer:
+        wait_for(process, "scara at robot/1")
+        ask(peer, "robot/1/info")
+
+        for value in range(100):
+            peer.put("robot/1/write", msgspec.json.encode([{"j1.pos_sp": value}, {"j2.pos_sp": value}]))
+        peer.put("robot/1/write", b'{"j1.pos_sp": 500}')
+
+        assert "j1.pos_sp: 500 is outside of its limits" in wait_for(process, "told once")
+        wait_until(lambda: ask(peer, "robot/1/read", ["j1.pos_sp", "j2.pos_sp"]) == {"j1.pos_sp": 99, "j2.pos_sp": 99})
+        process.send_signal(signal.SIGINT)
+        assert "200 values written" in wait_for(process, "values written")
+        assert process.wait(PATIENCE) == 130
+
+
+def test_every_sample_arrives_once_in_order_many_in_one_publication() -> None:
+    place = free_endpoint()
+    seen: list[dict[str, Any]] = []
+    with (
+        program("zenoh", SPEC, "--link", GATEWAY, "--prefix", "r", "--listen", place, "--every", "0.1") as process,
+        session(place) as peer,
+    ):
+        peer.declare_subscriber(
+            "r/samples/state", lambda sample: seen.append(msgspec.json.decode(bytes(sample.payload)))
+        )
+        wait_for(process, "scara at r")
+        wait_until(lambda: len(seen) >= 10)
+
+    numbers = [number for message in seen for number in message["sequence"]]
+    times = [instant for message in seen for instant in message["time"]]
+    assert numbers == list(range(numbers[0], numbers[0] + len(numbers)))
+    assert all(later - earlier == pytest.approx(0.005) for earlier, later in itertools.pairwise(times))
+    assert len(numbers) > 2 * len(seen)
+    assert {len(column) for column in seen[0]["signals"].values()} == {len(seen[0]["sequence"])}
+    assert sum(sum(message["lost"]) for message in seen) == 0
+
+
+# Links
+
+
+def test_a_link_over_zenoh_is_a_link_like_any_other() -> None:
+    async def use(place: str) -> None:
+        async with (
+            unity_link.connect(url(place), timeout=PATIENCE) as link,
+            link.subscribe([0x80], rate_hz=1000) as mine,
+        ):
+            await link.write_block(0x8C, [1, 2, 3, 4])
+            assert (await link.read_block(0x8C, 4)).tolist() == [1, 2, 3, 4]
+            assert len(await link.read_many([0x8C] * 5000)) == 5000
+            for value in range(200):
+                await link.post(POS_SP, value)
+            await link.fence()
+            assert await link.read(POS_SP) == 199
+            numbers = [(await anext(mine)).sequence for _ in range(100)]
+            assert numbers == sorted(set(numbers))
+            assert mine.lost == 0
+
+    place = free_endpoint()
+    with bridge(place) as process:
+        wait_for(process, "scara at robot/1")
+        asyncio.run(use(place))
+
+
+def test_where_no_bridge_is_the_error_says_what_to_look_at() -> None:
+    with pytest.raises(ConnectError, match="no bridge answers at robot/1: is `unity-link zenoh --prefix robot/1`"):
+        blocking.connect(url(free_endpoint()), timeout=PATIENCE)
+
+
+@pytest.mark.parametrize(
+    ("bad", "words"),
+    [
+        ("zenoh:", "names no prefix"),
+        ("zenoh://robot/1", "names no prefix"),
+        ("zenoh:robot/*", "no prefix of keys"),
+        ("zenoh:robot/1?mode=router2", "does not take 'router2' for mode"),
+        ("zenoh:robot/1?connect=nowhere", "connect/endpoints"),
+        ("zenoh:robot/1?config=/no/such/file", "no configuration of Zenoh"),
+    ],
+)
+def test_a_url_that_makes_no_sense_is_explained(bad: str, words: str) -> None:
+    with pytest.raises((ArgumentError, ConnectError), match=words) as told:
+        blocking.connect(bad, timeout=PATIENCE)
+    assert ".rs:" not in str(told.value)
+
+
+def test_a_client_that_is_killed_frees_its_groups_and_no_write_of_it_is_executed_twice() -> None:
+    script = (
+        "import asyncio, sys, unity_link\n"
+        "async def main():\n"
+        f"    async with unity_link.connect(sys.argv[1], timeout=60) as link, link.subscribe([0x80], rate_hz=100):\n"
+        "        for value in range(10**9):\n"
+        f"            await link.write({POS_SP}, value % 1000)\n"
+        "            if value == 100: print('busy', flush=True)\n"
+        "asyncio.run(main())\n"
+    )
+    place = free_endpoint()
+    # One group, so that the next client gets one only if that of the killed one is free again.
+    with bridge(place, GATEWAY + "&groups=2") as process:
+        wait_for(process, "scara at robot/1")
+        for _ in range(2):
+            with subprocess.Popen([sys.executable, "-c", script, url(place)], stdout=subprocess.PIPE) as client:
+                assert client.stdout is not None
+                assert client.stdout.readline() == b"busy\n"
+                client.kill()
+        with blocking.connect(url(place), timeout=PATIENCE) as link:
+            before = link.read(POS_SP)
+            assert [link.read(POS_SP) for _ in range(20)] == [before] * 20
+            with link.subscribe([0x80], rate_hz=100) as mine:
+                assert next(iter(mine)).values.shape == (1,)
+
+
+async def read_for_ever(link: unity_link.Link) -> None:
+    while True:
+        await link.read(0x80)
+        await asyncio.sleep(0.01)
+
+
+def test_a_link_learns_at_once_that_its_bridge_was_killed_and_comes_back_with_the_next_one() -> None:
+    async def use(place: str) -> None:
+        with_one = unity_link.connect(url(place), timeout=PATIENCE)
+        patient = await unity_link.connect(url(place), timeout=PATIENCE, reconnect=True)
+        async with with_one as link:
+            process.kill()
+            with pytest.raises(LinkLostError, match="the bridge has gone"):
+                await read_for_ever(link)
+        with bridge(place) as second:
+            await asyncio.to_thread(wait_for, second, "scara at robot/1")
+            assert await patient.read(POS_SP) == 0
+            assert patient.statistics.reconnections == 1
+            await patient.aclose()
+
+    place = free_endpoint()
+    with bridge(place) as process:
+        wait_for(process, "scara at robot/1")
+        asyncio.run(use(place))
+
+
+# Around it
+
+
+def test_a_gateway_may_come_late_and_go_in_between(tmp_path: Path) -> None:
+    place, gateway = free_endpoint(), tmp_path / "gateway"
+    with bridge(place, f"unix:{gateway}") as process, session(place) as peer:
+        wait_for(process, "waiting for the gateway")
+        for turn in range(2):
+            with program("serve", "sim:scara", "--unix", str(gateway)):
+                wait_for(process, "scara at robot/1" if turn == 0 else "the gateway answers")
+                assert ask(peer, "robot/1/write", {"j1.pos_sp": 9}) == {"written": 1}
+                assert ask(peer, "robot/1/signals/j1/pos_sp") == 9
+            wait_for(process, "the gateway is away")
+        assert "the gateway is away" in ask(peer, "robot/1/write", {"j1.pos_sp": 5})["error"]
+
+
+def test_two_bridges_do_not_share_a_prefix() -> None:
+    place = free_endpoint()
+    with bridge(place) as process:
+        wait_for(process, "scara at robot/1")
+        second = subprocess.run(
+            [PROGRAM, "zenoh", SPEC, "--link", "sim:scara", "--prefix", "robot/1", "--connect", place],
+            capture_output=True,
+            text=True,
+            timeout=PATIENCE,
+            check=False,
+        )
+    assert second.returncode == 1
+    assert "another bridge has the prefix robot/1" in second.stderr
+
+
+def test_by_default_nothing_is_open_to_other_machines() -> None:
+    opened = open_session(Network(), meeting=True)
+    try:
+        listening = subprocess.run(["ss", "-Hlntup"], capture_output=True, text=True, check=True).stdout
+    finally:
+        close_session(opened)
+    own = [line.split()[4] for line in listening.splitlines() if f"pid={os.getpid()}," in line]
+    assert own
+    assert {address.rpartition(":")[0] for address in own} == {"127.0.0.1"}
+
+
+def test_bridges_of_one_machine_meet_without_a_word_and_outlive_the_first() -> None:
+    first = open_session(Network(), meeting=True)
+    second = open_session(Network(), meeting=True)
+    second.declare_queryable("here", lambda query: query.reply("here", b"yes"))
+    close_session(first)
+    try:
+        third = open_session(Network())
+        try:
+            wait_until(lambda: [reply for reply in third.get("here") if reply.ok is not None])
+        finally:
+            close_session(third)
+    finally:
+        close_session(second)
