@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import unity_link
-from makers import CRC_32, Maker
+from makers import CRC_32, RTL, Maker
 from recorded_bus import RecordedBus
 from simulated_time import on_simulated_time, run_simulated
 from unity_link import ArgumentError, BusError, LinkLostError, blocking
@@ -46,6 +46,8 @@ async def test_other_calls_take_turns_with_a_long_batch(make_bare: Maker) -> Non
     assert [write for write in bus.writes if write != (0xC8, 1)] == WRITES
 
 
+# Not behind a server: what is repeated there, only its own link counts.
+@pytest.mark.parametrize("make_bare", ["sim", RTL], indirect=True)
 @pytest.mark.parametrize("seed", range(20))
 def test_a_line_that_loses_and_damages_bytes_changes_nothing(make_bare: Maker, seed: int) -> None:
     async def run() -> None:

@@ -304,7 +304,8 @@ async def test_time_goes_on_over_the_wrap_of_timestamps_and_long_silence(make_ba
             assert sample.time is not None
             times.append(sample.time)
             await asyncio.sleep(pause)
-    assert np.diff(times) == pytest.approx([1, 40, 3, 43, 500, 3600, 0.5], abs=1e-6)
+    # What is asked for takes a little time in the gateware.
+    assert np.diff(times) == pytest.approx([1, 40, 3, 43, 500, 3600, 0.5], abs=1e-4)
 
 
 def test_a_clock_of_the_gateway_that_is_a_little_off_is_followed() -> None:

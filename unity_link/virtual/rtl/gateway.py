@@ -2,8 +2,8 @@
 
 Time. The gateware knows only cycles of its clock, and its `Q` says truthfully how many there are in a second. A machine
 simulates about two million of them in a second, so a served gateway is clocked far slower than a board. Cycles in which
-nothing can happen, because no group is running and no byte is under way, are skipped: the gateware's clock is set
-forward, by whole base ticks. While a group runs, each cycle counts: `next_due` asks for `advance` every `SLICE`
+nothing can happen, because no periodic group is running and no byte is under way, are skipped: the gateware's clock is
+set forward, by whole base ticks. While one runs, each cycle counts: `next_due` asks for `advance` every `SLICE`
 seconds, and cycles keep pace with the `now` that it is given. What a slow machine can't make up for in one call
 (`MOST_LATE`) is left out: the gateware's time then falls behind, as its timestamps show, but nothing piles up.
 """
@@ -30,7 +30,8 @@ SLICE = 0.001
 MOST_LATE = 10 * SLICE
 """Seconds of the gateware's clock that pass in one call at most, while groups are running."""
 _MOST_TO_QUIET = 50_000_000
-_MOST_TO_QUIET_WITH_GROUPS = 8192
+# Then it never rests; what is not answered yet is, as its clock goes on.
+_MOST_WHILE_TICKING = 256
 _UNLIMITED = ctypes.c_size_t(-1).value
 _BEHIND_MEMORY, _BEHIND_DEVICE = 0, 3
 _ANSWERS = {ErrorCode.BUS_ERROR: 1, ErrorCode.BUS_TIMEOUT: 2}
@@ -157,12 +158,17 @@ class RtlGateway:
     @property
     def next_due(self) -> float | None:
         """When `advance` should be called next; None while time makes no difference."""
-        if self._origin is None or not (self.ticking or self._is_held_up):
+        if self._origin is None:
             return None
-        return self._time() + SLICE
+        if self._library.ul_available(self._handle):
+            return self._time()
+        return self._time() + SLICE if self.ticking or self._is_held_up else None
 
     def receive(self, data: bytes, now: float) -> bytes:
-        """Take bytes at the time `now` (seconds), and give what is sent until the gateway has nothing left to do."""
+        """Take bytes at the time `now` (seconds), and give what is sent until the gateway has nothing left to do.
+
+        While it is `ticking` it always has: then that is what it sends in a few cycles, and the rest comes with time.
+        """
         self._pass_time(now)
         self._library.ul_push(self._handle, data, len(data))
         self._run_until_quiet()
@@ -194,8 +200,8 @@ class RtlGateway:
 
     @property
     def ticking(self) -> bool:
-        """Whether groups are running, so that time has to pass although no byte does."""
-        return bool(self._library.ul_running(self._handle))
+        """Whether periodic groups are running, so that time has to pass although no byte does."""
+        return bool(self._library.ul_ticking(self._handle))
 
     def set_pace(self, bytes_per_second: float) -> None:
         """Have each byte take its time at the medium, in both directions, from now on."""
@@ -267,7 +273,7 @@ class RtlGateway:
         self._raise_fault()
 
     def _run_until_quiet(self) -> None:
-        self._library.ul_run_until_quiet(self._handle, _MOST_TO_QUIET, _MOST_TO_QUIET_WITH_GROUPS)
+        self._library.ul_run_until_quiet(self._handle, _MOST_TO_QUIET, _MOST_WHILE_TICKING)
         self._raise_fault()
 
     def _pull(self) -> bytes:

@@ -21,7 +21,7 @@ _PROTOTYPES: dict[str, tuple[type | None, tuple[type, ...]]] = {
     "ul_run_until_quiet": (c_uint64, (c_void_p, c_uint64, c_uint64)),
     "ul_run_at_pins": (c_uint64, (c_void_p, c_uint64, c_int)),
     "ul_set_pace": (None, (c_void_p, c_double)),
-    "ul_running": (c_int, (c_void_p,)),
+    "ul_ticking": (c_int, (c_void_p,)),
     "ul_stalled": (c_int, (c_void_p,)),
     "ul_skip": (None, (c_void_p, c_uint64)),
     "ul_cycles": (c_uint64, (c_void_p,)),

@@ -25,6 +25,11 @@ namespace {
 
 using Top = cxxrtl_design::p_unity__link__fifo;
 
+// The registers that this file looks into are named by the generated file, which knows what GHDL calls them; a memory
+// keeps its name. Of each group: its divisor, 0 where it is not periodic.
+#define UL_DIVISORS                                                                                                    \
+	memory_p_unity__link__inst_2e_core__inst_2e_with__groups__subscription__manager__inst_2e_timer__inst_2e_divisors
+
 // A bus access that the caller answers. `value` is the word written, or takes the word read. Gives an Answer.
 using Device = int (*)(void *context, uint64_t address, int write, uint64_t *value);
 
@@ -129,27 +134,29 @@ public:
 	}
 
 	// Runs until nothing moves any more, or what moves waits for room; at most `most` cycles, or `most_with_groups`
-	// while a group is running, which never rests. Gives the cycles run.
+	// while one is periodic, which never rests. Gives the cycles run.
 	uint64_t run_until_quiet(uint64_t most, uint64_t most_with_groups) {
 		uint64_t count = 0;
 		quiet_ = 0;
-		while (quiet_ < QUIET_CYCLES && count < (running() ? most_with_groups : most)) {
+		while (quiet_ < QUIET_CYCLES && count < (ticking() ? most_with_groups : most)) {
 			cycle();
 			++count;
 		}
 		return count;
 	}
 
-	// Whether a group is running, so that something may happen at any tick.
-	bool running() const {
+	// Whether a periodic group is running, so that something happens at base ticks.
+	bool ticking() {
 #ifdef UL_RUNNING
-		return !top_.UL_RUNNING.curr.is_zero();
-#else
-		return false;
+		const uint64_t running = get(top_.UL_RUNNING);
+		for (size_t group = 0; running >> group; ++group)
+			if (running >> group & 1 && !top_.UL_DIVISORS[group].is_zero())
+				return true;
 #endif
+		return false;
 	}
 
-	// Does what `run` does, at no cost, for a gateway that is quiet and has no group running: nothing changes then but
+	// Does what `run` does, at no cost, for a gateway that is quiet and not ticking: nothing changes then but
 	// its clock, and the phase of the base tick unless `count` is a multiple of that.
 	void skip(uint64_t count) {
 #ifdef UL_STAMP
@@ -284,7 +291,7 @@ uint64_t ul_run_at_pins(Gateway *gateway, uint64_t most, int stop_when_quiet) {
 	return gateway->run_at_pins(most, stop_when_quiet != 0);
 }
 void ul_set_pace(Gateway *gateway, double cycles_per_byte) { gateway->pace = cycles_per_byte; }
-int ul_running(const Gateway *gateway) { return gateway->running(); }
+int ul_ticking(Gateway *gateway) { return gateway->ticking(); }
 int ul_stalled(const Gateway *gateway) { return gateway->stalled; }
 void ul_skip(Gateway *gateway, uint64_t cycles) { gateway->skip(cycles); }
 uint64_t ul_cycles(const Gateway *gateway) { return gateway->cycles; }
