@@ -1,4 +1,4 @@
-"""The other end of a bridge, in a process of its own: `bridge_peer.py ros1|ros2 listen|talk SECONDS RATE`.
+"""The other end of a bridge, in a process of its own: `bridge_peer.py ros1|ros2|zenoh listen|talk SECONDS RATE`.
 
 A listener prints a line when it is ready, counts the messages of one signal until none has come for `QUIET` seconds,
 and prints the number. A talker sends values of another at a steady rate, and prints how many.
@@ -28,13 +28,14 @@ def listen(count: Callable[[], int]) -> int:
     return seen
 
 
-def talk(send: Callable[[float], Any], seconds: float, rate: float) -> int:
+def talk(send: Callable[[float], Any], seconds: float, rate: float, flush: Callable[[], Any] = lambda: None) -> int:
     """Send values at a rate, in pieces; give their number."""
     sent, began = 0, time.monotonic()
     while (elapsed := time.monotonic() - began) < seconds:
         while sent < elapsed * rate:
             send(float(sent))
             sent += 1
+        flush()
         time.sleep(1 / PIECES_PER_SECOND)
     return sent
 
@@ -97,6 +98,41 @@ def ros2(what: str, seconds: float, rate: float) -> int:
     return sent
 
 
+def zenoh(what: str, seconds: float, rate: float) -> int:
+    """Be a peer of Zenoh."""
+    import msgspec
+    from zenoh import CongestionControl
+
+    from unity_link.drivers.zenoh_session import Network, close_session, open_session
+
+    session = open_session(Network())
+    seen = [0]
+
+    def take(sample: Any) -> None:
+        seen[0] += len(msgspec.json.decode(sample.payload.to_bytes())["sequence"])
+
+    if what == "listen":
+        session.declare_subscriber("bench/samples/fast", take)
+        ready()
+        count = listen(lambda: seen[0])
+        close_session(session)
+        return count
+    piece: list[dict[str, float]] = []
+    publisher = session.declare_publisher("bench/write", congestion_control=CongestionControl.BLOCK)
+
+    def flush() -> None:
+        publisher.put(msgspec.json.encode(piece))
+        piece.clear()
+
+    while not list(session.get("bench/info")):
+        time.sleep(0.01)
+    ready()
+    sent = talk(lambda value: piece.append({"target": value}), seconds, rate, flush)
+    time.sleep(QUIET)
+    close_session(session)
+    return sent
+
+
 def ready() -> None:
     """Say that messages can come."""
     print("ready", flush=True)
@@ -104,4 +140,4 @@ def ready() -> None:
 
 if __name__ == "__main__":
     kind, way, length, hertz = sys.argv[1:]
-    print({"ros1": ros1, "ros2": ros2}[kind](way, float(length), float(hertz)), flush=True)
+    print({"ros1": ros1, "ros2": ros2, "zenoh": zenoh}[kind](way, float(length), float(hertz)), flush=True)

@@ -66,4 +66,7 @@ async def _run(bridge: ZenohBridge) -> None:
     try:
         await bridge.run()
     finally:
-        print_note(f"{bridge.published:,} samples carried, {bridge.lost:,} lost, {bridge.written:,} values written")
+        print_note(
+            f"{bridge.published:,} samples published, {bridge.lost:,} lost; "
+            f"{bridge.messages:,} messages sent, {bridge.written:,} values written"
+        )

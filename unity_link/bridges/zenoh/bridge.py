@@ -67,8 +67,13 @@ class ZenohBridge:
 
     @property
     def published(self) -> int:
-        """Samples that were published, or that nobody asked for."""
-        return sum(samples.carrier.carried for samples in self._samples)
+        """Samples that were published: while somebody subscribes."""
+        return sum(samples.published for samples in self._samples)
+
+    @property
+    def messages(self) -> int:
+        """Publications that they were in."""
+        return sum(samples.messages for samples in self._samples)
 
     @property
     def lost(self) -> int:
@@ -115,9 +120,8 @@ class ZenohBridge:
                 shared.ended.result()
             await opening
             robot = self._robot_type(link)
-            self._samples = [
-                Samples(session, prefix, group, self._every) for group in sampled_groups(robot, self._poll_hz)
-            ]
+            groups = sampled_groups(robot, self._poll_hz)
+            self._samples = [Samples(session, prefix, sampled, self._every) for sampled in groups]
             self._signals = Signals(session, prefix, robot, shared, self._report)
             streams = Streams(session, prefix, shared)
             try:
@@ -125,7 +129,8 @@ class ZenohBridge:
                     for samples in self._samples:
                         tasks.create_task(samples.run())
                     tasks.create_task(self._signals.run())
-                    self._report(f"{robot.interface.name} at {prefix}: {len(self._samples)} groups published")
+                    names = ", ".join(sampled.name for sampled in groups)
+                    self._report(f"{robot.interface.name} at {prefix}: {names} published, {len(robot.signals)} signals")
             finally:
                 streams.close()
         except BaseExceptionGroup as group:

@@ -42,6 +42,10 @@ class Samples:
     def __init__(self, session: zenoh.Session, prefix: str, sampled: SampledGroup, every: float) -> None:
         import zenoh
 
+        self.published = 0
+        """Samples that were published: while somebody subscribes."""
+        self.messages = 0
+        """Publications that they were in."""
         self._every = every
         self._ended = threading.Event()
         self._paths = [proxy.path for proxy in sampled.group.proxies]
@@ -70,6 +74,8 @@ class Samples:
         # Who asks for no samples costs nothing but their way to here.
         if self._is_wanted():
             self._publisher.put(encode(batch, self._paths))
+            self.published += len(batch)
+            self.messages += 1
         if self._every:
             self._ended.wait(self._every)
 
