@@ -9,6 +9,7 @@ export class History {
   constructor(curves) {
     this.curves = curves; // where each curve finds its values: { stream, column }
     this.rows = [[], ...curves.map(() => [])];
+    this.values = curves.map(() => null);
     this.newest = -Infinity;
     this.bin = null;
     this.width = 0; // seconds of a bin; 0: every sample is a row
@@ -24,9 +25,12 @@ export class History {
       at = Math.max(at, this.newest);
       if (batch.lost[i]) this.gap(at);
       this.newest = at;
-      const values = this.curves.map(({ stream, column }) =>
-        stream === leader ? numberOrNothing(batch.columns[column][i]) : stream.latest[column],
-      );
+      // One list for all rows: this runs for every sample, and garbage would cost pictures.
+      const values = this.values;
+      for (let curve = 0; curve < values.length; curve++) {
+        const { stream, column } = this.curves[curve];
+        values[curve] = stream === leader ? numberOrNothing(batch.columns[column][i]) : stream.latest[column];
+      }
       if (this.width) this.collect(at, values);
       else this.push(at, values);
     }
@@ -60,11 +64,12 @@ export class History {
     }
     const { low, high, rising } = this.bin;
     this.bin.last = at;
-    values.forEach((value, curve) => {
-      if (value === null) return;
+    for (let curve = 0; curve < values.length; curve++) {
+      const value = values[curve];
+      if (value === null) continue;
       if (low[curve] === null || value < low[curve]) { low[curve] = value; rising[curve] = false; }
       if (high[curve] === null || value > high[curve]) { high[curve] = value; rising[curve] = true; }
-    });
+    }
   }
 
   flush() {

@@ -1,0 +1,364 @@
+"""What serves live pictures: who is let in, what is written, and that no browser stands in the way of another."""
+
+from __future__ import annotations
+
+import json
+import signal
+import socket
+import struct
+import subprocess
+from pathlib import Path
+from types import SimpleNamespace
+from typing import Any
+from urllib.error import HTTPError
+from urllib.request import Request, urlopen
+
+import numpy as np
+import pytest
+from websockets.exceptions import ConnectionClosed, InvalidStatus
+from websockets.sync.client import connect
+from websockets.typing import Subprotocol
+
+from live_page import (
+    COUNTS_PER_DEGREE,
+    FAST,
+    PATIENCE,
+    POSITION_SET_POINT,
+    PROGRAM,
+    SPEC,
+    TOKEN,
+    Live,
+    gateway,
+    hear,
+    live,
+    looking,
+    take,
+    wait_until,
+    write,
+)
+from unity_link import blocking
+from unity_link.bridges.live.clock import GatewayClock
+from unity_link.bridges.live.outbox import HEAD, Chunk, Outbox
+from unity_link.bridges.live.round_trips import RoundTrips
+
+
+@pytest.fixture
+def token(monkeypatch: pytest.MonkeyPatch) -> str:
+    monkeypatch.setenv("UNITY_LINK_TOKEN", TOKEN)
+    return TOKEN
+
+
+def test_the_summary_comes_with_ctrl_c_also_while_a_page_is_open() -> None:
+    with live("sim:scara", SPEC) as running:
+        with looking(running) as connection:
+            take(connection, hear(connection, "about"))
+            running.process.send_signal(signal.SIGINT)
+            _, said = running.process.communicate(timeout=PATIENCE)
+        assert running.process.returncode == 128 + signal.SIGINT
+        assert "samples in" in said
+        assert "lost" in said
+        assert len(said.splitlines()) == 1
+
+
+@pytest.mark.parametrize(
+    ("arguments", "sentence", "code"),
+    [
+        ((), "a SPEC was expected, or words by --watch ADDRESS", 2),
+        ((SPEC, "--watch", "1"), "a SPEC was expected, or words by --watch ADDRESS", 2),
+        (("--watch", "0x100"), "address 0x100 is not from 0 to 0xff", 2),
+        ((SPEC, "--rate", "0"), "--rate 0: more than 0 Hz was expected", 2),
+        ((SPEC, "--port", "PORT"), "is in use: choose another", 1),
+        ((SPEC, "--foxglove", "--foxglove-port", "PORT"), "can't be opened", 1),
+    ],
+    ids=["nothing", "both", "address", "rate", "port", "foxglove-port"],
+)
+def test_what_cannot_be_done_is_said_in_a_sentence(arguments: tuple[str, ...], sentence: str, code: int) -> None:
+    with socket.create_server(("127.0.0.1", 0)) as taken:
+        given = [str(taken.getsockname()[1]) if argument == "PORT" else argument for argument in arguments]
+        ports = () if "--port" in given else ("--port", "0")
+        result = subprocess.run(
+            [PROGRAM, "live", "sim:scara", *given, "--no-browser", *ports],
+            capture_output=True,
+            text=True,
+            timeout=PATIENCE,
+            check=False,
+        )
+    assert result.returncode == code
+    assert sentence in result.stderr
+    assert "Traceback" not in result.stderr
+
+
+def test_other_pages_and_other_names_are_refused() -> None:
+    with live("sim:scara", SPEC, "--allow-writes") as running:
+        for origin in ("http://evil.example", "null", running.address.replace("http", "https").rstrip("/"), None):
+            with pytest.raises(InvalidStatus) as refused, looking(running, origin=origin):
+                pass
+            assert refused.value.response.status_code == 403
+        for name, value in (("Host", "evil.example"), ("Origin", "http://evil.example")):
+            with pytest.raises(HTTPError) as answer:
+                urlopen(Request(running.address, headers={name: value}), timeout=PATIENCE)
+            assert answer.value.code == 403
+            answer.value.close()
+        with urlopen(running.address, timeout=PATIENCE) as response:
+            assert "default-src 'self'" in response.headers["Content-Security-Policy"]
+        with pytest.raises(HTTPError) as answer:
+            urlopen(running.address + "..%2Fpage.py", timeout=PATIENCE)
+        assert answer.value.code == 404
+        answer.value.close()
+
+
+def test_only_loopback_is_listened_at() -> None:
+    with live("sim:scara", SPEC) as running:
+        port = int(running.host.partition(":")[2])
+        listening = Path("/proc/net/tcp").read_text().splitlines()[1:]
+        places = {line.split()[1] for line in listening if line.split()[3] == "0A"}
+        assert {place for place in places if place.endswith(f":{port:04X}")} == {f"0100007F:{port:04X}"}
+
+
+@pytest.mark.parametrize("token", [None, "", "wrong", TOKEN[:-1], TOKEN + "x", "ä"])
+def test_a_write_without_the_token_is_refused(
+    token: str | None, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("UNITY_LINK_TOKEN", TOKEN)
+    with gateway(tmp_path / "shared", "serve", "sim:scara") as url, live(url, SPEC, "--allow-writes") as running:
+        with looking(running, token=token) as connection:
+            answer = write(connection, "j1.pos_sp", 3)
+        assert answer["type"] == "refused"
+        assert "token" in answer["reason"]
+        with blocking.connect(url) as link:
+            assert link.read(POSITION_SET_POINT) == 0
+
+
+def test_a_write_is_refused_where_writes_are_off_even_with_a_token(token: str) -> None:
+    with live("sim:scara", SPEC) as running, looking(running, token=token) as connection:
+        assert hear(connection, "welcome") == {"type": "welcome", "may_write": False}
+        answer = write(connection, "j1.pos_sp", 3)
+        assert answer["type"] == "refused"
+        assert "writes are off" in answer["reason"]
+
+
+def test_only_values_that_a_signal_takes_are_written(token: str, tmp_path: Path) -> None:
+    with (
+        gateway(tmp_path / "shared", "serve", "sim:scara") as url,
+        live(url, SPEC, "--allow-writes") as running,
+        looking(running, token=token) as connection,
+    ):
+        for path, value in (
+            ("j1.pos_sp", 130.1),
+            ("j1.pos_sp", "a"),
+            ("j1.pos_sp", 10**30),
+            ("j1.cpos", 1),
+            ("j9.pos_sp", 1),
+            ("__class__", 1),
+        ):
+            answer = write(connection, path, value)
+            assert answer["type"] == "refused", (path, value)
+            assert path in answer["reason"]
+        with blocking.connect(url) as link:
+            assert link.read(POSITION_SET_POINT) == 0
+            assert write(connection, "j1.pos_sp", 36) == {"type": "written", "number": 7}
+            assert link.read(POSITION_SET_POINT) == round(36 * COUNTS_PER_DEGREE)
+
+
+def test_nonsense_ends_its_own_connection_and_no_other(token: str) -> None:
+    nonsense: list[str | bytes] = [
+        b"\xff\x00",
+        "",
+        "{",
+        "[]",
+        '{"type":"write"}',
+        '{"type":"hello","token":5}',
+        "x" * 100_000,
+        b"{" * 5000,
+    ]
+    with live("sim:scara", SPEC, "--allow-writes") as running, looking(running) as other:
+        about = hear(other, "about")
+        for said in nonsense:
+            with looking(running, token=token) as connection:
+                connection.send(said)
+                with pytest.raises(ConnectionClosed):
+                    hear(connection, "nothing")
+        assert take(other, about).tables
+        with looking(running, token=token) as connection:
+            assert write(connection, "j1.pos_sp", 1)["type"] == "written"
+
+
+@pytest.mark.slow
+def test_a_browser_that_stops_reading_costs_the_others_nothing_and_no_memory() -> None:
+    with live(FAST, SPEC) as running, looking(running) as reader:
+        sleeper = Sleeper(running)
+        about = hear(reader, "about")
+        seen, dropped, before = 0, 0, 0
+        while seen < 400_000:
+            samples = take(reader, about)
+            seen += sum(table.shape[1] for table in samples.tables[0])
+            dropped = samples.dropped
+            if seen < 100_000:
+                before = memory_of(running.process.pid)
+        assert dropped == 0
+        assert memory_of(running.process.pid) - before < 32e6
+
+        # It reads again: what it missed is told.
+        with sleeper.socket:
+            wait_until(lambda: sleeper.next_dropped() > 0)
+
+
+class Sleeper:
+    """A page that shakes hands, and then reads nothing until it is told to."""
+
+    def __init__(self, running: Live) -> None:
+        host, _, port = running.host.partition(":")
+        self.socket = socket.socket()
+        self.socket.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 4096)
+        self.socket.settimeout(PATIENCE)
+        self.socket.connect((host, int(port)))
+        lines = (
+            "GET /samples HTTP/1.1",
+            f"Host: {running.host}",
+            f"Origin: http://{running.host}",
+            "Upgrade: websocket",
+            "Connection: Upgrade",
+            "Sec-WebSocket-Key: AAAAAAAAAAAAAAAAAAAAAA==",
+            "Sec-WebSocket-Version: 13",
+            "",
+            "",
+        )
+        self.socket.sendall("\r\n".join(lines).encode())
+        head = b""
+        while not head.endswith(b"\r\n\r\n"):
+            head += self.receive(1)
+
+    def next_dropped(self) -> int:
+        """Read up to the next message of samples; give how many it says were dropped."""
+        while True:
+            kind, length = self.receive(2)
+            if length == 126:
+                (length,) = struct.unpack(">H", self.receive(2))
+            elif length == 127:
+                (length,) = struct.unpack(">Q", self.receive(8))
+            data = self.receive(length)
+            if kind & 0xF == 2:
+                dropped: int = HEAD.unpack_from(data)[1]
+                return dropped
+
+    def receive(self, count: int) -> bytes:
+        data = b""
+        while len(data) < count:
+            part = self.socket.recv(count - len(data))
+            assert part
+            data += part
+        return data
+
+
+def memory_of(process: int) -> int:
+    """Give the bytes that a process has in memory."""
+    (line,) = (line for line in Path(f"/proc/{process}/status").read_text().splitlines() if line.startswith("VmRSS"))
+    return 1024 * int(line.split()[1])
+
+
+def test_samples_come_whole_and_in_order() -> None:
+    with live("sim:scara", SPEC) as running, looking(running) as connection:
+        about = hear(connection, "about")
+        assert [stream["name"] for stream in about["streams"]] == ["state", "rest"]
+        assert about["streams"][0]["rate_hz"] == 1000
+        tables: list[np.ndarray[Any, Any]] = []
+        while sum(table.shape[1] for table in tables) < 2000:
+            tables += take(connection, about).tables[0]
+        whole = np.concatenate(tables, axis=1)
+        # 1 ms by the gateway's clock for each sample that was taken, arrived or not.
+        assert np.median(np.diff(whole[0])) == pytest.approx(1e-3, rel=1e-3)
+        taken = whole.shape[1] - 1 + whole[1, 1:].sum()
+        assert whole[0, -1] - whole[0, 0] == pytest.approx(1e-3 * taken, abs=0.1)
+        status = hear(connection, "status")
+        assert status["connected"] is True
+        assert status["round_trips"]["median"] > 0
+        assert sum(status["round_trips"]["counts"]) > 0
+
+
+# Foxglove
+
+
+def test_foxglove_gets_the_messages_of_recordings() -> None:
+    with socket.create_server(("127.0.0.1", 0)) as free:
+        port = str(free.getsockname()[1])
+    with live("sim:scara", SPEC, "--foxglove", "--foxglove-port", port) as running:
+        assert running.process.stdout is not None
+        url = running.process.stdout.readline().strip()
+        assert url == f"ws://127.0.0.1:{port}"
+        with connect(url, subprotocols=[Subprotocol("foxglove.sdk.v1")], max_size=None) as app:
+            channels: dict[str, Any] = {}
+            while "/scara/state" not in channels:
+                said = app.recv(timeout=PATIENCE)
+                message = json.loads(said) if isinstance(said, str) else {}
+                channels |= {one["topic"]: one for one in message.get("channels", [])}
+            channel = channels["/scara/state"]
+            assert (channel["encoding"], channel["schemaEncoding"]) == ("json", "jsonschema")
+            assert "cpos" in channel["schema"]
+            app.send(json.dumps({"op": "subscribe", "subscriptions": [{"id": 3, "channelId": channel["id"]}]}))
+            received: list[tuple[int, Any]] = []
+            while len(received) < 100:
+                said = app.recv(timeout=PATIENCE)
+                if isinstance(said, bytes) and said[0] == 1:
+                    assert struct.unpack_from("<I", said, 1) == (3,)
+                    received.append((struct.unpack_from("<Q", said, 5)[0], json.loads(said[13:])))
+    sequence = [message["sequence"] for _, message in received]
+    assert sequence == sorted(set(sequence))
+    assert received[0][1]["signals"]["j1"]["cpos"] == 0
+    (first, began), (last, ended) = received[0], received[-1]
+    assert (last - first) * 1e-9 == pytest.approx(ended["time"] - began["time"], abs=0.1)
+
+
+# Parts
+
+
+def test_an_outbox_that_is_full_drops_the_oldest_and_counts_them() -> None:
+    outbox = Outbox(most_bytes=100)
+    for number in range(20):
+        outbox.put(Chunk(3, bytes([number]) * 40))
+        assert outbox.bytes <= 100
+    message = outbox.take(1.5)
+    assert message is not None
+    assert HEAD.unpack_from(message) == (1.5, 18 * 3)
+    assert message[HEAD.size :] == bytes([18]) * 40 + bytes([19]) * 40
+    assert outbox.take(2.0) is None
+
+
+def test_an_outbox_takes_a_batch_that_is_larger_than_itself() -> None:
+    outbox = Outbox(most_bytes=10)
+    outbox.put(Chunk(1, b"x" * 50))
+    assert outbox.take(0.0) == HEAD.pack(0.0, 0) + b"x" * 50
+
+
+def batch(time_of: list[float], arrived: list[float]) -> Any:
+    return SimpleNamespace(time=np.array(time_of), arrived=np.array(arrived))
+
+
+def test_a_sample_that_was_long_on_its_way_stands_where_it_was_taken() -> None:
+    clock = GatewayClock()
+    assert clock.place(batch([1.0, 1.1], [101.0, 101.1])) == pytest.approx([101.0, 101.1])
+    assert clock.place(batch([1.2, 1.3], [103.0, 103.0])) == pytest.approx([101.2, 101.3], abs=1e-3)
+
+
+def test_a_gateway_that_begins_anew_is_placed_anew() -> None:
+    clock = GatewayClock()
+    clock.place(batch([1000.0], [5000.0]))
+    assert clock.place(batch([0.5], [5010.0])) == pytest.approx([5010.0])
+
+
+def test_clocks_that_drift_apart_stay_together() -> None:
+    clock = GatewayClock()
+    for second in range(0, 36_000, 10):
+        slow = float(second) * (1 - 1e-4)
+        (at,) = clock.place(batch([slow], [second + 0.001]))
+        assert at == pytest.approx(second, abs=0.01)
+
+
+def test_round_trips_are_counted_in_bins_of_equal_ratio() -> None:
+    trips = RoundTrips(SimpleNamespace(), 0)  # type: ignore[arg-type]
+    assert trips.histogram().median is None
+    for seconds in (0.0, 1.01e-6, 1.01e-3, 1.02e-3, 5.0, 100.0):
+        trips.take(seconds)
+    histogram = trips.histogram()
+    assert {place: count for place, count in enumerate(histogram.counts) if count} == {0: 2, 30: 2, 66: 1, 69: 1}
+    assert histogram.median == pytest.approx(1.015e-3)
+    assert histogram.within == 100.0
