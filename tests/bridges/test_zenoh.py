@@ -306,6 +306,50 @@ def test_a_gateway_may_come_late_and_go_in_between(tmp_path: Path) -> None:
         assert "the gateway is away" in ask(peer, "robot/1/write", {"j1.pos_sp": 5})["error"]
 
 
+ROUTER = """
+import json, sys, time, zenoh
+config = zenoh.Config()
+given = {"mode": "router", "listen/endpoints": [sys.argv[1]], "scouting/multicast/enabled": False}
+for key, value in given.items():
+    config.insert_json5(key, json.dumps(value))
+session = zenoh.open(config)
+print("ready", flush=True)
+time.sleep(600)
+"""
+
+
+@contextmanager
+def router(endpoint: str) -> Iterator[None]:
+    with subprocess.Popen([sys.executable, "-c", ROUTER, endpoint], stdout=subprocess.PIPE) as process:
+        assert process.stdout is not None
+        assert process.stdout.readline() == b"ready\n"
+        try:
+            yield
+        finally:
+            process.kill()
+
+
+def test_a_router_may_come_late_and_go_in_between_and_links_and_queries_go_on_through_it() -> None:
+    async def use(place: str) -> None:
+        with router(place):
+            await asyncio.to_thread(wait_for, process, "scara at robot/1")
+            link = await unity_link.connect(f"{url(place)}&mode=client", timeout=PATIENCE, reconnect=True)
+            await link.write(POS_SP, 5)
+        await asyncio.sleep(0)
+        with router(place):
+            assert await link.read(POS_SP) == 5
+            assert link.statistics.reconnections >= 1
+            with session(place) as peer:
+                assert await asyncio.to_thread(ask, peer, "robot/1/signals/j1/pos_sp") == pytest.approx(5 / COUNTS)
+            await link.aclose()
+
+    place = free_endpoint()
+    command = ["zenoh", SPEC, "--link", GATEWAY, "--prefix", "robot/1", "--mode", "client", "--connect", place]
+    with program(*command) as process:
+        wait_for(process, "waiting for the router")
+        asyncio.run(use(place))
+
+
 def test_two_bridges_do_not_share_a_prefix() -> None:
     place = free_endpoint()
     with bridge(place) as process:

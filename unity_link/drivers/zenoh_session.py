@@ -40,6 +40,7 @@ MOST_KEPT = 1 << 20
 MOST_QUEUED = 16
 """Batches of 64 KiB that wait for a slow network, of a stream: as many as Zenoh takes."""
 _SOURCE_LINE = re.compile(r" at \S+\.rs:\d+\.?| - Caused by")
+_UNREACHABLE = "Unable to connect"
 _RETRY = {"period_init_ms": 100, "period_max_ms": 1000, "period_increase_factor": 2}
 
 
@@ -48,6 +49,10 @@ class Declared(Protocol):
 
     def undeclare(self) -> object:
         """End it."""
+
+
+class UnreachableError(ConnectError):
+    """As a client, the session finds nobody; somebody may come yet."""
 
 
 class Network(msgspec.Struct, frozen=True, kw_only=True):
@@ -72,7 +77,7 @@ def open_session(network: Network, *, meeting: bool = False) -> zenoh.Session:
 
     Raises:
         ArgumentError: for an endpoint, a mode or a file that Zenoh does not take.
-        ConnectError: where it can't listen, or as a client finds nobody.
+        ConnectError: where it can't listen; `UnreachableError` where as a client it finds nobody.
     """
     try:
         import zenoh
@@ -82,7 +87,9 @@ def open_session(network: Network, *, meeting: bool = False) -> zenoh.Session:
     try:
         session = zenoh.open(config)
     except zenoh.ZError as error:
-        raise ConnectError(f"no Zenoh session could be opened: {explain(error)}") from error
+        text = explain(error)
+        kind = UnreachableError if text.startswith(_UNREACHABLE) else ConnectError
+        raise kind(f"no Zenoh session could be opened: {text}") from error
     # One that is left open when Python ends takes the process with it.
     atexit.register(session.close)
     return session

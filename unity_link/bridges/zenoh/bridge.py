@@ -14,7 +14,14 @@ from unity_link.bridges.zenoh.samples import Samples
 from unity_link.bridges.zenoh.signals import Signals
 from unity_link.bridges.zenoh.streams import Streams
 from unity_link.drivers import DriverUrl, parse_url, prepare
-from unity_link.drivers.zenoh_session import Declared, Network, check_prefix, close_session, open_session
+from unity_link.drivers.zenoh_session import (
+    Declared,
+    Network,
+    UnreachableError,
+    check_prefix,
+    close_session,
+    open_session,
+)
 from unity_link.errors import ConnectError, LinkLostError
 
 if TYPE_CHECKING:
@@ -28,7 +35,7 @@ if TYPE_CHECKING:
 NEVER = 1e9
 """Seconds: the gateway may be away at the start."""
 LOOK = 1.0
-"""Seconds that another bridge of the same prefix has to answer."""
+"""Seconds between looks for a router, and that another bridge of the same prefix has to answer."""
 
 
 class ZenohBridge:
@@ -95,7 +102,7 @@ class ZenohBridge:
         """
         if isinstance(self._target, DriverUrl):
             await prepare(self._target)
-        async with _session(self._network) as session:
+        async with _session(self._network, self._report) as session:
             prefix = check_prefix(self._given_prefix)
             token = await asyncio.to_thread(_take_prefix, session, prefix)
             shared = SharedLink(self._target, self._report)
@@ -140,8 +147,16 @@ class ZenohBridge:
 
 
 @contextlib.asynccontextmanager
-async def _session(network: Network) -> AsyncIterator[zenoh.Session]:
-    session = await asyncio.to_thread(open_session, network, meeting=True)
+async def _session(network: Network, report: Callable[[str], None]) -> AsyncIterator[zenoh.Session]:
+    session, told = None, False
+    while session is None:
+        try:
+            session = await asyncio.to_thread(open_session, network, meeting=True)
+        except UnreachableError as error:
+            if not told:
+                report(f"waiting for the router: {error}")
+            told = True
+            await asyncio.sleep(LOOK)
     try:
         yield session
     finally:

@@ -179,7 +179,7 @@ class Signals:
         if payload:
             try:
                 paths = msgspec.json.decode(payload, type=list[str])
-            except msgspec.DecodeError as error:
+            except (msgspec.DecodeError, RecursionError) as error:
                 raise ArgumentError(f'a list of paths was expected, as in ["j1.cpos"]: {error}') from None
         else:
             paths = [proxy.path for proxy in self._robot.signals if isinstance(proxy, Readable)]

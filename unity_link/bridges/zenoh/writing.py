@@ -52,7 +52,7 @@ class Writer:
         """
         try:
             given = msgspec.json.decode(payload)
-        except (msgspec.DecodeError, UnicodeDecodeError) as error:
+        except (msgspec.DecodeError, UnicodeDecodeError, RecursionError) as error:
             raise ArgumentError(f'an object such as {{"j1.pos_sp": 5}} was expected: {error}') from None
         objects = given if isinstance(given, list) else [given]
         return [self._check(one) for one in objects]
@@ -65,7 +65,7 @@ class Writer:
         """
         try:
             value = msgspec.json.decode(payload)
-        except (msgspec.DecodeError, UnicodeDecodeError) as error:
+        except (msgspec.DecodeError, UnicodeDecodeError, RecursionError) as error:
             raise ArgumentError(f"a value for {proxy.path} was expected: {error}") from None
         return [[Value(proxy, value, proxy.signal.encode(value))]]
 

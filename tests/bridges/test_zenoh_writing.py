@@ -1,0 +1,81 @@
+"""What a peer of Zenoh may say to be written: anything, and only what makes sense is."""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+from pathlib import Path
+from typing import Any
+
+import msgspec
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+import unity_link
+from unity_link import ArgumentError
+from unity_link.bridges.zenoh.writing import Writer
+from unity_link.data import load
+
+SPEC = """
+public all() {
+  @word = 0x10: unsigned READWRITE(MAX=1000);
+  @scaled = 0x11: signed READWRITE(SCALE=0.5);
+  @flag = 0x12[0]: bool READWRITE();
+  @mode = 0x12[3:1]: mode READWRITE();
+  @wide = 0x14: unsigned 64 READWRITE();
+  @number = 0x16: float READWRITE();
+  @seen = 0x17: unsigned READ();
+}
+enum mode { idle = 0, run = 1 }
+"""
+NAMES = ["word", "scaled", "flag", "mode", "wide", "number", "seen", "nothing"]
+SCALARS = st.none() | st.booleans() | st.integers(-(2**70), 2**70) | st.floats(allow_nan=False) | st.text(max_size=5)
+JSON = st.recursive(SCALARS, lambda inner: st.lists(inner, max_size=3) | st.dictionaries(st.sampled_from(NAMES), inner))
+
+
+@pytest.fixture(scope="module")
+def robot_type(tmp_path_factory: pytest.TempPathFactory) -> Any:
+    spec = Path(tmp_path_factory.mktemp("spec") / "all.ul")
+    spec.write_text(SPEC)
+    return load(spec)
+
+
+@given(payload=JSON.map(msgspec.json.encode) | st.binary(max_size=30) | st.just(b'{"word":1e999}'))
+def test_whatever_is_said_is_written_or_refused_in_a_sentence(robot_type: Any, payload: bytes) -> None:
+    async def write() -> None:
+        async with unity_link.connect("sim:") as link:
+            writer = Writer(robot_type(link))
+            for _ in range(2):
+                with contextlib.suppress(ArgumentError):
+                    await writer.write(writer.read(payload), posted=True)
+
+    asyncio.run(write())
+
+
+@pytest.mark.parametrize(
+    "payload", [b"[" * 100_000, b'{"word": 1001}', b'{"word": 1e999}', b"\xff", b"", b'{"seen": 1}']
+)
+def test_what_cannot_be_written_is_refused(robot_type: Any, payload: bytes) -> None:
+    async def write() -> None:
+        async with unity_link.connect("sim:") as link:
+            with pytest.raises(ArgumentError):
+                Writer(robot_type(link)).read(payload)
+
+    asyncio.run(write())
+
+
+@pytest.mark.parametrize("posted", [False, True])
+def test_words_fields_and_values_of_several_words_are_written_in_the_order_of_the_objects(
+    robot_type: Any, posted: bool
+) -> None:
+    async def write() -> dict[str, Any]:
+        async with unity_link.connect("sim:") as link:
+            robot = robot_type(link)
+            writer = Writer(robot)
+            payload = b'[{"word": 1, "wide": 4294967296}, {"word": 2, "scaled": -1.5}, {"mode": "run"}, {"flag": true}]'
+            await writer.write(writer.read(payload), posted=posted)
+            await link.fence()
+            return {name: await robot[name].get() for name in NAMES[:5]}
+
+    assert asyncio.run(write()) == {"word": 2, "scaled": -1.5, "flag": True, "mode": 1, "wide": 1 << 32}
