@@ -94,7 +94,7 @@ def test_the_scara_of_the_examples_stands_where_the_virtual_one_does() -> None:
     from unity_link.virtual.scara import JOINTS, Scara
 
     scara = compile_file(EXAMPLES / "scara.ul").interface()
-    assert sorted(addresses(scara).values()) == sorted(Scara.addresses())
+    assert sorted(addresses(scara).values()) == sorted(Scara().addresses())
     for number, joint in enumerate(JOINTS):
         set_point = scara.signals[f"j{number + 1}.pos_sp"]
         assert set_point.kind.scale == pytest.approx(1 / joint.counts_per_unit)

@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 
 from unity_link.errors import ArgumentError
 from unity_link.virtual import VirtualGateway
-from unity_link.virtual.scara import JOINTS, Scara, attach_scara
+from unity_link.virtual.scara import JOINTS, Scara
 from unity_link.virtual.servo import Joint, plan
 from unity_link.wire.gateway_info import GatewayInfo
 
@@ -29,7 +29,7 @@ def write(gateway: VirtualGateway, address: int, value: int, now: float) -> byte
 
 def robot() -> VirtualGateway:
     gateway = VirtualGateway()
-    attach_scara(gateway)
+    Scara.attach(gateway)
     return gateway
 
 
@@ -142,4 +142,4 @@ def test_looking_changes_nothing(commands: list[tuple[float, int, int]], looks: 
 
 def test_words_that_cannot_hold_a_position_are_refused() -> None:
     with pytest.raises(ArgumentError, match="data_bits=16"):
-        attach_scara(VirtualGateway(GatewayInfo(data_bits=16)))
+        Scara.attach(VirtualGateway(GatewayInfo(data_bits=16)))

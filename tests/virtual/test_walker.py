@@ -9,7 +9,7 @@ import pytest
 from unity_link.errors import ArgumentError
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.bus import AccessError
-from unity_link.virtual.walker import COUNTS_PER_RADIAN, attach_walker
+from unity_link.virtual.walker import COUNTS_PER_RADIAN, Walker
 from unity_link.wire.gateway_info import GatewayInfo
 
 LEG_6_TIBIA = 0x10 + 4 * 17
@@ -17,7 +17,7 @@ LEG_6_TIBIA = 0x10 + 4 * 17
 
 def test_each_of_the_72_addresses_is_a_register_of_its_joint() -> None:
     gateway = VirtualGateway()
-    walker = attach_walker(gateway)
+    walker = Walker.attach(gateway)
     assert list(gateway.bus.devices) == walker.addresses() == list(range(0x10, 0x10 + 72))
     for number, joint in enumerate(walker.joints):
         gateway.bus.write(0x10 + 4 * number + 2, number, 0)
@@ -27,7 +27,7 @@ def test_each_of_the_72_addresses_is_a_register_of_its_joint() -> None:
 
 def test_a_joint_moves_to_its_set_point_with_a_signed_speed() -> None:
     gateway = VirtualGateway()
-    attach_walker(gateway)
+    Walker.attach(gateway)
     target = -round(COUNTS_PER_RADIAN)
     gateway.bus.write(LEG_6_TIBIA + 3, round(2 * COUNTS_PER_RADIAN), 0)
     gateway.bus.write(LEG_6_TIBIA + 2, target & 0xFFFF_FFFF, 0)
@@ -40,14 +40,14 @@ def test_a_joint_moves_to_its_set_point_with_a_signed_speed() -> None:
 
 def test_it_stops_at_its_limits() -> None:
     gateway = VirtualGateway()
-    attach_walker(gateway)
+    Walker.attach(gateway)
     gateway.bus.write(0x12, round(math.pi * COUNTS_PER_RADIAN), 0)
     assert gateway.bus.read(0x10, 100) == round(2 * COUNTS_PER_RADIAN)
 
 
 def test_actual_values_cannot_be_written() -> None:
     gateway = VirtualGateway()
-    attach_walker(gateway)
+    Walker.attach(gateway)
     for offset in (0, 1):
         with pytest.raises(AccessError):
             gateway.bus.write(LEG_6_TIBIA + offset, 1, 0)
@@ -55,4 +55,4 @@ def test_actual_values_cannot_be_written() -> None:
 
 def test_words_that_are_too_narrow_are_refused() -> None:
     with pytest.raises(ArgumentError, match="the walker needs words of at least 32 bits, not data_bits=16"):
-        attach_walker(VirtualGateway(GatewayInfo(data_bits=16)))
+        Walker.attach(VirtualGateway(GatewayInfo(data_bits=16)))

@@ -8,8 +8,8 @@ from unity_link.errors import ArgumentError, UnsupportedError
 from unity_link.virtual.faults import Noise, NoisyLine
 from unity_link.virtual.gateway import BareGateway, Gateway, VirtualGateway
 from unity_link.virtual.line import SlowLine
-from unity_link.virtual.scara import attach_scara
-from unity_link.virtual.walker import attach_walker
+from unity_link.virtual.scara import Scara
+from unity_link.virtual.walker import Walker
 from unity_link.wire.gateway_info import Feature, GatewayInfo
 
 if TYPE_CHECKING:
@@ -17,8 +17,8 @@ if TYPE_CHECKING:
 
 ROBOTS: dict[str, Callable[[BareGateway], object]] = {
     "": lambda _: None,
-    "scara": attach_scara,
-    "walker": attach_walker,
+    "scara": Scara.attach,
+    "walker": Walker.attach,
 }
 """What can stand behind the bus, by name; the empty name is plain memory."""
 CHANCES = ("loss", "flip", "double")

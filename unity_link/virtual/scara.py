@@ -20,19 +20,15 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from unity_link.errors import ArgumentError
-from unity_link.virtual.bus import AccessError
-from unity_link.virtual.servo import Joint, JointType
-from unity_link.wire.messages import ErrorCode
+from unity_link.virtual.robot import ServoRobot
+from unity_link.virtual.servo import JointType
 
 if TYPE_CHECKING:
-    from unity_link.virtual.gateway import BareGateway
+    from unity_link.virtual.servo import Joint
 
 COUNTS_PER_REVOLUTION = 4000
 SPEED, POSITION, POSITION_SET_POINT, SPEED_SET_POINT = 0x80, 0x88, 0x8C, 0x94
 """Addresses of joint 1; those of the other joints follow."""
-WORD_BITS = 32
-"""Width of a word that holds every position."""
 
 
 def _joint_type(name: str, unit: str, counts_per_unit: float, span: tuple[float, float], speed: float) -> JointType:
@@ -51,50 +47,30 @@ JOINTS = (
 )
 
 
-class Scara:
+class Scara(ServoRobot):
     """The robot as a device of 16 addresses: four each of speed, position, position and speed set point."""
 
-    def __init__(self, word_bits: int = WORD_BITS) -> None:
-        self.joints = [Joint(kind) for kind in JOINTS]
-        self._sign = 1 << word_bits - 1
+    NAME = "SCARA"
 
     @staticmethod
-    def addresses() -> list[int]:
+    def joint_types() -> tuple[JointType, ...]:
+        """Give the joints that it has."""
+        return JOINTS
+
+    def addresses(self) -> list[int]:
         """Give the addresses of the device, in the order of its offsets."""
         return [base + joint for base in (SPEED, POSITION, POSITION_SET_POINT, SPEED_SET_POINT) for joint in range(4)]
 
+    def find(self, offset: int) -> tuple[Joint, int]:
+        """Give the joint and the register at an offset."""
+        register, number = divmod(offset, len(JOINTS))
+        return self.joints[number], register
+
     def read(self, offset: int, now: float) -> int:
         """Read a register."""
-        register, number = divmod(offset, len(JOINTS))
-        joint = self.joints[number]
+        joint, register = self.find(offset)
         if register == 0:
             return round(abs(joint.state(now)[1]))
         if register == 1:
             return round(joint.state(now)[0])
         return joint.set_point if register == 2 else joint.speed_set_point
-
-    def write(self, offset: int, value: int, now: float) -> None:
-        """Write a set point; an actual value refuses."""
-        register, number = divmod(offset, len(JOINTS))
-        joint = self.joints[number]
-        if register == 2:
-            joint.command(now, set_point=(value ^ self._sign) - self._sign)
-        elif register == 3:
-            joint.command(now, speed_set_point=value)
-        else:
-            raise AccessError(ErrorCode.BUS_ERROR)
-
-
-def attach_scara(gateway: BareGateway) -> Scara:
-    """Put the robot behind a gateway.
-
-    Raises:
-        ArgumentError: where the gateway's words are too narrow for its positions.
-    """
-    if gateway.info.data_bits < WORD_BITS:
-        raise ArgumentError(
-            f"the SCARA needs words of at least {WORD_BITS} bits, not data_bits={gateway.info.data_bits}"
-        )
-    robot = Scara(gateway.info.data_bits)
-    gateway.attach(robot, robot.addresses())
-    return robot

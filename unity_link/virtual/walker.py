@@ -18,20 +18,17 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING
 
-from unity_link.errors import ArgumentError
-from unity_link.virtual.bus import AccessError
-from unity_link.virtual.servo import Joint, JointType
-from unity_link.wire.messages import ErrorCode
+from unity_link.virtual.robot import ServoRobot
+from unity_link.virtual.servo import JointType
 
 if TYPE_CHECKING:
-    from unity_link.virtual.gateway import BareGateway
+    from unity_link.virtual.servo import Joint
 
 BASE = 0x10
 """Address of the first joint."""
 LEGS = 6
 JOINTS_OF_A_LEG = ("coxa", "femur", "tibia")
 REGISTERS = 4
-WORD_BITS = 32
 COUNTS_PER_RADIAN = 65536 / (2 * math.pi)
 MOST_ANGLE, MOST_SPEED = 2, 10
 """In rad and rad/s."""
@@ -43,46 +40,27 @@ def joint_type(name: str) -> JointType:
     return JointType(name, "rad", COUNTS_PER_RADIAN, -span, span, speed, 10 * speed)
 
 
-class Walker:
+class Walker(ServoRobot):
     """The robot as a device of 72 addresses."""
 
-    def __init__(self, word_bits: int = WORD_BITS) -> None:
-        names = (f"leg {leg + 1} {joint}" for leg in range(LEGS) for joint in JOINTS_OF_A_LEG)
-        self.joints = [Joint(joint_type(name)) for name in names]
-        self._sign = 1 << word_bits - 1
+    NAME = "walker"
+
+    @staticmethod
+    def joint_types() -> list[JointType]:
+        """Give the joints that it has."""
+        return [joint_type(f"leg {leg + 1} {joint}") for leg in range(LEGS) for joint in JOINTS_OF_A_LEG]
 
     def addresses(self) -> list[int]:
         """Give the addresses of the device, in the order of its offsets."""
         return list(range(BASE, BASE + REGISTERS * len(self.joints)))
 
+    def find(self, offset: int) -> tuple[Joint, int]:
+        """Give the joint and the register at an offset."""
+        number, register = divmod(offset, REGISTERS)
+        return self.joints[number], register
+
     def read(self, offset: int, now: float) -> int:
         """Read a register."""
-        number, register = divmod(offset, REGISTERS)
-        joint = self.joints[number]
+        joint, register = self.find(offset)
         position, speed = joint.state(now)
         return (round(position), round(speed), joint.set_point, joint.speed_set_point)[register]
-
-    def write(self, offset: int, value: int, now: float) -> None:
-        """Write a set point; an actual value refuses."""
-        number, register = divmod(offset, REGISTERS)
-        if register == 2:
-            self.joints[number].command(now, set_point=(value ^ self._sign) - self._sign)
-        elif register == 3:
-            self.joints[number].command(now, speed_set_point=value)
-        else:
-            raise AccessError(ErrorCode.BUS_ERROR)
-
-
-def attach_walker(gateway: BareGateway) -> Walker:
-    """Put the robot behind a gateway.
-
-    Raises:
-        ArgumentError: where the gateway's words are too narrow for its positions.
-    """
-    if gateway.info.data_bits < WORD_BITS:
-        raise ArgumentError(
-            f"the walker needs words of at least {WORD_BITS} bits, not data_bits={gateway.info.data_bits}"
-        )
-    walker = Walker(gateway.info.data_bits)
-    gateway.attach(walker, walker.addresses())
-    return walker

@@ -1,0 +1,72 @@
+"""What the virtual robots have in common: servo joints as a device on the bus, with two set points each."""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from typing import TYPE_CHECKING, ClassVar, Self
+
+from unity_link.errors import ArgumentError
+from unity_link.virtual.bus import AccessError
+from unity_link.virtual.servo import Joint, JointType
+from unity_link.wire.messages import ErrorCode
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable
+
+    from unity_link.virtual.gateway import BareGateway
+
+WORD_BITS = 32
+"""Width of a word that holds every position."""
+SET_POINT, SPEED_SET_POINT = 2, 3
+"""Registers of a joint; 0 and 1 are actual values, in an order that each robot has for itself."""
+
+
+class ServoRobot(ABC):
+    """Joints of four registers each."""
+
+    NAME: ClassVar[str]
+
+    def __init__(self, word_bits: int = WORD_BITS) -> None:
+        self.joints = [Joint(kind) for kind in self.joint_types()]
+        self._sign = 1 << word_bits - 1
+
+    @classmethod
+    def attach(cls, gateway: BareGateway) -> Self:
+        """Put such a robot behind a gateway.
+
+        Raises:
+            ArgumentError: where the gateway's words are too narrow for its positions.
+        """
+        width = gateway.info.data_bits
+        if width < WORD_BITS:
+            raise ArgumentError(f"the {cls.NAME} needs words of at least {WORD_BITS} bits, not data_bits={width}")
+        robot = cls(width)
+        gateway.attach(robot, robot.addresses())
+        return robot
+
+    @staticmethod
+    @abstractmethod
+    def joint_types() -> Iterable[JointType]:
+        """Give the joints that it has."""
+
+    @abstractmethod
+    def addresses(self) -> list[int]:
+        """Give the addresses of the device, in the order of its offsets."""
+
+    @abstractmethod
+    def find(self, offset: int) -> tuple[Joint, int]:
+        """Give the joint and the register at an offset."""
+
+    @abstractmethod
+    def read(self, offset: int, now: float) -> int:
+        """Read a register."""
+
+    def write(self, offset: int, value: int, now: float) -> None:
+        """Write a set point; an actual value refuses."""
+        joint, register = self.find(offset)
+        if register == SET_POINT:
+            joint.command(now, set_point=(value ^ self._sign) - self._sign)
+        elif register == SPEED_SET_POINT:
+            joint.command(now, speed_set_point=value)
+        else:
+            raise AccessError(ErrorCode.BUS_ERROR)
