@@ -48,7 +48,9 @@ class Live(NamedTuple):
 
 @contextmanager
 def live(*arguments: str) -> Iterator[Live]:
-    command = [PROGRAM, "live", *arguments, "--no-browser"]
+    command = [PROGRAM, "live", *arguments]
+    if "--browser" not in arguments:
+        command.append("--no-browser")
     if "--port" not in arguments:
         command += ["--port", "0"]
     with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as process:

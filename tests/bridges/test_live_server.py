@@ -60,6 +60,19 @@ def test_the_summary_comes_with_ctrl_c_also_while_a_page_is_open() -> None:
         assert len(said.splitlines()) == 1
 
 
+def test_the_page_is_opened_in_the_browser_with_its_token(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    browser, opened = tmp_path / "browser", tmp_path / "opened"
+    browser.write_text(f'#!/bin/sh\necho "$1" > {opened}.part && mv {opened}.part {opened}\n')
+    browser.chmod(0o755)
+    monkeypatch.setenv("BROWSER", str(browser))
+    monkeypatch.setenv("DISPLAY", ":0")
+    monkeypatch.setenv("UNITY_LINK_TOKEN", "a token & more")
+    with live("sim:scara", SPEC, "--allow-writes", "--browser") as running:
+        wait_until(opened.exists)
+        assert opened.read_text().strip() == running.url
+        assert running.url.endswith("/#token=a%20token%20%26%20more")
+
+
 @pytest.mark.parametrize(
     ("arguments", "sentence", "code"),
     [
@@ -99,6 +112,8 @@ def test_other_pages_and_other_names_are_refused() -> None:
                 urlopen(Request(running.address, headers={name: value}), timeout=PATIENCE)
             assert answer.value.code == 403
             answer.value.close()
+        with urlopen(running.address.replace("127.0.0.1", "localhost"), timeout=PATIENCE) as response:
+            assert response.status == 200
         with urlopen(running.address, timeout=PATIENCE) as response:
             assert "default-src 'self'" in response.headers["Content-Security-Policy"]
         with pytest.raises(HTTPError) as answer:

@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-import asyncio
 import contextlib
 import os
 import secrets
 import sys
+import threading
 import time
 from pathlib import Path  # noqa: TC003  (typer reads it)
 from typing import TYPE_CHECKING, Annotated
+from urllib.parse import quote
 
 import typer
 
@@ -152,15 +153,15 @@ async def _live(
 
 def _announce(listener: socket.socket, token: str | None, foxglove: object, *, browser: bool) -> None:
     host, port = listener.getsockname()
-    address = f"http://{host}:{port}/" + (f"#token={token}" if token is not None else "")
+    address = f"http://{host}:{port}/" + ("" if token is None else f"#token={quote(token, safe='')}")
     print_line(address)
     if foxglove is not None:
         print_line(str(foxglove))
     if browser and _has_screen():
         import webbrowser
 
-        # Some browsers hold up who starts them.
-        asyncio.get_running_loop().run_in_executor(None, webbrowser.open, address)
+        # Some browsers hold up who starts them until they end, which is no reason not to end before.
+        threading.Thread(target=webbrowser.open, args=(address,), daemon=True).start()
 
 
 def _has_screen() -> bool:
