@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 import unity_link
+from counting_device import CountingDevice
 from simulated_time import on_simulated_time
 from unity_link import (
     ArgumentError,
@@ -48,24 +49,10 @@ ROBOT = unity_link.load(
 )
 
 
-class Counter:
-    """A device that counts its reads, so that no two samples are the same."""
-
-    def __init__(self) -> None:
-        self.count = 0
-
-    def read(self, offset: int, now: float) -> int:
-        self.count += 1
-        return self.count
-
-    def write(self, offset: int, value: int, now: float) -> None:
-        self.count = value
-
-
 def counting(info: GatewayInfo = INFO) -> VirtualGateway:
     gateway = VirtualGateway(info)
     for address in (0x10, 0x12, 0x14):
-        gateway.attach(Counter(), [address])
+        gateway.attach(CountingDevice(), [address])
     return gateway
 
 

@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 
 import unity_link
+from counting_device import CountingDevice
 from makers import CRC_32, SLOW, Maker
 from simulated_time import on_simulated_time
 from unity_link import ArgumentError, Feature, LinkLostError, Sample, SamplesLostError, UnsupportedError
@@ -20,20 +21,6 @@ from unity_link.virtual.faults import Noise, NoisyLine
 if TYPE_CHECKING:
     from unity_link import Link, Subscription
     from unity_link.virtual import Gateway
-
-
-class Counter:
-    """A device that counts its reads, so that no two samples are the same."""
-
-    def __init__(self) -> None:
-        self.count = 0
-
-    def read(self, offset: int, now: float) -> int:
-        self.count += 1
-        return self.count
-
-    def write(self, offset: int, value: int, now: float) -> None:
-        self.count = value
 
 
 async def take(samples: Subscription, count: int) -> list[Sample]:
@@ -418,7 +405,7 @@ async def test_a_slow_reader_may_choose_to_fail_behind_the_samples_that_wait(mak
 @on_simulated_time
 async def test_samples_are_right_or_counted_as_lost_on_a_bad_line(make_bare: Maker) -> None:
     gateway = make_bare(**SLOW, **CRC_32)
-    gateway.attach(Counter(), [0])
+    gateway.attach(CountingDevice(), [0])
     line = NoisyLine(gateway, Noise(1, loss=0.003, flip=0.003), Noise(2, loss=0.003, flip=0.003))
     async with unity_link.connect(line) as link, link.subscribe([0], rate_hz=1000) as samples:
         offset = None
