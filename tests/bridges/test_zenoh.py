@@ -227,8 +227,8 @@ def test_where_no_bridge_is_the_error_says_what_to_look_at() -> None:
         ("zenoh:", "names no prefix"),
         ("zenoh://robot/1", "names no prefix"),
         ("zenoh:robot/*", "no prefix of keys"),
-        ("zenoh:robot/1?mode=router2", "does not take 'router2' for mode"),
-        ("zenoh:robot/1?connect=nowhere", "connect/endpoints"),
+        ("zenoh:robot/1?mode=router2", 'does not take "router2" for mode: unknown variant'),
+        ("zenoh:robot/1?connect=nowhere", "connect/endpoints: Endpoints must be"),
         ("zenoh:robot/1?config=/no/such/file", "no configuration of Zenoh"),
     ],
 )

@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 OPTIONS = frozenset({"connect", "listen", "mode", "config"})
 PATIENCE = 2.0
 """Seconds that a bridge is looked for: what has just been started finds others within one."""
-PAUSE = 0.1
+PAUSE = 0.05
 LONGEST_ANSWER = 1.0
 """Seconds for one question, to which a bridge answers at once."""
 

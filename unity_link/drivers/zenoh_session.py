@@ -40,6 +40,7 @@ MOST_KEPT = 1 << 20
 MOST_QUEUED = 16
 """Batches of 64 KiB that wait for a slow network, of a stream: as many as Zenoh takes."""
 _SOURCE_LINE = re.compile(r" at \S+\.rs:\d+\.?| - Caused by")
+_PARSING = re.compile(r'msg: "(.*)", location: ')
 _UNREACHABLE = "Unable to connect"
 _RETRY = {"period_init_ms": 100, "period_max_ms": 1000, "period_increase_factor": 2}
 
@@ -104,7 +105,9 @@ def close_session(session: zenoh.Session) -> None:
 
 def explain(error: Exception) -> str:
     """Give what Zenoh says of an error, without the lines of its sources."""
-    return _SOURCE_LINE.sub("", str(error)).strip()
+    text = _SOURCE_LINE.sub("", str(error)).strip()
+    parsing = _PARSING.search(text)
+    return text if parsing is None else parsing[1]
 
 
 def check_prefix(prefix: str) -> str:
@@ -148,7 +151,9 @@ def _configuration(network: Network, *, meeting: bool) -> zenoh.Config:
         try:
             config.insert_json5(key, msgspec.json.encode(value).decode())
         except zenoh.ZError as error:
-            raise ArgumentError(f"Zenoh does not take {value!r} for {key}: {explain(error)}") from error
+            raise ArgumentError(
+                f"Zenoh does not take {msgspec.json.encode(value).decode()} for {key}: {explain(error)}"
+            ) from error
     return config
 
 

@@ -120,12 +120,7 @@ class ZenohBridge:
     async def _serve(self, session: zenoh.Session, prefix: str, shared: SharedLink) -> None:
         link = OwnLink(shared, self._target)
         try:
-            opening = asyncio.ensure_future(link.open(NEVER))
-            await asyncio.wait([opening, shared.ended], return_when=asyncio.FIRST_COMPLETED)
-            if shared.ended.done():
-                opening.cancel()
-                shared.ended.result()
-            await opening
+            await _open(link, shared)
             robot = self._robot_type(link)
             groups = sampled_groups(robot, self._poll_hz)
             self._samples = [Samples(session, prefix, sampled, self._every) for sampled in groups]
@@ -144,6 +139,18 @@ class ZenohBridge:
             raise group.exceptions[0] from None
         finally:
             await link.aclose()
+
+
+async def _open(link: OwnLink, shared: SharedLink) -> None:
+    """Wait for the gateway, or for the news that it can't be."""
+    opening = asyncio.ensure_future(link.open(NEVER))
+    try:
+        await asyncio.wait([opening, shared.ended], return_when=asyncio.FIRST_COMPLETED)
+        if shared.ended.done():
+            shared.ended.result()
+        await opening
+    finally:
+        opening.cancel()
 
 
 @contextlib.asynccontextmanager

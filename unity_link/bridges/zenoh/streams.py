@@ -34,29 +34,41 @@ class Streams:
     """
 
     def __init__(self, session: zenoh.Session, prefix: str, shared: SharedLink) -> None:
-        import zenoh
 
         self._session = session
         self._place = f"{prefix}/@link"
         self._shared = shared
+        self._there: set[str] = set()
+        """Clients whose token was seen."""
         self._open: dict[str, tuple[KeyTransport, Declared]] = {}
         asked: Inbox[zenoh.Query] = Inbox(self._answer)
-        gone: Inbox[str] = Inbox(self._forget)
-
-        def watch(sample: zenoh.Sample) -> None:
-            if sample.kind == zenoh.SampleKind.DELETE:
-                gone.give(str(sample.key_expr).split("/")[-2])
+        seen: Inbox[zenoh.Sample] = Inbox(self._watch)
 
         self._declared: tuple[Declared, ...] = (
-            session.liveliness().declare_subscriber(f"{self._place}/*/client", watch),
+            session.liveliness().declare_subscriber(f"{self._place}/*/client", seen.give, history=True),
             session.declare_queryable(f"{prefix}/{OPEN}", asked.give),
         )
+
+    def _watch(self, samples: list[zenoh.Sample]) -> None:
+        import zenoh
+
+        for sample in samples:
+            name = str(sample.key_expr).split("/")[-2]
+            if sample.kind == zenoh.SampleKind.PUT:
+                self._there.add(name)
+            else:
+                self._there.discard(name)
+                self._end(name)
 
     def _answer(self, queries: list[zenoh.Query]) -> None:
         for query in queries:
             with query:
                 payload = query.payload
-                refusal = self._serve(payload.to_bytes().decode(errors="replace") if payload is not None else "")
+                name = payload.to_bytes().decode(errors="replace") if payload is not None else ""
+                if _NAME.fullmatch(name) and name not in self._there:
+                    # Its end could not be seen. It asks again, and by then its token has come.
+                    continue
+                refusal = self._serve(name)
                 if refusal is None:
                     query.reply(query.key_expr, b"")
                 else:
@@ -83,13 +95,13 @@ class Streams:
         _, token = self._open.pop(name)
         token.undeclare()
 
-    def _forget(self, names: list[str]) -> None:
-        for name in names:
-            if name in self._open:
-                self._open[name][0].abort()
+    def _end(self, name: str) -> None:
+        if name in self._open:
+            self._open[name][0].abort()
 
     def close(self) -> None:
         """End all streams."""
         for declared in self._declared:
             declared.undeclare()
-        self._forget(list(self._open))
+        for name in list(self._open):
+            self._end(name)
