@@ -38,7 +38,7 @@ from live_page import (
 )
 from unity_link import blocking
 from unity_link.bridges.live.clock import GatewayClock
-from unity_link.bridges.live.outbox import HEAD, Chunk, Outbox
+from unity_link.bridges.live.outbox import BATCH_HEAD, HEAD, Chunk, Outbox
 from unity_link.bridges.live.round_trips import RoundTrips
 
 
@@ -326,22 +326,37 @@ def test_foxglove_gets_the_messages_of_recordings() -> None:
 # Parts
 
 
+def chunk(stream: int, samples: int, value: float) -> Chunk:
+    return Chunk(stream, np.full((3, samples), value, float))
+
+
 def test_an_outbox_that_is_full_drops_the_oldest_and_counts_them() -> None:
-    outbox = Outbox(most_bytes=100)
+    outbox = Outbox(most_bytes=150)
     for number in range(20):
-        outbox.put(Chunk(3, bytes([number]) * 40))
-        assert outbox.bytes <= 100
+        outbox.put(chunk(0, 3, number))
+        assert outbox.bytes <= 150
     message = outbox.take(1.5)
     assert message is not None
     assert HEAD.unpack_from(message) == (1.5, 18 * 3)
-    assert message[HEAD.size :] == bytes([18]) * 40 + bytes([19]) * 40
+    table = np.hstack([chunk(0, 3, 18).table, chunk(0, 3, 19).table])
+    assert message[HEAD.size :] == BATCH_HEAD.pack(0, 6) + table.tobytes()
     assert outbox.take(2.0) is None
 
 
 def test_an_outbox_takes_a_batch_that_is_larger_than_itself() -> None:
     outbox = Outbox(most_bytes=10)
-    outbox.put(Chunk(1, b"x" * 50))
-    assert outbox.take(0.0) == HEAD.pack(0.0, 0) + b"x" * 50
+    outbox.put(chunk(4, 50, 1))
+    message = outbox.take(0.0)
+    assert message == HEAD.pack(0.0, 0) + BATCH_HEAD.pack(4, 50) + chunk(4, 50, 1).table.tobytes()
+
+
+def test_a_message_has_one_table_for_each_stream() -> None:
+    outbox = Outbox()
+    for stream, value in ((1, 1), (0, 2), (1, 3)):
+        outbox.put(chunk(stream, 1, value))
+    message = outbox.take(0.0)
+    first, second = np.array([[1.0, 3.0]] * 3).tobytes(), np.array([[2.0]] * 3).tobytes()
+    assert message == HEAD.pack(0.0, 0) + BATCH_HEAD.pack(1, 2) + first + BATCH_HEAD.pack(0, 1) + second
 
 
 def batch(time_of: list[float], arrived: list[float]) -> Any:

@@ -1,6 +1,6 @@
 """Live pictures: a page on this machine on which a robot's signals scroll by, and by which they can be written.
 
-    gateway -> Carrier (a thread encodes) -> Outbox of each Viewer -> WebSocket -> page
+    gateway -> Carrier (a thread tabulates) -> Outbox of each Viewer -> WebSocket -> page
 
 - `page`: the page, its server, and who looks at it
 - `description`: what the page is told of the robot; `words` makes a robot of bare addresses
@@ -13,8 +13,8 @@
 - `foxglove`: the same samples for the Foxglove app, by its own WebSocket
 - `assets`: the page itself, and uPlot, which draws the curves (its licence is beside it); nothing is fetched elsewhere
 
-Samples go to the browser in binary, several batches in a message: a head (`outbox.HEAD`), then for each batch the
-numbers of its stream and samples and a table of doubles: instants, samples lost before each, and a row for each signal.
+Samples go to the browser in binary: a head (`outbox.HEAD`), then for each stream its number, how many samples follow,
+and a table of doubles: instants, samples lost before each, and a row for each signal.
 All else is JSON: ``about`` once, ``status`` five times a second, answers to writes.
 """
 

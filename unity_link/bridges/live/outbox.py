@@ -24,18 +24,19 @@ BATCH_HEAD = struct.Struct("<II")
 class Chunk(NamedTuple):
     """A batch as the browser gets it; all browsers share it."""
 
-    samples: int
-    data: bytes
+    stream: int
+    table: NDArray[np.float64]
+    """Instants, samples lost before each, and the values of each signal; shape (2 + signals, samples)."""
 
 
-def encode(stream: int, batch: Batch, instants: NDArray[np.float64], proxies: tuple[Proxy[object], ...]) -> Chunk:
-    """Write a batch of the stream of that number."""
+def tabulate(stream: int, batch: Batch, instants: NDArray[np.float64], proxies: tuple[Proxy[object], ...]) -> Chunk:
+    """Make a table of a batch of the stream of that number."""
     table = np.empty((2 + len(proxies), len(batch)), "<f8")
     table[0] = instants
     table[1] = batch.lost
     for row, proxy in enumerate(proxies, start=2):
         table[row] = batch.columns[proxy]
-    return Chunk(len(batch), BATCH_HEAD.pack(stream, len(batch)) + table.tobytes())
+    return Chunk(stream, table)
 
 
 class Outbox:
@@ -52,17 +53,23 @@ class Outbox:
     def put(self, chunk: Chunk) -> None:
         """Add a batch; the oldest go where there is no room."""
         self._chunks.append(chunk)
-        self.bytes += len(chunk.data)
+        self.bytes += chunk.table.nbytes
         while self.bytes > self._most_bytes and len(self._chunks) > 1:
             oldest = self._chunks.popleft()
-            self.bytes -= len(oldest.data)
-            self.dropped += oldest.samples
+            self.bytes -= oldest.table.nbytes
+            self.dropped += oldest.table.shape[1]
 
     def take(self, now: float) -> bytes | None:
-        """Give all that waits as one message; None where nothing does."""
+        """Give all that waits as one message, one table for each stream; None where nothing does."""
         if not self._chunks:
             return None
-        message = b"".join([HEAD.pack(now, self.dropped), *(chunk.data for chunk in self._chunks)])
+        tables: dict[int, list[NDArray[np.float64]]] = {}
+        for stream, table in self._chunks:
+            tables.setdefault(stream, []).append(table)
         self._chunks.clear()
         self.bytes = 0
-        return message
+        parts = [HEAD.pack(now, self.dropped)]
+        for stream, several in tables.items():
+            whole = np.concatenate(several, axis=1)
+            parts += (BATCH_HEAD.pack(stream, whole.shape[1]), whole.tobytes())
+        return b"".join(parts)

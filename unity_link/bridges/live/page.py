@@ -20,7 +20,7 @@ from unity_link.bridges.carrying import Carrier
 from unity_link.bridges.live.clock import GatewayClock
 from unity_link.bridges.live.description import WIDEST_EXACT, describe
 from unity_link.bridges.live.doorkeeper import Doorkeeper
-from unity_link.bridges.live.outbox import encode
+from unity_link.bridges.live.outbox import tabulate
 from unity_link.bridges.live.round_trips import Histogram, RoundTrips
 from unity_link.bridges.live.viewer import Viewer
 from unity_link.bridges.live.writing import Writing
@@ -97,7 +97,7 @@ class LivePage:
         self._groups = [group.group for group in groups]
         self._writing = None if token is None else Writing(robot, token)
         self._foxglove = foxglove
-        self._carrier = Carrier(self._groups, self._encode, buffer=BUFFER)
+        self._carrier = Carrier(self._groups, self._tabulate, buffer=BUFFER)
         self._clocks = [GatewayClock() for _ in groups]
         self._round_trips = RoundTrips(robot.link, self._groups[0].proxies[0].signal.address)
         self._viewers: set[Viewer] = set()
@@ -146,11 +146,11 @@ class LivePage:
 
     # Samples, in the thread and back
 
-    def _encode(self, stream: int, batch: Batch) -> None:
+    def _tabulate(self, stream: int, batch: Batch) -> None:
         instants = self._clocks[stream].place(batch)
         if self._foxglove is not None:
             self._foxglove.send(stream, batch, instants)
-        chunk = encode(stream, batch, instants, self._groups[stream].proxies)
+        chunk = tabulate(stream, batch, instants, self._groups[stream].proxies)
         self._loop.call_soon_threadsafe(self._deliver, chunk)
 
     def _deliver(self, chunk: Chunk) -> None:
