@@ -128,7 +128,16 @@ def zenoh(what: str, seconds: float, rate: float) -> int:
         time.sleep(0.01)
     ready()
     sent = talk(lambda value: piece.append({"target": value}), seconds, rate, flush)
-    time.sleep(QUIET)
+
+    def written() -> int:
+        (number,) = [
+            msgspec.json.decode(reply.ok.payload.to_bytes())["written"]
+            for reply in session.get("bench/info")
+            if reply.ok is not None
+        ]
+        return int(number)
+
+    listen(written)
     close_session(session)
     return sent
 

@@ -1,8 +1,8 @@
 """The gateways that the tests of the link run on, each by its id.
 
 `make_gateway` has every kind: `sim`, the model; `rtl`, the compiled gateware; and the model behind a virtual FT232H,
-reached by the driver of a scheme in `SCHEMES`; and `serve`, the model through a server that shares it. `make_bare` has
-those that can live on simulated time, on which no thread of a driver can.
+reached by the driver of a scheme in `SCHEMES`; `serve`, the model through a server that shares it; and `zenoh`, the
+same over a network. `make_bare` has those that can live on simulated time, on which no thread of a driver can.
 """
 
 from __future__ import annotations
@@ -15,6 +15,7 @@ import pytest_asyncio
 
 import unity_link
 from makers import RTL, Maker, compiled, simulated, with_failing
+from over_zenoh import zenoh_network
 from sharing import connect_through_server
 from unity_link.drivers import load_driver, parse_url
 from unity_link.virtual.ft232h.board import GatewayBoard
@@ -37,7 +38,9 @@ WAY = "unity_link.virtual.serving.connect_gateway"
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     """Take the tests of a link's life from `serve`: that of the server's link is another one than its clients'."""
-    items[:] = [item for item in items if not (item.path.name == "test_life.py" and "serve" in _kinds(item))]
+    items[:] = [
+        item for item in items if not (item.path.name == "test_life.py" and {"serve", "zenoh"} & {*_kinds(item)})
+    ]
 
 
 def _kinds(item: pytest.Item) -> list[object]:
@@ -54,7 +57,7 @@ def make_bare(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -
     return MAKERS.get(request.param, simulated)
 
 
-@pytest.fixture(params=["sim", "serve", RTL, *SCHEMES])
+@pytest.fixture(params=["sim", "serve", "zenoh", RTL, *SCHEMES])
 def make_gateway(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> Iterator[Maker]:
     """Make gateways of each kind in turn, and have links to them go the way of the kind."""
     with ExitStack() as stack:
@@ -70,6 +73,8 @@ def make_gateway(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch
             monkeypatch.setattr(WAY, connect_through_chip)
         if request.param == "serve":
             monkeypatch.setattr(WAY, connect_through_server)
+        if request.param == "zenoh":
+            monkeypatch.setattr(WAY, stack.enter_context(zenoh_network()))
         yield MAKERS.get(request.param, simulated)
 
 

@@ -161,7 +161,7 @@ class Signals:
             self.answered += 1
 
     async def _info(self, _: zenoh.KeyExpr, __: bytes) -> dict[str, Any]:
-        return {"info": describe(self._robot, self._prefix)}
+        return {"info": describe(self._robot, self._prefix) | {"written": self.written}}
 
     async def _write(self, key: zenoh.KeyExpr, payload: bytes) -> dict[str, Any]:
         if not payload and str(key) != f"{self._prefix}/write":

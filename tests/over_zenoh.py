@@ -1,0 +1,51 @@
+"""Links to gateways of this process that go over Zenoh: a bridge's streams at one session, the driver with another."""
+
+from __future__ import annotations
+
+import itertools
+import socket
+from contextlib import contextmanager
+from typing import TYPE_CHECKING
+
+from sharing import ServedGateway
+from unity_link.bridges.zenoh.streams import Streams
+from unity_link.drivers import load_driver, parse_url
+from unity_link.drivers.zenoh_session import KeyTransport, Network, close_session, open_session
+
+if TYPE_CHECKING:
+    import asyncio
+    from collections.abc import Awaitable, Callable, Iterator
+
+    from unity_link.virtual import Gateway
+
+
+@contextmanager
+def zenoh_network() -> Iterator[Callable[[Gateway, asyncio.Protocol], Awaitable[asyncio.Transport]]]:
+    """Give what connects a protocol to a gateway over Zenoh, in place of `serving.connect_gateway`."""
+    with socket.create_server(("127.0.0.1", 0)) as free:
+        endpoint = f"tcp/127.0.0.1:{free.getsockname()[1]}"
+    session = open_session(Network(listen=(endpoint,)))
+    numbers = itertools.count()
+
+    async def connect(gateway: Gateway, protocol: asyncio.Protocol) -> asyncio.Transport:
+        shared = ServedGateway(gateway, lambda _: None)
+        shared.open_when_there()
+        prefix = f"gateway/{next(numbers)}"
+        streams = Streams(session, prefix, shared)
+        url = parse_url(f"zenoh:{prefix}?connect={endpoint}")
+        transport = await load_driver(url.scheme).connect(url, protocol)
+        assert isinstance(transport, KeyTransport)
+        over = transport._over
+
+        def end() -> None:
+            # Now, rather than when the news come: the loop of the test may have ended by then.
+            streams.close()
+            over()
+
+        transport._over = end
+        return transport
+
+    try:
+        yield connect
+    finally:
+        close_session(session)
