@@ -233,6 +233,20 @@ def test_words_without_a_spec_have_a_plot_each(page: Page) -> None:
 
 
 @needs_chromium
+def test_a_whole_number_that_is_wider_than_a_double_is_written_and_shown_exactly(page: Page) -> None:
+    with live("sim:?data_bits=64", "--watch", "0x10", "--allow-writes") as running:
+        page.goto(running.url)
+        number = page.locator("#write-word_10")
+        expect(number).to_be_enabled()
+
+        number.fill("-9007199254740993")
+        page.keyboard.press("Enter")
+
+        expect(page.locator('[data-signal="word_10"] output')).to_have_text("-9007199254740993")
+        expect(number).to_have_value("-9007199254740993")
+
+
+@needs_chromium
 def test_plots_keep_every_peak_in_a_bounded_number_of_rows(page: Page) -> None:
     with live("sim:scara", SPEC) as running:
         page.goto(running.url)

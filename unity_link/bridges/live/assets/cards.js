@@ -89,7 +89,7 @@ export class Card {
     }
     for (const control of this.controls) {
       const { stream, column } = control.signal;
-      if (stream !== null) control.see(streams[stream].latest[column]);
+      if (stream !== null) control.see(streams[stream].latest[column], exact[control.signal.path]);
     }
   }
 }

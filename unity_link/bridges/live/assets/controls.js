@@ -51,7 +51,8 @@ export class Control {
     number.addEventListener("change", () => {
       if (number.value === "" || !Number.isFinite(number.valueAsNumber)) return this.refuse("a number was expected");
       if (slider) slider.value = number.value;
-      this.want(number.valueAsNumber);
+      const whole = Number.isInteger(step) && /^-?\d+$/.test(number.value);
+      this.want(whole ? BigInt(number.value) : number.valueAsNumber);
     });
     slider?.addEventListener("input", () => {
       // Fractions go as they are, for a limit that was rounded may be beyond the limit.
@@ -59,8 +60,8 @@ export class Control {
       number.value = write(value);
       this.want(value);
     });
-    this.reflect = (value) => {
-      const written = write(value);
+    this.reflect = (value, exact) => {
+      const written = exact ?? write(value);
       if (number.value !== written) number.value = written;
       if (slider) slider.value = value;
     };
@@ -97,10 +98,10 @@ export class Control {
     say(this.answer, reason ?? "");
   }
 
-  // Show what the robot says.
-  see(value) {
+  // Show what the robot says; of a wide whole number also exactly, as text.
+  see(value, exact) {
     const held = this.underWay || performance.now() - this.touched < HOLD || this.inputs.includes(document.activeElement) && document.activeElement.type === "number";
-    if (!held && value !== null && value !== undefined && !Number.isNaN(value)) this.reflect(value);
+    if (!held && value !== null && value !== undefined && !Number.isNaN(value)) this.reflect(value, exact);
   }
 
   enable(allowed) {

@@ -4,7 +4,7 @@ import { makeCards } from "./cards.js";
 import { make, say } from "./dom.js";
 import { makeHistogram, refreshColors } from "./plots.js";
 import { Clock, Stream, batches, head } from "./streams.js";
-import { count, duration } from "./values.js";
+import { count, duration, roundDuration } from "./values.js";
 
 const DELAY = 0.08; // seconds that the plots are behind, so that samples are there before their place is shown
 const FIRST_PAUSE = 300; // milliseconds until the server is tried again
@@ -100,7 +100,9 @@ function welcome(mayWrite) {
 function write(signal, value) {
   if (socket.readyState !== WebSocket.OPEN) return Promise.resolve("the program has ended: nothing was written");
   const number = questions++;
-  socket.send(JSON.stringify({ type: "write", number, signal, value }));
+  // JSON has whole numbers of any size, JavaScript's own writer has not.
+  const written = typeof value === "bigint" ? String(value) : JSON.stringify(value);
+  socket.send(`{"type":"write","number":${number},"signal":${JSON.stringify(signal)},"value":${written}}`);
   return new Promise((resolve) => answers.set(number, resolve));
 }
 
@@ -188,7 +190,7 @@ function drawHistogram(counts) {
   if (last < 4) return;
   const shown = counts.slice(first, last);
   const places = shown.map((_, number) => SHORTEST + (first + number + 0.5) / BINS_PER_DECADE);
-  histogram ??= makeHistogram(at("histogram"), (seconds) => duration(seconds, Number.isInteger(Math.log10(seconds)) ? 1 : undefined));
+  histogram ??= makeHistogram(at("histogram"), roundDuration);
   histogram.setData([places, shown]);
 }
 

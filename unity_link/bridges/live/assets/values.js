@@ -19,10 +19,16 @@ export function text(signal, value) {
   return Number(written) === 0 ? (0).toFixed(behind) : written;
 }
 
-export function duration(seconds, digits = 3) {
+export function duration(seconds) {
   if (seconds === null) return "–";
   const [factor, unit] = seconds < 0.9995e-3 ? [1e6, "µs"] : seconds < 0.9995 ? [1e3, "ms"] : [1, "s"];
-  return `${(seconds * factor).toPrecision(digits)} ${unit}`;
+  return `${(seconds * factor).toPrecision(3)} ${unit}`;
+}
+
+// The same for a round number.
+export function roundDuration(seconds) {
+  const [number, unit] = duration(seconds).split(" ");
+  return `${Number(number)} ${unit}`;
 }
 
 // Write a limit: as short as it can be.
