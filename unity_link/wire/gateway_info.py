@@ -30,7 +30,7 @@ class Feature(enum.IntFlag):
 
 
 class GatewayInfo(msgspec.Struct, frozen=True, kw_only=True):
-    """The configuration of one gateway. The defaults are those of the gateware's default build."""
+    """The configuration of one gateway. The defaults are the gateware's, with all the groups that the protocol has."""
 
     protocol_version: int = PROTOCOL_VERSION
     data_bits: int = 32
