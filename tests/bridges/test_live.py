@@ -61,7 +61,7 @@ def page(browser: Browser) -> Iterator[Page]:
         "console",
         lambda said: (
             complaints.append(said.text)
-            if said.type in {"error", "warning"} and "ERR_CONNECTION_REFUSED" not in said.text
+            if said.type in {"error", "warning"} and "net::ERR_CONNECTION_" not in said.text
             else None
         ),
     )
