@@ -7,6 +7,7 @@ from typing import Annotated
 import typer
 
 from unity_link.cli.words import parse_number
+from unity_link.errors import ArgumentError
 
 
 def number(text: str) -> int:
@@ -26,3 +27,13 @@ Timeout = Annotated[
 ]
 Json = Annotated[bool, typer.Option("--json", help="Print JSON for programs, one object a line.")]
 DEFAULT_TIMEOUT = 5.0
+
+
+def check_poll(hertz: float | None) -> None:
+    """Check the rate of ``--poll``.
+
+    Raises:
+        ArgumentError: where it is no rate.
+    """
+    if hertz is not None and not hertz > 0:
+        raise ArgumentError(f"--poll {hertz:g}: more than 0 Hz was expected")

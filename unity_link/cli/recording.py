@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from unity_link.cli.arguments import DEFAULT_TIMEOUT, Timeout, Url
+from unity_link.cli.arguments import DEFAULT_TIMEOUT, Timeout, Url, check_poll
 from unity_link.cli.output import print_line, print_note
 from unity_link.cli.running import run
 from unity_link.cli.spec import Name, SpecFile, compile_or_exit
@@ -59,8 +59,7 @@ def record(
     The recording is an MCAP file, which Foxglove and PlotJuggler open. Whatever ends the program, what was recorded
     up to a second before is in it.
     """
-    if poll is not None and not poll > 0:
-        raise ArgumentError(f"--poll {poll:g}: more than 0 Hz was expected")
+    check_poll(poll)
     run(_record(url, compile_or_exit(spec), interface, output, poll, duration, overwrite=overwrite, timeout=timeout))
 
 

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 import msgspec
 import typer
 
+from unity_link.cli.arguments import check_poll
 from unity_link.cli.output import print_note
 from unity_link.cli.running import run
 from unity_link.cli.spec import Name, SpecFile, compile_or_exit
@@ -46,8 +47,7 @@ def ros1(
 
     Needs rospy of the distribution; ROS_MASTER_URI says where the master is. Master and gateway may come and go.
     """
-    if poll is not None and not poll > 0:
-        raise ArgumentError(f"--poll {poll:g}: more than 0 Hz was expected")
+    check_poll(poll)
     run(_ros1(compile_or_exit(spec), interface, link, namespace, poll))
 
 
@@ -91,8 +91,7 @@ def ros2(  # noqa: PLR0913  (each is an option)
 
     if quality is not None and quality not in set(Quality):
         raise ArgumentError(f"--quality {quality}: one of {', '.join(Quality)} was expected")
-    if poll is not None and not poll > 0:
-        raise ArgumentError(f"--poll {poll:g}: more than 0 Hz was expected")
+    check_poll(poll)
     said = {
         "link": link,
         "namespace": namespace,

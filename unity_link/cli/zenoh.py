@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from unity_link.cli.arguments import check_poll
 from unity_link.cli.output import print_note
 from unity_link.cli.ros import LinkUrl, Poll  # noqa: TC001  (typer reads them)
 from unity_link.cli.running import run
@@ -53,8 +54,7 @@ def zenoh(  # noqa: PLR0913  (each is an option of the command)
     from unity_link.bridges.zenoh import Network, ZenohBridge
     from unity_link.data import load
 
-    if poll is not None and not poll > 0:
-        raise ArgumentError(f"--poll {poll:g}: more than 0 Hz was expected")
+    check_poll(poll)
     if not every >= 0:
         raise ArgumentError(f"--every {every:g}: 0 or more seconds were expected")
     network = Network(connect=tuple(connect or ()), listen=tuple(listen or ()), mode=mode, config=config)

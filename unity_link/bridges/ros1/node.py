@@ -49,11 +49,11 @@ class Ros1Bridge:
         report: Callable[[str], None] = lambda _: None,
     ) -> None:
         find_rospy()
-        self._robot = robot
         self._namespace = "/" + (robot.interface.name if namespace is None else namespace).strip("/")
         self._node_name = f"unity_link_{robot.interface.name}"
         self._report = report
         self._groups = published_groups(robot, poll_hz)
+        self._command_topics = command_topics(robot, self._groups)
         self.messages = 0
         """Messages that were sent, of all topics that somebody has subscribed to."""
         self._commands = Commands(report)
@@ -117,7 +117,7 @@ class Ros1Bridge:
             for published in self._groups
             if published.joints is not None
         }
-        self._subscribers = [self._subscriber(topic) for topic in command_topics(self._robot, self._groups)]
+        self._subscribers = [self._subscriber(topic) for topic in self._command_topics]
         self._describe()
 
     def _publisher(self, name: str, package: str, kind: str) -> Any:
@@ -144,7 +144,7 @@ class Ros1Bridge:
         """Leave units, IDs and descriptions at the parameter server: ``~signals/j1/cpos/unit``."""
         import rospy
 
-        topics: list[Topic | CommandTopic] = [*self._publishers, *command_topics(self._robot, self._groups)]
+        topics: list[Topic | CommandTopic] = [*self._publishers, *self._command_topics]
         for topic in topics:
             signal = topic.proxy.signal
             facts = {"unit": signal.unit, "id": signal.id, "description": signal.doc}
