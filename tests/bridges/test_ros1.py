@@ -4,30 +4,26 @@ from __future__ import annotations
 
 import itertools
 import json
-import os
 import shutil
 import signal
 import socket
 import subprocess
-import sys
-import time
 from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 import pytest
 
+from bridge_programs import PATIENCE, bridge_on_shared, wait_for, wait_until
 from unity_link import ConnectError, blocking
 from unity_link.bridges.ros1 import environment
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterator
+    from collections.abc import Iterator
 
-PROGRAM = str(Path(sys.executable).parent / "unity-link")
 SPEC = str(Path(__file__).parents[2] / "examples" / "scara.ul")
 SYSTEM_PYTHON = "/usr/bin/python3"
 GATEWAY = "sim:scara?base_frequency_millihertz=20000000"
-PATIENCE = 60
 
 needs_ros = pytest.mark.skipif(
     shutil.which("rosmaster") is None or shutil.which("rostopic") is None,
@@ -87,42 +83,6 @@ def is_listening(port: int) -> bool:
         return probe.connect_ex(("127.0.0.1", port)) == 0
 
 
-def wait_until(condition: Callable[[], bool]) -> None:
-    deadline = time.monotonic() + PATIENCE
-    while not condition():
-        assert time.monotonic() < deadline
-        time.sleep(0.05)
-
-
-@contextmanager
-def bridge(tmp_path: Path) -> Iterator[tuple[subprocess.Popen[str], str]]:
-    """Run the bridge on a gateway that the test can look at, too; give it, and the URL of that."""
-    place = tmp_path / "gateway"
-    with subprocess.Popen([PROGRAM, "serve", GATEWAY, "--unix", str(place)], stdout=subprocess.PIPE) as server:
-        assert server.stdout is not None
-        url = server.stdout.readline().decode().strip()
-        with subprocess.Popen(
-            [PROGRAM, "ros1", SPEC, "--link", url],
-            stderr=subprocess.PIPE,
-            text=True,
-            env={**os.environ, "PYTHONUNBUFFERED": "1"},
-        ) as process:
-            try:
-                yield process, url
-            finally:
-                process.kill()
-                server.terminate()
-
-
-def wait_for(process: subprocess.Popen[str], words: str) -> str:
-    """Wait for a line on stderr."""
-    assert process.stderr is not None
-    for line in process.stderr:
-        if words in line:
-            return line
-    pytest.fail(f"the bridge ended without saying {words!r}")
-
-
 def peer(script: str, *arguments: str) -> str:
     result = subprocess.run(
         [SYSTEM_PYTHON, "-W", "ignore", "-c", script, *arguments],
@@ -139,7 +99,7 @@ def rostopic(*arguments: str) -> str:
 
 
 def test_signals_are_topics_of_their_types_and_commands_are_subscribed_to(ros: int, tmp_path: Path) -> None:
-    with master(ros), bridge(tmp_path) as (process, _):
+    with master(ros), bridge_on_shared("ros1", SPEC, GATEWAY, tmp_path) as (process, _):
         said = wait_for(process, "node /unity_link_scara")
 
         topics = rostopic("list").split()
@@ -152,7 +112,7 @@ def test_signals_are_topics_of_their_types_and_commands_are_subscribed_to(ros: i
 
 
 def test_every_sample_arrives_once_in_order_at_the_distance_of_the_gateways_clock(ros: int, tmp_path: Path) -> None:
-    with master(ros), bridge(tmp_path) as (process, _):
+    with master(ros), bridge_on_shared("ros1", SPEC, GATEWAY, tmp_path) as (process, _):
         wait_for(process, "node /unity_link_scara")
 
         seen = json.loads(peer(LISTENER, "1000"))
@@ -167,7 +127,7 @@ def test_every_sample_arrives_once_in_order_at_the_distance_of_the_gateways_cloc
 
 
 def test_values_on_a_topic_are_written_in_order_and_one_beyond_the_limits_is_told(ros: int, tmp_path: Path) -> None:
-    with master(ros), bridge(tmp_path) as (process, url):
+    with master(ros), bridge_on_shared("ros1", SPEC, GATEWAY, tmp_path) as (process, url):
         wait_for(process, "node /unity_link_scara")
 
         peer(TALKER, *(str(value / 10) for value in range(200)), "500", "25")
@@ -183,7 +143,7 @@ def test_values_on_a_topic_are_written_in_order_and_one_beyond_the_limits_is_tol
 
 
 def test_the_master_may_come_late_and_go_in_between(ros: int, tmp_path: Path) -> None:
-    with bridge(tmp_path) as (process, _):
+    with bridge_on_shared("ros1", SPEC, GATEWAY, tmp_path) as (process, _):
         wait_for(process, "waiting for the ROS master")
         with master(ros):
             wait_for(process, "node /unity_link_scara")

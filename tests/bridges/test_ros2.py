@@ -8,26 +8,20 @@ import os
 import signal
 import subprocess
 import sys
-import time
-from contextlib import contextmanager
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import pytest
 from rosbags.typesys import Stores, get_typestore
 
+from bridge_programs import PATIENCE, PROGRAM, bridge_on_shared, wait_for, wait_until
 from unity_link import ArgumentError, blocking
 from unity_link.bridges.ros2 import Quality, Settings, read_settings
 from unity_link.bridges.ros2.messages import JOINT_STATE, STANDARD, joint_state
 
-if TYPE_CHECKING:
-    from collections.abc import Callable, Iterator
-
-PROGRAM = str(Path(sys.executable).parent / "unity-link")
 PEER = str(Path(__file__).with_name("dds_peer.py"))
 SPEC = str(Path(__file__).parents[2] / "examples" / "scara.ul")
 GATEWAY = "sim:scara?base_frequency_millihertz=20000000"
-PATIENCE = 60
 ROS = get_typestore(Stores.ROS2_JAZZY)
 DOMAINS = itertools.count(60 + os.getpid() % 100)
 """Tests that run side by side must not hear each other."""
@@ -73,40 +67,6 @@ def test_the_states_of_joints_are_the_bytes_that_ros_2_gives_them() -> None:
 # With a peer
 
 
-@contextmanager
-def bridge(tmp_path: Path, domain: int, *options: str) -> Iterator[tuple[subprocess.Popen[str], str]]:
-    """Run the bridge on a gateway that the test can look at, too; give it, and the URL of that."""
-    place = tmp_path / "gateway"
-    with subprocess.Popen([PROGRAM, "serve", GATEWAY, "--unix", str(place)], stdout=subprocess.PIPE) as server:
-        assert server.stdout is not None
-        url = server.stdout.readline().decode().strip()
-        with subprocess.Popen(
-            [PROGRAM, "ros2", SPEC, "--link", url, "--domain", str(domain), *options],
-            stderr=subprocess.PIPE,
-            text=True,
-        ) as process:
-            try:
-                yield process, url
-            finally:
-                process.kill()
-                server.terminate()
-
-
-def wait_for(process: subprocess.Popen[str], words: str) -> str:
-    assert process.stderr is not None
-    for line in process.stderr:
-        if words in line:
-            return line
-    pytest.fail(f"the bridge ended without saying {words!r}")
-
-
-def wait_until(condition: Callable[[], bool]) -> None:
-    deadline = time.monotonic() + PATIENCE
-    while not condition():
-        assert time.monotonic() < deadline
-        time.sleep(0.05)
-
-
 def peer(domain: int, *arguments: str) -> Any:
     result = subprocess.run(
         [sys.executable, PEER, str(domain), *arguments],
@@ -127,7 +87,7 @@ def listen(domain: int, topic: str, name: str, count: int) -> list[Any]:
 @pytest.mark.slow
 def test_every_sample_arrives_once_and_in_order(tmp_path: Path) -> None:
     domain = next(DOMAINS)
-    with bridge(tmp_path, domain) as (process, url):
+    with bridge_on_shared("ros2", SPEC, GATEWAY, tmp_path, "--domain", str(domain)) as (process, url):
         assert "8 topics published, 8 subscribed to at /scara" in wait_for(process, "topics published")
 
         seen = listen(domain, "rt/scara/joint_states", "sensor_msgs/msg/JointState", 400)
@@ -150,7 +110,10 @@ def test_every_sample_arrives_once_and_in_order(tmp_path: Path) -> None:
 @pytest.mark.slow
 def test_values_on_a_topic_are_written_in_order_and_one_beyond_the_limits_is_told(tmp_path: Path) -> None:
     domain = next(DOMAINS)
-    with bridge(tmp_path, domain, "--namespace", "arm") as (process, url):
+    with bridge_on_shared("ros2", SPEC, GATEWAY, tmp_path, "--domain", str(domain), "--namespace", "arm") as (
+        process,
+        url,
+    ):
         wait_for(process, "at /arm")
 
         values = [str(value / 10) for value in range(200)]
@@ -168,7 +131,7 @@ def test_values_on_a_topic_are_written_in_order_and_one_beyond_the_limits_is_tol
 @pytest.mark.slow
 def test_a_peer_may_come_late_and_go_in_between(tmp_path: Path) -> None:
     domain = next(DOMAINS)
-    with bridge(tmp_path, domain) as (process, _):
+    with bridge_on_shared("ros2", SPEC, GATEWAY, tmp_path, "--domain", str(domain)) as (process, _):
         wait_for(process, "topics published")
         for _ in range(2):
             listen(domain, "rt/scara/j1/cpos", "std_msgs/msg/Float64", 20)

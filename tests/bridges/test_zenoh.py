@@ -18,18 +18,18 @@ import msgspec
 import pytest
 
 import unity_link
+from bridge_programs import PATIENCE, wait_for, wait_until
 from unity_link import ArgumentError, ConnectError, LinkLostError, blocking
 from unity_link.drivers.zenoh_session import Network, close_session, open_session
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterator
+    from collections.abc import Iterator
 
     import zenoh
 
 PROGRAM = str(Path(sys.executable).parent / "unity-link")
 SPEC = str(Path(__file__).parents[2] / "examples" / "scara.ul")
 GATEWAY = "sim:scara?base_frequency_millihertz=20000000"
-PATIENCE = 60
 POS_SP, COUNTS = 0x8C, 50 * 4000 / 360
 pytestmark = pytest.mark.slow
 
@@ -37,23 +37,6 @@ pytestmark = pytest.mark.slow
 def free_endpoint() -> str:
     with socket.create_server(("127.0.0.1", 0)) as free:
         return f"tcp/127.0.0.1:{free.getsockname()[1]}"
-
-
-def wait_until(condition: Callable[[], object]) -> None:
-    deadline = time.monotonic() + PATIENCE
-    while not condition():
-        assert time.monotonic() < deadline
-        time.sleep(0.02)
-
-
-def wait_for(process: subprocess.Popen[str], words: str) -> str:
-    """Wait for a line on stderr."""
-    assert process.stderr is not None
-    for line in process.stderr:
-        assert "Traceback" not in line
-        if words in line:
-            return line
-    pytest.fail(f"the program ended without saying {words!r}")
 
 
 @contextmanager
