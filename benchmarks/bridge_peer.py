@@ -42,8 +42,8 @@ def talk(send: Callable[[float], Any], seconds: float, rate: float, flush: Calla
 
 def ros1(what: str, seconds: float, rate: float) -> int:
     """Be a node of rospy."""
-    import rospy  # type: ignore[import-not-found, unused-ignore]
-    from std_msgs.msg import Float64  # type: ignore[import-not-found, unused-ignore]
+    import rospy
+    from std_msgs.msg import Float64
 
     rospy.init_node("peer", anonymous=True, disable_signals=True)
     if what == "listen":
