@@ -220,6 +220,8 @@ class Subscription:
         self._ended = False
         self._sequence = -1
         self._sampled_at: float | None = None
+        self._due_hz: float | None = None
+        """The rate, where time alone says how many samples are due."""
 
     @property
     def rate_hz(self) -> float | None:
@@ -294,6 +296,7 @@ class Subscription:
         """Begin to count anew: the gateway's sequence stands at 0."""
         self._sequence = self._sequence | 0xFF
         self._sampled_at = None
+        self._due_hz = self.rate_hz if self.schedule.flags & _COUNTED == GroupFlag.PERIODIC else None
 
     def fail(self, error: UnityLinkError) -> None:
         """End the stream with an error, behind the samples that wait."""
@@ -318,8 +321,8 @@ class Subscription:
     def _count_lost(self, sequence: int, at: float | None) -> int:
         """Give how many samples are missing before this one; a timestamp tells how often the two digits went round."""
         advance = (sequence - self._sequence) & 0xFF or 0x100
-        if at is not None and self._sampled_at is not None and self.schedule.flags & _COUNTED == GroupFlag.PERIODIC:
-            due = (at - self._sampled_at) * self._groups.codec.info.base_frequency_hz / self.schedule.divisor
+        if at is not None and self._sampled_at is not None and self._due_hz is not None:
+            due = (at - self._sampled_at) * self._due_hz
             advance += max(0, round((due - advance) / 0x100)) * 0x100
         self._sampled_at = at
         self._sequence += advance

@@ -5,6 +5,9 @@ one due instant to the next, as far as the loop's time has come. It never does m
 `MOST_STEPS`, or for longer than `MOST_TURN`, so that the loop stays alive; a gateway that is asked for more samples
 than this machine can make runs late, and what is later than `MOST_LAG` is counted as overruns, as is all that becomes
 due while the medium is blocked.
+
+Where a turn takes so long that the next instant is past when it ends, the pump rests for `REST` before it goes on: many
+samples in one turn of the loop cost little more than one, and a turn for each would take all of the loop's time.
 """
 
 from __future__ import annotations
@@ -23,6 +26,8 @@ MOST_STEPS = 2048
 """Due instants that are passed before the loop gets its turn."""
 MOST_TURN = 0.02
 """Seconds that may go by before the loop gets its turn."""
+REST = 0.001
+"""Seconds between the turns of a pump that is late: as finely as a loop sleeps anyway."""
 MOST_LAG = 0.25
 """Seconds by which the gateway's time may be behind that of the loop."""
 
@@ -93,14 +98,15 @@ class Pump:
                 self._send(frames)
         return now
 
-    def _arm(self) -> None:
+    def _arm(self, not_before: float = 0.0) -> None:
         """See to it that the loop comes back when something is due."""
         due = self.gateway.next_due
         if due is None or self.blocked or self._closed:
             return
-        if self._timer is None or due < self._timer.when():
+        at = max(due, not_before)
+        if self._timer is None or at < self._timer.when():
             self._disarm()
-            self._timer = self._loop.call_at(due, self._on_time, due)
+            self._timer = self._loop.call_at(at, self._on_time, due)
 
     def _disarm(self) -> None:
         if self._timer is not None:
@@ -110,6 +116,12 @@ class Pump:
     def _on_time(self, due: float) -> None:
         self._timer = None
         # A loop's timer may fire a little early.
-        self._catch_up(max(self._loop.time(), due))
+        now = max(self._loop.time(), due)
+        has_caught_up = self._catch_up(now) == now
         self._send(b"")
-        self._arm()
+        ended = self._loop.time()
+        self._arm(not_before=ended + REST if has_caught_up and self._is_late(ended) else 0.0)
+
+    def _is_late(self, now: float) -> bool:
+        due = self.gateway.next_due
+        return due is not None and due <= now

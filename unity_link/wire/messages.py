@@ -156,7 +156,7 @@ class Codec:
         }
         self.id_text = [b"%0*X" % (info.id_digits, number) for number in range(self.ring)]
         self.id_number = {text: number for number, text in enumerate(self.id_text)}
-        self.word_type: np.dtype[np.unsignedinteger[Any]] = np.dtype(f"u{_octets(info.data_digits)}")
+        self.word_type: np.dtype[np.unsignedinteger[Any]] = _FORMS[info.data_digits].held
         self.lower = {name: name.lower().encode() for name in COMMANDS}
         """The commands as they stand before an ID."""
         overhead = self.framing.overhead + info.id_digits
@@ -376,18 +376,30 @@ class Codec:
         return layout, self.digits[LISTS[letters[-1]]] if letters[-1:] in LISTS else 0
 
 
-def _octets(digits: int) -> int:
-    """Give the size of the smallest integer type that holds a number of hex digits."""
-    return next(size for size in (1, 2, 4, 8) if 2 * size >= digits)
+class _Form(NamedTuple):
+    """How numpy holds numbers of so many hex digits: in the smallest integers that can."""
+
+    padding: int
+    """Digits that are missing to whole ones."""
+    sent: np.dtype[np.unsignedinteger[Any]]
+    held: np.dtype[np.unsignedinteger[Any]]
+
+
+def _form(digits: int) -> _Form:
+    octets = next(size for size in (1, 2, 4, 8) if 2 * size >= digits)
+    return _Form(2 * octets - digits, np.dtype(f">u{octets}"), np.dtype(f"u{octets}"))
+
+
+_FORMS = {digits: _form(digits) for digits in range(1, 17)}
 
 
 def hex_rows(values: ArrayLike, digits: int) -> NDArray[np.uint8]:
     """Give numbers as upper-case hex digits, shape (n, digits)."""
-    octets = _octets(digits)
+    form = _FORMS[digits]
     # Without a type, numpy makes floats of a list that holds both small numbers and some of 64 bits.
     numbers = values if isinstance(values, np.ndarray) else np.asarray(values, np.uint64)
-    raw = numbers.astype(f">u{octets}", copy=False).tobytes()
-    return np.frombuffer(hexlify(raw).upper(), np.uint8).reshape(-1, 2 * octets)[:, 2 * octets - digits :]
+    raw = numbers.astype(form.sent, copy=False).tobytes()
+    return np.frombuffer(hexlify(raw).upper(), np.uint8).reshape(-1, digits + form.padding)[:, form.padding :]
 
 
 def parse_rows(rows: NDArray[np.uint8]) -> Words:
@@ -396,12 +408,12 @@ def parse_rows(rows: NDArray[np.uint8]) -> Words:
     Raises:
         ValueError: where a character is no hex digit.
     """
-    digits = rows.shape[1]
-    octets = _octets(digits)
-    if digits != 2 * octets:
-        rows = np.pad(rows, ((0, 0), (2 * octets - digits, 0)), constant_values=ord("0"))
-    words: Words = np.frombuffer(unhexlify(rows.tobytes()), f">u{octets}").astype(f"u{octets}")
-    return words
+    form = _FORMS[rows.shape[1]]
+    if form.padding:
+        padded = np.full((len(rows), form.padding + rows.shape[1]), ord("0"), np.uint8)
+        padded[:, form.padding :] = rows
+        rows = padded
+    return np.frombuffer(unhexlify(rows.tobytes()), form.sent).astype(form.held)
 
 
 def parse_words(text: bytes, digits: int) -> Words:
@@ -410,4 +422,7 @@ def parse_words(text: bytes, digits: int) -> Words:
     Raises:
         ValueError: where a character is no hex digit, or the last number is cut.
     """
-    return parse_rows(np.frombuffer(text, np.uint8).reshape(-1, digits))
+    form = _FORMS[digits]
+    if form.padding:
+        return parse_rows(np.frombuffer(text, np.uint8).reshape(-1, digits))
+    return np.frombuffer(unhexlify(text), form.sent).astype(form.held)
