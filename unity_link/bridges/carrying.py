@@ -3,8 +3,11 @@
 from __future__ import annotations
 
 import asyncio
+import contextlib
 from contextlib import AsyncExitStack
 from typing import TYPE_CHECKING, Any
+
+from unity_link.errors import LinkLostError
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Coroutine, Sequence
@@ -36,7 +39,7 @@ class Carrier:
         return sum(subscription.lost for subscription in self._subscriptions)
 
     async def run(self, thread: Executor, *beside: Coroutine[Any, Any, None]) -> None:
-        """Carry until it is cancelled or something fails.
+        """Carry until it is cancelled or something fails; where it is cancelled, all that has come by then is carried.
 
         Args:
             thread: where samples are handed over; of one thread, so that they keep their order.
@@ -57,10 +60,29 @@ class Carrier:
                     tasks.create_task(self._carry(number, subscription, thread))
         except BaseExceptionGroup as group:
             raise group.exceptions[0] from None
+        except asyncio.CancelledError:
+            for number, subscription in enumerate(self._subscriptions):
+                await self._drain(number, subscription, thread)
+            raise
 
     async def _carry(self, number: int, subscription: GroupSubscription, thread: Executor) -> None:
         loop = asyncio.get_running_loop()
         while True:
             batch = await subscription.take()
-            await loop.run_in_executor(thread, self._hand_over, number, batch)
-            self.carried += len(batch)
+            # What was taken is handed over, whatever becomes of who waits for that.
+            await asyncio.shield(loop.run_in_executor(thread, self._give, number, batch))
+
+    async def _drain(self, number: int, subscription: GroupSubscription, thread: Executor) -> None:
+        """Carry what waits in a subscription that has ended, behind what the thread was given before."""
+        loop = asyncio.get_running_loop()
+        with contextlib.suppress(StopAsyncIteration, TimeoutError, LinkLostError):
+            while True:
+                # What the host polls has no end, but nothing waits there.
+                async with asyncio.timeout(0):
+                    batch = await subscription.take()
+                await loop.run_in_executor(thread, self._give, number, batch)
+        await loop.run_in_executor(thread, lambda: None)
+
+    def _give(self, number: int, batch: Batch) -> None:
+        self._hand_over(number, batch)
+        self.carried += len(batch)
