@@ -19,7 +19,7 @@ import msgspec
 import numpy as np
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator, Sequence
+    from collections.abc import Sequence
 
     from unity_link.data import Batch
     from unity_link.spec import Signal
@@ -52,7 +52,7 @@ class Encoder:
         self.schema = _message_schema(tree, signals)
         """JSON schema of a message."""
 
-    def encode(self, batch: Batch, word_bits: int) -> Iterator[bytes]:
+    def encode(self, batch: Batch, word_bits: int) -> list[bytes]:
         """Give the messages of the samples of a batch."""
         times = [b"null"] * len(batch) if batch.time is None else _texts(batch.time.tolist())
         columns = [column.tolist() for column in batch.columns.values()]
@@ -66,7 +66,7 @@ class Encoder:
             strict=True,
         )
         template = self._template
-        return (template % row for row in rows)
+        return [template % row for row in rows]
 
 
 def words_to_hex(words: Words, word_bits: int) -> list[bytes]:
@@ -126,13 +126,17 @@ def _template(tree: Any, order: list[int]) -> str:
     return f"{{{','.join(f'{json.dumps(name)}:{_template(item, order)}' for name, item in tree.items())}}}"
 
 
+# Foxglove wants one type for each property, properties for each object, and no arrays in arrays. That a value may be
+# null can't be said so, and need not be: a schema tells what there is to be plotted, and nobody checks messages by it.
+
+
 def _message_schema(tree: Any, signals: Sequence[Signal]) -> dict[str, Any]:
     return {
         "$schema": "https://json-schema.org/draft/2020-12/schema",
         "type": "object",
         "properties": {
             "sequence": {"type": "integer", "description": "number of the sample, lost ones counted"},
-            "time": {"type": ["number", "null"], "description": "instant of sampling, seconds of the gateway's clock"},
+            "time": {"type": "number", "description": "instant of sampling, seconds of the gateway's clock, or null"},
             "lost": {"type": "integer", "description": "samples lost before this one"},
             "words": {"type": "string", "description": "the words as they came, in hex"},
             "signals": _schema(tree, signals),

@@ -1,6 +1,6 @@
 """Writing a recording.
 
-The file is an MCAP of chunks. A chunk is closed and brought to the disk at least every second (`RecordingFile.sync`),
+The file is an MCAP of chunks. A chunk is ended and brought to the disk at least every second (`RecordingFile.sync`),
 so a program that is killed, or a machine that loses power, costs what came after that. A disk that is full costs no
 more: the file is cut back to its last whole chunk.
 """
@@ -9,9 +9,8 @@ from __future__ import annotations
 
 import contextlib
 import io
-import json
 import os
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import msgspec
 import numpy as np
@@ -21,7 +20,7 @@ from unity_link.bridges.messages import Encoder
 from unity_link.errors import ArgumentError, UnityLinkError
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Callable, Sequence
     from pathlib import Path
 
     from unity_link.bridges.sampled import SampledGroup
@@ -29,11 +28,9 @@ if TYPE_CHECKING:
     from unity_link.spec import Interface
     from unity_link.wire.gateway_info import GatewayInfo
 
-PROFILE = ""
-"""MCAP's word for the conventions of a framework; these are our own."""
 INTERFACE, GATEWAY = "interface.json", "gateway.json"
 """Names of the attachments."""
-_CHUNK = 4 << 20
+_BUFFERED = 1 << 20
 
 
 class RecordingError(UnityLinkError):
@@ -57,13 +54,13 @@ class RecordingFile:
         Raises:
             ArgumentError: where there is one of that name, unless `overwrite`; where it cannot be written.
         """
-        from mcap.writer import Writer
+        from unity_link import __version__
+        from unity_link.bridges.recording.chunks import ChunkWriter
 
         self.path = path
         self.messages = 0
         """Written so far."""
         try:
-            # The first kibibytes are buffered, and go to the disk with the first chunk.
             self._raw = path.open("wb" if overwrite else "xb", buffering=0)
         except FileExistsError:
             raise ArgumentError(
@@ -71,8 +68,8 @@ class RecordingFile:
             ) from None
         except OSError as error:
             raise ArgumentError(f"{path} cannot be written: {error.strerror or error}") from None
-        self._stream = io.BufferedWriter(self._raw, 1 << 20)
-        self._writer: Any = Writer(self._stream, chunk_size=_CHUNK)
+        self._stream = io.BufferedWriter(self._raw, _BUFFERED)
+        self._writer = ChunkWriter(self._stream, f"unity-link {__version__}")
         self._whole = 0
         self._time = GatewayTime()
         self._bits = interface.data_bits
@@ -91,9 +88,10 @@ class RecordingFile:
         Raises:
             RecordingError: where the disk does not take it.
         """
-        at: list[int] = np.rint(self._time.instants(group, batch) * 1e9).astype(np.int64).tolist()
+        at = np.rint(self._time.instants(group, batch) * 1e9).astype(np.int64)
         messages = self._encoders[group].encode(batch, self._bits)
-        self._attempt(lambda: self._add(self._channels[group], zip(at, batch.sequence.tolist(), messages, strict=True)))
+        self._attempt(lambda: self._writer.write(self._channels[group], at, batch.sequence, messages))
+        self.messages += len(messages)
 
     def sync(self) -> None:
         """Bring all that was written to the disk.
@@ -115,29 +113,20 @@ class RecordingFile:
     # The inside
 
     def _begin(self, interface: Interface, gateway: GatewayInfo, groups: Sequence[SampledGroup]) -> None:
-        from unity_link import __version__
-
-        writer = self._writer
-        writer.start(PROFILE, f"unity-link {__version__}")
         for name, data in ((INTERFACE, interface), (GATEWAY, gateway)):
-            writer.add_attachment(0, 0, name, "application/json", msgspec.json.encode(data))
+            self._writer.attach(name, "application/json", msgspec.json.encode(data))
         for encoder, (name, group) in zip(self._encoders, groups, strict=True):
-            topic = f"/{interface.name}/{name}"
-            schema = writer.register_schema(
-                f"{interface.name}.{name}", "jsonschema", json.dumps(encoder.schema).encode()
-            )
+            schema = msgspec.json.encode(encoder.schema)
             metadata = {"signals": "\n".join(proxy.path for proxy in group.proxies)}
-            self._channels.append(writer.register_channel(topic, "json", schema, metadata))
+            channel = self._writer.open_channel(
+                f"/{interface.name}/{name}", f"{interface.name}.{name}", schema, metadata
+            )
+            self._channels.append(channel)
         self._sync()
 
-    def _add(self, channel: int, messages: Any) -> None:
-        add = self._writer.add_message
-        for at, sequence, data in messages:
-            add(channel, at, data, at, sequence & 0xFFFFFFFF)
-            self.messages += 1
-
     def _sync(self) -> None:
-        self._writer.flush()
+        self._writer.end_chunk()
+        self._stream.flush()
         os.fsync(self._raw.fileno())
         self._whole = self._stream.tell()
 
@@ -146,7 +135,7 @@ class RecordingFile:
         self._sync()
         self._stream.close()
 
-    def _attempt(self, action: Any) -> None:
+    def _attempt(self, action: Callable[[], None]) -> None:
         try:
             action()
         except OSError as error:

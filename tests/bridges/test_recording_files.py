@@ -1,0 +1,192 @@
+"""The file of a recording in the hands of others: the readers of mcap, its doctor, and what viewers demand of it."""
+
+from __future__ import annotations
+
+import io
+import json
+import struct
+from itertools import pairwise
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+import pytest
+from mcap.exceptions import McapError
+from mcap.reader import NonSeekingReader, make_reader
+from mcap.records import Chunk, MessageIndex
+from mcap.stream_reader import StreamReader, get_chunk_data_stream
+from zstandard import ZstdError
+
+from generate.every_kind import every_kind
+from unity_link.bridges.messages import Encoder
+from unity_link.bridges.recording.chunks import CHUNK, ChunkWriter
+from unity_link.spec import compile_text
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from mcap.records import McapRecord, Message
+
+TOPICS = ("/robot/fast", "/robot/slow")
+MESSAGES = 1000
+PERIOD = 1_000_000
+"""Nanoseconds between messages of the fast channel; each tenth has one of the slow channel beside it."""
+CHUNKS = 4
+
+
+def data_of(topic: str, number: int) -> bytes:
+    return json.dumps({"topic": topic, "number": number, "text": "x" * (number % 50)}).encode()
+
+
+@pytest.fixture(scope="module")
+def written() -> bytes:
+    """Two channels in four chunks, with what may stand between chunks."""
+    stream = io.BytesIO()
+    writer = ChunkWriter(stream, "test")
+    writer.attach("a.json", "application/json", b"{}")
+    channels = [writer.open_channel(topic, topic[1:], b'{"type": "object"}', {"of": topic}) for topic in TOPICS]
+    for part in np.split(np.arange(MESSAGES), CHUNKS):
+        for channel, topic, numbers in zip(channels, TOPICS, (part, part[::10]), strict=True):
+            for some in np.array_split(numbers, 3):
+                writer.write(channel, some * PERIOD + PERIOD, some, [data_of(topic, int(number)) for number in some])
+        writer.end_chunk()
+        writer.note("a pause", {"after": str(part[-1])})
+    writer.finish()
+    return stream.getvalue()
+
+
+def expected(topic: str) -> list[tuple[int, int, bytes]]:
+    numbers = range(0, MESSAGES, 1 if topic == TOPICS[0] else 10)
+    return [(number, (number + 1) * PERIOD, data_of(topic, number)) for number in numbers]
+
+
+def facts(messages: Iterator[tuple[Any, Any, Message]], topic: str) -> list[tuple[int, int, bytes]]:
+    return [
+        (message.sequence, message.log_time, message.data) for _, channel, message in messages if channel.topic == topic
+    ]
+
+
+@pytest.mark.parametrize("topic", TOPICS)
+def test_readers_that_seek_and_that_do_not_find_each_message_and_check_all_sums(written: bytes, topic: str) -> None:
+    seeking = make_reader(io.BytesIO(written), validate_crcs=True)
+    streaming = NonSeekingReader(io.BytesIO(written), validate_crcs=True)
+
+    assert facts(seeking.iter_messages(), topic) == expected(topic)
+    assert facts(streaming.iter_messages(), topic) == expected(topic)
+
+
+@pytest.mark.parametrize("place", range(100, 8000, 790))
+def test_a_byte_that_was_changed_is_seen(written: bytes, place: int) -> None:
+    damaged = bytearray(written)
+    damaged[place] ^= 0x10
+
+    with pytest.raises((McapError, ValueError, ZstdError, struct.error)):
+        list(NonSeekingReader(io.BytesIO(damaged), validate_crcs=True).iter_messages())
+
+
+@pytest.mark.parametrize("topic", TOPICS)
+def test_a_reader_gets_a_time_range_of_one_topic(written: bytes, topic: str) -> None:
+    reader = make_reader(io.BytesIO(written), validate_crcs=True)
+    begin, end = 301 * PERIOD, 701 * PERIOD
+
+    found = facts(reader.iter_messages(topics=[topic], starting_at=begin, ending_before=end), topic)
+
+    assert found == [fact for fact in expected(topic) if begin <= fact[1] < end]
+
+
+def test_the_index_of_messages_leads_to_each_of_them(written: bytes) -> None:
+    emitted: list[McapRecord] = list(StreamReader(io.BytesIO(written), emit_chunks=True).records)
+    found: dict[int, list[int]] = {1: [], 2: []}
+    stream = b""
+    for record in emitted:
+        if isinstance(record, Chunk):
+            stream = chunk_data(record)
+        elif isinstance(record, MessageIndex):
+            for instant, offset in record.records:
+                assert stream[offset] == 5
+                length = int.from_bytes(stream[offset + 1 : offset + 9], "little")
+                channel, sequence = stream[offset + 9], int.from_bytes(stream[offset + 11 : offset + 15], "little")
+                assert (channel, instant) == (record.channel_id, (sequence + 1) * PERIOD)
+                assert stream[offset + 31 : offset + 9 + length] == data_of(TOPICS[channel - 1], sequence)
+                found[channel].append(sequence)
+    assert found == {1: list(range(MESSAGES)), 2: list(range(0, MESSAGES, 10))}
+
+
+def chunk_data(chunk: Chunk) -> bytes:
+    stream, length = get_chunk_data_stream(chunk, validate_crc=True)
+    data: bytes = stream.read(length)
+    return data
+
+
+def test_the_summary_says_what_is_in_the_file(written: bytes) -> None:
+    reader = make_reader(io.BytesIO(written), validate_crcs=True)
+    summary = reader.get_summary()
+    assert summary is not None
+    statistics = summary.statistics
+    assert statistics is not None
+    assert statistics.message_count == MESSAGES + MESSAGES // 10
+    assert statistics.channel_message_counts == {1: MESSAGES, 2: MESSAGES // 10}
+    assert (statistics.message_start_time, statistics.message_end_time) == (PERIOD, MESSAGES * PERIOD)
+    assert (statistics.chunk_count, statistics.attachment_count, statistics.metadata_count) == (CHUNKS, 1, CHUNKS)
+    assert {channel.topic for channel in summary.channels.values()} == set(TOPICS)
+    assert [index.message_end_time for index in summary.chunk_indexes] == [250_000_000 * n for n in range(1, 5)]
+    assert all(before.message_end_time < after.message_start_time for before, after in pairwise(summary.chunk_indexes))
+    assert [attachment.data for attachment in reader.iter_attachments()] == [b"{}"]
+    assert [note.metadata for note in reader.iter_metadata()] == [{"after": str(n)} for n in (249, 499, 749, 999)]
+
+
+def test_a_chunk_that_is_large_ends_by_itself() -> None:
+    stream = io.BytesIO()
+    writer = ChunkWriter(stream, "test")
+    channel = writer.open_channel("/a", "a", b'{"type": "object"}', {})
+    data = json.dumps("x" * (CHUNK // 4)).encode()
+    for number in range(10):
+        writer.write(channel, np.array([number]), np.array([number]), [data])
+    writer.finish()
+
+    summary = make_reader(io.BytesIO(stream.getvalue())).get_summary()
+
+    assert summary is not None
+    assert len(summary.chunk_indexes) == 3
+    assert sum(1 for _ in make_reader(io.BytesIO(stream.getvalue()), validate_crcs=True).iter_messages()) == 10
+
+
+def test_a_file_without_messages_is_one() -> None:
+    stream = io.BytesIO()
+    writer = ChunkWriter(stream, "test")
+    writer.open_channel("/a", "a", b'{"type": "object"}', {})
+    writer.finish()
+
+    summary = make_reader(io.BytesIO(stream.getvalue())).get_summary()
+
+    assert summary is not None
+    assert list(NonSeekingReader(io.BytesIO(stream.getvalue()), validate_crcs=True).iter_messages()) == []
+
+
+def assert_foxglove_takes(schema: dict[str, Any], what: str) -> None:
+    """Demand what Foxglove's reader of JSON schemas does (parseJsonSchema.ts of Foxglove Studio, and Lichtblick)."""
+    assert schema["type"] == "object", what
+    for name, part in schema["properties"].items():
+        shown = part
+        if part["type"] == "array":
+            shown = part["items"]
+            assert shown["type"] != "array", f"{what}.{name}"
+        assert shown["type"] in ("boolean", "string", "number", "integer", "object"), f"{what}.{name}"
+        assert "contentEncoding" not in shown
+        if shown["type"] == "object":
+            assert_foxglove_takes(shown, f"{what}.{name}")
+
+
+LEGS = """
+public robot() { legs[3]: leg() @(0x10 * i); @on = 0x80: bool READ(); }
+leg(): @(base) { joints[2]: joint() @(base + 2 * i); @load = base + 8: float 32 READ(); }
+joint(): @(base) { @pos = base: signed READ(); }
+"""
+
+
+@pytest.mark.parametrize("paths", [None, ["legs[2].joints[1].pos", "on"]], ids=["all", "some"])
+@pytest.mark.parametrize("spec", [LEGS, None], ids=["arrays", "every kind"])
+def test_foxglove_takes_the_schema_of_any_group(spec: str | None, paths: list[str] | None) -> None:
+    interface = (compile_text(spec) if spec else every_kind(32)).interface()
+    signals = [signal for path, signal in interface.signals.items() if paths is None or path in paths]
+
+    assert_foxglove_takes(Encoder(signals or list(interface.signals.values())).schema, "message")
