@@ -1,15 +1,18 @@
 """Who is next: the requests of all clients take turns on the way into the one link's window.
 
-Deficit round robin (Shreedhar and Varghese, 1995) over bytes: at its turn a client may send for `QUANTUM` bytes of
+Deficit round robin (Shreedhar and Varghese, 1995) over bytes: at its turn a client may send for a quantum of bytes of
 requests and answers, and what it overdraws is taken off its next turns. So one that moves blocks and one that reads
 words get the same share of the line, and one that has little to ask waits for one turn of each of the others at most.
 
-What is under way can't be overtaken any more. So while several clients are at it, no more is sent than `MOST_AHEAD`
-bytes, answers included: enough for the quickest line, and little to wait for on a slow one.
+What is under way can't be overtaken any more. So while several clients are at it, no more is sent than the line was
+seen to carry in `LONGEST_WAIT`, answers included; a quantum is half of that. Long turns are what a quick line needs,
+for many requests of one client cost little more than one; short ones are what a slow line needs, so that nobody waits
+long.
 """
 
 from __future__ import annotations
 
+import asyncio
 from collections import deque
 from typing import TYPE_CHECKING
 
@@ -19,8 +22,12 @@ if TYPE_CHECKING:
     from unity_link.exchange import Exchange
     from unity_link.requests import Message
 
-QUANTUM = 2048
-MOST_AHEAD = 4096
+LONGEST_WAIT = 0.005
+"""Seconds that a request waits behind those that are under way."""
+LEAST_AHEAD = 4096
+"""Bytes that may be under way on any line, however slow."""
+_SPAN = 0.005
+"""Seconds over which the line is watched."""
 _NEVER = 1 << 30
 
 
@@ -33,8 +40,30 @@ class Queue:
         self.under_way = 0
         """Bytes of requests that were sent and of their answers."""
         self.requests: deque[Relayed | RelayedRows] = deque()
-        self.balance = QUANTUM
+        self.balance = LEAST_AHEAD // 2
         self.in_line = False
+
+
+class Pace:
+    """How much may be under way on a line.
+
+    Where too little is, the line carries less than it could, but carries it quicker than `LONGEST_WAIT`: so more is
+    allowed, and so on until it is as quick as it gets.
+    """
+
+    def __init__(self) -> None:
+        self.most_ahead = LEAST_AHEAD
+        """Bytes."""
+        self._carried = 0
+        self._since = 0.0
+
+    def carried(self, size: int, now: float) -> None:
+        """Take note of so many bytes that have come through."""
+        self._carried += size
+        elapsed = now - self._since
+        if elapsed >= _SPAN:
+            self.most_ahead = max(LEAST_AHEAD, int(self._carried / elapsed * LONGEST_WAIT))
+            self._carried, self._since = 0, now
 
 
 class Turns:
@@ -46,6 +75,8 @@ class Turns:
 
     def __init__(self, exchange: Exchange) -> None:
         self._exchange = exchange
+        self._pace = Pace()
+        self._now = asyncio.get_running_loop().time
         self._line: deque[Queue] = deque()
         self._under_way = 0
         self._held = False
@@ -71,6 +102,7 @@ class Turns:
         """Take note of answers."""
         queue.under_way -= cost
         self._under_way -= cost
+        self._pace.carried(cost, self._now())
 
     def forget(self, queue: Queue) -> None:
         """Take note that the client of a queue has left, and hears no answers."""
@@ -90,11 +122,15 @@ class Turns:
             self._submitted = True
             self._exchange.submit(self)
 
+    @property
+    def _quantum(self) -> int:
+        return self._pace.most_ahead // 2
+
     def _first(self) -> Queue:
         line = self._line
         queue = line[0]
         while queue.balance <= 0:
-            queue.balance += QUANTUM
+            queue.balance += self._quantum
             line.rotate(-1)
             queue = line[0]
         return queue
@@ -115,7 +151,7 @@ class Turns:
         """Give for how many requests room is wanted; more than there ever is, while enough is under way."""
         queue = self._first()
         others = len(self._line) > 1 or self._under_way > queue.under_way
-        return _NEVER if others and self._under_way >= MOST_AHEAD else queue.requests[0].least()
+        return _NEVER if others and self._under_way >= self._pace.most_ahead else queue.requests[0].least()
 
     def take(self, room: int) -> Message:
         """Give what the next client may send in one go."""
@@ -128,7 +164,7 @@ class Turns:
             queue.under_way += cost * run.count
             self._under_way += cost * run.count
         if alone:
-            queue.balance = max(queue.balance, -QUANTUM)
+            queue.balance = max(queue.balance, -self._quantum)
         if request.exhausted():
             queue.requests.popleft()
             if not queue.requests:

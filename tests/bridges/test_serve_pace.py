@@ -1,0 +1,35 @@
+"""How much the clients of a shared link may have under way."""
+
+from __future__ import annotations
+
+from unity_link.bridges.serve.turns import LEAST_AHEAD, LONGEST_WAIT, Pace
+
+
+def carry(pace: Pace, bytes_per_second: float, seconds: float = 1.0) -> None:
+    """Have a line carry all that is allowed, again and again; each goes there and back in no less than 0.1 ms."""
+    now = 0.0
+    while now < seconds:
+        size = pace.most_ahead
+        now += max(1e-4, size / bytes_per_second)
+        pace.carried(size, now)
+
+
+def test_a_quick_line_has_as_much_under_way_as_it_carries_in_the_longest_wait() -> None:
+    pace = Pace()
+    carry(pace, 40e6)
+    assert 0.5 * 40e6 * LONGEST_WAIT <= pace.most_ahead <= 1.5 * 40e6 * LONGEST_WAIT
+
+
+def test_a_slow_line_never_has_more_under_way_than_the_least() -> None:
+    pace = Pace()
+    carry(pace, 11_520.0, seconds=10.0)
+    assert pace.most_ahead == LEAST_AHEAD
+
+
+def test_a_line_that_becomes_slow_has_less_under_way_soon() -> None:
+    pace = Pace()
+    carry(pace, 40e6)
+    much = pace.most_ahead
+    pace.carried(much, 2.0)
+    pace.carried(LEAST_AHEAD, 2.1)
+    assert pace.most_ahead == LEAST_AHEAD
