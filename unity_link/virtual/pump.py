@@ -28,7 +28,7 @@ MOST_TURN = 0.02
 """Seconds that may go by before the loop gets its turn."""
 REST = 0.001
 """Seconds between the turns of a pump that is late: as finely as a loop sleeps anyway."""
-MOST_LAG = 0.25
+MOST_LAG = 1.0
 """Seconds by which the gateway's time may be behind that of the loop."""
 
 
