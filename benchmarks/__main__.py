@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import argparse
 import asyncio
 import datetime as dt
 import os
@@ -22,6 +23,7 @@ from benchmarks import (
     memory,
     samples,
     sequential_read,
+    shared_batches,
     shared_link,
 )
 from benchmarks.measure import RUNS, Row
@@ -36,6 +38,7 @@ BENCHMARKS = (
     group_samples,
     memory,
     shared_link,
+    shared_batches,
 )
 RESULTS = Path(__file__).with_name("RESULTS.md")
 _COLUMNS = ("Question", "Unity-Link", "Bare loop", "Time, ours to bare", "Target", "Met")
@@ -84,6 +87,7 @@ async def run(console: Console) -> list[Row]:
 
 def main() -> int:
     """Run, show and write; 1 where a target was missed."""
+    argparse.ArgumentParser(prog="python -m benchmarks", description=__doc__).parse_args()
     console = Console()
     rows = asyncio.run(run(console))
     table = Table(*_COLUMNS)

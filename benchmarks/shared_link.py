@@ -45,9 +45,9 @@ async def line_of(process: Process) -> str:
     return (await process.stdout.readline()).decode().strip()
 
 
-async def rate(url: str, clients: int) -> float:
-    """Have so many programs read at once, and give how many reads a second they get in all."""
-    arguments = ["-m", "benchmarks.shared_client", url, str(SECONDS), "tasks"]
+async def rate(url: str, clients: int, way: str) -> float:
+    """Have so many programs read at once, in a way of `shared_client`; give how many reads a second they get in all."""
+    arguments = ["-m", "benchmarks.shared_client", url, str(SECONDS), way]
     programs = [
         await asyncio.create_subprocess_exec(sys.executable, *arguments, stdin=PIPE, stdout=PIPE)
         for _ in range(clients)
@@ -63,19 +63,24 @@ async def rate(url: str, clients: int) -> float:
     return sum(rates)
 
 
-async def measure() -> Row:
-    """Compare eight programs to one, each with 64 tasks that read in a loop, through the same server."""
+async def compare(way: str, question: str) -> Row:
+    """Compare eight programs to one, through the same server."""
     with responder() as port:
         async with server(port) as url:
-            await rate(url, 1)
-            pairs = [(await rate(url, CLIENTS), await rate(url, 1)) for _ in range(PAIRS)]
+            await rate(url, 1, way)
+            pairs = [(await rate(url, CLIENTS, way), await rate(url, 1, way)) for _ in range(PAIRS)]
     kept = statistics.median(eight / one for eight, one in pairs)
     eight, one = (statistics.median(rates) for rates in zip(*pairs, strict=True))
     return Row(
-        f"Reads by {CLIENTS} programs that share a link; beside it, by one alone",
+        question,
         f"{eight:,.0f} reads/s",
         f"{one:,.0f} reads/s",
         f"{1 / kept:.2f}",
         f"at least {LEAST:.0%} of one alone",
         kept >= LEAST,
     )
+
+
+async def measure() -> Row:
+    """Have each program read in 64 tasks."""
+    return await compare("tasks", f"Reads by {CLIENTS} programs that share a link; beside it, by one alone")

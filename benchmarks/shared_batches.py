@@ -1,0 +1,15 @@
+"""How much of a link's rate is left when eight programs share it, each of which reads in batches?"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from benchmarks.shared_link import CLIENTS, compare
+
+if TYPE_CHECKING:
+    from benchmarks.measure import Row
+
+
+async def measure() -> Row:
+    """Have each program read by `read_many`."""
+    return await compare("batch", f"Reads by {CLIENTS} programs with `read_many`; beside it, by one alone")
