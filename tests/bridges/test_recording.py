@@ -1,4 +1,4 @@
-"""Recordings: what is in the file, what a crash leaves of it, and the ways back out of it."""
+"""Recordings: what is in the file, and the ways back out of it."""
 
 from __future__ import annotations
 
@@ -7,11 +7,8 @@ import itertools
 import json
 import math
 import os
-import resource
 import signal
 import subprocess
-import sys
-import time
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -23,7 +20,9 @@ from mcap.reader import make_reader
 from pyarrow import csv, parquet
 
 import unity_link
+from bridge_programs import PROGRAM
 from generate.every_kind import every_kind
+from recordings import SPEC, record, run
 from simulated_time import run_simulated
 from unity_link import ArgumentError, BusError
 from unity_link.bridges.messages import hex_to_words, words_to_hex
@@ -31,32 +30,7 @@ from unity_link.bridges.recording import Recorder, Recording, RecordingError, ex
 from unity_link.spec.columns import Columns
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
     from unity_link.spec import Signal
-
-PROGRAM = str(Path(sys.executable).parent / "unity-link")
-SPEC = Path(__file__).parents[2] / "examples" / "scara.ul"
-FAST = "sim:scara?base_frequency_millihertz=20000000"
-"""A gateway whose groups publish two hundred times as often."""
-
-
-def record(path: Path, enough: Callable[[Recorder], bool], url: str = FAST, **options: Any) -> Recorder:
-    """Record the moving robot until there is enough."""
-
-    async def run() -> Recorder:
-        async with unity_link.connect(url) as link:
-            robot = unity_link.load(SPEC)(link)
-            recorder = Recorder(robot, path, **options)
-            await robot.j1.pos_sp.set(50)
-            running = asyncio.create_task(recorder.run())
-            while not enough(recorder) and not running.done():  # noqa: ASYNC110  (a thread writes)
-                await asyncio.sleep(0.01)
-            running.cancel()
-            await asyncio.wait([running])
-            return recorder
-
-    return asyncio.run(run())
 
 
 @pytest.fixture(scope="module")
@@ -64,14 +38,6 @@ def recorded(tmp_path_factory: pytest.TempPathFactory) -> Path:
     path = tmp_path_factory.mktemp("recording") / "run.mcap"
     record(path, lambda recorder: recorder.samples >= 100)
     return path
-
-
-def run(*arguments: str | Path, **options: Any) -> subprocess.CompletedProcess[str]:
-    result = subprocess.run(
-        [PROGRAM, *map(str, arguments)], capture_output=True, text=True, timeout=120, check=False, **options
-    )
-    assert "Traceback" not in result.stderr
-    return result
 
 
 @given(st.integers(8, 64), st.integers(1, 5), st.data())
@@ -174,114 +140,6 @@ def test_a_spec_that_publishes_nothing_is_not_recorded_silently(tmp_path: Path) 
     assert "nothing says when signals of robot are to be sampled" in result.stderr
 
 
-# What a crash leaves
-
-
-@pytest.mark.parametrize("share", [0.85, 0.92, 0.98])
-def test_a_file_that_was_cut_gives_what_came_before(recorded: Path, tmp_path: Path, share: float) -> None:
-    whole = recorded.read_bytes()
-    cut = tmp_path / "cut.mcap"
-    cut.write_bytes(whole[: int(len(whole) * share)])
-
-    recording = Recording(cut)
-    sequence = [number for samples, _ in recording.samples() for number in samples.sequence.tolist()]
-
-    assert sequence == list(range(len(sequence)))
-
-
-def test_a_recorder_that_is_killed_leaves_all_that_was_on_the_disk(tmp_path: Path) -> None:
-    path = tmp_path / "run.mcap"
-    with subprocess.Popen([PROGRAM, "record", FAST, str(SPEC), "-o", str(path)]) as process:
-        sizes: set[int] = set()
-        while len(sizes) < 4:
-            assert process.poll() is None
-            sizes |= {path.stat().st_size} if path.exists() else set()
-            time.sleep(0.01)
-        process.send_signal(signal.SIGKILL)
-
-    result = run("export", path, "--csv", "-o", tmp_path)
-
-    rows = csv.read_csv(tmp_path / "run.state.csv")["sequence"].to_pylist()
-    assert "was not finished" in result.stderr
-    assert len(rows) > 0
-    assert rows == list(range(len(rows)))
-
-
-def test_ctrl_c_finishes_the_file(tmp_path: Path) -> None:
-    path = tmp_path / "run.mcap"
-    with subprocess.Popen(
-        [PROGRAM, "record", FAST, str(SPEC), "-o", str(path)], stderr=subprocess.PIPE, text=True
-    ) as process:
-        while not path.exists() or path.stat().st_size < 5000:
-            assert process.poll() is None
-            time.sleep(0.01)
-        process.send_signal(signal.SIGINT)
-        _, said = process.communicate(timeout=60)
-
-    recording = Recording(path)
-    count = sum(len(samples.at) for samples, _ in recording.samples())
-    assert process.returncode == 130
-    assert f"{count:,} samples" in said
-    assert not recording.was_cut
-
-
-def test_a_full_disk_ends_the_recording_with_one_sentence_and_keeps_what_is_in_it(tmp_path: Path) -> None:
-    path = tmp_path / "run.mcap"
-    limit = 20_000
-
-    result = run(
-        *("record", FAST, SPEC, "-o", path, "--duration", "60"),
-        preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (limit, limit)),
-        # What measures coverage writes files, too, and larger ones.
-        env={name: value for name, value in os.environ.items() if not name.startswith("COV")},
-    )
-
-    recording = Recording(path)
-    sequence = [number for samples, _ in recording.samples() for number in samples.sequence.tolist()]
-    assert result.returncode == 1
-    assert f"error: {path} cannot be written on: File too large; what was recorded before is in it" in result.stderr
-    assert sequence == list(range(len(sequence)))
-    assert sequence
-
-
-def test_a_gateway_that_goes_away_ends_the_recording_and_the_file_is_whole(tmp_path: Path) -> None:
-    path = tmp_path / "run.mcap"
-    place = tmp_path / "gateway"
-    simulate = [PROGRAM, "simulate", "--robot", "scara", "--unix", str(place)]
-    with subprocess.Popen(simulate, stdout=subprocess.PIPE, text=True) as gateway:
-        assert gateway.stdout is not None
-        url = gateway.stdout.readline().strip()
-        with subprocess.Popen(
-            [PROGRAM, "record", url, str(SPEC), "-o", str(path)], stderr=subprocess.PIPE, text=True
-        ) as process:
-            while not path.exists() or path.stat().st_size < 4500:
-                assert process.poll() is None
-                time.sleep(0.01)
-            gateway.kill()
-            _, said = process.communicate(timeout=60)
-
-    assert process.returncode == 1
-    assert "error: " in said
-    assert not was_cut(path)
-
-
-def was_cut(path: Path) -> bool:
-    recording = Recording(path)
-    for _ in recording.samples():
-        pass
-    return recording.was_cut
-
-
-def test_a_recording_is_never_replaced_unasked(recorded: Path) -> None:
-    before = recorded.read_bytes()
-
-    result = run("record", FAST, SPEC, "-o", recorded, "--duration", "0.1")
-
-    assert result.returncode == 2
-    assert "is there already" in result.stderr
-    assert recorded.read_bytes() == before
-
-
 # Back
 
 
@@ -374,6 +232,8 @@ def test_a_table_has_a_row_for_each_sample_and_a_column_for_each_signal(
         (["replay", str(SPEC)], "one of --pty, --tcp and --unix was expected"),
         (["record", "sim:scara", str(SPEC)], "Missing option '--output'"),
         (["record", "sim:scara", str(SPEC), "-o", "/nosuch/run.mcap"], "/nosuch/run.mcap cannot be written"),
+        (["record", "sim:scara", str(SPEC), "-o", "/tmp"], "/tmp is a directory: the name of a file was expected"),
+        (["record", "sim:scara", str(SPEC), "-o", "/tmp", "--overwrite"], "/tmp is a directory: the name of a file"),
         (["record", "sim:scara", str(SPEC), "-o", "x", "--poll", "0"], "more than 0 Hz was expected"),
     ],
     ids=lambda value: " ".join(Path(word).name for word in value) if isinstance(value, list) else "",

@@ -57,7 +57,7 @@ def record(
     """Record all that a robot publishes; Ctrl-C ends it.
 
     The recording is an MCAP file, which Foxglove and PlotJuggler open. Whatever ends the program, what was recorded
-    up to a second before is in it.
+    up to a second before is in it. A gateway that goes away is waited for.
     """
     check_poll(poll)
     run(_record(url, compile_or_exit(spec), interface, output, poll, duration, overwrite=overwrite, timeout=timeout))
@@ -79,8 +79,8 @@ async def _record(
     from unity_link.link import connect
 
     robot_type = load(spec, interface)
-    async with connect(url, timeout=timeout) as link:
-        recorder = Recorder(robot_type(link), output, poll_hz=poll, overwrite=overwrite)
+    async with connect(url, timeout=timeout, reconnect=True) as link:
+        recorder = Recorder(robot_type(link), output, poll_hz=poll, overwrite=overwrite, report=print_note)
         began = time.monotonic()
         try:
             async with asyncio.timeout(duration):
@@ -100,9 +100,12 @@ async def _record(
 def _state(recorder: Recorder, began: float) -> str:
     seconds = max(time.monotonic() - began, 1e-9)
     rate = recorder.samples / seconds
+    away, times = "", recorder.interruptions
+    if times:
+        away = f"; the gateway was away {times} time{'s' * (times > 1)}, for {recorder.away:.1f} s in all"
     return (
         f"{recorder.samples:,} samples in {seconds:.1f} s ({rate:,.0f} Hz), {recorder.lost:,} lost, "
-        f"{recorder.size / 1e6:,.1f} MB"
+        f"{recorder.size / 1e6:,.1f} MB{away}"
     )
 
 

@@ -8,6 +8,7 @@ more: the file is cut back to its last whole chunk.
 from __future__ import annotations
 
 import contextlib
+import datetime as dt
 import io
 import os
 from typing import TYPE_CHECKING
@@ -23,6 +24,8 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
     from pathlib import Path
 
+    from numpy.typing import NDArray
+
     from unity_link.bridges.sampled import SampledGroup
     from unity_link.data import Batch
     from unity_link.spec import Interface
@@ -30,6 +33,8 @@ if TYPE_CHECKING:
 
 INTERFACE, GATEWAY = "interface.json", "gateway.json"
 """Names of the attachments."""
+INTERRUPTION = "interruption"
+"""Name of the metadata that say when the gateway was away, `from` and `to`, in UTC as ISO 8601."""
 _BUFFERED = 1 << 20
 
 
@@ -60,6 +65,8 @@ class RecordingFile:
         self.path = path
         self.messages = 0
         """Written so far."""
+        if path.is_dir():
+            raise ArgumentError(f"{path} is a directory: the name of a file was expected")
         try:
             self._raw = path.open("wb" if overwrite else "xb", buffering=0)
         except FileExistsError:
@@ -70,7 +77,7 @@ class RecordingFile:
             raise ArgumentError(f"{path} cannot be written: {error.strerror or error}") from None
         self._stream = io.BufferedWriter(self._raw, _BUFFERED)
         self._writer = ChunkWriter(self._stream, f"unity-link {__version__}")
-        self._whole = 0
+        self._whole = self._whole_messages = 0
         self._time = GatewayTime()
         self._bits = interface.data_bits
         self._encoders = [Encoder([proxy.signal for proxy in group.group.proxies]) for group in groups]
@@ -90,8 +97,19 @@ class RecordingFile:
         """
         at = np.rint(self._time.instants(group, batch) * 1e9).astype(np.int64)
         messages = self._encoders[group].encode(batch, self._bits)
-        self._attempt(lambda: self._writer.write(self._channels[group], at, batch.sequence, messages))
-        self.messages += len(messages)
+        self._attempt(lambda: self._add(group, at, batch.sequence, messages))
+
+    def note_interruption(self, began: float, ended: float) -> None:
+        """Note that the gateway was away, from and to instants in seconds since 1970.
+
+        Raises:
+            RecordingError: where the disk does not take it.
+        """
+        times = {
+            name: dt.datetime.fromtimestamp(at, dt.UTC).isoformat(timespec="milliseconds")
+            for name, at in (("from", began), ("to", ended))
+        }
+        self._attempt(lambda: self._writer.note(INTERRUPTION, times))
 
     def sync(self) -> None:
         """Bring all that was written to the disk.
@@ -107,8 +125,7 @@ class RecordingFile:
         Raises:
             RecordingError: where the disk does not take it.
         """
-        if not self._raw.closed:
-            self._attempt(self._finish)
+        self._attempt(self._finish)
 
     # The inside
 
@@ -124,18 +141,27 @@ class RecordingFile:
             self._channels.append(channel)
         self._sync()
 
+    def _add(self, group: int, at: NDArray[np.int64], sequence: NDArray[np.int64], messages: Sequence[bytes]) -> None:
+        self._writer.write(self._channels[group], at, sequence, messages)
+        self.messages += len(messages)
+
     def _sync(self) -> None:
         self._writer.end_chunk()
         self._stream.flush()
         os.fsync(self._raw.fileno())
-        self._whole = self._stream.tell()
+        self._whole, self._whole_messages = self._stream.tell(), self.messages
 
     def _finish(self) -> None:
+        # A disk that is full may have no room for the index, but for the samples.
+        self._sync()
         self._writer.finish()
         self._sync()
         self._stream.close()
 
     def _attempt(self, action: Callable[[], None]) -> None:
+        if self._raw.closed:
+            # It failed before, and that was told.
+            return
         try:
             action()
         except OSError as error:
@@ -148,5 +174,6 @@ class RecordingFile:
         """Leave the whole chunks alone in the file."""
         with contextlib.suppress(OSError):
             os.ftruncate(self._raw.fileno(), self._whole)
+        self.messages = self._whole_messages
         with contextlib.suppress(OSError, ValueError):
             self._raw.close()

@@ -1,0 +1,321 @@
+"""Recordings where something goes wrong: what stays of them, and what is said."""
+
+from __future__ import annotations
+
+import asyncio
+import os
+import re
+import resource
+import shutil
+import signal
+import subprocess
+import threading
+from concurrent.futures import Executor, Future
+from contextlib import contextmanager
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+import pytest
+from mcap.reader import make_reader
+from pyarrow import csv
+
+import unity_link
+from bridge_programs import PROGRAM, wait_for, wait_until
+from recordings import GATEWAY, SPEC, record, run, sequence_in, was_cut
+from simulated_time import run_simulated
+from unity_link import LinkLostError
+from unity_link.bridges.recording import Recorder, Recording, recorder
+from unity_link.bridges.recording.files import INTERRUPTION
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterator
+    from pathlib import Path
+
+SUMMARY = re.compile(r"([\d,]+) samples in .* ([\d,]+) lost")
+
+
+@pytest.fixture(scope="module")
+def recorded(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    path = tmp_path_factory.mktemp("recording") / "run.mcap"
+    record(path, lambda recorder: recorder.samples >= 100)
+    return path
+
+
+def samples_said(text: str) -> int:
+    found = SUMMARY.search(text)
+    assert found is not None, text
+    return int(found[1].replace(",", ""))
+
+
+@contextmanager
+def recording(url: str, path: Path) -> Iterator[subprocess.Popen[str]]:
+    with subprocess.Popen(
+        [PROGRAM, "record", url, str(SPEC), "-o", str(path)], stderr=subprocess.PIPE, text=True
+    ) as process:
+        try:
+            yield process
+        finally:
+            process.kill()
+
+
+def wait_for_samples(path: Path, than: int = 0) -> int:
+    """Wait until the file has grown twice beyond a size, and so has samples; give its size."""
+    wait_until(lambda: path.exists() and path.stat().st_size > than)
+    first = path.stat().st_size
+    wait_until(lambda: path.stat().st_size > first)
+    return path.stat().st_size
+
+
+# The program ends in the middle
+
+
+class InPlace(Executor):
+    """Does at once what is given to it, for modelled time."""
+
+    def submit(self, function: Callable[..., Any], /, *args: Any, **kwargs: Any) -> Future[Any]:
+        done: Future[Any] = Future()
+        done.set_result(function(*args, **kwargs))
+        return done
+
+
+def test_at_every_instant_the_disk_has_all_but_the_last_second(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(recorder, "ThreadPoolExecutor", lambda *_: InPlace())
+    monkeypatch.setattr(recorder, "REST", 0.0)
+    path = tmp_path / "run.mcap"
+
+    async def crash_again_and_again() -> list[tuple[float, Path]]:
+        copies = []
+        async with unity_link.connect(GATEWAY) as link:
+            running = asyncio.create_task(Recorder(unity_link.load(SPEC)(link), path).run())
+            begun = asyncio.get_running_loop().time()
+            for number in range(12):
+                await asyncio.sleep(0.37)
+                copies.append((asyncio.get_running_loop().time() - begun, tmp_path / f"crash_{number}.mcap"))
+                shutil.copy(path, copies[-1][1])
+            running.cancel()
+            await asyncio.wait([running])
+        return copies
+
+    for seconds, copy in run_simulated(crash_again_and_again()):
+        sequence = sequence_in(copy)
+        assert sequence == list(range(len(sequence)))
+        assert len(sequence) >= 200 * (seconds - 1.0)
+    assert not was_cut(path)
+
+
+@pytest.mark.parametrize("share", [0.85, 0.92, 0.98])
+def test_a_file_that_was_cut_gives_what_came_before(recorded: Path, tmp_path: Path, share: float) -> None:
+    whole = recorded.read_bytes()
+    cut = tmp_path / "cut.mcap"
+    cut.write_bytes(whole[: int(len(whole) * share)])
+
+    sequence = sequence_in(cut)
+
+    assert sequence == list(range(len(sequence)))
+
+
+def test_a_file_that_was_cut_before_its_first_sample_tells_what_would_have_come(recorded: Path, tmp_path: Path) -> None:
+    whole = recorded.read_bytes()
+    cut = tmp_path / "cut.mcap"
+    with recorded.open("rb") as file:
+        summary = make_reader(file).get_summary()
+    assert summary is not None
+    cut.write_bytes(whole[: summary.chunk_indexes[0].chunk_start_offset])
+
+    assert [group.name for group in Recording(cut).groups] == ["state"]
+    assert sequence_in(cut) == []
+
+
+def test_a_recorder_that_is_killed_leaves_all_that_was_on_the_disk(tmp_path: Path) -> None:
+    path = tmp_path / "run.mcap"
+    with recording(GATEWAY, path) as process:
+        wait_for_samples(path, wait_for_samples(path))
+        process.send_signal(signal.SIGKILL)
+
+    result = run("export", path, "--csv", "-o", tmp_path)
+
+    rows = csv.read_csv(tmp_path / "run.state.csv")["sequence"].to_pylist()
+    assert "was not finished" in result.stderr
+    assert len(rows) > 0
+    assert rows == list(range(len(rows)))
+
+
+def test_ctrl_c_finishes_the_file(tmp_path: Path) -> None:
+    path = tmp_path / "run.mcap"
+    with recording(GATEWAY, path) as process:
+        wait_for_samples(path)
+        process.send_signal(signal.SIGINT)
+        _, said = process.communicate(timeout=60)
+
+    assert process.returncode == 130
+    assert samples_said(said) == len(sequence_in(path))
+    assert not was_cut(path)
+
+
+# The disk
+
+
+def test_a_full_disk_ends_the_recording_with_one_sentence_and_keeps_what_is_in_it(tmp_path: Path) -> None:
+    path = tmp_path / "run.mcap"
+    limit = 20_000
+
+    result = run(
+        *("record", GATEWAY, SPEC, "-o", path, "--duration", "60"),
+        preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (limit, limit)),
+        # What measures coverage writes files, too, and larger ones.
+        env={name: value for name, value in os.environ.items() if not name.startswith("COV")},
+    )
+
+    sequence = sequence_in(path)
+    assert result.returncode == 1
+    assert f"error: {path} cannot be written on: File too large; what was recorded before is in it" in result.stderr
+    assert result.stderr.count("\n") == 2
+    assert sequence == list(range(len(sequence)))
+    assert samples_said(result.stderr) == len(sequence) > 0
+
+
+def test_a_disk_that_is_full_from_the_beginning_is_told_in_one_sentence() -> None:
+    result = run("record", GATEWAY, SPEC, "-o", "/dev/full", "--overwrite")
+
+    assert result.returncode == 1
+    assert "error: /dev/full cannot be written on: No space left on device" in result.stderr
+    assert result.stderr.count("\n") == 1
+
+
+def test_a_disk_that_is_too_slow_costs_samples_that_are_counted(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    path = tmp_path / "run.mcap"
+    quick, fsync = threading.Event(), os.fsync
+
+    def fsync_slowly(file: int) -> None:
+        # The head of the file is written before anything is sampled, and by the event loop.
+        if threading.current_thread() is not threading.main_thread():
+            quick.wait()
+        fsync(file)
+
+    def has_lost(running: Recorder) -> bool:
+        if running.lost >= 20:
+            quick.set()
+        return quick.is_set()
+
+    monkeypatch.setattr(recorder, "BUFFER", 30)
+    monkeypatch.setattr(os, "fsync", fsync_slowly)
+    done = record(path, has_lost)
+
+    batches = [samples for samples, _ in Recording(path).samples()]
+    sequence = np.concatenate([samples.sequence for samples in batches])
+    lost = np.concatenate([samples.lost for samples in batches])
+    assert not was_cut(path)
+    assert len(sequence) == done.samples
+    assert done.lost >= 20
+    assert np.array_equal(np.diff(sequence, prepend=-1) - 1, lost)
+    assert int(lost.sum()) == done.lost
+
+
+def test_a_recording_is_never_replaced_unasked(recorded: Path) -> None:
+    before = recorded.read_bytes()
+
+    result = run("record", GATEWAY, SPEC, "-o", recorded, "--duration", "0.1")
+
+    assert result.returncode == 2
+    assert "is there already" in result.stderr
+    assert recorded.read_bytes() == before
+
+
+def test_a_recording_is_replaced_where_that_is_asked_for(recorded: Path, tmp_path: Path) -> None:
+    path = tmp_path / "run.mcap"
+    path.write_bytes(recorded.read_bytes() * 20)
+
+    result = run("record", GATEWAY, SPEC, "-o", path, "--duration", "0.2", "--overwrite")
+
+    assert result.returncode == 0
+    assert samples_said(result.stderr) == len(sequence_in(path))
+    assert not was_cut(path)
+
+
+# The gateway
+
+
+@contextmanager
+def gateway(place: Path) -> Iterator[subprocess.Popen[str]]:
+    with subprocess.Popen(
+        [PROGRAM, "simulate", "--robot", "scara", "--unix", str(place)], stdout=subprocess.PIPE, text=True
+    ) as process:
+        try:
+            assert process.stdout is not None
+            process.stdout.readline()
+            yield process
+        finally:
+            process.kill()
+
+
+def interruptions_in(path: Path) -> int:
+    with path.open("rb") as file:
+        notes = list(make_reader(file).iter_metadata())
+    assert all(note.name == INTERRUPTION and note.metadata["from"] < note.metadata["to"] for note in notes)
+    return len(notes)
+
+
+def test_a_gateway_that_goes_away_is_waited_for(tmp_path: Path) -> None:
+    path, place = tmp_path / "run.mcap", tmp_path / "gateway"
+    with gateway(place) as first, recording(f"unix:{place}", path) as process:
+        size = wait_for_samples(path)
+        first.terminate()
+        wait_for(process, "the gateway has gone away: recording goes on when it is back")
+        with gateway(place):
+            wait_for(process, "the gateway is back after")
+            wait_for_samples(path, size)
+            process.send_signal(signal.SIGINT)
+            _, said = process.communicate(timeout=60)
+
+    instants = np.concatenate([samples.at for samples, _ in Recording(path).samples()])
+    assert process.returncode == 130
+    assert re.search(r"the gateway was away 1 time, for \d+\.\d s in all", said)
+    assert samples_said(said) == len(instants)
+    assert np.all(np.diff(instants) >= 0)
+    assert interruptions_in(path) == 1
+    assert not was_cut(path)
+
+
+def test_ctrl_c_finishes_the_file_while_the_gateway_is_away(tmp_path: Path) -> None:
+    path, place = tmp_path / "run.mcap", tmp_path / "gateway"
+    with gateway(place) as first, recording(f"unix:{place}", path) as process:
+        wait_for_samples(path)
+        first.kill()
+        wait_for(process, "the gateway has gone away")
+        process.send_signal(signal.SIGINT)
+        _, said = process.communicate(timeout=60)
+
+    assert process.returncode == 130
+    assert samples_said(said) == len(sequence_in(path))
+    assert not was_cut(path)
+
+
+def test_a_link_that_does_not_reconnect_ends_the_recording_and_the_file_is_whole(tmp_path: Path) -> None:
+    path, place = tmp_path / "run.mcap", tmp_path / "gateway"
+
+    async def record_until_it_is_lost() -> None:
+        with gateway(place) as process:
+            async with unity_link.connect(f"unix:{place}") as link:
+                recording = Recorder(unity_link.load(SPEC)(link), path)
+                running = asyncio.create_task(recording.run())
+                while recording.samples < 100:  # noqa: ASYNC110  (a thread writes)
+                    await asyncio.sleep(0.01)
+                process.kill()
+                await running
+
+    with pytest.raises(LinkLostError):
+        asyncio.run(record_until_it_is_lost())
+    assert len(sequence_in(path)) >= 100
+    assert not was_cut(path)
+
+
+def test_a_gateway_that_is_not_there_at_the_start_is_told_and_no_file_is_made(tmp_path: Path) -> None:
+    path = tmp_path / "run.mcap"
+
+    result = run("record", f"unix:{tmp_path / 'nothing'}", SPEC, "-o", path)
+
+    assert result.returncode == 1
+    assert result.stderr.startswith("error: ")
+    assert not path.exists()

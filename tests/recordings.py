@@ -1,0 +1,58 @@
+"""What tests of recordings share: a moving robot that is recorded, by a program and by the program."""
+
+from __future__ import annotations
+
+import asyncio
+import subprocess
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import unity_link
+from bridge_programs import PROGRAM
+from unity_link.bridges.recording import Recorder, Recording
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+SPEC = Path(__file__).parents[1] / "examples" / "scara.ul"
+GATEWAY = "sim:scara?base_frequency_millihertz=20000000"
+"""The robot of the paper, whose group publishes two hundred times a second here."""
+
+
+def record(path: Path, enough: Callable[[Recorder], bool], url: str = GATEWAY, **options: Any) -> Recorder:
+    """Record the moving robot until there is enough."""
+
+    async def run() -> Recorder:
+        async with unity_link.connect(url) as link:
+            robot = unity_link.load(SPEC)(link)
+            recorder = Recorder(robot, path, **options)
+            await robot.j1.pos_sp.set(50)
+            running = asyncio.create_task(recorder.run())
+            while not enough(recorder) and not running.done():  # noqa: ASYNC110  (a thread writes)
+                await asyncio.sleep(0.01)
+            running.cancel()
+            await asyncio.wait([running])
+            return recorder
+
+    return asyncio.run(run())
+
+
+def run(*arguments: str | Path, **options: Any) -> subprocess.CompletedProcess[str]:
+    result = subprocess.run(
+        [PROGRAM, *map(str, arguments)], capture_output=True, text=True, timeout=120, check=False, **options
+    )
+    assert "Traceback" not in result.stderr
+    return result
+
+
+def sequence_in(path: Path) -> list[int]:
+    """Give the numbers of the samples in a recording of one group."""
+    return [number for samples, _ in Recording(path).samples() for number in samples.sequence.tolist()]
+
+
+def was_cut(path: Path) -> bool:
+    """Say whether a recording has no end."""
+    recording = Recording(path)
+    for _ in recording.samples():
+        pass
+    return recording.was_cut
