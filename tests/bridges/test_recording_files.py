@@ -5,7 +5,10 @@ from __future__ import annotations
 import io
 import json
 import struct
+import subprocess
+import sys
 from itertools import pairwise
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -17,7 +20,9 @@ from mcap.stream_reader import StreamReader, get_chunk_data_stream
 from zstandard import ZstdError
 
 from generate.every_kind import every_kind
+from recordings import record, sequence_in
 from unity_link.bridges.messages import Encoder
+from unity_link.bridges.recording import Recording
 from unity_link.bridges.recording.chunks import CHUNK, ChunkWriter
 from unity_link.spec import compile_text
 
@@ -97,15 +102,15 @@ def test_the_index_of_messages_leads_to_each_of_them(written: bytes) -> None:
     emitted: list[McapRecord] = list(StreamReader(io.BytesIO(written), emit_chunks=True).records)
     found: dict[int, list[int]] = {1: [], 2: []}
     stream = b""
-    for record in emitted:
-        if isinstance(record, Chunk):
-            stream = chunk_data(record)
-        elif isinstance(record, MessageIndex):
-            for instant, offset in record.records:
+    for found_record in emitted:
+        if isinstance(found_record, Chunk):
+            stream = chunk_data(found_record)
+        elif isinstance(found_record, MessageIndex):
+            for instant, offset in found_record.records:
                 assert stream[offset] == 5
                 length = int.from_bytes(stream[offset + 1 : offset + 9], "little")
                 channel, sequence = stream[offset + 9], int.from_bytes(stream[offset + 11 : offset + 15], "little")
-                assert (channel, instant) == (record.channel_id, (sequence + 1) * PERIOD)
+                assert (channel, instant) == (found_record.channel_id, (sequence + 1) * PERIOD)
                 assert stream[offset + 31 : offset + 9 + length] == data_of(TOPICS[channel - 1], sequence)
                 found[channel].append(sequence)
     assert found == {1: list(range(MESSAGES)), 2: list(range(0, MESSAGES, 10))}
@@ -190,3 +195,85 @@ def test_foxglove_takes_the_schema_of_any_group(spec: str | None, paths: list[st
     signals = [signal for path, signal in interface.signals.items() if paths is None or path in paths]
 
     assert_foxglove_takes(Encoder(signals or list(interface.signals.values())).schema, "message")
+
+
+# Another program that knows the format
+
+
+def judge(*arguments: str | Path) -> subprocess.CompletedProcess[str]:
+    program = Path(sys.executable).parent / "pymcap-cli"
+    return subprocess.run([program, *map(str, arguments)], capture_output=True, text=True, timeout=120, check=False)
+
+
+def test_a_recording_passes_the_check_against_the_specification_of_mcap(tmp_path: Path) -> None:
+    path = tmp_path / "run.mcap"
+    recorder = record(path, lambda recorder: recorder.samples >= 200, poll_hz=50)
+
+    verdict = judge("doctor", path)
+
+    assert verdict.returncode == 0, verdict.stdout + verdict.stderr
+    assert f"{recorder.samples} messages" in " ".join((verdict.stdout + verdict.stderr).split())
+
+
+def test_a_file_of_many_channels_chunks_and_notes_passes_it_too(written: bytes, tmp_path: Path) -> None:
+    path = tmp_path / "written.mcap"
+    path.write_bytes(written)
+
+    verdict = judge("doctor", path)
+
+    assert verdict.returncode == 0, verdict.stdout + verdict.stderr
+
+
+def test_the_check_finds_what_is_wrong(written: bytes, tmp_path: Path) -> None:
+    path = tmp_path / "damaged.mcap"
+    path.write_bytes(written[:2000] + bytes(50) + written[2050:])
+
+    assert judge("doctor", path).returncode != 0
+
+
+def test_a_recording_that_was_cut_is_finished_for_other_tools_by_mcap_recover(tmp_path: Path) -> None:
+    whole, cut, recovered = (tmp_path / f"{name}.mcap" for name in ("whole", "cut", "recovered"))
+    record(whole, lambda recorder: recorder.samples >= 400)
+    with whole.open("rb") as file:
+        summary = make_reader(file).get_summary()
+    assert summary is not None
+    # In the middle of the last chunk.
+    cut.write_bytes(whole.read_bytes()[: summary.chunk_indexes[-1].chunk_start_offset + 100])
+
+    judge("recover", cut, "-o", recovered)
+
+    assert judge("doctor", recovered).returncode == 0
+    assert sequence_in(recovered) == sequence_in(cut) != []
+
+
+# PlotJuggler
+
+
+def series(prefix: str, value: Any) -> dict[str, Any]:
+    """Give what PlotJuggler makes curves of: numbers and booleans, by the names that it gives them."""
+    if isinstance(value, dict):
+        return {name: leaf for key, item in value.items() for name, leaf in series(f"{prefix}/{key}", item).items()}
+    if isinstance(value, list):
+        return {name: leaf for i, item in enumerate(value) for name, leaf in series(f"{prefix}[{i}]", item).items()}
+    return {prefix: value} if isinstance(value, bool | int | float) else {}
+
+
+def test_plotjuggler_makes_a_curve_of_each_signal(tmp_path: Path) -> None:
+    path = tmp_path / "run.mcap"
+    record(path, lambda recorder: recorder.samples >= 50)
+    (group,) = Recording(path).groups
+
+    with path.open("rb") as file:
+        reader = make_reader(file)
+        summary = reader.get_summary()
+        messages = list(reader.iter_messages())
+
+    # It reads the summary and looks at nothing else to find the channels, each of which must have a schema.
+    assert summary is not None
+    assert set(summary.schemas) == {channel.schema_id for channel in summary.channels.values()}
+    assert all(message.publish_time == message.log_time for _, _, message in messages)
+    curves = [series(channel.topic, json.loads(message.data)) for _, channel, message in messages]
+    for signal in group.signals:
+        values = [curve["/scara/state/signals/" + signal.path.replace(".", "/")] for curve in curves]
+        # What a curve has first decides of which type it is.
+        assert {type(value) for value in values} == {float}, signal.path
