@@ -14,7 +14,8 @@ from hypothesis import strategies as st
 
 import unity_link
 from unity_link import ArgumentError
-from unity_link.bridges.zenoh.writing import Writer
+from unity_link.bridges.ordered import write_in_order
+from unity_link.bridges.zenoh.writing import Reader
 from unity_link.data import load
 
 SPEC = """
@@ -45,10 +46,10 @@ def robot_type(tmp_path_factory: pytest.TempPathFactory) -> Any:
 def test_whatever_is_said_is_written_or_refused_in_a_sentence(robot_type: Any, payload: bytes) -> None:
     async def write() -> None:
         async with unity_link.connect("sim:") as link:
-            writer = Writer(robot_type(link))
+            reader = Reader(robot_type(link))
             for _ in range(2):
                 with contextlib.suppress(ArgumentError):
-                    await writer.write(writer.read(payload), posted=True)
+                    await write_in_order(reader.read(payload), posted=True)
 
     asyncio.run(write())
 
@@ -60,7 +61,7 @@ def test_what_cannot_be_written_is_refused(robot_type: Any, payload: bytes) -> N
     async def write() -> None:
         async with unity_link.connect("sim:") as link:
             with pytest.raises(ArgumentError):
-                Writer(robot_type(link)).read(payload)
+                Reader(robot_type(link)).read(payload)
 
     asyncio.run(write())
 
@@ -72,9 +73,9 @@ def test_words_fields_and_values_of_several_words_are_written_in_the_order_of_th
     async def write() -> dict[str, Any]:
         async with unity_link.connect("sim:") as link:
             robot = robot_type(link)
-            writer = Writer(robot)
+            reader = Reader(robot)
             payload = b'[{"word": 1, "wide": 4294967296}, {"word": 2, "scaled": -1.5}, {"mode": "run"}, {"flag": true}]'
-            await writer.write(writer.read(payload), posted=posted)
+            await write_in_order(reader.read(payload), posted=posted)
             await link.fence()
             return {name: await robot[name].get() for name in NAMES[:5]}
 

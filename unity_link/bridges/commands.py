@@ -1,81 +1,118 @@
-"""Values that come from other threads, as those of ROS and Zenoh do, on their way to the robot: in order, each once."""
+"""Values that come from other threads, as those of ROS do, on their way to the robot: in order, each once.
+
+All that have come together are checked one by one and posted together. While the gateway is away nothing is kept for
+it: a value that was meant for now must not move the robot a minute later.
+"""
 
 from __future__ import annotations
 
 import asyncio
-import threading
-from collections import deque
 from typing import TYPE_CHECKING, Any
 
-from unity_link.errors import ArgumentError, GatewayError, LinkLostError
+from unity_link.bridges.ordered import Value, write_in_order
+from unity_link.bridges.telling import Faults
+from unity_link.drivers.inbox import Inbox
+from unity_link.errors import ArgumentError, UnityLinkError
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
     from unity_link.data import Writable
+    from unity_link.link import Link
 
 MOST_WAITING = 4096
 """Values that wait for the link, beyond which who gives them waits, and so does who sent them."""
+LOOK_EVERY = 0.5
+"""Seconds between looks whether the gateway is away."""
+AWAY = "the gateway is away: values that come meanwhile are not written"
+BACK = "the gateway is back: values are written again"
+
+Command = tuple["Writable[Any]", Any]
 
 
 class Commands:
     """Writes values to signals, as posted writes.
 
     Args:
+        link: what they are written through.
         report: is told in a sentence of a value that cannot be written, once for each signal and kind of fault.
     """
 
-    def __init__(self, report: Callable[[str], None]) -> None:
+    def __init__(self, link: Link, report: Callable[[str], None]) -> None:
         self.written = 0
         """Values that were posted."""
+        self._link = link
         self._report = report
-        self._loop = asyncio.get_running_loop()
-        self._waiting: deque[tuple[Writable[Any], Any]] = deque()
+        self._faults = Faults(report)
+        self._inbox: Inbox[Command] = Inbox(self._take, MOST_WAITING)
+        self._taken: list[Command] = []
         self._woken = asyncio.Event()
-        self._room = threading.Event()
-        self._room.set()
-        self._told: set[tuple[str, str]] = set()
         self._ended = False
+        self._away = False
 
-    def give(self, proxy: Writable[Any], value: Any) -> None:
-        """Have a value written; to be called from another thread, which waits while too many do."""
-        self._room.wait()
-        if self._ended:
-            return
-        self._waiting.append((proxy, value))
-        if len(self._waiting) >= MOST_WAITING:
-            self._room.clear()
-        if len(self._waiting) == 1:
-            self._loop.call_soon_threadsafe(self._woken.set)
+    def give(self, *commands: Command) -> None:
+        """Have values written; to be called from another thread, which waits while too many do."""
+        self._inbox.give(*commands)
 
     async def run(self) -> None:
-        """Write what is given, until it is cancelled.
-
-        Raises:
-            LinkLostError: where the link ends.
-        """
-        waiting = self._waiting
+        """Write what is given, until it is cancelled; what was given before is written then, too."""
+        working = asyncio.ensure_future(self._work())
         try:
-            while True:
-                self._woken.clear()
-                while waiting:
-                    await self._write(*waiting[0])
-                    waiting.popleft()
-                    if len(waiting) < MOST_WAITING // 2:
-                        self._room.set()
-                await self._woken.wait()
+            await asyncio.shield(working)
         finally:
             self._ended = True
-            self._room.set()
+            self._taken += self._inbox.close()
+            self._woken.set()
+            await working
 
-    async def _write(self, proxy: Writable[Any], value: Any) -> None:
+    def _take(self, commands: list[Command]) -> None:
+        # The next ones come together when these are written; so whoever sends too fast waits in the end.
+        self._inbox.hold()
+        self._taken = commands
+        self._woken.set()
+
+    async def _work(self) -> None:
+        while not self._ended:
+            await self._woken.wait()
+            self._woken.clear()
+            commands, self._taken = self._taken, []
+            await self._write(commands)
+            self._inbox.release()
+
+    async def _write(self, commands: list[Command]) -> None:
+        if self._away and self._link.connected:
+            self._away = False
+            self._report(BACK)
+        values = [] if self._away else self._check(commands)
+        if not values:
+            return
+        posting = asyncio.ensure_future(self._post(values))
+        away = False
+        while not (await asyncio.wait([posting], timeout=LOOK_EVERY))[0]:
+            was_away, away = away, not self._link.connected
+            if away and was_away and not self._away:
+                self._away = True
+                self._report(AWAY)
+                # What was not sent by now never is.
+                posting.cancel()
+
+    def _check(self, commands: list[Command]) -> list[Value]:
+        values = []
+        for proxy, value in commands:
+            try:
+                values.append(Value.of(proxy, value))
+            except ArgumentError as error:
+                self._faults.tell(str(error))
+        return values
+
+    async def _post(self, values: list[Value]) -> None:
+        errors = await write_in_order([[value] for value in values], posted=True)
+        self.written += len(values) - len(errors)
         try:
-            await proxy.post(value)
-            self.written += 1
-        except LinkLostError:
-            raise
-        except (ArgumentError, GatewayError) as error:
-            key = (proxy.path, type(error).__name__)
-            if key not in self._told:
-                self._told.add(key)
-                self._report(f"{error} (told once)")
+            await self._link.fence()
+        except UnityLinkError as error:
+            errors.append(error)
+        for fault in errors:
+            self._faults.tell(str(fault))
+        for proxy, _, words in {value.proxy: value for value in values}.values():
+            proxy.see(proxy.scalar(proxy.signal.decode(words)))

@@ -5,7 +5,7 @@ scout by multicast, for which Zenoh opens a port on all addresses. Programs of o
 of it, `MEETING`: it is Zenoh's own, so a router there is found as well. Of several bridges one has that port, and
 another takes it over when that one ends.
 
-The threads of Zenoh and the event loop meet in `Inbox`.
+The threads of Zenoh and the event loop meet in an `Inbox`.
 """
 
 from __future__ import annotations
@@ -14,20 +14,17 @@ import asyncio
 import atexit
 import contextlib
 import re
-import threading
-from collections import deque
-from typing import TYPE_CHECKING, Any, Generic, Protocol, TypeVar
+from typing import TYPE_CHECKING, Any, Protocol
 
 import msgspec
 
+from unity_link.drivers.inbox import Inbox
 from unity_link.errors import ArgumentError, ConnectError
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
     import zenoh
-
-T = TypeVar("T")
 
 MEETING = "tcp/127.0.0.1:7447"
 ANY_PORT = "tcp/127.0.0.1:0"
@@ -159,64 +156,6 @@ def _configuration(network: Network, *, meeting: bool) -> zenoh.Config:
 
 def _same(one: zenoh.Config, other: zenoh.Config, *keys: str) -> bool:
     return all(one.get_json(key) == other.get_json(key) for key in keys)
-
-
-class Inbox(Generic[T]):
-    """What threads give and an event loop takes: all that has come together at a time.
-
-    Args:
-        take: is called in the loop with what has come, in order.
-        most: so many wait at most; beyond, who gives waits.
-    """
-
-    def __init__(self, take: Callable[[list[T]], object], most: int = 1 << 16) -> None:
-        self._take = take
-        self._most = most
-        self._loop = asyncio.get_running_loop()
-        self._waiting: deque[T] = deque()
-        self._called = False
-        self._room = threading.Event()
-        self._room.set()
-        self._open = True
-        self._held = False
-
-    def give(self, item: T) -> None:
-        """Give something, from any thread but that of the loop."""
-        self._room.wait()
-        if not self._open:
-            return
-        self._waiting.append(item)
-        if len(self._waiting) >= self._most:
-            self._room.clear()
-        if not self._called:
-            self._called = True
-            # The loop may have ended.
-            with contextlib.suppress(RuntimeError):
-                self._loop.call_soon_threadsafe(self._hand_over)
-
-    def hold(self) -> None:
-        """Hand nothing over until `release`."""
-        self._held = True
-
-    def release(self) -> None:
-        """Hand over again."""
-        self._held = False
-        self._hand_over()
-
-    def close(self) -> None:
-        """Take nothing any more."""
-        self._open = False
-        self._waiting.clear()
-        self._room.set()
-
-    def _hand_over(self) -> None:
-        # First, so that what is given from here on calls again.
-        self._called = False
-        if self._held or not self._waiting:
-            return
-        items = [self._waiting.popleft() for _ in range(len(self._waiting))]
-        self._room.set()
-        self._take(items)
 
 
 class KeyTransport(asyncio.Transport):

@@ -56,7 +56,7 @@ class Ros1Bridge:
         self._command_topics = command_topics(robot, self._groups)
         self.messages = 0
         """Messages that were sent, of all topics that somebody has subscribed to."""
-        self._commands = Commands(report)
+        self._commands = Commands(robot.link, report)
         self._time = GatewayTime()
         self._carrier = Carrier([published.group for published in self._groups], self._publish, buffer=BUFFER)
 
@@ -135,7 +135,7 @@ class Ros1Bridge:
         proxy, give = topic.proxy, self._commands.give
 
         def take(message: Any) -> None:
-            give(proxy, message.data)
+            give((proxy, message.data))
 
         name = f"{self._namespace}/{topic.name}"
         return rospy.Subscriber(name, _message("std_msgs", topic.type), take, tcp_nodelay=True, queue_size=None)

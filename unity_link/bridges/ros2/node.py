@@ -51,7 +51,7 @@ class Ros2Bridge:
         self._groups = published_groups(robot, self._settings.poll_hz)
         self.messages = 0
         """Messages that were sent, of all topics that somebody reads."""
-        self._commands = Commands(report)
+        self._commands = Commands(robot.link, report)
         self._time = GatewayTime()
         self._carrier = Carrier([published.group for published in self._groups], self._publish, buffer=BUFFER)
         self._unsent = 0
@@ -154,9 +154,7 @@ class Ros2Bridge:
 
             def on_data_available(self, reader: Any) -> None:
                 while messages := reader.take(N=TAKEN_AT_ONCE):
-                    for one in messages:
-                        if hasattr(one, "data"):
-                            give(proxy, one.data)
+                    give(*[(proxy, one.data) for one in messages if hasattr(one, "data")])
 
         quality = self._quality(topic.name, message)
         arrival: Any = Arrival

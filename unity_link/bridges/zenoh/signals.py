@@ -20,11 +20,13 @@ from typing import TYPE_CHECKING, Any
 
 import msgspec
 
+from unity_link.bridges.ordered import Objects, write_in_order
+from unity_link.bridges.telling import Faults
 from unity_link.bridges.topics import topic_name
 from unity_link.bridges.zenoh.describing import describe
-from unity_link.bridges.zenoh.writing import Objects, Writer
+from unity_link.bridges.zenoh.writing import Reader
 from unity_link.data import Group, Readable, Writable
-from unity_link.drivers.zenoh_session import Declared, Inbox
+from unity_link.drivers.inbox import Inbox
 from unity_link.errors import ArgumentError, UnansweredError, UnityLinkError
 
 if TYPE_CHECKING:
@@ -34,6 +36,7 @@ if TYPE_CHECKING:
 
     from unity_link.bridges.serve.shared import SharedLink
     from unity_link.data import Proxy, Robot
+    from unity_link.drivers.zenoh_session import Declared
 
     Answering = Callable[[zenoh.KeyExpr, bytes], Awaitable[dict[str, Any]]]
     """Gives for a query's key and payload what is replied, by the names of keys below the prefix."""
@@ -68,10 +71,9 @@ class Signals:
         self._prefix = prefix
         self._robot = robot
         self._shared = shared
-        self._report = report
-        self._told: set[str] = set()
+        self._faults = Faults(report)
         self._by_name = {f"signals/{topic_name(proxy.path)}": proxy for proxy in robot.signals}
-        self._writer = Writer(robot)
+        self._reader = Reader(robot)
         self._group = functools.lru_cache(256)(self._make_group)
         self._answering: set[asyncio.Task[None]] = set()
         self._inbox: Inbox[bytes]
@@ -116,25 +118,21 @@ class Signals:
             objects = []
             for payload in await self._puts.get():
                 try:
-                    objects += self._writer.read(payload)
+                    objects += self._reader.read(payload)
                 except ArgumentError as error:
-                    self._tell(str(error))
+                    self._faults.tell(str(error))
+            errors = await write_in_order(objects, posted=True)
             try:
-                await self._writer.write(objects, posted=True)
                 await self._robot.link.fence()
-                self.written += sum(map(len, objects))
-            except UnansweredError:
-                raise
             except UnityLinkError as error:
-                self._tell(AWAY if self._shared.away else str(error))
+                errors.append(error)
+            if not errors:
+                self.written += sum(map(len, objects))
+            for fault in errors:
+                if isinstance(fault, UnansweredError):
+                    raise fault
+                self._faults.tell(AWAY if self._shared.away else str(fault))
             self._inbox.release()
-
-    def _tell(self, text: str) -> None:
-        # Numbers change from one to the next of the same fault.
-        kind = "".join(character for character in text if not character.isdigit())
-        if kind not in self._told:
-            self._told.add(kind)
-            self._report(f"{text} (told once)")
 
     # Queries
 
@@ -167,10 +165,11 @@ class Signals:
         if not payload and str(key) != f"{self._prefix}/write":
             # Who asks for everything there is writes nothing.
             return {}
-        return {"write": await self._write_objects(self._writer.read(payload))}
+        return {"write": await self._write_objects(self._reader.read(payload))}
 
     async def _write_objects(self, objects: Objects) -> dict[str, int]:
-        await self._writer.write(objects, posted=False)
+        for error in await write_in_order(objects, posted=False):
+            raise error
         count = sum(map(len, objects))
         self.written += count
         return {"written": count}
@@ -206,7 +205,7 @@ class Signals:
         ((name, proxy),) = found.items()
         if not isinstance(proxy, Writable):
             raise ArgumentError(f"{proxy.path} can only be read")
-        return {name: await self._write_objects(self._writer.read_one(proxy, payload))}
+        return {name: await self._write_objects(self._reader.read_one(proxy, payload))}
 
     @staticmethod
     def _make_group(proxies: tuple[Proxy[Any], ...]) -> Group:

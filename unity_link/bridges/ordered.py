@@ -1,0 +1,104 @@
+"""Many values on their way to the robot: written in their order, with as few requests as that takes."""
+
+from __future__ import annotations
+
+import asyncio
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from unity_link.data.writing import write_values
+from unity_link.errors import UnityLinkError
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Iterator
+
+    from unity_link.data import Proxy
+    from unity_link.hardware import Bus
+
+
+class Value(NamedTuple):
+    """What is to be written to one signal: checked, and encoded once."""
+
+    proxy: Proxy[Any]
+    value: Any
+    words: tuple[int, ...]
+
+    @classmethod
+    def of(cls, proxy: Proxy[Any], value: Any) -> Value:
+        """Check a value.
+
+        Raises:
+            ArgumentError: for one that the signal does not take.
+        """
+        return cls(proxy, value, proxy.signal.encode(value))
+
+
+Objects = list[list[Value]]
+"""What is written, one object after the other; the values of one object together."""
+
+
+async def write_in_order(objects: Objects, *, posted: bool) -> list[UnityLinkError]:
+    """Write objects in order; whole words of several go as one batch.
+
+    Args:
+        objects: what is written.
+        posted: whether words are not to be waited for; then errors are those of the link's next `fence`.
+
+    Returns:
+        Why some were not written, or perhaps not; the others were.
+    """
+    errors = []
+    for run in _runs(objects):
+        if isinstance(run, _Words):
+            send = run.bus.post_many if posted else run.bus.write_many
+            work = [send(run.addresses, run.words)]
+        else:
+            # They get into the line in the order in which they begin.
+            work = [write_values({proxy: value for proxy, value, _ in one}, posted=posted) for one in run]
+        for outcome in await asyncio.gather(*work, return_exceptions=True):
+            if isinstance(outcome, UnityLinkError):
+                errors.append(outcome)
+            elif outcome is not None:
+                raise outcome
+    return errors
+
+
+class _Words(NamedTuple):
+    """Whole words on one bus."""
+
+    bus: Bus
+    addresses: list[int]
+    words: list[int]
+
+
+def _runs(objects: Objects) -> Iterator[_Words | Objects]:
+    """Join what follows each other and is nothing but whole words on one bus, or else one request each."""
+    words: _Words | None = None
+    others: Objects = []
+    for one in objects:
+        if _is_plain(one):
+            if others:
+                yield others
+                others = []
+            for proxy, _, encoded in one:
+                if words is not None and proxy.bus is not words.bus:
+                    yield words
+                    words = None
+                words = words or _Words(proxy.bus, [], [])
+                words.addresses.append(proxy.signal.address)
+                words.words.extend(encoded)
+            continue
+        if words is not None:
+            yield words
+            words = None
+        if others and (len(one) > 1 or len(others[0]) > 1):
+            yield others
+            others = []
+        others.append(one)
+    if words is not None:
+        yield words
+    if others:
+        yield others
+
+
+def _is_plain(values: Iterable[Value]) -> bool:
+    return not any(len(words) > 1 or proxy.signal.is_field for proxy, _, words in values)
