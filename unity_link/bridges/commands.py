@@ -7,6 +7,7 @@ it: a value that was meant for now must not move the robot a minute later.
 from __future__ import annotations
 
 import asyncio
+import contextlib
 from typing import TYPE_CHECKING, Any
 
 from unity_link.bridges.ordered import Value, write_in_order
@@ -48,7 +49,8 @@ class Commands:
         self._taken: list[Command] = []
         self._woken = asyncio.Event()
         self._ended = False
-        self._away = False
+        self._away = self._posted = False
+        self._limit: asyncio.Timeout | None = None
 
     def give(self, *commands: Command) -> None:
         """Have values written; to be called from another thread, which waits while too many do."""
@@ -56,7 +58,7 @@ class Commands:
 
     async def run(self) -> None:
         """Write what is given, until it is cancelled; what was given before is written then, too."""
-        working = asyncio.ensure_future(self._work())
+        working, looking = asyncio.ensure_future(self._work()), asyncio.ensure_future(self._look())
         try:
             await asyncio.shield(working)
         finally:
@@ -64,6 +66,9 @@ class Commands:
             self._taken += self._inbox.close()
             self._woken.set()
             await working
+            looking.cancel()
+            while self._posted and self._link.connected:
+                await self._learn()
 
     def _take(self, commands: list[Command]) -> None:
         # The next ones come together when these are written; so whoever sends too fast waits in the end.
@@ -80,21 +85,12 @@ class Commands:
             self._inbox.release()
 
     async def _write(self, commands: list[Command]) -> None:
-        if self._away and self._link.connected:
-            self._away = False
-            self._report(BACK)
         values = [] if self._away else self._check(commands)
-        if not values:
-            return
-        posting = asyncio.ensure_future(self._post(values))
-        away = False
-        while not (await asyncio.wait([posting], timeout=LOOK_EVERY))[0]:
-            was_away, away = away, not self._link.connected
-            if away and was_away and not self._away:
-                self._away = True
-                self._report(AWAY)
-                # What was not sent by now never is.
-                posting.cancel()
+        if values:
+            with contextlib.suppress(TimeoutError):
+                async with asyncio.timeout(None) as self._limit:
+                    await self._post(values)
+            self._limit = None
 
     def _check(self, commands: list[Command]) -> list[Value]:
         values = []
@@ -108,11 +104,41 @@ class Commands:
     async def _post(self, values: list[Value]) -> None:
         errors = await write_in_order([[value] for value in values], posted=True)
         self.written += len(values) - len(errors)
-        try:
-            await self._link.fence()
-        except UnityLinkError as error:
-            errors.append(error)
-        for fault in errors:
-            self._faults.tell(str(fault))
+        self._posted = True
+        for error in errors:
+            self._faults.tell(str(error))
         for proxy, _, words in {value.proxy: value for value in values}.values():
             proxy.see(proxy.scalar(proxy.signal.decode(words)))
+
+    async def _look(self) -> None:
+        """Look again and again what has become of what was posted, and whether the gateway is away."""
+        was_connected = True
+        while True:
+            connected = self._link.connected
+            if self._away and connected:
+                self._away = False
+                self._report(BACK)
+            # For a moment only, and the link goes on where it was.
+            elif not (self._away or connected or was_connected):
+                self._away = True
+                self._report(AWAY)
+                if self._limit is not None:
+                    # What was not sent by now never is.
+                    self._limit.reschedule(0)
+            if connected:
+                await self._learn()
+            was_connected = connected
+            await asyncio.sleep(LOOK_EVERY)
+
+    async def _learn(self) -> None:
+        """Tell of the errors of what was posted, unless that takes long."""
+        if not self._posted:
+            return
+        self._posted = False
+        try:
+            async with asyncio.timeout(LOOK_EVERY):
+                await self._link.fence()
+        except TimeoutError:
+            self._posted = True
+        except UnityLinkError as error:
+            self._faults.tell(str(error))

@@ -15,6 +15,10 @@ if TYPE_CHECKING:
     from unity_link.hardware import Bus
 
 
+FEWEST = 12
+"""Words that are worth a batch; fewer are quicker one by one."""
+
+
 class Value(NamedTuple):
     """What is to be written to one signal: checked, and encoded once."""
 
@@ -46,20 +50,33 @@ async def write_in_order(objects: Objects, *, posted: bool) -> list[UnityLinkErr
     Returns:
         Why some were not written, or perhaps not; the others were.
     """
-    errors = []
+    errors: list[UnityLinkError] = []
     for run in _runs(objects):
         if isinstance(run, _Words):
-            send = run.bus.post_many if posted else run.bus.write_many
-            work = [send(run.addresses, run.words)]
-        else:
-            # They get into the line in the order in which they begin.
-            work = [write_values({proxy: value for proxy, value, _ in one}, posted=posted) for one in run]
-        for outcome in await asyncio.gather(*work, return_exceptions=True):
+            try:
+                await _send(run, posted=posted)
+            except UnityLinkError as error:
+                errors.append(error)
+            continue
+        # They get into the line in the order in which they begin.
+        writing = [write_values({proxy: value for proxy, value, _ in one}, posted=posted) for one in run]
+        for outcome in await asyncio.gather(*writing, return_exceptions=True):
             if isinstance(outcome, UnityLinkError):
                 errors.append(outcome)
             elif outcome is not None:
                 raise outcome
     return errors
+
+
+async def _send(run: _Words, *, posted: bool) -> None:
+    bus, addresses, words = run
+    if not posted:
+        await bus.write_many(addresses, words)
+    elif len(words) >= FEWEST:
+        await bus.post_many(addresses, words)
+    else:
+        for address, word in zip(addresses, words, strict=True):
+            await bus.post(address, word)
 
 
 class _Words(NamedTuple):
