@@ -77,7 +77,7 @@ class Commands:
         self._woken.set()
 
     async def _work(self) -> None:
-        while not self._ended:
+        while not self._ended or self._taken:
             await self._woken.wait()
             self._woken.clear()
             commands, self._taken = self._taken, []

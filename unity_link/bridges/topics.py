@@ -66,9 +66,12 @@ class JointTopic(NamedTuple):
 
     def rows(self, batch: Batch) -> Iterator[tuple[list[float], list[float], list[float]]]:
         """Give positions, velocities and efforts of each sample, in SI units; NaN where a joint has none."""
-        columns = [_in_si(part, batch) for part in (self.positions, self.velocities, self.efforts)]
-        rows = [column.tolist() if column is not None else [[]] * len(batch) for column in columns]
-        return zip(*rows, strict=True)
+        return zip(*(column.tolist() for column in self.columns(batch).values()), strict=True)
+
+    def columns(self, batch: Batch) -> dict[str, NDArray[np.float64]]:
+        """Give the same as arrays by ``position``, ``velocity`` and ``effort``, of shape (samples, joints or 0)."""
+        parts = {"position": self.positions, "velocity": self.velocities, "effort": self.efforts}
+        return {name: _in_si(proxies, batch) for name, proxies in parts.items()}
 
 
 class PublishedGroup(NamedTuple):
@@ -127,9 +130,7 @@ def _joint_topic(name: str, joints: tuple[Joint, ...], robot: Robot) -> JointTop
     return JointTopic(name, names, proxies("position"), proxies("velocity"), proxies("effort"))
 
 
-def _in_si(proxies: list[Any], batch: Batch) -> NDArray[np.float64] | None:
-    if not proxies:
-        return None
+def _in_si(proxies: list[Any], batch: Batch) -> NDArray[np.float64]:
     missing = np.full(len(batch), np.nan)
     columns = [missing if proxy is None else batch[proxy] * _SI.get(proxy.unit, 1.0) for proxy in proxies]
-    return np.stack(columns, axis=1).astype(np.float64)
+    return np.stack(columns, axis=1).astype(np.float64) if columns else np.empty((len(batch), 0))

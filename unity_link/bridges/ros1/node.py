@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import asyncio
 import importlib
-import warnings
+import time
 from concurrent.futures import ThreadPoolExecutor
 from typing import TYPE_CHECKING, Any
 
@@ -12,11 +12,14 @@ from unity_link.bridges.carrying import Carrier
 from unity_link.bridges.commands import Commands
 from unity_link.bridges.gateway_time import GatewayTime
 from unity_link.bridges.ros1.environment import find_rospy
+from unity_link.bridges.ros1.rows import joint_rows, number_rows
+from unity_link.bridges.telling import Faults
 from unity_link.bridges.topics import command_topics, published_groups
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
+    from unity_link.bridges.ros1.outlet import Outlet
     from unity_link.bridges.topics import CommandTopic, Topic
     from unity_link.data import Batch, Robot
 
@@ -24,6 +27,8 @@ BUFFER = 1 << 16
 """Samples of each group that wait while subscribers are slow; after that the oldest are lost and counted."""
 LOOK_EVERY = 1.0
 """Seconds between looks whether the master knows the node."""
+PATIENCE = 1.0
+"""Seconds that the end waits for subscribers that do not read."""
 
 
 class Ros1Bridge:
@@ -54,8 +59,8 @@ class Ros1Bridge:
         self._report = report
         self._groups = published_groups(robot, poll_hz)
         self._command_topics = command_topics(robot, self._groups)
-        self.messages = 0
-        """Messages that were sent, of all topics that somebody has subscribed to."""
+        self._outlets: dict[str, Outlet] = {}
+        self._faults = Faults(report)
         self._commands = Commands(robot.link, report)
         self._time = GatewayTime()
         self._carrier = Carrier([published.group for published in self._groups], self._publish, buffer=BUFFER)
@@ -67,8 +72,13 @@ class Ros1Bridge:
 
     @property
     def lost(self) -> int:
-        """Samples that the gateway took and that were not published."""
-        return self._carrier.lost
+        """Samples that the gateway took and that were not published, and messages that a subscriber did not take."""
+        return self._carrier.lost + sum(outlet.lost for outlet in self._outlets.values())
+
+    @property
+    def messages(self) -> int:
+        """Messages that were sent, of all topics that somebody has subscribed to."""
+        return sum(outlet.sent for outlet in self._outlets.values())
 
     @property
     def written(self) -> int:
@@ -93,6 +103,7 @@ class Ros1Bridge:
             self._report(f"node /{self._node_name}: {self._count()} at {self._namespace}")
             await self._carrier.run(publishing, self._commands.run(), self._stay_registered(asking))
         finally:
+            await asyncio.shield(loop.run_in_executor(publishing, self._finish))
             rospy.signal_shutdown("the bridge ends")
             asking.shutdown(wait=False)
             publishing.shutdown(wait=False)
@@ -107,27 +118,23 @@ class Ros1Bridge:
         import rospy
 
         rospy.init_node(self._node_name, disable_signals=True)
-        self._publishers = {
-            topic: self._publisher(topic.name, "std_msgs", topic.type)
-            for published in self._groups
-            for topic in published.topics
-        }
-        self._joint_publishers = {
-            published.joints.name: self._publisher(published.joints.name, "sensor_msgs", "JointState")
-            for published in self._groups
-            if published.joints is not None
-        }
+        for published in self._groups:
+            for topic in published.topics:
+                self._open(topic.name, "std_msgs", topic.type)
+            if published.joints is not None:
+                self._open(published.joints.name, "sensor_msgs", "JointState")
         self._subscribers = [self._subscriber(topic) for topic in self._command_topics]
         self._describe()
 
-    def _publisher(self, name: str, package: str, kind: str) -> Any:
-        import rospy
+    def _open(self, name: str, package: str, kind: str) -> None:
+        from unity_link.bridges.ros1.outlet import Outlet
 
-        full_name, data_class = f"{self._namespace}/{name}", _message(package, kind)
-        with warnings.catch_warnings():
-            # Without a queue, which rospy warns of, it sends at once and in our thread: ten times the rate of its own.
-            warnings.simplefilter("ignore", SyntaxWarning)
-            return rospy.Publisher(full_name, data_class, tcp_nodelay=True, queue_size=None)
+        self._outlets[name] = Outlet(f"{self._namespace}/{name}", _message(package, kind), self._faults.tell)
+
+    def _finish(self) -> None:
+        deadline = time.monotonic() + PATIENCE
+        for outlet in self._outlets.values():
+            outlet.finish(deadline)
 
     def _subscriber(self, topic: CommandTopic) -> Any:
         import rospy
@@ -144,7 +151,8 @@ class Ros1Bridge:
         """Leave units, IDs and descriptions at the parameter server: ``~signals/j1/cpos/unit``."""
         import rospy
 
-        topics: list[Topic | CommandTopic] = [*self._publishers, *self._command_topics]
+        topics: list[Topic | CommandTopic] = [topic for published in self._groups for topic in published.topics]
+        topics += self._command_topics
         for topic in topics:
             signal = topic.proxy.signal
             facts = {"unit": signal.unit, "id": signal.id, "description": signal.doc}
@@ -187,9 +195,8 @@ class Ros1Bridge:
         else:
             return False
         listeners = get_registration_listeners()
-        publishers = [*self._publishers.values(), *self._joint_publishers.values()]
-        for publisher in publishers:
-            listeners.notify_added(publisher.resolved_name, publisher.type, Registration.PUB)
+        for outlet in self._outlets.values():
+            listeners.notify_added(*outlet.registered, Registration.PUB)
         for subscriber in self._subscribers:
             listeners.notify_added(subscriber.resolved_name, subscriber.type, Registration.SUB)
         try:
@@ -203,34 +210,12 @@ class Ros1Bridge:
     def _publish(self, number: int, batch: Batch) -> None:
         published = self._groups[number]
         for topic in published.topics:
-            publisher = self._publishers[topic]
-            if not publisher.get_num_connections():
-                continue
-            message = publisher.data_class()
-            publish = publisher.publish
-            for value in batch[topic.proxy].tolist():
-                message.data = value
-                publish(message)
-            self.messages += len(batch)
-        if published.joints is not None:
-            self._publish_joints(number, batch)
-
-    def _publish_joints(self, number: int, batch: Batch) -> None:
-        import rospy
-
-        joints = self._groups[number].joints
-        assert joints is not None
-        publisher = self._joint_publishers[joints.name]
-        if not publisher.get_num_connections():
-            return
-        message = publisher.data_class(name=joints.names)
-        for at, (positions, velocities, efforts) in zip(
-            self._time.instants(number, batch).tolist(), joints.rows(batch), strict=True
-        ):
-            message.header.stamp = rospy.Time.from_sec(at)
-            message.position, message.velocity, message.effort = positions, velocities, efforts
-            publisher.publish(message)
-        self.messages += len(batch)
+            outlet = self._outlets[topic.name]
+            if outlet.is_wanted:
+                outlet.send(number_rows(topic.type, batch[topic.proxy]))
+        joints = published.joints
+        if joints is not None and (outlet := self._outlets[joints.name]).is_wanted:
+            outlet.send(joint_rows(joints, batch, self._time.instants(number, batch), outlet.sent + 1))
 
 
 def _message(package: str, kind: str) -> Any:

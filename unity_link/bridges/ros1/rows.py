@@ -1,0 +1,62 @@
+"""Messages of ROS 1 as rows of bytes, many at a time: what rospy would serialise, each behind its length.
+
+Messages of one topic are all of one length here: numbers, and states of always the same joints.
+"""
+
+from __future__ import annotations
+
+import struct
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from unity_link.bridges.topics import JointTopic
+    from unity_link.data import Batch
+
+Rows = np.ndarray[Any, np.dtype[np.void]]
+"""Shape (messages,)."""
+_LENGTH = np.dtype("<u4")
+
+
+def number_rows(kind: str, values: NDArray[Any]) -> Rows:
+    """Give messages of a type of ``std_msgs``, such as ``Float64``, with these values."""
+    return _rows(len(values), [("data", np.dtype(kind.lower()).newbyteorder("<"))], data=values)
+
+
+def joint_rows(joints: JointTopic, batch: Batch, instants: NDArray[np.float64], first: int) -> Rows:
+    """Give messages of ``sensor_msgs/JointState``.
+
+    Args:
+        joints: which joints.
+        batch: samples of them.
+        instants: when those were taken, in seconds since 1970, shape (samples,).
+        first: the number of the first message.
+    """
+    seconds, nanoseconds = np.divmod(np.rint(instants * 1e9).astype(np.int64), 1_000_000_000)
+    # The name of a frame, of which there is none, and those of the joints.
+    names = b"\0\0\0\0" + struct.pack("<I", len(joints.names))
+    for name in joints.names:
+        names += struct.pack("<I", len(name.encode())) + name.encode()
+    fields: list[tuple[Any, ...]] = [("seq", "<u4"), ("secs", "<u4"), ("nsecs", "<u4"), ("names", f"V{len(names)}")]
+    given: dict[str, Any] = {
+        "seq": np.arange(first, first + len(batch)) & 0xFFFF_FFFF,
+        "secs": seconds,
+        "nsecs": nanoseconds,
+        "names": np.void(names),
+    }
+    for part, columns in joints.columns(batch).items():
+        fields += [(f"{part}_count", "<u4"), (part, "<f8", columns.shape[1:])]
+        given |= {f"{part}_count": columns.shape[1], part: columns}
+    return _rows(len(batch), fields, **given)
+
+
+def _rows(count: int, fields: list[Any], **values: Any) -> Rows:
+    layout = np.dtype([("length", _LENGTH), *fields])
+    rows = np.empty(count, layout)
+    rows["length"] = layout.itemsize - _LENGTH.itemsize
+    for name, value in values.items():
+        rows[name] = value
+    return rows
