@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import contextlib
 import os
 import re
 import resource
@@ -16,6 +17,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 from mcap.reader import make_reader
 from pyarrow import csv
 
@@ -24,7 +27,7 @@ from bridge_programs import PROGRAM, wait_for, wait_until
 from recordings import GATEWAY, SPEC, record, run, sequence_in, was_cut
 from simulated_time import run_simulated
 from unity_link import LinkLostError
-from unity_link.bridges.recording import Recorder, Recording, recorder
+from unity_link.bridges.recording import Recorder, Recording, RecordingError, recorder
 from unity_link.bridges.recording.files import INTERRUPTION
 
 if TYPE_CHECKING:
@@ -124,6 +127,41 @@ def test_a_file_that_was_cut_before_its_first_sample_tells_what_would_have_come(
 
     assert [group.name for group in Recording(cut).groups] == ["state"]
     assert sequence_in(cut) == []
+
+
+def test_a_chunk_that_was_damaged_costs_no_other(tmp_path: Path) -> None:
+    path = tmp_path / "run.mcap"
+    done = record(path, lambda recorder: recorder.samples >= 400)
+    with path.open("rb") as file:
+        summary = make_reader(file).get_summary()
+    assert summary is not None
+    chunk = summary.chunk_indexes[1]
+    damaged = bytearray(path.read_bytes())
+    damaged[chunk.chunk_start_offset + chunk.chunk_length // 2] ^= 1
+    path.write_bytes(damaged)
+
+    result = run("export", path, "--csv", "-o", tmp_path)
+
+    kept = sequence_in(path)
+    assert result.returncode == 0
+    assert f"{path} is damaged: what is sound in it was exported" in result.stderr
+    assert kept[0] == 0
+    assert kept[-1] == done.samples - 1
+    assert 1 < len(kept) < done.samples
+
+
+@given(st.data())
+def test_a_file_that_was_damaged_anywhere_is_read_as_far_as_it_can_be_or_refused(
+    recorded: Path, data: st.DataObject
+) -> None:
+    damaged = bytearray(recorded.read_bytes())
+    for place in data.draw(st.lists(st.integers(0, len(damaged) - 1), min_size=1, max_size=5)):
+        damaged[place] = data.draw(st.integers(0, 255))
+    path = recorded.with_name("damaged.mcap")
+    path.write_bytes(damaged[: data.draw(st.integers(0, len(damaged)))])
+
+    with contextlib.suppress(RecordingError):
+        assert set(sequence_in(path)) <= set(sequence_in(recorded))
 
 
 def test_a_recorder_that_is_killed_leaves_all_that_was_on_the_disk(tmp_path: Path) -> None:

@@ -204,7 +204,9 @@ def export_recording(
     with Progress(console=console, transient=True, disable=not console.is_terminal) as bar:
         task = bar.add_task(recording.name, total=read.size)
         paths = export(read, "parquet" if parquet else "csv", output, lambda done: bar.update(task, completed=done))
-    if read.was_cut:
+    if read.was_damaged:
+        print_note(f"{recording} is damaged: what is sound in it was exported")
+    elif read.was_cut:
         print_note(f"{recording} was not finished: what is in it was exported")
     for path in paths:
         print_line(str(path))

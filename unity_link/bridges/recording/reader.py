@@ -60,6 +60,8 @@ class Recording:
         self.path = path
         self.was_cut = False
         """Whether the last reading found the end missing, as it is after a crash."""
+        self.was_damaged = False
+        """Whether the last reading found a chunk that is not as it was written; the others were read."""
         self.interface: Interface
         """What the spec said of the robot."""
         self.gateway: GatewayInfo
@@ -102,21 +104,34 @@ class Recording:
 
     def _records(self, file: BinaryIO) -> Iterator[McapRecord]:
         from mcap.exceptions import InvalidMagic, McapError
-        from mcap.records import DataEnd
-        from mcap.stream_reader import StreamReader
+        from mcap.records import Chunk, DataEnd
+        from mcap.stream_reader import CRCValidationError, StreamReader, breakup_chunk
         from zstandard import ZstdError
 
-        self.was_cut = True
+        unreadable = (McapError, ValueError, struct.error, ZstdError)
+        self.was_cut, self.was_damaged, broken = True, False, False
         try:
-            for record in StreamReader(file, validate_crcs=True).records:
+            for record in StreamReader(file, validate_crcs=True, emit_chunks=True).records:
+                # A broken chunk at the end of what there is was cut.
+                self.was_damaged = self.was_damaged or broken
                 if isinstance(record, DataEnd):
                     self.was_cut = False
                     return
-                yield record
+                if not isinstance(record, Chunk):
+                    yield record
+                    continue
+                try:
+                    inside = breakup_chunk(record, validate_crc=True)
+                except unreadable:
+                    inside, broken = [], True
+                yield from inside
+        except CRCValidationError:
+            # Of the whole file, at its end.
+            self.was_cut, self.was_damaged = False, True
         except InvalidMagic:
             if file.tell() <= 8:
                 raise RecordingError(f"{self.path} is no MCAP file") from None
-        except (McapError, struct.error, ZstdError, EOFError):
+        except unreadable:
             return
 
     def _read_head(self) -> None:
@@ -136,8 +151,10 @@ class Recording:
         try:
             self.interface = msgspec.json.decode(found[INTERFACE], type=Interface)
             self.gateway = msgspec.json.decode(found[GATEWAY], type=GatewayInfo)
-        except (KeyError, msgspec.DecodeError):
-            raise RecordingError(f"{self.path} is no recording of unity-link record: it has no {INTERFACE}") from None
+        except (KeyError, msgspec.DecodeError, UnicodeDecodeError):
+            raise RecordingError(
+                f"{self.path} is no recording of unity-link record: it has no sound {INTERFACE}"
+            ) from None
         for number, channel in channels.items():
             paths = channel.metadata.get("signals", "").split("\n")
             signals = tuple(self.interface.signals[path] for path in paths if path in self.interface.signals)
