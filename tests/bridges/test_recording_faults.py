@@ -10,6 +10,7 @@ import resource
 import shutil
 import signal
 import subprocess
+import sys
 import threading
 from concurrent.futures import Executor, Future
 from contextlib import contextmanager
@@ -188,6 +189,20 @@ def test_ctrl_c_finishes_the_file(tmp_path: Path) -> None:
     assert process.returncode == 130
     assert samples_said(said) == len(sequence_in(path))
     assert not was_cut(path)
+
+
+@pytest.mark.parametrize("command", [["record", GATEWAY, str(SPEC), "-o", "x.mcap"], ["replay", "x.mcap", "--pty"]])
+def test_without_mcap_it_is_said_what_to_install(command: list[str], tmp_path: Path) -> None:
+    script = (
+        f"import sys; sys.modules['mcap'] = None; sys.argv[1:] = {command}; from unity_link.cli import main; main()"
+    )
+
+    result = subprocess.run(
+        [sys.executable, "-c", script], capture_output=True, text=True, timeout=120, check=False, cwd=tmp_path
+    )
+
+    assert result.returncode == 1
+    assert result.stderr == ("error: recordings need mcap, which is not installed: pip install 'unity-link[record]'\n")
 
 
 # The disk

@@ -3,8 +3,9 @@
 - `unity_link.bridges.messages`: what a sample is in the file: JSON with a schema, so that others read it without this
   package
 - `files`: writing; a file is whole to within a second at every instant, whatever ends the program
-- `recorder`: from a robot into a file
-- `reader`: back, of a file that was finished or cut
+- `chunks`: what of MCAP is written here, and why
+- `recorder`: from a robot into a file, over interruptions
+- `reader`: back, of a file that was finished, cut or damaged
 - `replay`: a gateway that answers as the recorded one did
 - `tables`: to Parquet and CSV
 

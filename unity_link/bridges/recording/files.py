@@ -42,6 +42,19 @@ class RecordingError(UnityLinkError):
     """A recording cannot be written on or read; what it has up to there stays."""
 
 
+def check_extra() -> None:
+    """Check that what reads and writes MCAP is installed.
+
+    Raises:
+        RecordingError: where it is not.
+    """
+    try:
+        import mcap.records  # noqa: F401
+        import zstandard  # noqa: F401
+    except ImportError:
+        raise RecordingError("recordings need mcap, which is not installed: pip install 'unity-link[record]'") from None
+
+
 class RecordingFile:
     """A recording that is being written. Its methods block while the disk does; one thread at a time."""
 
@@ -58,7 +71,9 @@ class RecordingFile:
 
         Raises:
             ArgumentError: where there is one of that name, unless `overwrite`; where it cannot be written.
+            RecordingError: where the disk is full, or mcap is not installed.
         """
+        check_extra()
         from unity_link import __version__
         from unity_link.bridges.recording.chunks import ChunkWriter
 

@@ -9,7 +9,7 @@ import msgspec
 import numpy as np
 
 from unity_link.bridges.messages import Message, hex_to_words
-from unity_link.bridges.recording.files import GATEWAY, INTERFACE, RecordingError
+from unity_link.bridges.recording.files import GATEWAY, INTERFACE, RecordingError, check_extra
 from unity_link.spec import Interface
 from unity_link.wire.gateway_info import GatewayInfo
 
@@ -66,6 +66,7 @@ class Recording:
         """What the spec said of the robot."""
         self.gateway: GatewayInfo
         self._channels: dict[int, RecordedGroup] = {}
+        check_extra()
         self._read_head()
 
     @property
@@ -108,7 +109,8 @@ class Recording:
         from mcap.stream_reader import CRCValidationError, StreamReader, breakup_chunk
         from zstandard import ZstdError
 
-        unreadable = (McapError, ValueError, struct.error, ZstdError)
+        # The last two are for lengths that are nonsense.
+        unreadable = (McapError, ValueError, struct.error, ZstdError, MemoryError, OverflowError)
         self.was_cut, self.was_damaged, broken = True, False, False
         try:
             for record in StreamReader(file, validate_crcs=True, emit_chunks=True).records:

@@ -43,7 +43,7 @@ class Recorder:
 
     Raises:
         ArgumentError: where the spec publishes nothing and `poll_hz` is not given, or the file cannot be written.
-        RecordingError: where the disk is full from the beginning.
+        RecordingError: where the disk is full from the beginning, or mcap is not installed.
     """
 
     def __init__(
