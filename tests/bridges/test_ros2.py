@@ -11,13 +11,17 @@ import sys
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 from rosbags.typesys import Stores, get_typestore
 
 from bridge_programs import PATIENCE, PROGRAM, bridge_on_shared, wait_for, wait_until
 from unity_link import ArgumentError, blocking
 from unity_link.bridges.ros2 import Quality, Settings, read_settings
-from unity_link.bridges.ros2.messages import JOINT_STATE, STANDARD, joint_state
+from unity_link.bridges.ros2.messages import JOINT_STATE, STANDARD
+from unity_link.bridges.ros2.rows import joint_rows, number_rows
 
 PEER = str(Path(__file__).with_name("dds_peer.py"))
 SPEC = str(Path(__file__).parents[2] / "examples" / "scara.ul")
@@ -34,33 +38,49 @@ VALUES: dict[str, Any] = {
 }
 
 
-def cdr(message: Any) -> bytes:
-    serialized: bytes = message.serialize()
-    return serialized
-
-
 @pytest.mark.parametrize("name", STANDARD)
 def test_a_standard_message_is_the_bytes_the_name_and_the_hash_that_ros_2_gives_it(name: str) -> None:
     known = STANDARD[name]
     full_name = f"std_msgs/msg/{name}"
 
-    ours = cdr(known.struct(data=VALUES[name]))
+    (ours,) = number_rows(name, np.array([VALUES[name]]))
 
     theirs = bytes(ROS.serialize_cdr(ROS.types[full_name](data=VALUES[name]), full_name))
-    assert ours == theirs
+    assert ours == theirs.ljust(len(ours), b"\0")
+    assert ours == known.struct(data=VALUES[name]).serialize()
     assert known.struct.__idl_typename__ == f"std_msgs::msg::dds_::{name}_"
     assert known.hash == ROS.hash_rihs01(full_name)
 
 
-def test_the_states_of_joints_are_the_bytes_that_ros_2_gives_them() -> None:
+@pytest.mark.parametrize("name", STANDARD)
+def test_a_standard_message_of_either_byte_order_is_read_and_one_that_is_too_short_has_no_value(name: str) -> None:
+    struct, full_name = STANDARD[name].struct, f"std_msgs/msg/{name}"
+    for little_endian in (True, False):
+        message = ROS.types[full_name](data=VALUES[name])
+        theirs = bytes(ROS.serialize_cdr(message, full_name, little_endian=little_endian))
+        assert struct.deserialize(theirs).data == VALUES[name]
+        assert struct.deserialize(theirs[:4]).data is None
+
+
+@given(
+    names=st.lists(st.text(max_size=9).filter(lambda text: "\0" not in text), max_size=4),
+    there=st.tuples(st.booleans(), st.booleans(), st.booleans()),
+)
+def test_the_states_of_joints_are_the_bytes_that_ros_2_gives_them(names: list[str], there: tuple[bool, ...]) -> None:
     name = "sensor_msgs/msg/JointState"
-    message = joint_state(12.5, ["a", "b"], [1.0, 2.0], [3.0, 4.0], [])
+    parts = {
+        part: np.arange(2 * len(names) * given, dtype=float).reshape(2, -1)
+        for part, given in zip(("position", "velocity", "effort"), there, strict=True)
+    }
+    types = ROS.types
+    stamps = [types["builtin_interfaces/msg/Time"](sec=12, nanosec=nanosec) for nanosec in (500_000_000, 750_000_000)]
 
-    theirs: Any = ROS.deserialize_cdr(cdr(message), name)
+    ours = joint_rows(names, np.array([12.5, 12.75]), parts)
 
-    assert (theirs.header.stamp.sec, theirs.header.stamp.nanosec) == (12, 500_000_000)
-    assert (theirs.name, theirs.position.tolist(), theirs.velocity.tolist()) == (["a", "b"], [1.0, 2.0], [3.0, 4.0])
-    assert theirs.effort.tolist() == []
+    for number, (row, stamp) in enumerate(zip(ours, stamps, strict=True)):
+        header = types["std_msgs/msg/Header"](stamp=stamp, frame_id="")
+        message = types[name](header=header, name=names, **{part: column[number] for part, column in parts.items()})
+        assert row == bytes(ROS.serialize_cdr(message, name))
     assert JOINT_STATE.hash == ROS.hash_rihs01(name)
 
 

@@ -215,7 +215,8 @@ class Ros1Bridge:
                 outlet.send(number_rows(topic.type, batch[topic.proxy]))
         joints = published.joints
         if joints is not None and (outlet := self._outlets[joints.name]).is_wanted:
-            outlet.send(joint_rows(joints, batch, self._time.instants(number, batch), outlet.sent + 1))
+            instants = self._time.instants(number, batch)
+            outlet.send(joint_rows(joints.names, instants, joints.columns(batch), outlet.sent + 1))
 
 
 def _message(package: str, kind: str) -> Any:

@@ -11,10 +11,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 if TYPE_CHECKING:
+    from collections.abc import Mapping, Sequence
+
     from numpy.typing import NDArray
 
-    from unity_link.bridges.topics import JointTopic
-    from unity_link.data import Batch
 
 Rows = np.ndarray[Any, np.dtype[np.void]]
 """Shape (messages,)."""
@@ -26,31 +26,33 @@ def number_rows(kind: str, values: NDArray[Any]) -> Rows:
     return _rows(len(values), [("data", np.dtype(kind.lower()).newbyteorder("<"))], data=values)
 
 
-def joint_rows(joints: JointTopic, batch: Batch, instants: NDArray[np.float64], first: int) -> Rows:
+def joint_rows(
+    names: Sequence[str], instants: NDArray[np.float64], parts: Mapping[str, NDArray[np.float64]], first: int
+) -> Rows:
     """Give messages of ``sensor_msgs/JointState``.
 
     Args:
-        joints: which joints.
-        batch: samples of them.
-        instants: when those were taken, in seconds since 1970, shape (samples,).
+        names: of the joints.
+        instants: when the samples were taken, in seconds since 1970, shape (samples,).
+        parts: position, velocity and effort, in this order, of shape (samples, joints), or (samples, 0) for none.
         first: the number of the first message.
     """
     seconds, nanoseconds = np.divmod(np.rint(instants * 1e9).astype(np.int64), 1_000_000_000)
     # The name of a frame, of which there is none, and those of the joints.
-    names = b"\0\0\0\0" + struct.pack("<I", len(joints.names))
-    for name in joints.names:
-        names += struct.pack("<I", len(name.encode())) + name.encode()
-    fields: list[tuple[Any, ...]] = [("seq", "<u4"), ("secs", "<u4"), ("nsecs", "<u4"), ("names", f"V{len(names)}")]
+    texts = b"\0\0\0\0" + struct.pack("<I", len(names))
+    for name in names:
+        texts += struct.pack("<I", len(name.encode())) + name.encode()
+    fields: list[tuple[Any, ...]] = [("seq", "<u4"), ("secs", "<u4"), ("nsecs", "<u4"), ("texts", f"V{len(texts)}")]
     given: dict[str, Any] = {
-        "seq": np.arange(first, first + len(batch)) & 0xFFFF_FFFF,
+        "seq": np.arange(first, first + len(instants)) & 0xFFFF_FFFF,
         "secs": seconds,
         "nsecs": nanoseconds,
-        "names": np.void(names),
+        "texts": np.void(texts),
     }
-    for part, columns in joints.columns(batch).items():
+    for part, columns in parts.items():
         fields += [(f"{part}_count", "<u4"), (part, "<f8", columns.shape[1:])]
         given |= {f"{part}_count": columns.shape[1], part: columns}
-    return _rows(len(batch), fields, **given)
+    return _rows(len(instants), fields, **given)
 
 
 def _rows(count: int, fields: list[Any], **values: Any) -> Rows:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import time
 from concurrent.futures import ThreadPoolExecutor
 from typing import TYPE_CHECKING, Any
 
@@ -10,21 +11,24 @@ from unity_link.bridges.carrying import Carrier
 from unity_link.bridges.commands import Commands
 from unity_link.bridges.gateway_time import GatewayTime
 from unity_link.bridges.ros2.settings import Quality, Settings
+from unity_link.bridges.telling import Faults
 from unity_link.bridges.topics import command_topics, published_groups
 from unity_link.errors import ConnectError
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
+    from unity_link.bridges.ros2.inlets import Inlets
     from unity_link.bridges.ros2.messages import MessageType
-    from unity_link.bridges.topics import CommandTopic
+    from unity_link.bridges.ros2.outlet import Outlet
     from unity_link.data import Batch, Robot
 
 BUFFER = 1 << 16
 """Samples of each group that wait while readers are slow; after that the oldest are lost and counted."""
-TAKEN_AT_ONCE = 512
-PATIENCE_MS = 1000
-"""How long a reliable reader may be silent before samples are lost to all rather than kept for it."""
+MOST_KEPT = 1 << 14
+"""Values of a topic that wait for the link; beyond, who writes it waits."""
+PATIENCE = 1.0
+"""Seconds for which a reliable reader may confirm nothing before messages are lost to it, also at the end."""
 
 
 class Ros2Bridge:
@@ -49,12 +53,12 @@ class Ros2Bridge:
         self._namespace = (robot.interface.name if namespace is None else namespace).strip("/")
         self._report = report
         self._groups = published_groups(robot, self._settings.poll_hz)
-        self.messages = 0
-        """Messages that were sent, of all topics that somebody reads."""
+        self._outlets: dict[str, Outlet] = {}
+        self._inlets: Inlets | None = None
+        self._faults = Faults(report)
         self._commands = Commands(robot.link, report)
         self._time = GatewayTime()
         self._carrier = Carrier([published.group for published in self._groups], self._publish, buffer=BUFFER)
-        self._unsent = 0
         try:
             import cyclonedds  # noqa: F401  (its absence is told before anything is opened)
         except ImportError:
@@ -68,7 +72,12 @@ class Ros2Bridge:
     @property
     def lost(self) -> int:
         """Samples that the gateway took and that were not published, and messages that a reader did not take."""
-        return self._carrier.lost + self._unsent
+        return self._carrier.lost + sum(outlet.lost for outlet in self._outlets.values())
+
+    @property
+    def messages(self) -> int:
+        """Messages that were sent, of all topics that somebody reads."""
+        return sum(outlet.sent for outlet in self._outlets.values())
 
     @property
     def written(self) -> int:
@@ -85,112 +94,88 @@ class Ros2Bridge:
         publishing = ThreadPoolExecutor(1, "ros2-publish")
         loop = asyncio.get_running_loop()
         try:
-            await loop.run_in_executor(publishing, self._open)
+            subscribed = await loop.run_in_executor(publishing, self._open)
             count = sum(len(published.topics) for published in self._groups)
-            self._report(f"{count} topics published, {len(self._readers)} subscribed to at /{self._namespace}")
+            self._report(f"{count} topics published, {subscribed} subscribed to at /{self._namespace}")
             await self._carrier.run(publishing, self._commands.run())
         finally:
-            # A reader that is gone may hold up one write; a second later that is given up.
             await asyncio.shield(loop.run_in_executor(publishing, self._close))
             publishing.shutdown(wait=False)
 
     # Topics
 
-    def _open(self) -> None:
+    def _open(self) -> int:
+        """Join the domain; give the number of topics that are subscribed to."""
         from unity_link.bridges.ros2.domain import open_participant
+        from unity_link.bridges.ros2.inlets import Inlets
         from unity_link.bridges.ros2.messages import JOINT_STATE, STANDARD
 
         self._participant, self._domain = open_participant(self._settings)
-        self._writers = {
-            topic.name: self._writer(topic.name, STANDARD[topic.type])
-            for published in self._groups
-            for topic in published.topics
-        }
         for published in self._groups:
+            for topic in published.topics:
+                self._open_outlet(topic.name, STANDARD[topic.type])
             if published.joints is not None:
-                self._writers[published.joints.name] = self._writer(published.joints.name, JOINT_STATE)
-        self._readers = [
-            self._reader(topic, STANDARD[topic.type]) for topic in command_topics(self._robot, self._groups)
-        ]
+                self._open_outlet(published.joints.name, JOINT_STATE)
+        topics = command_topics(self._robot, self._groups)
+        readers = [(self._reader(topic.name, STANDARD[topic.type]), topic.proxy) for topic in topics]
+        self._inlets = Inlets(self._participant, readers, self._commands.give, self._faults.tell)
+        return len(readers)
 
     def _close(self) -> None:
-        self._readers = []
-        self._writers = {}
-        self._participant = self._domain = None
+        if self._inlets is not None:
+            self._inlets.close()
+        deadline = time.monotonic() + PATIENCE
+        for outlet in self._outlets.values():
+            outlet.finish(deadline)
+        self._inlets = self._participant = self._domain = None
 
     def _topic(self, name: str, message: MessageType) -> Any:
         from cyclonedds.topic import Topic
 
         return Topic(self._participant, f"rt/{self._namespace}/{name}", message.struct)
 
-    def _quality(self, name: str, message: MessageType) -> Any:
+    def _quality(self, name: str, message: MessageType, *limits: Any) -> Any:
         from cyclonedds.core import Policy, Qos
         from cyclonedds.util import duration
 
         if self._settings.quality_of(name) is Quality.SENSOR_DATA:
             reliability, history = Policy.Reliability.BestEffort, Policy.History.KeepLast(5)
         else:
-            reliability = Policy.Reliability.Reliable(duration(milliseconds=PATIENCE_MS))
+            reliability = Policy.Reliability.Reliable(duration(seconds=PATIENCE))
             history = Policy.History.KeepAll
         # What differs between the two ends of a topic for no reason is warned of: the rest is as in ROS 2's profiles.
         return Qos(
-            reliability, history, Policy.Durability.Volatile, Policy.Userdata(f"typehash={message.hash};".encode())
+            reliability,
+            history,
+            Policy.Durability.Volatile,
+            Policy.Userdata(f"typehash={message.hash};".encode()),
+            *limits,
         )
 
-    def _writer(self, name: str, message: MessageType) -> Any:
-        from cyclonedds.pub import DataWriter
+    def _open_outlet(self, name: str, message: MessageType) -> None:
+        from unity_link.bridges.ros2.outlet import Outlet
 
         quality = self._quality(name, message)
-        return DataWriter(self._participant, self._topic(name, message), qos=quality)
+        self._outlets[name] = Outlet(self._participant, self._topic(name, message), quality, self._faults.tell)
 
-    def _reader(self, topic: CommandTopic, message: MessageType) -> Any:
-        from cyclonedds.core import Listener
+    def _reader(self, name: str, message: MessageType) -> Any:
+        from cyclonedds.core import Policy
         from cyclonedds.sub import DataReader
 
-        proxy, give = topic.proxy, self._commands.give
-
-        class Arrival(Listener):
-            """Called by a thread of CycloneDDS."""
-
-            def on_data_available(self, reader: Any) -> None:
-                while messages := reader.take(N=TAKEN_AT_ONCE):
-                    give(*[(proxy, one.data) for one in messages if hasattr(one, "data")])
-
-        quality = self._quality(topic.name, message)
-        arrival: Any = Arrival
-        return DataReader(self._participant, self._topic(topic.name, message), qos=quality, listener=arrival())
+        quality = self._quality(name, message, Policy.ResourceLimits(MOST_KEPT, -1, MOST_KEPT))
+        return DataReader(self._participant, self._topic(name, message), qos=quality)
 
     # Samples
 
     def _publish(self, number: int, batch: Batch) -> None:
-        from unity_link.bridges.ros2.messages import STANDARD
+        from unity_link.bridges.ros2.rows import joint_rows, number_rows
 
         published = self._groups[number]
         for topic in published.topics:
-            struct = STANDARD[topic.type].struct
-            self._write(topic.name, (struct(value) for value in batch[topic.proxy].tolist()))
-        if published.joints is not None:
-            self._publish_joints(number, batch)
-
-    def _publish_joints(self, number: int, batch: Batch) -> None:
-        from unity_link.bridges.ros2.messages import joint_state
-
-        joints = self._groups[number].joints
-        assert joints is not None
-        rows = zip(self._time.instants(number, batch).tolist(), joints.rows(batch), strict=True)
-        self._write(joints.name, (joint_state(at, joints.names, *row) for at, row in rows))
-
-    def _write(self, name: str, messages: Any) -> None:
-        from cyclonedds.core import DDSException
-
-        writer = self._writers[name]
-        if not writer.get_matched_subscriptions():
-            return
-        write = writer.write
-        for message in messages:
-            try:
-                write(message)
-                self.messages += 1
-            except DDSException:
-                # A reader asked for all and takes nothing.
-                self._unsent += 1
+            outlet = self._outlets[topic.name]
+            if outlet.is_wanted:
+                outlet.send(number_rows(topic.type, batch[topic.proxy]))
+        joints = published.joints
+        if joints is not None and (outlet := self._outlets[joints.name]).is_wanted:
+            instants = self._time.instants(number, batch)
+            outlet.send(joint_rows(joints.names, instants, joints.columns(batch)))
