@@ -30,6 +30,8 @@ from simulated_time import run_simulated
 from unity_link import LinkLostError
 from unity_link.bridges.recording import Recorder, Recording, RecordingError, recorder
 from unity_link.bridges.recording.files import INTERRUPTION
+from unity_link.virtual.build import build_gateway
+from unity_link.virtual.gateway import VirtualGateway
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
@@ -82,9 +84,13 @@ class InPlace(Executor):
         return done
 
 
-def test_at_every_instant_the_disk_has_all_but_the_last_second(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def work_in_place(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(recorder, "ThreadPoolExecutor", lambda *_: InPlace())
     monkeypatch.setattr(recorder, "REST", 0.0)
+
+
+def test_at_every_instant_the_disk_has_all_but_the_last_second(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    work_in_place(monkeypatch)
     path = tmp_path / "run.mcap"
 
     async def crash_again_and_again() -> list[tuple[float, Path]]:
@@ -306,7 +312,7 @@ def gateway(place: Path) -> Iterator[subprocess.Popen[str]]:
 def interruptions_in(path: Path) -> int:
     with path.open("rb") as file:
         notes = list(make_reader(file).iter_metadata())
-    assert all(note.name == INTERRUPTION and note.metadata["from"] < note.metadata["to"] for note in notes)
+    assert all(note.name == INTERRUPTION and note.metadata["from"] <= note.metadata["to"] for note in notes)
     return len(notes)
 
 
@@ -329,6 +335,34 @@ def test_a_gateway_that_goes_away_is_waited_for(tmp_path: Path) -> None:
     assert np.all(np.diff(instants) >= 0)
     assert interruptions_in(path) == 1
     assert not was_cut(path)
+
+
+def test_a_gateway_that_was_reset_behind_an_open_line_is_found_and_recorded_on(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    work_in_place(monkeypatch)
+    path = tmp_path / "run.mcap"
+    said: list[str] = []
+
+    async def reset_in_the_middle() -> None:
+        gateway = build_gateway("scara")
+        assert isinstance(gateway, VirtualGateway)
+        async with unity_link.connect(gateway, reconnect=True) as link:
+            running = asyncio.create_task(Recorder(unity_link.load(SPEC)(link), path, report=said.append).run())
+            await asyncio.sleep(3.3)
+            gateway.reset()
+            await asyncio.sleep(30)
+            running.cancel()
+            await asyncio.wait([running])
+
+    run_simulated(reset_in_the_middle())
+
+    times = np.concatenate([samples.time for samples, _ in Recording(path).samples()])
+    assert len(said) == 2
+    assert len(times) > 20_000
+    # A link takes nine seconds of silence for a lost one.
+    assert 0 < np.diff(times).min() < np.diff(times).max() < 15
+    assert interruptions_in(path) == 1
 
 
 def test_ctrl_c_finishes_the_file_while_the_gateway_is_away(tmp_path: Path) -> None:

@@ -1,12 +1,14 @@
 """From a robot into a file: samples are taken by the event loop and written by a thread, so that neither waits.
 
 A recording is left alone for hours. So a gateway that goes away does not end it, where its link reconnects: it goes on
-when the gateway is back, and the file has a note of each interruption.
+when the gateway is back, and the file has a note of each interruption. And a gateway that was reset behind an open line
+says nothing of that, nor of the groups that it has forgotten: it is asked for a word now and then, which tells.
 """
 
 from __future__ import annotations
 
 import asyncio
+import contextlib
 import time
 from concurrent.futures import ThreadPoolExecutor
 from typing import TYPE_CHECKING
@@ -14,6 +16,7 @@ from typing import TYPE_CHECKING
 from unity_link.bridges.carrying import Carrier
 from unity_link.bridges.recording.files import RecordingFile
 from unity_link.bridges.sampled import sampled_groups
+from unity_link.errors import GatewayError
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -25,6 +28,8 @@ SYNC_EVERY = 0.5
 """Seconds. What a crash may cost is twice that: a second."""
 WATCH_EVERY = 0.1
 """Seconds. So exactly is known when a gateway went away and came back."""
+ASK_EVERY = 1.0
+"""Seconds between words that are read to see whether the gateway is still the one whose groups were set up."""
 BUFFER = 1 << 18
 """Samples of each group that wait while the disk is slow: five seconds of 50,000 a second."""
 REST = 0.02
@@ -59,6 +64,8 @@ class Recorder:
         self._file = RecordingFile(path, robot.interface, robot.link.gateway, groups, overwrite=overwrite)
         self._carrier = Carrier([group.group for group in groups], self._write, buffer=BUFFER)
         self._link = robot.link
+        # It is read all the time, so to read it once more changes nothing.
+        self._asked = groups[0].group.proxies[0].signal.address
         self._report = report
         self.interruptions = 0
         """How often the gateway was away."""
@@ -95,7 +102,7 @@ class Recorder:
         loop = asyncio.get_running_loop()
         writer = ThreadPoolExecutor(1, "recorder")
         try:
-            await self._carrier.run(writer, self._sync(writer), self._watch(writer))
+            await self._carrier.run(writer, self._sync(writer), self._watch(writer), self._ask())
         finally:
             # The thread does one thing after another: all that it was given comes first.
             await asyncio.shield(loop.run_in_executor(writer, self._file.close))
@@ -111,15 +118,20 @@ class Recorder:
             await asyncio.sleep(SYNC_EVERY)
             await loop.run_in_executor(writer, self._file.sync)
 
+    async def _ask(self) -> None:
+        while True:
+            await asyncio.sleep(ASK_EVERY)
+            with contextlib.suppress(GatewayError):
+                await self._link.read(self._asked)
+
     async def _watch(self, writer: ThreadPoolExecutor) -> None:
         link, loop = self._link, asyncio.get_running_loop()
-        connections, there = link.statistics.reconnections, time.time()
+        before, heard = link.statistics, time.time()
         while True:
             await asyncio.sleep(WATCH_EVERY)
-            now, before = time.time(), connections
-            connections = link.statistics.reconnections
-            if self._away_since is None and (not link.connected or connections != before):
-                self._away_since = there
+            seen, now = link.statistics, time.time()
+            if self._away_since is None and (not link.connected or seen.reconnections != before.reconnections):
+                self._away_since = heard
                 self.interruptions += 1
                 self._report("the gateway has gone away: recording goes on when it is back")
             if link.connected and self._away_since is not None:
@@ -127,4 +139,6 @@ class Recorder:
                 self._away += now - began
                 self._report(f"the gateway is back after {now - began:.1f} s")
                 await loop.run_in_executor(writer, self._file.note_interruption, began, now)
-            there = now
+            if seen.bytes_received != before.bytes_received:
+                heard = now
+            before = seen
