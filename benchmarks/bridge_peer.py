@@ -1,7 +1,7 @@
 """The other end of a bridge, in a process of its own: `bridge_peer.py ros1|ros2|zenoh listen|talk SECONDS RATE`.
 
 A listener prints a line when it is ready, counts the messages of one signal until none has come for `QUIET` seconds,
-and prints the number. A talker sends values of another at a steady rate, and prints how many.
+and prints the number, and in how many seconds. A talker sends values of another at a steady rate, and prints the same.
 """
 
 from __future__ import annotations
@@ -18,18 +18,24 @@ TOPIC_OUT, TOPIC_IN = "bench/value", "bench/target"
 PIECES_PER_SECOND = 200
 
 
-def listen(count: Callable[[], int]) -> int:
-    """Wait until messages have come and come no more; give their number."""
-    seen, at = 0, time.monotonic()
+Count = tuple[int, float]
+"""How many messages, and in how many seconds."""
+
+
+def listen(count: Callable[[], int]) -> Count:
+    """Wait until messages have come and come no more; give their number, and the seconds from the first to the last."""
+    seen, at, began = 0, time.monotonic(), 0.0
     while not seen or time.monotonic() - at < QUIET:
         time.sleep(0.01)
         if (now := count()) != seen:
-            seen, at = now, time.monotonic()
-    return seen
+            at = time.monotonic()
+            began = began if seen else at
+            seen = now
+    return seen, at - began
 
 
-def talk(send: Callable[[float], Any], seconds: float, rate: float, flush: Callable[[], Any] = lambda: None) -> int:
-    """Send values at a rate, in pieces; give their number."""
+def talk(send: Callable[[float], Any], seconds: float, rate: float, flush: Callable[[], Any] = lambda: None) -> Count:
+    """Send values at a rate, in pieces; give their number, and the seconds that took."""
     sent, began = 0, time.monotonic()
     while (elapsed := time.monotonic() - began) < seconds:
         while sent < elapsed * rate:
@@ -37,10 +43,10 @@ def talk(send: Callable[[float], Any], seconds: float, rate: float, flush: Calla
             sent += 1
         flush()
         time.sleep(1 / PIECES_PER_SECOND)
-    return sent
+    return sent, time.monotonic() - began
 
 
-def ros1(what: str, seconds: float, rate: float) -> int:
+def ros1(what: str, seconds: float, rate: float) -> Count:
     """Be a node of rospy."""
     import rospy
     from std_msgs.msg import Float64
@@ -62,7 +68,7 @@ def ros1(what: str, seconds: float, rate: float) -> int:
     return talk(lambda value: publisher.publish(Float64(value)), seconds, rate)
 
 
-def ros2(what: str, seconds: float, rate: float) -> int:
+def ros2(what: str, seconds: float, rate: float) -> Count:
     """Be a participant of DDS."""
     from cyclonedds.core import Policy, Qos
     from cyclonedds.pub import DataWriter
@@ -83,7 +89,8 @@ def ros2(what: str, seconds: float, rate: float) -> int:
 
         def count() -> int:
             nonlocal seen
-            seen += len(reader.take(N=10_000))
+            # That the writer went is a sample, too, but has no value.
+            seen += sum(hasattr(one, "data") for one in reader.take(N=10_000))
             return seen
 
         ready()
@@ -92,13 +99,13 @@ def ros2(what: str, seconds: float, rate: float) -> int:
     while not writer.get_matched_subscriptions():
         time.sleep(0.01)
     ready()
-    sent = talk(lambda value: writer.write(struct(value)), seconds, rate)
+    said = talk(lambda value: writer.write(struct(value)), seconds, rate)
     time.sleep(QUIET)
     del domain
-    return sent
+    return said
 
 
-def zenoh(what: str, seconds: float, rate: float) -> int:
+def zenoh(what: str, seconds: float, rate: float) -> Count:
     """Be a peer of Zenoh."""
     import msgspec
     from zenoh import CongestionControl
@@ -127,7 +134,7 @@ def zenoh(what: str, seconds: float, rate: float) -> int:
     while not list(session.get("bench/info")):
         time.sleep(0.01)
     ready()
-    sent = talk(lambda value: piece.append({"target": value}), seconds, rate, flush)
+    said = talk(lambda value: piece.append({"target": value}), seconds, rate, flush)
 
     def written() -> int:
         (number,) = [
@@ -139,7 +146,7 @@ def zenoh(what: str, seconds: float, rate: float) -> int:
 
     listen(written)
     close_session(session)
-    return sent
+    return said
 
 
 def ready() -> None:
@@ -149,4 +156,4 @@ def ready() -> None:
 
 if __name__ == "__main__":
     kind, way, length, hertz = sys.argv[1:]
-    print({"ros1": ros1, "ros2": ros2, "zenoh": zenoh}[kind](way, float(length), float(hertz)), flush=True)
+    print(*{"ros1": ros1, "ros2": ros2, "zenoh": zenoh}[kind](way, float(length), float(hertz)), flush=True)
