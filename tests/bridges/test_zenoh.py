@@ -333,6 +333,28 @@ def test_a_router_may_come_late_and_go_in_between_and_links_and_queries_go_on_th
         asyncio.run(use(place))
 
 
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        (["--prefix", "robot/*"], "'robot/*' is no prefix of keys"),
+        (["--prefix", "robot/1", "--connect", "nowhere"], "connect/endpoints: Endpoints must be"),
+        (["--prefix", "robot/1", "--every", "-1"], "0 or more seconds were expected"),
+    ],
+    ids=lambda value: " ".join(value) if isinstance(value, list) else "",
+)
+def test_wrong_use_is_told_in_one_sentence_and_nothing_else(arguments: list[str], words: str) -> None:
+    result = subprocess.run(
+        [PROGRAM, "zenoh", SPEC, "--link", "sim:scara", *arguments],
+        capture_output=True,
+        text=True,
+        timeout=PATIENCE,
+        check=False,
+    )
+    assert result.returncode == 2
+    assert words in result.stderr
+    assert result.stderr.count("\n") == 1
+
+
 def test_two_bridges_do_not_share_a_prefix() -> None:
     place = free_endpoint()
     with bridge(place) as process:

@@ -12,11 +12,12 @@ from unity_link.cli.arguments import check_poll
 from unity_link.cli.output import print_note
 from unity_link.cli.running import run
 from unity_link.cli.spec import Name, SpecFile, compile_or_exit
-from unity_link.errors import ArgumentError
+from unity_link.errors import ArgumentError, UnityLinkError
 
 if TYPE_CHECKING:
     from unity_link.bridges.ros1 import Ros1Bridge
     from unity_link.bridges.ros2 import Ros2Bridge, Settings
+    from unity_link.bridges.zenoh import ZenohBridge
     from unity_link.spec import Spec
 
 OptionalLinkUrl = Annotated[
@@ -58,11 +59,7 @@ async def _ros1(spec: Spec, interface: str | None, url: str, namespace: str | No
 
     robot_type = load(spec, interface)
     async with connect(url, reconnect=True) as link:
-        bridge = Ros1Bridge(robot_type(link), namespace=namespace, poll_hz=poll, report=print_note)
-        try:
-            await bridge.run()
-        finally:
-            print_note(_summary(bridge))
+        await run_and_sum_up(Ros1Bridge(robot_type(link), namespace=namespace, poll_hz=poll, report=print_note))
 
 
 def ros2(  # noqa: PLR0913  (each is an option)
@@ -114,15 +111,20 @@ async def _ros2(spec: Spec, interface: str | None, url: str, settings: Settings)
 
     robot_type = load(spec, interface)
     async with connect(url, reconnect=True) as link:
-        bridge = Ros2Bridge(robot_type(link), settings, report=print_note)
-        try:
-            await bridge.run()
-        finally:
-            print_note(_summary(bridge))
+        await run_and_sum_up(Ros2Bridge(robot_type(link), settings, report=print_note))
 
 
-def _summary(bridge: Ros1Bridge | Ros2Bridge) -> str:
-    return (
-        f"{bridge.published:,} samples published, {bridge.lost:,} lost; "
-        f"{bridge.messages:,} messages sent, {bridge.written:,} values written"
-    )
+async def run_and_sum_up(bridge: Ros1Bridge | Ros2Bridge | ZenohBridge) -> None:
+    """Run a bridge, and say at its end what it has carried, unless it could not begin."""
+    could_not = False
+    try:
+        await bridge.run()
+    except UnityLinkError:
+        could_not = not bridge.published and not bridge.written
+        raise
+    finally:
+        if not could_not:
+            print_note(
+                f"{bridge.published:,} samples published, {bridge.lost:,} lost; "
+                f"{bridge.messages:,} messages sent, {bridge.written:,} values written"
+            )

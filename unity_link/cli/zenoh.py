@@ -2,19 +2,16 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Annotated
+from typing import Annotated
 
 import typer
 
 from unity_link.cli.arguments import check_poll
 from unity_link.cli.output import print_note
-from unity_link.cli.ros import LinkUrl, Poll  # noqa: TC001  (typer reads them)
+from unity_link.cli.ros import LinkUrl, Poll, run_and_sum_up
 from unity_link.cli.running import run
 from unity_link.cli.spec import Name, SpecFile, compile_or_exit
 from unity_link.errors import ArgumentError
-
-if TYPE_CHECKING:
-    from unity_link.bridges.zenoh import ZenohBridge
 
 
 def add_to(app: typer.Typer) -> None:
@@ -59,14 +56,5 @@ def zenoh(  # noqa: PLR0913  (each is an option of the command)
         raise ArgumentError(f"--every {every:g}: 0 or more seconds were expected")
     network = Network(connect=tuple(connect or ()), listen=tuple(listen or ()), mode=mode, config=config)
     robot_type = load(compile_or_exit(spec), interface)
-    run(_run(ZenohBridge(robot_type, link, prefix, network=network, poll_hz=poll, every=every, report=print_note)))
-
-
-async def _run(bridge: ZenohBridge) -> None:
-    try:
-        await bridge.run()
-    finally:
-        print_note(
-            f"{bridge.published:,} samples published, {bridge.lost:,} lost; "
-            f"{bridge.messages:,} messages sent, {bridge.written:,} values written"
-        )
+    bridge = ZenohBridge(robot_type, link, prefix, network=network, poll_hz=poll, every=every, report=print_note)
+    run(run_and_sum_up(bridge))

@@ -13,6 +13,7 @@ from __future__ import annotations
 import asyncio
 import atexit
 import contextlib
+import importlib.util
 import re
 from typing import TYPE_CHECKING, Any, Protocol
 
@@ -77,10 +78,9 @@ def open_session(network: Network, *, meeting: bool = False) -> zenoh.Session:
         ArgumentError: for an endpoint, a mode or a file that Zenoh does not take.
         ConnectError: where it can't listen; `UnreachableError` where as a client it finds nobody.
     """
-    try:
-        import zenoh
-    except ImportError:
-        raise ConnectError("Zenoh is not installed here: pip install 'unity-link[zenoh]'") from None
+    _find_zenoh()
+    import zenoh
+
     config = _configuration(network, meeting=meeting)
     try:
         session = zenoh.open(config)
@@ -112,7 +112,9 @@ def check_prefix(prefix: str) -> str:
 
     Raises:
         ArgumentError: for one that Zenoh does not take.
+        ConnectError: where Zenoh is not installed.
     """
+    _find_zenoh()
     import zenoh
 
     text = prefix.strip("/")
@@ -120,6 +122,11 @@ def check_prefix(prefix: str) -> str:
         if text and not set("*$?#") & set(text):
             return str(zenoh.KeyExpr(text))
     raise ArgumentError(f"{prefix!r} is no prefix of keys: names with / between them were expected, as in robot/1")
+
+
+def _find_zenoh() -> None:
+    if importlib.util.find_spec("zenoh") is None:
+        raise ConnectError("Zenoh is not installed here: pip install 'unity-link[zenoh]'")
 
 
 def _configuration(network: Network, *, meeting: bool) -> zenoh.Config:

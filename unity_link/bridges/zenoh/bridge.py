@@ -49,6 +49,10 @@ class ZenohBridge:
         poll_hz: also publish, read so often, what nothing samples.
         every: seconds between publications of samples at least.
         report: is told in a sentence what a person should know.
+
+    Raises:
+        ArgumentError: for a prefix that Zenoh does not take.
+        ConnectError: where Zenoh is not installed.
     """
 
     def __init__(
@@ -64,7 +68,7 @@ class ZenohBridge:
     ) -> None:
         self._robot_type = robot_type
         self._target = parse_url(target) if isinstance(target, str) else target
-        self._given_prefix = prefix
+        self._prefix = check_prefix(prefix)
         self._network = network or Network()
         self._poll_hz = poll_hz
         self._every = every
@@ -96,19 +100,18 @@ class ZenohBridge:
         """Be the bridge until it is cancelled.
 
         Raises:
-            ArgumentError: for a prefix or an endpoint that Zenoh does not take, or a spec that publishes nothing where
-                `poll_hz` is not given.
+            ArgumentError: for an endpoint that Zenoh does not take, or a spec that publishes nothing where `poll_hz` is
+                not given.
             ConnectError: where another bridge has the prefix, no session can be opened, or the link ends for good.
         """
         if isinstance(self._target, DriverUrl):
             await prepare(self._target)
         async with _session(self._network, self._report) as session:
-            prefix = check_prefix(self._given_prefix)
-            token = await asyncio.to_thread(_take_prefix, session, prefix)
+            token = await asyncio.to_thread(_take_prefix, session, self._prefix)
             shared = SharedLink(self._target, self._report)
             try:
                 shared.open_when_there()
-                await self._serve(session, prefix, shared)
+                await self._serve(session, self._prefix, shared)
             except LinkLostError:
                 # It says why.
                 shared.ended.result()
