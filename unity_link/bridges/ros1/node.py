@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import contextlib
 import importlib
 import time
 from concurrent.futures import ThreadPoolExecutor
@@ -15,6 +16,7 @@ from unity_link.bridges.ros1.environment import find_rospy
 from unity_link.bridges.ros1.rows import joint_rows, number_rows
 from unity_link.bridges.telling import Faults
 from unity_link.bridges.topics import command_topics, published_groups
+from unity_link.errors import ConnectError
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -55,7 +57,8 @@ class Ros1Bridge:
     ) -> None:
         find_rospy()
         self._namespace = "/" + (robot.interface.name if namespace is None else namespace).strip("/")
-        self._node_name = f"unity_link_{robot.interface.name}"
+        # Robots of one kind have namespaces of their own, and so names.
+        self._node_name = f"unity_link_{self._namespace.strip('/').replace('/', '_') or robot.interface.name}"
         self._report = report
         self._groups = published_groups(robot, poll_hz)
         self._command_topics = command_topics(robot, self._groups)
@@ -89,6 +92,7 @@ class Ros1Bridge:
         """Be the bridge until it is cancelled.
 
         Raises:
+            ConnectError: where ROS ends the node, as it does when another one takes its name.
             LinkLostError: where the link ends.
         """
         # ROS cannot be stopped and started again in one process; its threads end with the process.
@@ -100,8 +104,10 @@ class Ros1Bridge:
         try:
             await self._find_master(asking)
             await loop.run_in_executor(asking, self._start)
-            self._report(f"node /{self._node_name}: {self._count()} at {self._namespace}")
-            await self._carrier.run(publishing, self._commands.run(), self._stay_registered(asking))
+            self._report(f"node {self._node_name}: {self._count()} at {self._namespace}")
+            await self._carrier.run(
+                publishing, self._commands.run(), self._stay_registered(asking), self._stay_till_shut_down()
+            )
         finally:
             await asyncio.shield(loop.run_in_executor(publishing, self._finish))
             rospy.signal_shutdown("the bridge ends")
@@ -118,6 +124,8 @@ class Ros1Bridge:
         import rospy
 
         rospy.init_node(self._node_name, disable_signals=True)
+        # It may have been given another one on the command line.
+        self._node_name = rospy.get_name()
         for published in self._groups:
             for topic in published.topics:
                 self._open(topic.name, "std_msgs", topic.type)
@@ -187,7 +195,7 @@ class Ros1Bridge:
         from rospy.impl.registration import Registration, get_registration_listeners
 
         try:
-            rosgraph.Master(self._node_name).lookupNode(f"/{self._node_name}")
+            rosgraph.Master(self._node_name).lookupNode(self._node_name)
         except rosgraph.MasterError:
             pass
         except OSError:
@@ -204,6 +212,25 @@ class Ros1Bridge:
         except (OSError, rospy.ROSException):
             return False
         return True
+
+    async def _stay_till_shut_down(self) -> None:
+        """Raise where ROS ends the node: by `rosnode kill`, or as another one takes its name."""
+        import rospy.core
+
+        loop = asyncio.get_running_loop()
+        told: asyncio.Future[str] = loop.create_future()
+
+        def end(reason: str) -> None:
+            if not told.done():
+                told.set_result(reason)
+
+        def tell(reason: str) -> None:
+            # The bridge ends the node, too, and with it the loop.
+            with contextlib.suppress(RuntimeError):
+                loop.call_soon_threadsafe(end, reason)
+
+        rospy.core.add_preshutdown_hook(tell)
+        raise ConnectError(f"ROS ended the node {self._node_name}: {await told}")
 
     # Samples
 

@@ -7,6 +7,7 @@ the settings, by ROS's ROS_AUTOMATIC_DISCOVERY_RANGE, or by a configuration of C
 from __future__ import annotations
 
 import os
+import time
 from typing import TYPE_CHECKING, Any
 
 from unity_link.errors import ArgumentError, ConnectError
@@ -31,14 +32,22 @@ LOOPBACK = """
 HIGHEST_DOMAIN = 232
 
 
-def open_participant(settings: Settings) -> tuple[Any, Any]:
+LOOK = 1.0
+"""Seconds in which another bridge of the same namespace shows itself."""
+
+
+def open_participant(settings: Settings, mark: str = "") -> tuple[Any, Any]:
     """Join the domain; give the participant, and the domain, which ends with its last reference.
+
+    Args:
+        settings: which domain, and who is to be spoken to.
+        mark: what the participant tells of itself to all others (its USER_DATA), as ROS 2 writes it: ``name=value;``.
 
     Raises:
         ArgumentError: for a domain that there is not.
         ConnectError: where CycloneDDS cannot open its ports.
     """
-    from cyclonedds.core import DDSException
+    from cyclonedds.core import DDSException, Policy, Qos
     from cyclonedds.domain import Domain, DomainParticipant
 
     number = _domain(settings)
@@ -46,10 +55,26 @@ def open_participant(settings: Settings) -> tuple[Any, Any]:
     open_to_all = settings.network or reach.upper() == "SUBNET" or "CYCLONEDDS_URI" in os.environ
     try:
         domain = None if open_to_all else Domain(number, LOOPBACK)
-        participant = DomainParticipant(number)
+        participant = DomainParticipant(number, qos=Qos(Policy.Userdata(mark.encode())))
     except DDSException as error:
         raise ConnectError(f"DDS domain {number} cannot be joined: {error}") from None
     return participant, domain
+
+
+def is_alone(participant: Any, mark: str) -> bool:
+    """Say whether no other participant has the same mark. Blocks for `LOOK` seconds, unless there is one."""
+    from cyclonedds.builtin import BuiltinDataReader, BuiltinTopicDcpsParticipant
+    from cyclonedds.core import Policy
+
+    reader = BuiltinDataReader(participant, BuiltinTopicDcpsParticipant)
+    until = time.monotonic() + LOOK
+    while time.monotonic() < until:
+        for other in reader.take(N=100):
+            marked = Policy.Userdata(mark.encode()) in (getattr(other, "qos", None) or ())
+            if marked and other.key != participant.guid:
+                return False
+        time.sleep(LOOK / 50)
+    return True
 
 
 def _domain(settings: Settings) -> int:

@@ -88,7 +88,7 @@ class Ros2Bridge:
         """Be the bridge until it is cancelled.
 
         Raises:
-            ConnectError: where DDS cannot be reached.
+            ConnectError: where DDS cannot be reached, or another bridge has the namespace.
             LinkLostError: where the link ends.
         """
         publishing = ThreadPoolExecutor(1, "ros2-publish")
@@ -106,11 +106,17 @@ class Ros2Bridge:
 
     def _open(self) -> int:
         """Join the domain; give the number of topics that are subscribed to."""
-        from unity_link.bridges.ros2.domain import open_participant
+        from unity_link.bridges.ros2.domain import is_alone, open_participant
         from unity_link.bridges.ros2.inlets import Inlets
         from unity_link.bridges.ros2.messages import JOINT_STATE, STANDARD
 
-        self._participant, self._domain = open_participant(self._settings)
+        mark = f"unity_link=/{self._namespace};"
+        self._participant, self._domain = open_participant(self._settings, mark)
+        if not is_alone(self._participant, mark):
+            raise ConnectError(
+                f"another bridge is at /{self._namespace}, and both would write: "
+                "end that one, or choose another namespace"
+            )
         for published in self._groups:
             for topic in published.topics:
                 self._open_outlet(topic.name, STANDARD[topic.type])
