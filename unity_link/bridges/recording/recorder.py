@@ -1,14 +1,12 @@
 """From a robot into a file: samples are taken by the event loop and written by a thread, so that neither waits.
 
 A recording is left alone for hours. So a gateway that goes away does not end it, where its link reconnects: it goes on
-when the gateway is back, and the file has a note of each interruption. And a gateway that was reset behind an open line
-says nothing of that, nor of the groups that it has forgotten: it is asked for a word now and then, which tells.
+when the gateway is back, and the file has a note of each interruption.
 """
 
 from __future__ import annotations
 
 import asyncio
-import contextlib
 import time
 from concurrent.futures import ThreadPoolExecutor
 from typing import TYPE_CHECKING
@@ -16,7 +14,6 @@ from typing import TYPE_CHECKING
 from unity_link.bridges.carrying import Carrier
 from unity_link.bridges.recording.files import RecordingFile
 from unity_link.bridges.sampled import sampled_groups
-from unity_link.errors import GatewayError
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -28,8 +25,6 @@ SYNC_EVERY = 0.5
 """Seconds. What a crash may cost is twice that: a second."""
 WATCH_EVERY = 0.1
 """Seconds. So exactly is known when a gateway went away and came back."""
-ASK_EVERY = 1.0
-"""Seconds between words that are read to see whether the gateway is still the one whose groups were set up."""
 BUFFER = 1 << 18
 """Samples of each group that wait while the disk is slow: five seconds of 50,000 a second."""
 REST = 0.02
@@ -64,8 +59,6 @@ class Recorder:
         self._file = RecordingFile(path, robot.interface, robot.link.gateway, groups, overwrite=overwrite)
         self._carrier = Carrier([group.group for group in groups], self._write, buffer=BUFFER)
         self._link = robot.link
-        # It is read all the time, so to read it once more changes nothing.
-        self._asked = groups[0].group.proxies[0].signal.address
         self._report = report
         self.interruptions = 0
         """How often the gateway was away."""
@@ -102,7 +95,7 @@ class Recorder:
         loop = asyncio.get_running_loop()
         writer = ThreadPoolExecutor(1, "recorder")
         try:
-            await self._carrier.run(writer, self._sync(writer), self._watch(writer), self._ask())
+            await self._carrier.run(writer, self._sync(writer), self._watch(writer))
         finally:
             # The thread does one thing after another: all that it was given comes first.
             await asyncio.shield(loop.run_in_executor(writer, self._file.close))
@@ -117,12 +110,6 @@ class Recorder:
         while True:
             await asyncio.sleep(SYNC_EVERY)
             await loop.run_in_executor(writer, self._file.sync)
-
-    async def _ask(self) -> None:
-        while True:
-            await asyncio.sleep(ASK_EVERY)
-            with contextlib.suppress(GatewayError):
-                await self._link.read(self._asked)
 
     async def _watch(self, writer: ThreadPoolExecutor) -> None:
         link, loop = self._link, asyncio.get_running_loop()
