@@ -12,6 +12,8 @@ from typing import TYPE_CHECKING
 
 import pytest
 
+from noting_gateway import SPEC as NOTED_SPEC
+
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
 
@@ -57,3 +59,51 @@ def bridge_on_shared(
             finally:
                 process.kill()
                 server.terminate()
+
+
+class Noted:
+    """A gateway in a process of its own that can be killed and started again, and what was ever written to it.
+
+    The values are those of the signal `target` of `noting_gateway.SPEC`.
+    """
+
+    def __init__(self, folder: Path) -> None:
+        self.url = f"unix:{folder / 'gateway'}"
+        self.spec = str(folder / "plain.ul")
+        Path(self.spec).write_text(NOTED_SPEC)
+        self._place, self._notes = folder / "gateway", folder / "notes"
+
+    @contextmanager
+    def running(self) -> Iterator[None]:
+        """Run it, and kill it at the end."""
+        program = str(Path(__file__).with_name("noting_gateway.py"))
+        with subprocess.Popen(
+            [sys.executable, program, str(self._place), str(self._notes)], stdout=subprocess.PIPE
+        ) as process:
+            assert process.stdout is not None
+            assert process.stdout.readline() == b"ready\n"
+            try:
+                yield
+            finally:
+                process.kill()
+
+    @property
+    def values(self) -> list[int]:
+        return [int(line) for line in self._notes.read_text().split()] if self._notes.exists() else []
+
+    def wait_for_more(self, count: int = 50) -> None:
+        """Wait until so many more values were written."""
+        before = len(self.values)
+        wait_until(lambda: len(self.values) >= before + count)
+
+
+@contextmanager
+def program(*arguments: str) -> Iterator[subprocess.Popen[str]]:
+    """Run `unity-link`, and kill it at the end."""
+    with subprocess.Popen(
+        [PROGRAM, *arguments], stderr=subprocess.PIPE, text=True, env={**os.environ, "PYTHONUNBUFFERED": "1"}
+    ) as process:
+        try:
+            yield process
+        finally:
+            process.kill()

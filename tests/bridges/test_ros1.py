@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import itertools
 import json
 import shutil
@@ -14,7 +15,7 @@ from typing import TYPE_CHECKING
 
 import pytest
 
-from bridge_programs import PATIENCE, bridge_on_shared, wait_for, wait_until
+from bridge_programs import PATIENCE, Noted, bridge_on_shared, program, wait_for, wait_until
 from unity_link import ConnectError, blocking
 from unity_link.bridges.ros1 import environment
 
@@ -54,6 +55,43 @@ while not publisher.get_num_connections():
 for value in map(float, sys.argv[1:]):
     publisher.publish(Float64(value))
 time.sleep(0.5)
+"""
+
+
+FAST_SPEC = """
+group fast(1, 1, TIMESTAMPS);
+public bench() {
+  GATEWAY(DATA_BITS=64);
+  @value = 0x10: float 64 READ(PUBLISH(fast));
+  @target = 0x20: float 64 WRITE();
+}
+"""
+FAST_GATEWAY = "sim:?data_bits=64&base_frequency_millihertz=20000000"
+COUNTING_LISTENER = """
+import sys, threading, rospy
+from std_msgs.msg import Float64
+seen, enough = [0], threading.Event()
+def take(message):
+    if seen[0] == 0:
+        print("listening", flush=True)
+    seen[0] += 1
+    if seen[0] >= int(sys.argv[1]):
+        enough.set()
+rospy.init_node("listener", anonymous=True, disable_signals=True)
+rospy.Subscriber("/bench/value", Float64, take, tcp_nodelay=True)
+enough.wait(60)
+print(seen[0] >= int(sys.argv[1]))
+"""
+COUNTER = """
+import itertools, time, rospy
+from std_msgs.msg import UInt32
+rospy.init_node("counter", anonymous=True, disable_signals=True)
+publisher = rospy.Publisher("/plain/target", UInt32, tcp_nodelay=True, queue_size=None)
+while not publisher.get_num_connections():
+    time.sleep(0.01)
+for value in itertools.count():
+    publisher.publish(UInt32(value))
+    time.sleep(0.001)
 """
 
 
@@ -152,6 +190,103 @@ def test_the_master_may_come_late_and_go_in_between(ros: int, tmp_path: Path) ->
         with master(ros):
             wait_for(process, "registered with the ROS master again")
             assert json.loads(peer(LISTENER, "10"))
+
+
+@contextmanager
+def node(script: str, *arguments: str) -> Iterator[subprocess.Popen[str]]:
+    with subprocess.Popen(
+        [SYSTEM_PYTHON, "-W", "ignore", "-c", script, *arguments], stdout=subprocess.PIPE, text=True
+    ) as process:
+        try:
+            yield process
+        finally:
+            process.kill()
+
+
+def line_of(process: subprocess.Popen[str]) -> str:
+    assert process.stdout is not None
+    return process.stdout.readline().strip()
+
+
+@contextmanager
+def fast_bridge(folder: Path) -> Iterator[subprocess.Popen[str]]:
+    spec = folder / "bench.ul"
+    spec.write_text(FAST_SPEC)
+    with program("ros1", str(spec), "--link", FAST_GATEWAY) as process:
+        wait_for(process, "node /unity_link_bench")
+        yield process
+
+
+def test_a_subscriber_that_is_killed_takes_no_sample_from_the_others(ros: int, tmp_path: Path) -> None:
+    with master(ros), fast_bridge(tmp_path) as process, node(COUNTING_LISTENER, "200000") as other:
+        assert line_of(other) == "listening"
+        with node(COUNTING_LISTENER, "1000000000") as killed:
+            assert line_of(killed) == "listening"
+            killed.kill()
+        assert line_of(other) == "True"
+        process.send_signal(signal.SIGINT)
+        assert " 0 lost" in wait_for(process, "samples published")
+        assert process.wait(PATIENCE) == 130
+
+
+def test_a_subscriber_that_stops_reading_holds_up_neither_others_nor_writes_nor_the_end_and_may_go_on(
+    ros: int, tmp_path: Path
+) -> None:
+    with (
+        master(ros),
+        fast_bridge(tmp_path) as process,
+        node(COUNTING_LISTENER, "600000") as stopped,
+        node(COUNTING_LISTENER, "1000000000") as late,
+    ):
+        assert line_of(stopped) == line_of(late) == "listening"
+        stopped.send_signal(signal.SIGSTOP)
+        assert "listener" in wait_for(process, "reads /bench/value too slowly: it loses messages")
+        with node(COUNTING_LISTENER, "20000") as other:
+            assert line_of(other) == "listening"
+            assert line_of(other) == "True"
+        peer(TALKER.replace("/scara/j1/pos_sp", "/bench/target"), *map(str, range(100)))
+        stopped.send_signal(signal.SIGCONT)
+        assert line_of(stopped) == "True"
+
+        late.send_signal(signal.SIGSTOP)
+        process.send_signal(signal.SIGINT)
+        assert "100 values written" in wait_for(process, "values written")
+        assert process.wait(PATIENCE) == 130
+
+
+def test_a_gateway_may_go_and_come_back_and_no_value_is_written_twice(ros: int, tmp_path: Path) -> None:
+    gateway = Noted(tmp_path)
+    with master(ros), contextlib.ExitStack() as bridge:
+        with gateway.running():
+            process = bridge.enter_context(program("ros1", gateway.spec, "--link", gateway.url))
+            wait_for(process, "node /unity_link_plain")
+            bridge.enter_context(node(COUNTER))
+            gateway.wait_for_more()
+        wait_for(process, "the gateway is away")
+        with gateway.running():
+            wait_for(process, "the gateway is back")
+            gateway.wait_for_more()
+            assert rostopic("echo", "-n1", "/plain/value").split()[:2] == ["data:", "0"]
+            process.send_signal(signal.SIGINT)
+            wait_for(process, "values written")
+    assert gateway.values == sorted(set(gateway.values))
+
+
+def test_no_number_on_a_topic_is_told_in_a_sentence_and_the_next_value_is_written(ros: int, tmp_path: Path) -> None:
+    with master(ros), bridge_on_shared("ros1", SPEC, GATEWAY, tmp_path) as (process, url):
+        wait_for(process, "node /unity_link_scara")
+
+        peer(TALKER, "nan", "inf", "-1e300", "25")
+
+        assert "j1.pos_sp: nan is no value of" in wait_for(process, "told once")
+        with blocking.connect(url) as link:
+            wait_until(lambda: link.read(0x8C) == round(25 / (360 / (50 * 4000))))
+
+
+def test_a_second_bridge_takes_the_name_of_the_first_which_ends_in_a_sentence(ros: int, tmp_path: Path) -> None:
+    with master(ros), fast_bridge(tmp_path) as first, fast_bridge(tmp_path):
+        assert "new node registered with same name" in wait_for(first, "ROS ended the node /unity_link_bench")
+        assert first.wait(PATIENCE) == 1
 
 
 def test_a_machine_without_ros_is_told_what_to_install(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -1,0 +1,111 @@
+"""Values that come from other threads: each written once and in order, whatever stands beside it."""
+
+from __future__ import annotations
+
+import asyncio
+import math
+import threading
+from contextlib import asynccontextmanager
+from typing import TYPE_CHECKING, Any
+
+import pytest
+from noting_gateway import SPEC, noting_gateway
+
+import unity_link
+from unity_link.bridges.commands import Commands
+from unity_link.data import load
+
+if TYPE_CHECKING:
+    from collections.abc import AsyncIterator
+    from pathlib import Path
+
+
+@pytest.fixture(scope="module")
+def robot_type(tmp_path_factory: pytest.TempPathFactory) -> Any:
+    spec = tmp_path_factory.mktemp("spec") / "plain.ul"
+    spec.write_text(SPEC)
+    return load(spec)
+
+
+@pytest.fixture
+def notes(tmp_path: Path) -> Path:
+    return tmp_path / "notes"
+
+
+def noted(notes: Path) -> list[int]:
+    return [int(line) for line in notes.read_text().split()]
+
+
+@asynccontextmanager
+async def commanding(robot_type: Any, notes: Path, told: list[str]) -> AsyncIterator[tuple[Any, Commands]]:
+    """Run commands until the end of the block, and see that they end in order."""
+    async with unity_link.connect(noting_gateway(str(notes))) as link:
+        commands = Commands(link, told.append)
+        running = asyncio.create_task(commands.run())
+        # A task that was cancelled before it began does nothing at all.
+        await asyncio.sleep(0)
+        yield robot_type(link), commands
+        running.cancel()
+        with pytest.raises(asyncio.CancelledError):
+            await running
+
+
+def test_values_of_several_threads_are_written_once_and_in_the_order_of_each(robot_type: Any, notes: Path) -> None:
+    told: list[str] = []
+
+    async def write() -> int:
+        async with commanding(robot_type, notes, told) as (robot, commands):
+
+            def talk(first: int) -> None:
+                for number in range(5000):
+                    commands.give((robot.target, first + number))
+
+            await asyncio.gather(*(asyncio.to_thread(talk, 10_000 * thread) for thread in range(4)))
+        return commands.written
+
+    written = asyncio.run(write())
+
+    values = noted(notes)
+    assert written == len(values) == 20_000
+    for thread in range(4):
+        own = [value for value in values if value // 10_000 == thread]
+        assert own == list(range(10_000 * thread, 10_000 * thread + 5000))
+    assert told == []
+
+
+def test_what_was_given_before_the_end_is_written_and_nothing_after_it(robot_type: Any, notes: Path) -> None:
+    async def write() -> None:
+        async with commanding(robot_type, notes, []) as (robot, commands):
+            giving = threading.Thread(target=lambda: commands.give(*[(robot.target, value) for value in range(10_000)]))
+            giving.start()
+            giving.join()
+        await asyncio.to_thread(commands.give, (robot.target, 77_777))
+
+    asyncio.run(write())
+
+    assert noted(notes) == list(range(10_000))
+
+
+def test_a_bad_value_spoils_none_of_the_others_and_each_kind_of_fault_of_each_signal_is_told_once(
+    robot_type: Any, notes: Path
+) -> None:
+    told: list[str] = []
+
+    async def write() -> int:
+        async with commanding(robot_type, notes, told) as (robot, commands):
+            given: list[tuple[Any, float]] = []
+            for value in range(100):
+                given += [(robot.target, value), (robot.target, 1_000_001 + value), (robot.target, -value - 1)]
+                given += [(robot.angle, math.nan), (robot.angle, math.inf), (robot.refused, value)]
+            await asyncio.to_thread(commands.give, *given)
+        return commands.written
+
+    asyncio.run(write())
+
+    assert noted(notes) == list(range(100))
+    assert sorted(told) == [
+        "angle: nan is no value of signed 32: a finite number was expected (told once)",
+        "posted write at 0x21: the bus refused the access (told once)",
+        "target: -1 is outside of 0 to 4294967295, the range of unsigned 32 (told once)",
+        "target: 1000001 is outside of its limits, 0 to 1000000 (told once)",
+    ]

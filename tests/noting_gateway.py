@@ -1,0 +1,66 @@
+"""A gateway as a program, ``noting_gateway.py SOCKET NOTES``: what is written at 0x20 it writes down, line by line.
+
+It samples `SPEC`; at 0x21 its bus refuses every access.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import os
+import sys
+
+from unity_link.virtual import AccessError, VirtualGateway
+from unity_link.virtual.serving import serve_unix
+from unity_link.wire.gateway_info import GatewayInfo
+from unity_link.wire.messages import ErrorCode
+
+SPEC = """
+group state(1, 1, TIMESTAMPS);
+public plain() {
+  @value = 0x10: unsigned READ(PUBLISH(state));
+  @target = 0x20: unsigned WRITE(MAX=1000000);
+  @refused = 0x21: unsigned WRITE();
+  @angle = 0x22: signed WRITE(SCALE=0.5);
+}
+"""
+NOTED, REFUSED = 0x20, 0x21
+
+
+class Noting:
+    """A device that appends to a file what is written to it: at once, so that it outlives the program."""
+
+    def __init__(self, notes: str) -> None:
+        self._file = os.open(notes, os.O_WRONLY | os.O_APPEND | os.O_CREAT)
+
+    def read(self, offset: int, now: float) -> int:
+        return 0
+
+    def write(self, offset: int, value: int, now: float) -> None:
+        os.write(self._file, b"%d\n" % value)
+
+
+class Refusing:
+    """A device that takes nothing."""
+
+    def read(self, offset: int, now: float) -> int:
+        raise AccessError(ErrorCode.BUS_ERROR)
+
+    def write(self, offset: int, value: int, now: float) -> None:
+        raise AccessError(ErrorCode.BUS_ERROR)
+
+
+def noting_gateway(notes: str) -> VirtualGateway:
+    gateway = VirtualGateway(GatewayInfo(base_frequency_millihertz=200_000))
+    gateway.bus.attach(Noting(notes), [NOTED])
+    gateway.bus.attach(Refusing(), [REFUSED])
+    return gateway
+
+
+async def main(place: str, notes: str) -> None:
+    async with serve_unix(noting_gateway(notes), place):
+        print("ready", flush=True)  # noqa: T201
+        await asyncio.Event().wait()
+
+
+if __name__ == "__main__":
+    asyncio.run(main(*sys.argv[1:]))
