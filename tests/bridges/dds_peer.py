@@ -1,11 +1,14 @@
 """A program on ROS 2's topics that knows nothing of the bridge: its types are made from ROS 2's own definitions.
 
-``dds_peer.py DOMAIN listen TOPIC TYPE COUNT`` prints messages as JSON, ``DOMAIN talk TOPIC TYPE VALUE...`` sends some.
+``dds_peer.py DOMAIN listen TOPIC TYPE COUNT`` prints messages as JSON, ``DOMAIN talk TOPIC TYPE VALUE...`` sends some;
+``DOMAIN follow TOPIC TYPE COUNT`` prints a line with the first message and one with that of the number ``COUNT``, and
+``DOMAIN count TOPIC TYPE`` sends 0, 1, 2 and so on until it is killed.
 """
 
 from __future__ import annotations
 
 import dataclasses
+import itertools
 import json
 import sys
 import time
@@ -79,12 +82,38 @@ def talk(participant: DomainParticipant, topic: str, name: str, values: list[str
     time.sleep(1)
 
 
+def follow(participant: DomainParticipant, topic: str, name: str, count: int) -> None:
+    reader = DataReader(participant, Topic(participant, topic, struct_of(name)), qos=RELIABLE)
+    seen = 0
+    while seen < count:
+        came = sum(hasattr(message, "__idl__") for message in reader.take(N=1000))
+        if came and not seen:
+            print("listening", flush=True)  # noqa: T201
+        seen += came
+        time.sleep(0.002)
+    print("enough", flush=True)  # noqa: T201
+
+
+def count_up(participant: DomainParticipant, topic: str, name: str) -> None:
+    struct = struct_of(name)
+    writer = DataWriter(participant, Topic(participant, topic, struct), qos=RELIABLE)
+    while not writer.get_matched_subscriptions():
+        time.sleep(0.01)
+    for value in itertools.count():
+        writer.write(struct(data=value))
+        time.sleep(0.001)
+
+
 def main() -> None:
     number, what, topic, name, *rest = sys.argv[1:]
     domain = Domain(int(number), LOOPBACK)
     participant = DomainParticipant(int(number))
     if what == "listen":
         listen(participant, topic, name, int(rest[0]))
+    elif what == "follow":
+        follow(participant, topic, name, int(rest[0]))
+    elif what == "count":
+        count_up(participant, topic, name)
     else:
         talk(participant, topic, name, rest)
     del domain

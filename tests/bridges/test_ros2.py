@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
+import contextlib
 import itertools
 import json
 import os
 import signal
 import subprocess
 import sys
+from contextlib import contextmanager
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import pytest
@@ -17,11 +19,14 @@ from hypothesis import given
 from hypothesis import strategies as st
 from rosbags.typesys import Stores, get_typestore
 
-from bridge_programs import PATIENCE, PROGRAM, bridge_on_shared, wait_for, wait_until
+from bridge_programs import PATIENCE, PROGRAM, Noted, bridge_on_shared, program, wait_for, wait_until
 from unity_link import ArgumentError, blocking
 from unity_link.bridges.ros2 import Quality, Settings, read_settings
 from unity_link.bridges.ros2.messages import JOINT_STATE, STANDARD
 from unity_link.bridges.ros2.rows import joint_rows, number_rows
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
 
 PEER = str(Path(__file__).with_name("dds_peer.py"))
 SPEC = str(Path(__file__).parents[2] / "examples" / "scara.ul")
@@ -157,6 +162,108 @@ def test_a_peer_may_come_late_and_go_in_between(tmp_path: Path) -> None:
             listen(domain, "rt/scara/j1/cpos", "std_msgs/msg/Float64", 20)
         process.send_signal(signal.SIGINT)
         assert " 0 lost" in wait_for(process, "samples published")
+
+
+FAST_SPEC = """
+group fast(1, 1, TIMESTAMPS);
+public bench() {
+  GATEWAY(DATA_BITS=64);
+  @value = 0x10: float 64 READ(PUBLISH(fast));
+  @target = 0x20: float 64 WRITE();
+}
+"""
+FAST_GATEWAY = "sim:?data_bits=64&base_frequency_millihertz=20000000"
+
+
+@contextmanager
+def running_peer(domain: int, *arguments: str) -> Iterator[subprocess.Popen[str]]:
+    with subprocess.Popen(
+        [sys.executable, PEER, str(domain), *arguments], stdout=subprocess.PIPE, text=True
+    ) as process:
+        try:
+            yield process
+        finally:
+            process.kill()
+
+
+def line_of(process: subprocess.Popen[str]) -> str:
+    assert process.stdout is not None
+    return process.stdout.readline().strip()
+
+
+@pytest.mark.slow
+def test_a_reader_that_is_stuck_holds_up_neither_writes_nor_the_end_and_others_are_served_when_it_is_given_up(
+    tmp_path: Path,
+) -> None:
+    spec = tmp_path / "bench.ul"
+    spec.write_text(FAST_SPEC)
+    domain = next(DOMAINS)
+    follow = ("follow", "rt/bench/value", "std_msgs/msg/Float64")
+    with (
+        program("ros2", str(spec), "--link", FAST_GATEWAY, "--domain", str(domain)) as process,
+        running_peer(domain, *follow, "1000000000") as stuck,
+    ):
+        wait_for(process, "topics published")
+        assert line_of(stuck) == "listening"
+        stuck.send_signal(signal.SIGSTOP)
+        wait_for(process, "a reader of rt/bench/value takes nothing: messages are lost")
+        peer(domain, "talk", "rt/bench/target", "std_msgs/msg/Float64", *map(str, range(100)))
+        with running_peer(domain, *follow, "20000") as other:
+            assert line_of(other) == "listening"
+            assert line_of(other) == "enough"
+
+        with running_peer(domain, *follow, "1000000000") as late:
+            assert line_of(late) == "listening"
+            late.send_signal(signal.SIGSTOP)
+            process.send_signal(signal.SIGINT)
+            assert "100 values written" in wait_for(process, "values written")
+            assert process.wait(PATIENCE) == 130
+
+
+@pytest.mark.slow
+def test_a_gateway_may_go_and_come_back_and_no_value_is_written_twice(tmp_path: Path) -> None:
+    gateway, domain = Noted(tmp_path), next(DOMAINS)
+    with contextlib.ExitStack() as bridge:
+        with gateway.running():
+            process = bridge.enter_context(
+                program("ros2", gateway.spec, "--link", gateway.url, "--domain", str(domain))
+            )
+            wait_for(process, "topics published")
+            bridge.enter_context(running_peer(domain, "count", "rt/plain/target", "std_msgs/msg/UInt32"))
+            gateway.wait_for_more()
+        wait_for(process, "the gateway is away")
+        with gateway.running():
+            wait_for(process, "the gateway is back")
+            gateway.wait_for_more()
+            listen(domain, "rt/plain/value", "std_msgs/msg/UInt32", 10)
+            process.send_signal(signal.SIGINT)
+            wait_for(process, "values written")
+    assert gateway.values == sorted(set(gateway.values))
+
+
+@pytest.mark.slow
+def test_no_number_on_a_topic_is_told_in_a_sentence_and_the_next_value_is_written(tmp_path: Path) -> None:
+    domain = next(DOMAINS)
+    with bridge_on_shared("ros2", SPEC, GATEWAY, tmp_path, "--domain", str(domain)) as (process, url):
+        wait_for(process, "topics published")
+
+        peer(domain, "talk", "rt/scara/j1/pos_sp", "std_msgs/msg/Float64", "NaN", "Infinity", "-1e300", "25.0")
+
+        assert "j1.pos_sp: nan is no value of" in wait_for(process, "told once")
+        with blocking.connect(url) as link:
+            wait_until(lambda: link.read(0x8C) == round(25 / (360 / (50 * 4000))))
+
+
+@pytest.mark.slow
+def test_a_second_bridge_at_the_same_topics_is_refused_in_a_sentence_and_one_elsewhere_is_not() -> None:
+    domain = str(next(DOMAINS))
+    command = ("ros2", SPEC, "--link", "sim:scara", "--domain", domain)
+    with program(*command) as first, program(*command, "--namespace", "left") as other:
+        wait_for(first, "topics published")
+        wait_for(other, "topics published")
+        second = subprocess.run([PROGRAM, *command], capture_output=True, text=True, timeout=PATIENCE, check=False)
+    assert second.returncode == 1
+    assert second.stderr.startswith("error: another bridge is at /scara, and both would write")
 
 
 # Settings
