@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import asyncio
+import contextlib
 import itertools
 import os
 import signal
 import socket
 import subprocess
 import sys
+import threading
 import time
 from contextlib import contextmanager
 from pathlib import Path
@@ -18,7 +20,7 @@ import msgspec
 import pytest
 
 import unity_link
-from bridge_programs import PATIENCE, wait_for, wait_until
+from bridge_programs import PATIENCE, Noted, wait_for, wait_until
 from unity_link import ArgumentError, ConnectError, LinkLostError, blocking
 from unity_link.drivers.zenoh_session import Network, close_session, open_session
 
@@ -289,6 +291,65 @@ def test_a_gateway_may_come_late_and_go_in_between(tmp_path: Path) -> None:
         assert "the gateway is away" in ask(peer, "robot/1/write", {"j1.pos_sp": 5})["error"]
 
 
+def test_a_gateway_that_goes_and_comes_back_is_written_nothing_twice(tmp_path: Path) -> None:
+    place, gateway = free_endpoint(), Noted(tmp_path)
+    command = ["zenoh", gateway.spec, "--link", gateway.url, "--prefix", "robot/1", "--listen", place]
+    with program(*command) as process, session(place) as peer, counting_up(peer):
+        with gateway.running():
+            wait_for(process, "plain at robot/1")
+            gateway.wait_for_more()
+        wait_for(process, "the gateway is away")
+        with gateway.running():
+            gateway.wait_for_more()
+            process.send_signal(signal.SIGINT)
+            wait_for(process, "values written")
+    assert gateway.values == sorted(set(gateway.values))
+
+
+def test_a_client_that_is_killed_in_the_middle_of_a_query_has_written_each_value_once_and_others_go_on(
+    tmp_path: Path,
+) -> None:
+    script = (
+        "import sys\n"
+        "from unity_link.drivers.zenoh_session import Network, open_session\n"
+        "session = open_session(Network(connect=(sys.argv[1],)))\n"
+        "for value in range(1_000_000):\n"
+        "    list(session.get('robot/1/signals/target', payload=str(value)))\n"
+    )
+    place, gateway = free_endpoint(), Noted(tmp_path)
+    command = ["zenoh", gateway.spec, "--link", gateway.url, "--prefix", "robot/1", "--listen", place]
+    with gateway.running(), program(*command) as process, session(place) as peer:
+        wait_for(process, "plain at robot/1")
+        with subprocess.Popen([sys.executable, "-c", script, place]) as client:
+            gateway.wait_for_more()
+            client.kill()
+        assert ask(peer, "robot/1/write", {"target": 999_999}) == {"written": 1}
+        values = gateway.values
+        process.send_signal(signal.SIGINT)
+        assert f"{len(values)} values written" in wait_for(process, "values written")
+    assert values == sorted(set(values))
+
+
+@contextmanager
+def counting_up(peer: zenoh.Session) -> Iterator[None]:
+    """Have 0, 1, 2 and so on put, to be written."""
+    ended = threading.Event()
+
+    def put() -> None:
+        for value in itertools.count():
+            peer.put("robot/1/write", msgspec.json.encode({"target": value}))
+            if ended.wait(0.001):
+                return
+
+    thread = threading.Thread(target=put)
+    thread.start()
+    try:
+        yield
+    finally:
+        ended.set()
+        thread.join()
+
+
 ROUTER = """
 import json, sys, time, zenoh
 config = zenoh.Config()
@@ -331,6 +392,20 @@ def test_a_router_may_come_late_and_go_in_between_and_links_and_queries_go_on_th
     with program(*command) as process:
         wait_for(process, "waiting for the router")
         asyncio.run(use(place))
+
+
+def test_a_router_that_goes_and_comes_back_has_nothing_written_twice(tmp_path: Path) -> None:
+    place, gateway = free_endpoint(), Noted(tmp_path)
+    command = ["zenoh", gateway.spec, "--link", gateway.url, "--prefix", "robot/1", "--mode", "client"]
+    with gateway.running(), program(*command, "--connect", place) as process, contextlib.ExitStack() as putting:
+        wait_for(process, "waiting for the router")
+        with router(place):
+            wait_for(process, "plain at robot/1")
+            putting.enter_context(counting_up(putting.enter_context(session(place))))
+            gateway.wait_for_more()
+        with router(place):
+            gateway.wait_for_more(500)
+    assert gateway.values == sorted(set(gateway.values))
 
 
 @pytest.mark.parametrize(
