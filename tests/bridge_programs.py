@@ -19,6 +19,16 @@ if TYPE_CHECKING:
 
 PROGRAM = str(Path(sys.executable).parent / "unity-link")
 PATIENCE = 60.0
+FAST_SPEC = """
+group fast(1, 1, TIMESTAMPS);
+public bench() {
+  GATEWAY(DATA_BITS=64);
+  @value = 0x10: float 64 READ(PUBLISH(fast));
+  @target = 0x20: float 64 WRITE();
+}
+"""
+FAST_GATEWAY = "sim:?data_bits=64&base_frequency_millihertz=20000000"
+"""Twenty thousand samples a second."""
 
 
 def wait_until(condition: Callable[[], object]) -> None:
@@ -37,6 +47,12 @@ def wait_for(process: subprocess.Popen[str], words: str) -> str:
         if words in line:
             return line
     pytest.fail(f"the program ended without saying {words!r}")
+
+
+def line_of(process: subprocess.Popen[str]) -> str:
+    """Give the next line on stdout."""
+    assert process.stdout is not None
+    return process.stdout.readline().strip()
 
 
 @contextmanager

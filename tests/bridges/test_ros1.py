@@ -15,7 +15,17 @@ from typing import TYPE_CHECKING
 
 import pytest
 
-from bridge_programs import PATIENCE, Noted, bridge_on_shared, program, wait_for, wait_until
+from bridge_programs import (
+    FAST_GATEWAY,
+    FAST_SPEC,
+    PATIENCE,
+    Noted,
+    bridge_on_shared,
+    line_of,
+    program,
+    wait_for,
+    wait_until,
+)
 from unity_link import ConnectError, blocking
 from unity_link.bridges.ros1 import environment
 
@@ -58,15 +68,6 @@ time.sleep(0.5)
 """
 
 
-FAST_SPEC = """
-group fast(1, 1, TIMESTAMPS);
-public bench() {
-  GATEWAY(DATA_BITS=64);
-  @value = 0x10: float 64 READ(PUBLISH(fast));
-  @target = 0x20: float 64 WRITE();
-}
-"""
-FAST_GATEWAY = "sim:?data_bits=64&base_frequency_millihertz=20000000"
 COUNTING_LISTENER = """
 import sys, threading, rospy
 from std_msgs.msg import Float64
@@ -201,11 +202,6 @@ def node(script: str, *arguments: str) -> Iterator[subprocess.Popen[str]]:
             yield process
         finally:
             process.kill()
-
-
-def line_of(process: subprocess.Popen[str]) -> str:
-    assert process.stdout is not None
-    return process.stdout.readline().strip()
 
 
 @contextmanager

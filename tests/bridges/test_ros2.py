@@ -19,7 +19,18 @@ from hypothesis import given
 from hypothesis import strategies as st
 from rosbags.typesys import Stores, get_typestore
 
-from bridge_programs import PATIENCE, PROGRAM, Noted, bridge_on_shared, program, wait_for, wait_until
+from bridge_programs import (
+    FAST_GATEWAY,
+    FAST_SPEC,
+    PATIENCE,
+    PROGRAM,
+    Noted,
+    bridge_on_shared,
+    line_of,
+    program,
+    wait_for,
+    wait_until,
+)
 from unity_link import ArgumentError, blocking
 from unity_link.bridges.ros2 import Quality, Settings, read_settings
 from unity_link.bridges.ros2.messages import JOINT_STATE, STANDARD
@@ -164,17 +175,6 @@ def test_a_peer_may_come_late_and_go_in_between(tmp_path: Path) -> None:
         assert " 0 lost" in wait_for(process, "samples published")
 
 
-FAST_SPEC = """
-group fast(1, 1, TIMESTAMPS);
-public bench() {
-  GATEWAY(DATA_BITS=64);
-  @value = 0x10: float 64 READ(PUBLISH(fast));
-  @target = 0x20: float 64 WRITE();
-}
-"""
-FAST_GATEWAY = "sim:?data_bits=64&base_frequency_millihertz=20000000"
-
-
 @contextmanager
 def running_peer(domain: int, *arguments: str) -> Iterator[subprocess.Popen[str]]:
     with subprocess.Popen(
@@ -184,11 +184,6 @@ def running_peer(domain: int, *arguments: str) -> Iterator[subprocess.Popen[str]
             yield process
         finally:
             process.kill()
-
-
-def line_of(process: subprocess.Popen[str]) -> str:
-    assert process.stdout is not None
-    return process.stdout.readline().strip()
 
 
 @pytest.mark.slow

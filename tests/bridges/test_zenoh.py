@@ -20,7 +20,7 @@ import msgspec
 import pytest
 
 import unity_link
-from bridge_programs import PATIENCE, Noted, wait_for, wait_until
+from bridge_programs import PATIENCE, PROGRAM, Noted, program, wait_for, wait_until
 from unity_link import ArgumentError, ConnectError, LinkLostError, blocking
 from unity_link.drivers.zenoh_session import Network, close_session, open_session
 
@@ -29,7 +29,6 @@ if TYPE_CHECKING:
 
     import zenoh
 
-PROGRAM = str(Path(sys.executable).parent / "unity-link")
 SPEC = str(Path(__file__).parents[2] / "examples" / "scara.ul")
 GATEWAY = "sim:scara?base_frequency_millihertz=20000000"
 POS_SP, COUNTS = 0x8C, 50 * 4000 / 360
@@ -39,21 +38,6 @@ pytestmark = pytest.mark.slow
 def free_endpoint() -> str:
     with socket.create_server(("127.0.0.1", 0)) as free:
         return f"tcp/127.0.0.1:{free.getsockname()[1]}"
-
-
-@contextmanager
-def program(*arguments: str) -> Iterator[subprocess.Popen[str]]:
-    with subprocess.Popen(
-        [PROGRAM, *arguments],
-        stdout=subprocess.PIPE,
-        stderr=subprocess.PIPE,
-        text=True,
-        env={**os.environ, "PYTHONUNBUFFERED": "1"},
-    ) as process:
-        try:
-            yield process
-        finally:
-            process.kill()
 
 
 @contextmanager

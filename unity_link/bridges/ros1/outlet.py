@@ -16,8 +16,8 @@ if TYPE_CHECKING:
 
     from unity_link.bridges.ros1.rows import Rows
 
-MOST_TOGETHER = 256
-"""Messages in one write."""
+MOST_TOGETHER = 1 << 14
+"""Bytes of messages in one write."""
 MOST_WRITES = 1024
 """Writes that wait for a subscriber that does not read; after that the oldest are lost to it, and counted."""
 
@@ -53,8 +53,9 @@ class Outlet:
 
     def send(self, rows: Rows) -> None:
         """Send messages."""
-        for start in range(0, len(rows), MOST_TOGETHER):
-            piece = rows[start : start + MOST_TOGETHER]
+        together = max(1, MOST_TOGETHER // rows.dtype.itemsize)
+        for start in range(0, len(rows), together):
+            piece = rows[start : start + together]
             self._write(_Several(piece), len(piece))
 
     def _write(self, messages: _Several, count: int) -> None:

@@ -58,6 +58,16 @@ class Outlet:
             self.lost += len(rows)
             return
         self._stuck = False
+        sent = self._write(rows)
+        _library.dds_write_flush(self._writer._ref)  # noqa: SLF001
+        self.sent += sent
+        if sent < len(rows):
+            self._stuck = True
+            self.lost += len(rows) - sent
+            self._report(f"a reader of {self._topic.name} takes nothing: messages are lost")
+
+    def _write(self, rows: list[bytes]) -> int:
+        """Write messages as long as there is room for them; give how many."""
         message = self._topic.data_type.__new__(self._topic.data_type)
         write = self._writer.write
         for number, row in enumerate(rows):
@@ -65,18 +75,13 @@ class Outlet:
             try:
                 write(message)
             except DDSException:
-                self._stuck = True
-                self.lost += len(rows) - number
-                self.sent += number
-                self._report(f"a reader of {self._topic.name} takes nothing: messages are lost")
-                return
-        self.sent += len(rows)
-        _library.dds_write_flush(self._writer._ref)  # noqa: SLF001
+                return number
+        return len(rows)
 
     def finish(self, deadline: float) -> None:
         """End, when all who read have what was sent, or at an instant of `time.monotonic`."""
         self._is_confirmed(max(0.0, deadline - time.monotonic()))
-        del self._writer
+        del self._writer, self._topic
 
     def _is_confirmed(self, patience: float) -> bool:
         """Say whether readers have all, or have it within so many seconds."""
