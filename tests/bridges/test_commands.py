@@ -9,9 +9,9 @@ from contextlib import asynccontextmanager
 from typing import TYPE_CHECKING, Any
 
 import pytest
-from noting_gateway import SPEC, noting_gateway
 
 import unity_link
+from noting_gateway import SPEC, noting_gateway
 from unity_link.bridges.commands import Commands
 from unity_link.data import load
 
