@@ -3,17 +3,23 @@
 from __future__ import annotations
 
 import contextlib
+import importlib
+import io
 import itertools
 import json
 import shutil
 import signal
 import socket
+import struct
 import subprocess
 from contextlib import contextmanager
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
+import numpy as np
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
 from bridge_programs import (
     FAST_GATEWAY,
@@ -28,6 +34,7 @@ from bridge_programs import (
 )
 from unity_link import ConnectError, blocking
 from unity_link.bridges.ros1 import environment
+from unity_link.bridges.ros1.rows import joint_rows, number_rows
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -80,7 +87,7 @@ def take(message):
         enough.set()
 rospy.init_node("listener", anonymous=True, disable_signals=True)
 rospy.Subscriber("/bench/value", Float64, take, tcp_nodelay=True)
-enough.wait(60)
+enough.wait(600)
 print(seen[0] >= int(sys.argv[1]))
 """
 COUNTER = """
@@ -135,6 +142,51 @@ def peer(script: str, *arguments: str) -> str:
 
 def rostopic(*arguments: str) -> str:
     return subprocess.run(["rostopic", *arguments], capture_output=True, text=True, timeout=PATIENCE, check=True).stdout
+
+
+def with_length(message: Any) -> bytes:
+    """Serialise a message as rospy does, behind its length."""
+    buffer = io.BytesIO()
+    message.serialize(buffer)
+    return struct.pack("<I", len(buffer.getvalue())) + buffer.getvalue()
+
+
+@pytest.mark.parametrize(
+    ("name", "value"),
+    [
+        ("Bool", True),
+        *((f"{sign}Int{bits}", (1 << (bits - 1)) - 1) for sign in ("", "U") for bits in (8, 16, 32, 64)),
+        ("Float32", 1.5),
+        ("Float64", -2.25),
+    ],
+)
+def test_a_standard_message_is_the_bytes_that_rospy_gives_it(name: str, value: float) -> None:
+    environment.find_rospy()
+    message = getattr(importlib.import_module("std_msgs.msg"), name)(data=value)
+
+    rows = number_rows(name, np.array([value, value]))
+
+    assert rows.tobytes() == 2 * with_length(message)
+
+
+@given(
+    names=st.lists(st.text(max_size=9), max_size=4),
+    there=st.tuples(st.booleans(), st.booleans(), st.booleans()),
+)
+def test_the_states_of_joints_are_the_bytes_that_rospy_gives_them(names: list[str], there: tuple[bool, ...]) -> None:
+    environment.find_rospy()
+    genpy, messages = importlib.import_module("genpy"), importlib.import_module("sensor_msgs.msg")
+    parts = {
+        part: np.arange(2 * len(names) * given, dtype=float).reshape(2, -1)
+        for part, given in zip(("position", "velocity", "effort"), there, strict=True)
+    }
+    theirs = b""
+    for number, at in enumerate((12.5, 12.75)):
+        message = messages.JointState(name=names, **{part: column[number].tolist() for part, column in parts.items()})
+        message.header.seq, message.header.stamp = 7 + number, genpy.Time.from_sec(at)
+        theirs += with_length(message)
+
+    assert joint_rows(names, np.array([12.5, 12.75]), parts, 7).tobytes() == theirs
 
 
 def test_signals_are_topics_of_their_types_and_commands_are_subscribed_to(ros: int, tmp_path: Path) -> None:

@@ -1,0 +1,40 @@
+"""Faults are told once for each kind, and numbers make no kind of their own."""
+
+from __future__ import annotations
+
+import pytest
+
+from unity_link.bridges.telling import MOST_KINDS, Faults
+
+
+@pytest.mark.parametrize(
+    ("one", "other", "count"),
+    [
+        ("j1.pos_sp: 500.0 is outside", "j1.pos_sp: -1e+300 is outside", 1),
+        ("j1.pos_sp: nan is no value", "j1.pos_sp: -inf is no value", 1),
+        ("j1.pos_sp: 500.0 is outside", "j2.pos_sp: 500.0 is outside", 2),
+        ("legs[1].pos: 5 is outside", "legs[2].pos: 5 is outside", 2),
+        ("posted write at 0x8C: refused", "posted write at 0x9D: refused", 2),
+        ("j1.pos_sp: 500 is outside", "j1.pos_sp: nan is no value", 2),
+    ],
+)
+def test_faults_that_differ_in_numbers_alone_are_one_kind_and_those_of_other_signals_are_not(
+    one: str, other: str, count: int
+) -> None:
+    told: list[str] = []
+    faults = Faults(told.append)
+
+    for text in (one, other, one, other):
+        faults.tell(text)
+
+    assert told == [f"{text} (told once)" for text in (one, other)][:count]
+
+
+def test_whoever_sends_ever_new_faults_is_told_of_no_more_in_the_end() -> None:
+    told: list[str] = []
+    faults = Faults(told.append)
+
+    for number in range(10 * MOST_KINDS):
+        faults.tell(f"'x{number}' is no value")
+
+    assert len(told) == MOST_KINDS
