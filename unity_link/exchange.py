@@ -147,6 +147,11 @@ class Exchange:
         return self._stream is None
 
     @property
+    def ended(self) -> bool:
+        """Whether there will be no session any more."""
+        return self._closed is not None
+
+    @property
     def in_flight(self) -> int:
         """Number of requests that were sent and not answered."""
         return self._window.in_flight

@@ -117,10 +117,11 @@ class Groups:
             subscription.fail(error)
 
     async def hold(self, subscription: Subscription) -> int:
-        """Take a free group and start it for a subscription.
+        """Take a free group and start it for a subscription; while the connection is being opened again, wait for it.
 
         Raises:
             UnsupportedError: where no group is free.
+            LinkLostError: where the link ends.
         """
         if self._free is None or not self._free:
             raise UnsupportedError(
@@ -130,7 +131,7 @@ class Groups:
         group = self._free.popleft()
         self._held[group] = subscription
         try:
-            await self._set_up(group, subscription)
+            await self._set_up_in_any_session(group, subscription)
         except BaseException:
             self._forget(group)
             self._free.append(group)
@@ -155,6 +156,17 @@ class Groups:
     async def publish(self, group: int) -> None:
         """Have a group published once, now."""
         await self._submit("GP", group)
+
+    async def _set_up_in_any_session(self, group: int, subscription: Subscription) -> None:
+        while True:
+            try:
+                await self._set_up(group, subscription)
+            except LinkLostError:
+                # A new session stops all groups, so whatever was executed before is undone: it can be asked again.
+                if self._exchange.ended:
+                    raise
+            else:
+                return
 
     async def _set_up(self, group: int, subscription: Subscription) -> None:
         schedule = subscription.schedule

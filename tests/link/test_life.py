@@ -675,6 +675,42 @@ async def test_a_connection_that_is_lost_again_and_again_while_subscriptions_are
 
 
 @on_simulated_time
+@pytest.mark.parametrize("turns", range(12))
+async def test_a_subscription_that_begins_when_the_gateway_goes_away_waits_for_it(make_bare: Maker, turns: int) -> None:
+    gateway = Valve(make_bare(**SLOW))
+    async with unity_link.connect(gateway, reconnect=True) as link:
+        # Before, while and after each of its requests is under way.
+        beginning = asyncio.ensure_future(link.subscribe([0], rate_hz=100).__aenter__())
+        for _ in range(turns):
+            await asyncio.sleep(0)
+        gateway.requests_pass = False
+        cut(link)
+        await asyncio.sleep(3)
+        gateway.requests_pass = True
+        samples = await beginning
+        # The first may have come before.
+        _, second, third = [await anext(samples) for _ in range(3)]
+        assert third.sequence == second.sequence + 1
+        assert link.statistics.reconnections == 1
+        await samples.__aexit__(None, None, None)
+
+
+@on_simulated_time
+async def test_a_subscription_that_begins_when_the_link_ends_raises(make_bare: Maker) -> None:
+    gateway = Valve(make_bare(**SLOW))
+    options = Reconnect(give_up_after=10)
+    for reconnect in (False, options):
+        gateway.requests_pass = True
+        async with unity_link.connect(gateway, reconnect=reconnect) as link:
+            gateway.requests_pass = False
+            beginning = asyncio.ensure_future(link.subscribe([0], rate_hz=100).__aenter__())
+            await asyncio.sleep(0)
+            cut(link)
+            with pytest.raises(LinkLostError):
+                await beginning
+
+
+@on_simulated_time
 async def test_a_subscription_may_end_while_the_link_is_down(make_bare: Maker) -> None:
     gateway = make_bare(**SLOW, groups=4)
     async with unity_link.connect(gateway, reconnect=True) as link:
