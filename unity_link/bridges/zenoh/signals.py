@@ -78,9 +78,10 @@ class Signals:
         self._answering: set[asyncio.Task[None]] = set()
         self._inbox: Inbox[bytes]
         self._puts: asyncio.Queue[list[bytes]] = asyncio.Queue()
+        self._ended = False
 
     async def run(self) -> None:
-        """Answer and write until cancelled.
+        """Answer and write until cancelled; what was put before is written then, too.
 
         Raises:
             LinkLostError: where the link ends for good.
@@ -95,16 +96,19 @@ class Signals:
         subscriber = self._session.declare_subscriber(
             f"{self._prefix}/write", lambda sample: told.give(sample.payload.to_bytes())
         )
+        writing = asyncio.ensure_future(self._write_puts())
         try:
-            await self._write_puts()
+            await asyncio.shield(writing)
         finally:
-            told.close()
+            self._ended = True
+            self._puts.put_nowait(told.close())
             for inbox in asked:
                 inbox.close()
             for one in (*declared, subscriber):
                 one.undeclare()
             for task in self._answering:
                 task.cancel()
+            await writing
 
     # Publications of others
 
@@ -114,25 +118,29 @@ class Signals:
         self._puts.put_nowait(payloads)
 
     async def _write_puts(self) -> None:
-        while True:
+        while not self._ended or not self._puts.empty():
             objects = []
             for payload in await self._puts.get():
                 try:
                     objects += self._reader.read(payload)
                 except ArgumentError as error:
                     self._faults.tell(str(error))
-            errors = await write_in_order(objects, posted=True)
-            try:
-                await self._robot.link.fence()
-            except UnityLinkError as error:
-                errors.append(error)
-            if not errors:
-                self.written += sum(map(len, objects))
-            for fault in errors:
-                if isinstance(fault, UnansweredError):
-                    raise fault
-                self._faults.tell(AWAY if self._shared.away else str(fault))
+            if objects:
+                await self._post(objects)
             self._inbox.release()
+
+    async def _post(self, objects: Objects) -> None:
+        faults = await write_in_order(objects, posted=True)
+        try:
+            await self._robot.link.fence()
+        except UnityLinkError as error:
+            faults.append(error)
+        if not faults:
+            self.written += sum(map(len, objects))
+        for fault in faults:
+            if isinstance(fault, UnansweredError):
+                raise fault
+            self._faults.tell(AWAY if self._shared.away else str(fault))
 
     # Queries
 
