@@ -19,7 +19,7 @@ PYTEST_ARGS ?=
 # Tests run in so many processes side by side, each file in one of them; 0 for none beside pytest's own.
 PYTEST_PROCESSES ?= auto
 
-.PHONY: help venv demo test lint format bench bench-ros table1 docs lock upgrade clean
+.PHONY: help venv demo test lint format bench bench-ros bench-live table1 docs lock upgrade clean
 
 help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z0-9-]+:.*## / { printf "  make %-10s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
@@ -50,6 +50,9 @@ table1: $(ALL) ## the paper's experiment again, into benchmarks/TABLE1.md and pl
 
 bench-ros: $(ALL) ## measure the bridges against their peers, and write benchmarks/BRIDGES.md
 	@$(BIN)/python -m benchmarks.bridges
+
+bench-live: $(ALL) ## measure the live page in Chromium, and write benchmarks/LIVE.md
+	@$(BIN)/python -m benchmarks.live_page
 
 docs: $(ALL) ## the documentation as HTML, warnings are errors
 	@$(BIN)/sphinx-build --fail-on-warning --keep-going --quiet docs docs/_build/html

@@ -81,7 +81,9 @@ export class Card {
     if (this.plot) show(this.plot, this.history.rows.map((row) => row.slice()), until, window);
   }
 
+  // Tell the values, if they can be seen: text that changes has the whole page laid out anew.
   say(streams, exact) {
+    if (!this.visible) return;
     for (const signal of this.signals) {
       if (signal.stream === null) continue;
       const value = streams[signal.stream].shown[signal.column];
@@ -98,7 +100,7 @@ export function makeCards(place, about, streams, send) {
   const cards = sorted(about.signals).map((signals) => new Card(signals, about, streams, send));
   place.replaceChildren(...cards.map((card) => card.element));
   const byElement = new Map(cards.map((card) => [card.element, card]));
-  const watcher = new IntersectionObserver((seen) => seen.forEach((one) => (byElement.get(one.target).visible = one.isIntersecting)), { rootMargin: "100px" });
+  const watcher = new IntersectionObserver((seen) => seen.forEach((one) => (byElement.get(one.target).visible = one.isIntersecting)));
   cards.forEach((card) => {
     card.start();
     watcher.observe(card.element);

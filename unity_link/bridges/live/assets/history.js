@@ -1,7 +1,7 @@
 // The rows of one plot: instants, and for each curve its values. Their number is bounded: where samples come faster
 // than the plot has points, each bin of time keeps the lowest and the highest of each curve, so that no peak is lost.
 
-const BINS = 1000; // across the plot
+const BINS = 500; // across the plot: about one for each of its pixels
 const MOST_ROWS = 8192;
 const SET_ANEW = 1; // seconds by which time goes back where the gateway began anew
 
