@@ -17,6 +17,7 @@ from unity_link.connection import Connection, Reconnect
 from unity_link.drivers import DriverUrl, parse_url, prepare
 from unity_link.errors import (
     ArgumentError,
+    LinkLostError,
     UnansweredError,
     UnityLinkError,
     UnsupportedError,
@@ -42,7 +43,6 @@ if TYPE_CHECKING:
 
     from numpy.typing import ArrayLike, NDArray
 
-    from unity_link.errors import LinkLostError
     from unity_link.virtual import Gateway
 
 SendImmediate = Literal["off", "always", "adaptive"]
@@ -104,6 +104,9 @@ class Link(Connection):
 
     async def _restore(self) -> None:
         await self._groups.restore()
+
+    def _interrupted(self, reason: str) -> None:
+        self._groups.interrupted(LinkLostError(reason))
 
     def _ended(self, error: LinkLostError) -> None:
         self._groups.end(error)

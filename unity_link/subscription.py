@@ -95,6 +95,7 @@ class Groups:
     def __init__(self, exchange: Exchange) -> None:
         self._exchange = exchange
         self._held: dict[int, Subscription] = {}
+        self._stopping: set[Request] = set()
         self._free: deque[int] | None = None
         self.samples = 0
         self.samples_lost = 0
@@ -110,6 +111,12 @@ class Groups:
         """Set up all subscriptions again in a new session."""
         for group, subscription in list(self._held.items()):
             await self._set_up(group, subscription)
+
+    def interrupted(self, error: LinkLostError) -> None:
+        """Take note that the session has ended: who waits for a group to be stopped need not wait for the next one."""
+        for request in list(self._stopping):
+            request.given_up = True
+            request.fail(error)
 
     def end(self, error: LinkLostError) -> None:
         """End all subscriptions."""
@@ -149,9 +156,16 @@ class Groups:
             # A gateway that is gone has stopped it, one that was reset knows it no more.
             with contextlib.suppress(LinkLostError, OutOfRangeError):
                 if not self._exchange.suspended:
-                    await asyncio.shield(self._submit("GX", group))
+                    await self._stop(group)
         finally:
             self._free.append(group)
+
+    async def _stop(self, group: int) -> None:
+        request = self._request(Request, "GX", group)
+        self._stopping.add(request)
+        request.future.add_done_callback(lambda _: self._stopping.discard(request))
+        self._exchange.submit(request)
+        await asyncio.shield(request.future)
 
     async def publish(self, group: int) -> None:
         """Have a group published once, now."""

@@ -727,6 +727,25 @@ async def test_a_subscription_may_end_while_the_link_is_down(make_bare: Maker) -
 
 
 @on_simulated_time
+async def test_a_subscription_ends_though_the_gateway_says_nothing_any_more(make_bare: Maker) -> None:
+    gateway = Valve(make_bare(**SLOW))
+    async with unity_link.connect(gateway, reconnect=True) as link:
+        waiting = []
+        async with link.subscribe([0], rate_hz=10) as samples:
+            await anext(samples)
+            gateway.requests_pass = False
+            # More than are under way at a time: that to stop the group waits behind them.
+            waiting = [asyncio.ensure_future(link.read(0)) for _ in range(1000)]
+            await asyncio.sleep(0)
+        assert not link.connected
+        gateway.requests_pass = True
+        # Some had been given up before the link was.
+        outcomes = await asyncio.gather(*waiting, return_exceptions=True)
+        assert outcomes.count(0) > 900
+        assert await link.read(0) == 0
+
+
+@on_simulated_time
 async def test_closing_while_the_link_is_down_raises_in_those_that_wait(make_bare: Maker) -> None:
     gateway = Valve(make_bare(**SLOW))
     async with unity_link.connect(gateway, reconnect=True) as link:
