@@ -26,6 +26,8 @@ LAST_ANSWER = len("K00CC\n")
 """Bytes of the last answer, at least."""
 CHECKED_TRIES = 4
 """How often the checked `Q` is asked before the plain answer is doubted."""
+_LONGEST_TEXT = 120
+"""Characters of what is not understood that a message quotes."""
 
 
 class Handshake:
@@ -45,6 +47,8 @@ class Handshake:
         self._answer: asyncio.Future[bytes] = asyncio.get_running_loop().create_future()
         self._doubtful = b""
         self._heard = 0
+        self._text = ""
+        """What was said last that is no frame."""
         stream.receiver = self
 
     async def run(self) -> tuple[Codec, float]:
@@ -108,7 +112,7 @@ class Handshake:
         patience = FIRST_TRY
         while tries is None or tries > 0:
             if self._stream.closed:
-                raise ConnectError("the connection ended before the gateway answered")
+                raise self._ended(None)
             self._stream.send(question)
             try:
                 # Not by wait_for, which up to Python 3.11 forgets a cancellation that comes with the answer.
@@ -135,15 +139,21 @@ class Handshake:
         try:
             body = self._framing.open(line)
         except FrameError:
-            return
-        if body.startswith(self._beginning) and not self._answer.done():
+            body = b""
+        if not body.startswith(self._beginning):
+            text = line[:_LONGEST_TEXT].decode("ascii", "replace").strip()
+            self._text = text if text.isprintable() else ""
+        elif not self._answer.done():
             self._answer.set_result(body)
 
     def disconnected(self, reason: Exception | None) -> None:
         """End the conversation."""
         if not self._answer.done():
-            self._answer.set_exception(
-                ConnectError("the connection ended before the gateway answered" + (f" ({reason})" if reason else ""))
-            )
+            self._answer.set_exception(self._ended(reason))
             # Nobody may be waiting at this moment.
             self._answer.exception()
+
+    def _ended(self, reason: Exception | None) -> ConnectError:
+        """Say what can be known of an end: who hangs up may have said why, in a line of text."""
+        why = f'"{self._text}"' if self._text else reason or "does it serve another program, or want a token?"
+        return ConnectError(f"the connection ended before the gateway answered: {why}")

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 import pytest
 
+import unity_link
 from unity_link.errors import ConnectError
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.serving import BUSY, serve_pty, serve_tcp, serve_udp, serve_unix
@@ -103,6 +104,14 @@ async def test_a_second_client_is_told_that_the_gateway_is_busy_and_the_first_go
         async with tcp_client(url) as second:
             assert await second[0].read() == BUSY
         assert await ask(first, b"H\r") == b"H\r\n"
+
+
+@pytest.mark.asyncio
+async def test_a_program_is_told_why_it_is_hung_up_on_in_the_words_of_who_does_it() -> None:
+    async with serve_tcp(VirtualGateway()) as url, unity_link.connect(url):
+        with pytest.raises(ConnectError, match=BUSY.decode().strip()):
+            async with unity_link.connect(url):
+                pass
 
 
 @pytest.mark.asyncio

@@ -103,11 +103,17 @@ class _Client(asyncio.Protocol):
         if transport.is_closing():
             return
         if self._counter.taken:
-            transport.write(BUSY)
-            transport.close()
+            self._refuse(transport)
         else:
             self._serve(transport)
             transport.resume_reading()
+
+    def _refuse(self, transport: asyncio.Transport) -> None:
+        transport.write(BUSY)
+        transport.write_eof()
+        # To close with something unread would reset the connection, and the client would not see what was written.
+        transport.resume_reading()
+        asyncio.get_running_loop().call_later(GRACE, transport.close)
 
     def data_received(self, data: bytes) -> None:
         if self._served:
