@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import json
+import socket
+import struct
 import subprocess
-import sys
 import time
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -14,17 +15,15 @@ import numpy as np
 from websockets.sync.client import ClientConnection, connect
 from websockets.typing import Origin
 
+from bridge_programs import PATIENCE, PROGRAM
 from unity_link.bridges.live.outbox import BATCH_HEAD, HEAD
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterator
+    from collections.abc import Iterator
 
-
-PROGRAM = str(Path(sys.executable).parent / "unity-link")
 SPEC = str(Path(__file__).parents[1] / "examples" / "scara.ul")
 FAST = "sim:scara?base_frequency_millihertz=2000000000"
 """A gateway that publishes 20,000 samples a second."""
-PATIENCE = 60.0
 TOKEN = "a-token"
 POSITION_SET_POINT = 0x8C
 COUNTS_PER_DEGREE = 50 * 4000 / 360
@@ -47,20 +46,25 @@ class Live(NamedTuple):
 
 
 @contextmanager
-def live(*arguments: str) -> Iterator[Live]:
+def live(*arguments: str, begins: str = "\0") -> Iterator[Live]:
+    """Run it; nothing may be on stderr that a test has not read, but lines that begin with `begins`."""
     command = [PROGRAM, "live", *arguments]
     if "--browser" not in arguments:
         command.append("--no-browser")
     if "--port" not in arguments:
         command += ["--port", "0"]
     with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as process:
+        assert process.stdout is not None
+        assert process.stderr is not None
         try:
-            assert process.stdout is not None
             url = process.stdout.readline().strip()
-            assert url, process.stderr.read() if process.stderr else ""
+            assert url, process.stderr.read()
             yield Live(process, url)
         finally:
             process.kill()
+        if not process.stderr.closed:
+            told = [line for line in process.stderr if not line.startswith(begins)]
+            assert told == [], "".join(told)
 
 
 @contextmanager
@@ -132,8 +136,74 @@ def write(connection: ClientConnection, path: str, value: object, number: int = 
     raise AssertionError
 
 
-def wait_until(condition: Callable[[], bool]) -> None:
-    deadline = time.monotonic() + PATIENCE
-    while not condition():
-        assert time.monotonic() < deadline
-        time.sleep(0.05)
+class Sleeper:
+    """A page that shakes hands, and then reads nothing until it is told to; what it says is up to the test."""
+
+    def __init__(self, running: Live) -> None:
+        host, _, port = running.host.partition(":")
+        self.socket = socket.socket()
+        self.socket.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 4096)
+        self.socket.settimeout(PATIENCE)
+        self.socket.connect((host, int(port)))
+        self.socket.sendall(handshake(running.host))
+        head = b""
+        while not head.endswith(b"\r\n\r\n"):
+            head += self.receive(1)
+        assert head.startswith(b"HTTP/1.1 101")
+
+    def say(self, kind: int, data: bytes, *, last: bool = True) -> None:
+        """Send a frame of WebSocket, of the opcode `kind`."""
+        length = bytes([0x80 | len(data)]) if len(data) < 126 else b"\xfe" + struct.pack(">H", len(data))
+        # A mask of zeros leaves the data as it is.
+        self.socket.sendall(bytes([kind | 0x80 * last]) + length + bytes(4) + data)
+
+    def next_dropped(self) -> int:
+        """Read up to the next message of samples; give how many it says were dropped."""
+        while True:
+            kind, length = self.receive(2)
+            if length == 126:
+                (length,) = struct.unpack(">H", self.receive(2))
+            elif length == 127:
+                (length,) = struct.unpack(">Q", self.receive(8))
+            data = self.receive(length)
+            if kind & 0xF == 2:
+                dropped: int = HEAD.unpack_from(data)[1]
+                return dropped
+
+    def receive(self, count: int) -> bytes:
+        data = b""
+        while len(data) < count:
+            part = self.socket.recv(count - len(data))
+            assert part
+            data += part
+        return data
+
+
+def handshake(host: str) -> bytes:
+    lines = (
+        "GET /samples HTTP/1.1",
+        f"Host: {host}",
+        f"Origin: http://{host}",
+        "Upgrade: websocket",
+        "Connection: Upgrade",
+        "Sec-WebSocket-Key: AAAAAAAAAAAAAAAAAAAAAA==",
+        "Sec-WebSocket-Version: 13",
+        "",
+        "",
+    )
+    return "\r\n".join(lines).encode()
+
+
+def memory_of(process: int) -> int:
+    """Give the bytes that a process has in memory."""
+    (line,) = (line for line in Path(f"/proc/{process}/status").read_text().splitlines() if line.startswith("VmRSS"))
+    return 1024 * int(line.split()[1])
+
+
+def connections_of(process: int) -> int:
+    """Count the sockets that a process has open."""
+    count = 0
+    for file in Path(f"/proc/{process}/fd").iterdir():
+        with suppress(FileNotFoundError):
+            count += str(file.readlink()).startswith("socket:")
+    return count

@@ -10,16 +10,8 @@ from typing import TYPE_CHECKING, Any
 import pytest
 from playwright.sync_api import expect, sync_playwright
 
-from live_page import (
-    COUNTS_PER_DEGREE,
-    PATIENCE,
-    POSITION_SET_POINT,
-    SPEC,
-    TOKEN,
-    gateway,
-    live,
-    wait_until,
-)
+from bridge_programs import PATIENCE, wait_until
+from live_page import COUNTS_PER_DEGREE, POSITION_SET_POINT, SPEC, TOKEN, gateway, live
 from unity_link import blocking
 
 if TYPE_CHECKING:

@@ -9,7 +9,6 @@ import socket
 import stat
 import subprocess
 import sys
-import time
 from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -17,13 +16,13 @@ from typing import TYPE_CHECKING
 import pytest
 
 import unity_link
+from bridge_programs import PROGRAM, wait_until
 from unity_link import BusTimeoutError, ConnectError, blocking
 from unity_link.bridges.serve.door import MOST_CLIENTS
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterator
+    from collections.abc import Iterator
 
-PROGRAM = str(Path(sys.executable).parent / "unity-link")
 ENVIRONMENT = {name: value for name, value in os.environ.items() if name not in ("UNITY_LINK_TOKEN", "NOTIFY_SOCKET")}
 
 
@@ -55,13 +54,6 @@ def started(*arguments: str, **environment: str) -> Iterator[tuple[subprocess.Po
             yield process, process.stdout.readline().strip()
         finally:
             process.kill()
-
-
-def wait_until(condition: Callable[[], bool]) -> None:
-    deadline = time.monotonic() + 60
-    while not condition():
-        assert time.monotonic() < deadline
-        time.sleep(0.01)
 
 
 def free_port() -> int:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import math
 import os
 import secrets
 import sys
@@ -67,11 +68,16 @@ def live(  # noqa: PLR0913  (its options)
         bool, typer.Option("--foxglove", help="Also serve the samples to the Foxglove app.", rich_help_panel=_FOXGLOVE)
     ] = False,
     foxglove_port: Annotated[
-        int,
+        int | None,
         typer.Option(
-            "--foxglove-port", metavar="PORT", min=1, max=65535, help="Of --foxglove.", rich_help_panel=_FOXGLOVE
+            "--foxglove-port",
+            metavar="PORT",
+            min=1,
+            max=65535,
+            help=f"Of --foxglove; without it {FOXGLOVE_PORT}.",
+            rich_help_panel=_FOXGLOVE,
         ),
-    ] = FOXGLOVE_PORT,
+    ] = None,
     interface: Name = None,
     timeout: Timeout = DEFAULT_TIMEOUT,
 ) -> None:
@@ -82,14 +88,17 @@ def live(  # noqa: PLR0913  (its options)
     if (spec is None) == (not watch):
         raise ArgumentError("a SPEC was expected, or words by --watch ADDRESS")
     for name, hertz in (("--rate", rate), ("--poll", poll)):
-        if hertz < 0 or (name == "--rate" and hertz == 0):
+        if not 0 <= hertz < math.inf or (name == "--rate" and hertz == 0):
             raise ArgumentError(
                 f"{name} {hertz:g}: {'more than 0' if name == '--rate' else '0 or more'} Hz was expected"
             )
+    if foxglove_port is not None and not foxglove:
+        raise ArgumentError("--foxglove-port is of --foxglove: give both")
     compiled = None if spec is None else compile_or_exit(spec)
     chosen = _Shown(compiled, interface, watch or [], rate, poll or None)
     token = _token() if allow_writes else None
-    run(_live(url, chosen, token, port, foxglove_port if foxglove else None, browser=browser, timeout=timeout))
+    app_port = foxglove_port or FOXGLOVE_PORT if foxglove else None
+    run(_live(url, chosen, token, port, app_port, browser=browser, timeout=timeout))
 
 
 class _Shown:
@@ -142,7 +151,7 @@ async def _live(
         if foxglove_port is not None:
             foxglove = stack.enter_context(FoxgloveServer(robot, groups, foxglove_port))
         listener = stack.enter_context(bind(port))
-        page = LivePage(robot, groups, gateway=url, token=token, foxglove=foxglove)
+        page = LivePage(robot, groups, gateway=url, token=token, foxglove=foxglove, report=print_note)
         _announce(listener, token, foxglove, browser=browser)
         began = time.monotonic()
         try:

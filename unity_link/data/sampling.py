@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Protocol, Self
 import numpy as np
 
 from unity_link.data.batch import Batch
-from unity_link.errors import ArgumentError, SamplesLostError
+from unity_link.errors import ArgumentError, GatewayError, SamplesLostError
 from unity_link.subscription import Sample
 
 if TYPE_CHECKING:
@@ -78,10 +78,15 @@ class Poll:
 
         Raises:
             SamplesLostError: where turns were missed, and the overflow is ``"fail"``.
+            GatewayError: where the gateway refused the read; the turn is lost, and there may be others.
         """
         while True:
             self._turn += await self._wait_for_turn()
-            words = await self._layout.read()
+            try:
+                words = await self._layout.read()
+            except GatewayError:
+                self._miss(1)
+                raise
             if not self._on_change or self._last is None or not np.array_equal(words, self._last):
                 return [self._sample(words)]
 
@@ -112,11 +117,14 @@ class Poll:
             self._asked.clear()
             return 0
         missed = int(late)
-        self._lost += missed
-        self.lost += missed
+        self._miss(missed)
         if missed and self._overflow == "fail":
             raise SamplesLostError(f"the reader is too slow: {missed} turns of {self._rate_hz:g} Hz were missed")
         return missed + 1
+
+    def _miss(self, turns: int) -> None:
+        self._lost += turns
+        self.lost += turns
 
     def _sample(self, words: Words) -> Sample:
         self._last = words

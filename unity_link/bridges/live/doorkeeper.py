@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 
 from starlette.datastructures import Headers, MutableHeaders
 from starlette.responses import PlainTextResponse
+from starlette.websockets import WebSocketClose
 
 if TYPE_CHECKING:
     from starlette.types import ASGIApp, Message, Receive, Scope, Send
@@ -43,7 +44,8 @@ class Doorkeeper:
         else:
             await self._app(scope, receive, lambda message: send(_hardened(message)))
             return
-        await PlainTextResponse(reason, 403)(scope, receive, send)
+        refusal = WebSocketClose() if scope["type"] == "websocket" else PlainTextResponse(reason, 403)
+        await refusal(scope, receive, send)
 
 
 def _hardened(message: Message) -> Message:

@@ -10,11 +10,11 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 import msgspec
-import uvicorn
 from starlette.applications import Starlette
 from starlette.middleware import Middleware
 from starlette.routing import Mount, WebSocketRoute
 from starlette.staticfiles import StaticFiles
+from starlette.websockets import WebSocketClose, WebSocketDisconnect
 
 from unity_link.bridges.carrying import Carrier
 from unity_link.bridges.live.clock import GatewayClock
@@ -22,13 +22,14 @@ from unity_link.bridges.live.description import WIDEST_EXACT, describe
 from unity_link.bridges.live.doorkeeper import Doorkeeper
 from unity_link.bridges.live.outbox import tabulate
 from unity_link.bridges.live.round_trips import Histogram, RoundTrips
+from unity_link.bridges.live.server import make_server
 from unity_link.bridges.live.viewer import Viewer
 from unity_link.bridges.live.writing import Writing
 from unity_link.link import Statistics  # noqa: TC001  (msgspec reads the annotations)
 from unity_link.listening import LOOPBACK, port_error
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator, Sequence
+    from collections.abc import Callable, Sequence
 
     from starlette.websockets import WebSocket
 
@@ -43,8 +44,6 @@ MOST_VIEWERS = 32
 STATUS_EVERY = 0.2
 """Seconds."""
 _ASSETS = Path(__file__).parent / "assets"
-_LARGEST_MESSAGE = 4096
-"""Bytes of what a page says."""
 _TRY_AGAIN_LATER = 1013
 
 
@@ -82,6 +81,7 @@ class LivePage:
         gateway: where the gateway is, for people.
         token: what a page must know to write; None: there are no writes.
         foxglove: where the samples go besides.
+        report: is told in a sentence of signals that cannot be read.
     """
 
     def __init__(
@@ -92,14 +92,15 @@ class LivePage:
         gateway: str,
         token: str | None = None,
         foxglove: FoxgloveServer | None = None,
+        report: Callable[[str], None] = lambda _: None,
     ) -> None:
         self._link = robot.link
         self._groups = [group.group for group in groups]
         self._writing = None if token is None else Writing(robot, token)
         self._foxglove = foxglove
-        self._carrier = Carrier(self._groups, self._tabulate, buffer=BUFFER)
+        self._carrier = Carrier(self._groups, self._tabulate, buffer=BUFFER, report=report)
         self._clocks = [GatewayClock() for _ in groups]
-        self._round_trips = RoundTrips(robot.link, self._groups[0].proxies[0].signal.address)
+        self._round_trips = RoundTrips(self._groups[0].proxies[0])
         self._viewers: set[Viewer] = set()
         self._wide = [
             proxy
@@ -112,7 +113,12 @@ class LivePage:
         about = describe(robot, groups, rates, gateway)
         self._about = msgspec.json.encode(msgspec.structs.replace(about, writes=self._writing is not None))
         self._loop = asyncio.get_running_loop()
-        self._server = self._make_server()
+        routes = [
+            WebSocketRoute("/samples", self._view),
+            WebSocketRoute("/{path:path}", WebSocketClose()),
+            Mount("/", StaticFiles(directory=_ASSETS, html=True)),
+        ]
+        self._server = make_server(Starlette(routes=routes, middleware=[Middleware(Doorkeeper)]))
 
     @property
     def samples(self) -> int:
@@ -175,38 +181,22 @@ class LivePage:
 
     # The server
 
-    def _make_server(self) -> _Server:
-        routes = [
-            WebSocketRoute("/samples", self._view),
-            Mount("/", StaticFiles(directory=_ASSETS, html=True)),
-        ]
-        config = uvicorn.Config(
-            Starlette(routes=routes, middleware=[Middleware(Doorkeeper)]),
-            log_config=None,
-            access_log=False,
-            lifespan="off",
-            server_header=False,
-            ws="websockets-sansio",
-            ws_max_size=_LARGEST_MESSAGE,
-            timeout_graceful_shutdown=1,
-        )
-        # It imports for long, which would lose samples once they come.
-        config.load()
-        return _Server(config)
-
     async def _serve(self, listener: socket.socket) -> None:
         server = self._server
         serving = asyncio.create_task(server.serve([listener]))
         try:
             await asyncio.shield(serving)
         finally:
+            for viewer in self._viewers:
+                viewer.leave()
             server.should_exit = True
             await serving
 
     async def _view(self, websocket: WebSocket) -> None:
         await websocket.accept()
         if len(self._viewers) >= MOST_VIEWERS:
-            await websocket.close(_TRY_AGAIN_LATER, f"{MOST_VIEWERS} pages are open already")
+            with contextlib.suppress(WebSocketDisconnect):
+                await websocket.close(_TRY_AGAIN_LATER, f"{MOST_VIEWERS} pages are open already")
             return
         viewer = Viewer(websocket, self._about, self._writing)
         self._viewers.add(viewer)
@@ -214,11 +204,3 @@ class LivePage:
             await viewer.run()
         finally:
             self._viewers.discard(viewer)
-
-
-class _Server(uvicorn.Server):
-    """A server in a program that looks after signals itself."""
-
-    @contextlib.contextmanager
-    def capture_signals(self) -> Iterator[None]:
-        yield

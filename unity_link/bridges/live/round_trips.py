@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import contextlib
 import math
 import statistics
 import time
@@ -11,8 +12,10 @@ from typing import TYPE_CHECKING
 
 import msgspec
 
+from unity_link.errors import GatewayError
+
 if TYPE_CHECKING:
-    from unity_link.link import Link
+    from unity_link.data import Proxy
 
 PAUSE = 0.1
 """Seconds between reads."""
@@ -36,11 +39,16 @@ class Histogram(msgspec.Struct, frozen=True):
 
 
 class RoundTrips:
-    """Measures the round trips of a link."""
+    """Measures the round trips of a link.
 
-    def __init__(self, link: Link, address: int) -> None:
-        self._link = link
-        self._address = address
+    Args:
+        proxy: what is read; of a signal that is read all the time anyway, so that it changes nothing.
+    """
+
+    def __init__(self, proxy: Proxy[object]) -> None:
+        self._link = proxy.link
+        self._bus = proxy.bus
+        self._address = proxy.signal.address
         self._counts = [0] * BINS
         self._recent: deque[float] = deque(maxlen=RECENT)
 
@@ -54,7 +62,9 @@ class RoundTrips:
             await asyncio.sleep(PAUSE)
             sessions = self._link.statistics.reconnections
             began = time.perf_counter()
-            await self._link.read(self._address)
+            # An error is an answer, too.
+            with contextlib.suppress(GatewayError):
+                await self._bus.read(self._address)
             # How long a link was away is no round trip.
             if self._link.statistics.reconnections == sessions:
                 self.take(time.perf_counter() - began)

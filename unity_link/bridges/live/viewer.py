@@ -48,18 +48,31 @@ class Viewer:
         self._about = about
         self._writing = writing
         self._may_write = False
+        self._said_nonsense = False
+        self._left = asyncio.Event()
 
     async def run(self) -> None:
         """Serve it until it has gone."""
-        sending = asyncio.create_task(self._send())
-        # Either one finds out that the browser has gone.
-        with contextlib.suppress(WebSocketDisconnect):
-            try:
-                await self._receive()
-            finally:
-                sending.cancel()
-                with contextlib.suppress(asyncio.CancelledError, WebSocketDisconnect):
-                    await sending
+        # Whichever finds out that it is over, the others may wait for ever.
+        working = [asyncio.create_task(one) for one in (self._send(), self._receive(), self._left.wait())]
+        try:
+            await asyncio.wait(working, return_when=asyncio.FIRST_COMPLETED)
+        finally:
+            for task in working:
+                task.cancel()
+            outcomes = await asyncio.gather(*working, return_exceptions=True)
+        for outcome in outcomes:
+            if isinstance(outcome, WebSocketDisconnect):
+                return
+            if isinstance(outcome, Exception):
+                raise outcome
+        if self._said_nonsense:
+            with contextlib.suppress(WebSocketDisconnect):
+                await self._socket.close(_POLICY_VIOLATION)
+
+    def leave(self) -> None:
+        """Serve it no longer."""
+        self._left.set()
 
     async def _send(self) -> None:
         """Send what there is at the pace of a screen; waits here while the browser does not read."""
@@ -81,10 +94,12 @@ class Viewer:
             if event["type"] == "websocket.disconnect":
                 return
             try:
-                answer = await self._answer(decode(event.get("text") or event.get("bytes") or b""))
-            except msgspec.DecodeError:
-                await self._socket.close(_POLICY_VIOLATION)
+                message = decode(event.get("text") or event.get("bytes") or b"")
+            # The last two are of messages that no page sends: nested too deeply, or no UTF-8.
+            except (msgspec.DecodeError, RecursionError, UnicodeError):
+                self._said_nonsense = True
                 return
+            answer = await self._answer(message)
             await self._socket.send_text(msgspec.json.encode(answer).decode())
 
     async def _answer(self, message: Hello | Write) -> object:

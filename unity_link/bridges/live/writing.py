@@ -1,17 +1,28 @@
-"""Values that come from a page. Where writes are not allowed there is no `Writing`, and nothing that could write."""
+"""Values that come from a page. Where writes are not allowed there is no `Writing`, and nothing that could write.
+
+A write that has begun goes on when its page has gone; it ends, and is never sent, when the link goes away before.
+"""
 
 from __future__ import annotations
 
+import asyncio
 import hmac
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Annotated, Any
 
 import msgspec
 
 from unity_link.bridges.live.description import is_written
-from unity_link.errors import ArgumentError, UnityLinkError
+from unity_link.errors import UnityLinkError
 
 if TYPE_CHECKING:
     from unity_link.data import Robot, Writable
+
+LOOK_EVERY = 0.1
+"""Seconds between looks whether the link is still there while a value is written."""
+_LARGEST_NUMBER = 2**53
+"""Up to here JavaScript counts exactly."""
+_AWAY = "the link is away: nothing was written"
+_WENT_AWAY = "the link went away: it is not known whether this was written"
 
 
 class Hello(msgspec.Struct, tag_field="type", tag="hello", forbid_unknown_fields=True):
@@ -23,7 +34,7 @@ class Hello(msgspec.Struct, tag_field="type", tag="hello", forbid_unknown_fields
 class Write(msgspec.Struct, tag_field="type", tag="write", forbid_unknown_fields=True):
     """A page wants a value written."""
 
-    number: int
+    number: Annotated[int, msgspec.Meta(ge=0, le=_LARGEST_NUMBER)]
     """What its answer is to be known by."""
     signal: str
     value: bool | int | float | str
@@ -55,7 +66,8 @@ class Writing:
         self.written = 0
         """Values that were written."""
         self._link = robot.link
-        self._token = token.encode()
+        self._token = token.encode(errors="surrogatepass")
+        self._under_way: set[asyncio.Task[Written | Refused]] = set()
         self._signals: dict[str, Writable[Any]] = {
             proxy.path: proxy  # type: ignore[misc]
             for proxy in robot.signals
@@ -64,18 +76,30 @@ class Writing:
 
     def knows(self, token: str) -> bool:
         """Say whether a token is the right one, in a time that does not tell how much of it was."""
-        return hmac.compare_digest(token.encode(), self._token)
+        return hmac.compare_digest(token.encode(errors="surrogatepass"), self._token)
 
     async def write(self, wish: Write) -> Written | Refused:
         """Write a value that is within its limits. While the link is away nothing is: it would come as a surprise."""
+        proxy = self._signals.get(wish.signal)
+        if proxy is None:
+            return Refused(wish.number, f"there is no signal {wish.signal!r} that can be written")
+        if not self._link.connected:
+            return Refused(wish.number, _AWAY)
+        writing = asyncio.create_task(self._write(proxy, wish))
+        self._under_way.add(writing)
+        writing.add_done_callback(self._under_way.discard)
+        return await asyncio.shield(writing)
+
+    async def _write(self, proxy: Writable[Any], wish: Write) -> Written | Refused:
+        setting = asyncio.ensure_future(proxy.set(wish.value))
         try:
-            proxy = self._signals.get(wish.signal)
-            if proxy is None:
-                raise ArgumentError(f"there is no signal {wish.signal!r} that can be written")
-            if not self._link.connected:
-                return Refused(wish.number, "the link is away: nothing was written")
-            await proxy.set(wish.value)
+            while not (await asyncio.wait([setting], timeout=LOOK_EVERY))[0]:
+                if not self._link.connected:
+                    return Refused(wish.number, _WENT_AWAY)
+            setting.result()
         except UnityLinkError as error:
             return Refused(wish.number, str(error))
+        finally:
+            setting.cancel()
         self.written += 1
         return Written(wish.number)

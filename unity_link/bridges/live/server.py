@@ -1,0 +1,146 @@
+"""The web server under the page, uvicorn, made proof against whoever speaks to it.
+
+Any program of this machine may connect. What it may cost is bounded here: connections, by hanging up on the oldest that
+has not become a page, so that silent ones keep nobody out; what waits for a client that asks and does not read; parts
+of a message. Whatever a client says that the libraries below do not foresee ends its own connection.
+"""
+
+from __future__ import annotations
+
+import contextlib
+from typing import TYPE_CHECKING
+
+import uvicorn
+from uvicorn.protocols.http.h11_impl import H11Protocol
+from uvicorn.protocols.websockets.websockets_sansio_impl import WebSocketsSansIOProtocol
+
+if TYPE_CHECKING:
+    import asyncio
+    from collections.abc import Iterator
+
+    from starlette.types import ASGIApp
+    from websockets.frames import Frame
+
+MOST_STRANGERS = 128
+"""Connections that are no WebSocket, or not yet; a browser has six at most."""
+MOST_PAGES = 64
+"""WebSockets, more than are looked after: the others are told so."""
+LARGEST_MESSAGE = 4096
+"""Bytes of what a page says."""
+MOST_PARTS = 64
+"""Of a message; browsers send one."""
+_BACKLOG = 64
+_INVALID_DATA = 1007
+
+
+class HttpConversation(H11Protocol):
+    """A connection that asks for files, or to become a page."""
+
+    def connection_made(self, transport: asyncio.Transport) -> None:  # type: ignore[override]
+        """Take it, and hang up on the oldest one where there are too many."""
+        super().connection_made(transport)
+        self.began = self.loop.time()
+        strangers = [other for other in self.connections if isinstance(other, HttpConversation)]
+        if len(strangers) > MOST_STRANGERS:
+            min(strangers, key=lambda other: other.began).transport.abort()
+
+    def data_received(self, data: bytes) -> None:
+        """Take what was said."""
+        with _ending(self):
+            super().data_received(data)
+
+    def shutdown(self) -> None:
+        """End it, whether or not it reads what it asked for."""
+        super().shutdown()
+        self.transport.abort()
+
+
+class PageConversation(WebSocketsSansIOProtocol):
+    """A page's WebSocket, or what says that it is one."""
+
+    def connection_made(self, transport: asyncio.BaseTransport) -> None:
+        """Take it, unless there are too many."""
+        super().connection_made(transport)
+        if sum(isinstance(other, PageConversation) for other in self.connections) > MOST_PAGES:
+            self.transport.abort()
+
+    def data_received(self, data: bytes) -> None:
+        """Take what was said."""
+        with _ending(self):
+            super().data_received(data)
+
+    def handle_ping(self) -> None:
+        """Answer, or hang up on one that does not read the answers."""
+        if self.writable.is_set():
+            super().handle_ping()
+        else:
+            self.transport.abort()
+
+    def handle_cont(self, event: Frame) -> None:
+        """Take a part of a message."""
+        if len(self.frames) < MOST_PARTS:
+            super().handle_cont(event)
+        else:
+            self.transport.abort()
+
+    def send_receive_event_to_app(self) -> None:
+        """Hand on a message."""
+        if self.curr_msg_data_type == "text":
+            try:
+                b"".join(self.frames).decode()
+            except UnicodeDecodeError:
+                self.conn.fail(_INVALID_DATA)
+                self.handle_parser_exception()
+                return
+        super().send_receive_event_to_app()
+
+    def keepalive_timeout(self) -> None:
+        """Hang up on a page that has neither read nor said anything for long; the place is free for another one."""
+        super().keepalive_timeout()
+        self.transport.abort()
+
+    def shutdown(self) -> None:
+        """End it, whether or not it reads."""
+        super().shutdown()
+        if not self.writable.is_set():
+            self.transport.abort()
+
+
+@contextlib.contextmanager
+def _ending(conversation: HttpConversation | PageConversation) -> Iterator[None]:
+    try:
+        yield
+    except Exception:  # noqa: BLE001  (whatever it is: it is about what this client said, and costs no other)
+        conversation.transport.abort()
+
+
+class Server(uvicorn.Server):
+    """A server in a program that looks after signals itself."""
+
+    @contextlib.contextmanager
+    def capture_signals(self) -> Iterator[None]:
+        """Leave them alone."""
+        yield
+
+
+def make_server(app: ASGIApp) -> Server:
+    """Make a server of an application."""
+    config = uvicorn.Config(
+        app,
+        log_config=None,
+        # What a client says wrong is no matter of the terminal.
+        log_level="error",
+        access_log=False,
+        lifespan="off",
+        server_header=False,
+        http=HttpConversation,
+        ws=PageConversation,
+        ws_max_size=LARGEST_MESSAGE,
+        # On one machine bytes cost less than making them fewer.
+        ws_per_message_deflate=False,
+        timeout_graceful_shutdown=1,
+        backlog=_BACKLOG,
+    )
+    # It imports for long, which would lose samples once they come.
+    config.load()
+    return Server(config)
