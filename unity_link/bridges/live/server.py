@@ -8,7 +8,7 @@ of a message. Whatever a client says that the libraries below do not foresee end
 from __future__ import annotations
 
 import contextlib
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypeVar
 
 import uvicorn
 from uvicorn.protocols.http.h11_impl import H11Protocol
@@ -16,7 +16,7 @@ from uvicorn.protocols.websockets.websockets_sansio_impl import WebSocketsSansIO
 
 if TYPE_CHECKING:
     import asyncio
-    from collections.abc import Iterator
+    from collections.abc import Iterable, Iterator
 
     from starlette.types import ASGIApp
     from websockets.frames import Frame
@@ -31,6 +31,7 @@ MOST_PARTS = 64
 """Of a message; browsers send one."""
 _BACKLOG = 64
 _INVALID_DATA = 1007
+Conversation = TypeVar("Conversation", "HttpConversation", "PageConversation")
 
 
 class HttpConversation(H11Protocol):
@@ -40,7 +41,7 @@ class HttpConversation(H11Protocol):
         """Take it, and hang up on the oldest one where there are too many."""
         super().connection_made(transport)
         self.began = self.loop.time()
-        strangers = [other for other in self.connections if isinstance(other, HttpConversation)]
+        strangers = _open(HttpConversation, self.connections)
         if len(strangers) > MOST_STRANGERS:
             min(strangers, key=lambda other: other.began).transport.abort()
 
@@ -61,7 +62,7 @@ class PageConversation(WebSocketsSansIOProtocol):
     def connection_made(self, transport: asyncio.BaseTransport) -> None:
         """Take it, unless there are too many."""
         super().connection_made(transport)
-        if sum(isinstance(other, PageConversation) for other in self.connections) > MOST_PAGES:
+        if len(_open(PageConversation, self.connections)) > MOST_PAGES:
             self.transport.abort()
 
     def data_received(self, data: bytes) -> None:
@@ -104,6 +105,11 @@ class PageConversation(WebSocketsSansIOProtocol):
         super().shutdown()
         if not self.writable.is_set():
             self.transport.abort()
+
+
+def _open(kind: type[Conversation], connections: Iterable[object]) -> list[Conversation]:
+    """Give the connections of a kind that nobody has hung up on."""
+    return [other for other in connections if isinstance(other, kind) and not other.transport.is_closing()]
 
 
 @contextlib.contextmanager
