@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import contextlib
 import threading
 from concurrent.futures import ThreadPoolExecutor
 from typing import TYPE_CHECKING
@@ -10,11 +11,16 @@ from typing import TYPE_CHECKING
 import pytest
 
 import unity_link
+from unity_link import BusTimeoutError, GatewayInfo
 from unity_link.bridges.carrying import Carrier
 from unity_link.bridges.sampled import sampled_groups
 from unity_link.data import load
+from unity_link.virtual import VirtualGateway
+from unity_link.virtual.faults import Failing
+from unity_link.wire.messages import ErrorCode
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
     from pathlib import Path
 
     from unity_link.data import Batch
@@ -59,3 +65,36 @@ def test_at_the_end_all_that_has_come_is_handed_over_however_slow_who_takes_it_i
 
     assert taken[0] == list(range(len(taken[0])))
     assert carrier.carried == sum(map(len, taken.values()))
+
+
+def test_a_polled_read_that_is_refused_is_told_once_and_lost_and_the_others_go_on(tmp_path: Path) -> None:
+    (tmp_path / "both.ul").write_text(SPEC)
+    robot_type = load(tmp_path / "both.ul")
+    gateway = VirtualGateway(GatewayInfo(base_frequency_millihertz=1_000_000))
+    failing = Failing(ErrorCode.BUS_TIMEOUT)
+    gateway.bus.attach(failing, [0x11])
+    told: list[str] = []
+    taken = [0, 0]
+
+    def take(number: int, batch: Batch) -> None:
+        taken[number] += len(batch)
+
+    async def carry(report: Callable[[str], None] | None) -> Carrier:
+        async with unity_link.connect(gateway) as link:
+            groups = [sampled.group for sampled in sampled_groups(robot_type(link))]
+            carrier = Carrier(groups, take, buffer=1 << 16, report=report)
+            running = asyncio.create_task(carrier.run(ThreadPoolExecutor(1)))
+            while taken[0] < 200 and not running.done():  # noqa: ASYNC110  (a thread takes them)
+                await asyncio.sleep(0.01)
+            running.cancel()
+            with contextlib.suppress(asyncio.CancelledError):
+                await running
+            return carrier
+
+    carrier = asyncio.run(carry(told.append))
+    assert taken[1] == 0
+    assert carrier.lost > 0
+    assert told == ["read at 0x11: nothing on the bus answered (told once)"]
+    taken = [0, 0]
+    with pytest.raises(BusTimeoutError):
+        asyncio.run(carry(None))

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import asyncio
+import contextlib
 import signal
 import socket
 import subprocess
@@ -28,7 +30,8 @@ from live_page import (
     take,
     write,
 )
-from unity_link import blocking
+from simulated_time import run_simulated
+from unity_link import BusTimeoutError, blocking
 from unity_link.bridges.live.clock import GatewayClock
 from unity_link.bridges.live.outbox import BATCH_HEAD, HEAD, Chunk, Outbox
 from unity_link.bridges.live.round_trips import RoundTrips
@@ -265,3 +268,28 @@ def test_round_trips_are_counted_in_bins_of_equal_ratio() -> None:
     assert {place: count for place, count in enumerate(histogram.counts) if count} == {0: 2, 30: 2, 66: 1, 69: 1}
     assert histogram.median == pytest.approx(1.015e-3)
     assert histogram.within == 100.0
+
+
+def test_round_trips_are_those_of_the_bus_of_a_signal_and_an_error_is_an_answer_too() -> None:
+    asked: list[int] = []
+
+    class Behind:
+        """What a module puts before the link."""
+
+        async def read(self, address: int) -> int:
+            asked.append(address)
+            await asyncio.sleep(0.002)
+            if len(asked) % 2:
+                raise BusTimeoutError("nothing on the bus answered")
+            return 0
+
+    async def measure() -> RoundTrips:
+        link = SimpleNamespace(statistics=SimpleNamespace(reconnections=0))
+        trips = RoundTrips(SimpleNamespace(link=link, bus=Behind(), signal=SimpleNamespace(address=5)))  # type: ignore[arg-type]
+        with contextlib.suppress(TimeoutError):
+            async with asyncio.timeout(10):
+                await trips.run()
+        return trips
+
+    assert sum(run_simulated(measure()).histogram().counts) >= 90
+    assert set(asked) == {5}

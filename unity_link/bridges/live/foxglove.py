@@ -63,6 +63,8 @@ class FoxgloveServer:
             )
             for group, encoder in zip(groups, self._encoders, strict=True)
         ]
+        # What an app says wrong is no matter of the terminal.
+        foxglove.set_log_level("CRITICAL")
         try:
             self._server = foxglove.start_server(
                 name=f"unity-link {robot.interface.name}",

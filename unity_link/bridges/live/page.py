@@ -100,6 +100,7 @@ class LivePage:
         self._foxglove = foxglove
         self._carrier = Carrier(self._groups, self._tabulate, buffer=BUFFER, report=report)
         self._clocks = [GatewayClock() for _ in groups]
+        self._sessions = [0 for _ in groups]
         self._round_trips = RoundTrips(self._groups[0].proxies[0])
         self._viewers: set[Viewer] = set()
         self._wide = [
@@ -153,6 +154,10 @@ class LivePage:
     # Samples, in the thread and back
 
     def _tabulate(self, stream: int, batch: Batch) -> None:
+        sessions = self._link.statistics.reconnections
+        if sessions != self._sessions[stream]:
+            # It may be another run of the gateway, whose time began when nobody looked.
+            self._sessions[stream], self._clocks[stream] = sessions, GatewayClock()
         instants = self._clocks[stream].place(batch)
         if self._foxglove is not None:
             self._foxglove.send(stream, batch, instants)
