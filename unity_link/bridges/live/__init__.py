@@ -7,6 +7,7 @@
 - `outbox`: samples on their way to one browser, of bounded size
 - `viewer`: one browser
 - `writing`: values that come back, where that is allowed at all
+- `server`: the web server under the page, within bounds whoever speaks to it
 - `doorkeeper`: which requests are answered
 - `clock`: the gateway's time on this machine's clock
 - `round_trips`: how quickly the gateway answers
