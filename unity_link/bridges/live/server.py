@@ -72,6 +72,9 @@ class PageConversation(WebSocketsSansIOProtocol):
 
     def handle_ping(self) -> None:
         """Answer, or hang up on one that does not read the answers."""
+        if self.transport.is_closing():
+            # More of them came with the one at which it was hung up on; each would be a warning of asyncio's.
+            return
         if self.writable.is_set():
             super().handle_ping()
         else:
