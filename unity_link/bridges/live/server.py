@@ -8,10 +8,11 @@ of a message. Whatever a client says that the libraries below do not foresee end
 from __future__ import annotations
 
 import contextlib
-from typing import TYPE_CHECKING, TypeVar
+from typing import TYPE_CHECKING, Any, TypeVar
 
 import uvicorn
 from uvicorn.protocols.http.h11_impl import H11Protocol
+from uvicorn.protocols.utils import ClientDisconnected
 from uvicorn.protocols.websockets.websockets_sansio_impl import WebSocketsSansIOProtocol
 
 if TYPE_CHECKING:
@@ -69,6 +70,13 @@ class PageConversation(WebSocketsSansIOProtocol):
         """Take what was said."""
         with _ending(self):
             super().data_received(data)
+
+    async def send(self, message: Any) -> None:
+        """Send, unless the connection has ended, of which the library learns later: asyncio would warn each time."""
+        await self.writable.wait()
+        if self.transport.is_closing():
+            raise ClientDisconnected
+        await super().send(message)
 
     def handle_ping(self) -> None:
         """Answer, or hang up on one that does not read the answers."""
