@@ -61,9 +61,10 @@ class Viewer:
             for task in working:
                 task.cancel()
             outcomes = await asyncio.gather(*working, return_exceptions=True)
+        # Whoever is not the first to find out has another error.
+        if any(isinstance(outcome, WebSocketDisconnect) for outcome in outcomes):
+            return
         for outcome in outcomes:
-            if isinstance(outcome, WebSocketDisconnect):
-                return
             if isinstance(outcome, Exception):
                 raise outcome
         if self._said_nonsense:
