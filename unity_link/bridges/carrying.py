@@ -30,25 +30,25 @@ class Carrier:
     Args:
         groups: what is sampled.
         hand_over: takes the number of a group and samples of it; called in the thread, it may block.
+        report: is told in a sentence, once for each kind of fault, of polled reads that the gateway refused, as a
+            shared one refuses all while it is away; they are lost samples.
         buffer: most samples of each group that wait meanwhile; then the oldest are lost, and counted.
-        report: is told in a sentence, once for each kind of fault, of polled reads that the gateway refused, which
-            are lost samples then: a shared gateway refuses all while it is away. Without it they end the carrying.
     """
 
     def __init__(
         self,
         groups: Sequence[Group],
         hand_over: Callable[[int, Batch], None],
+        report: Callable[[str], None],
         *,
         buffer: int,
-        report: Callable[[str], None] | None = None,
     ) -> None:
         self.carried = 0
         """Samples that were handed over."""
         self._groups = groups
         self._hand_over = hand_over
         self._buffer = buffer
-        self._faults = None if report is None else Faults(report)
+        self._faults = Faults(report)
         self._subscriptions: list[GroupSubscription] = []
 
     @property
@@ -65,7 +65,6 @@ class Carrier:
 
         Raises:
             LinkLostError: where the link ends.
-            GatewayError: where the gateway refused a polled read, and nobody is told of that.
             Exception: whatever `hand_over` or one beside raised first.
         """
         try:
@@ -98,8 +97,6 @@ class Carrier:
             try:
                 batch = await subscription.take()
             except GatewayError as error:
-                if self._faults is None:
-                    raise
                 self._faults.tell(str(error))
                 continue
             # What was taken is handed over, whatever becomes of who waits for that.

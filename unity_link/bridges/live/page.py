@@ -98,7 +98,7 @@ class LivePage:
         self._groups = [group.group for group in groups]
         self._writing = None if token is None else Writing(robot, token)
         self._foxglove = foxglove
-        self._carrier = Carrier(self._groups, self._tabulate, buffer=BUFFER, report=report)
+        self._carrier = Carrier(self._groups, self._tabulate, report, buffer=BUFFER)
         self._clocks = [GatewayClock() for _ in groups]
         self._sessions = [0 for _ in groups]
         self._round_trips = RoundTrips(self._groups[0].proxies[0])

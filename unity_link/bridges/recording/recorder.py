@@ -57,7 +57,7 @@ class Recorder:
     ) -> None:
         groups = sampled_groups(robot, poll_hz)
         self._file = RecordingFile(path, robot.interface, robot.link.gateway, groups, overwrite=overwrite)
-        self._carrier = Carrier([group.group for group in groups], self._write, buffer=BUFFER)
+        self._carrier = Carrier([group.group for group in groups], self._write, report, buffer=BUFFER)
         self._link = robot.link
         self._report = report
         self.interruptions = 0

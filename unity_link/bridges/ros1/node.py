@@ -66,7 +66,7 @@ class Ros1Bridge:
         self._faults = Faults(report)
         self._commands = Commands(robot.link, report)
         self._time = GatewayTime()
-        self._carrier = Carrier([published.group for published in self._groups], self._publish, buffer=BUFFER)
+        self._carrier = Carrier([published.group for published in self._groups], self._publish, report, buffer=BUFFER)
 
     @property
     def published(self) -> int:

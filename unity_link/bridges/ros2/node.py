@@ -58,7 +58,7 @@ class Ros2Bridge:
         self._faults = Faults(report)
         self._commands = Commands(robot.link, report)
         self._time = GatewayTime()
-        self._carrier = Carrier([published.group for published in self._groups], self._publish, buffer=BUFFER)
+        self._carrier = Carrier([published.group for published in self._groups], self._publish, report, buffer=BUFFER)
         try:
             import cyclonedds  # noqa: F401  (its absence is told before anything is opened)
         except ImportError:

@@ -126,7 +126,7 @@ class ZenohBridge:
             await _open(link, shared)
             robot = self._robot_type(link)
             groups = sampled_groups(robot, self._poll_hz)
-            self._samples = [Samples(session, prefix, sampled, self._every) for sampled in groups]
+            self._samples = [Samples(session, prefix, sampled, self._every, self._report) for sampled in groups]
             self._signals = Signals(session, prefix, robot, shared, self._report)
             streams = Streams(session, prefix, shared)
             try:

@@ -20,6 +20,8 @@ import msgspec
 from unity_link.bridges.carrying import Carrier
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     import zenoh
 
     from unity_link.bridges.sampled import SampledGroup
@@ -37,9 +39,12 @@ class Samples:
         prefix: what all keys begin with.
         sampled: the group.
         every: seconds between publications at least: what comes meanwhile goes together.
+        report: is told in a sentence of polled reads that were refused.
     """
 
-    def __init__(self, session: zenoh.Session, prefix: str, sampled: SampledGroup, every: float) -> None:
+    def __init__(
+        self, session: zenoh.Session, prefix: str, sampled: SampledGroup, every: float, report: Callable[[str], None]
+    ) -> None:
         import zenoh
 
         self.published = 0
@@ -55,7 +60,7 @@ class Samples:
             # The thread waits for the network; samples wait for the thread.
             congestion_control=zenoh.CongestionControl.BLOCK,
         )
-        self.carrier = Carrier([sampled.group], self._publish, buffer=BUFFER)
+        self.carrier = Carrier([sampled.group], self._publish, report, buffer=BUFFER)
 
     async def run(self) -> None:
         """Publish until cancelled.
