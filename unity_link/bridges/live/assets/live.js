@@ -43,9 +43,9 @@ function open() {
     socket.send(JSON.stringify({ type: "hello", token }));
   };
   socket.onmessage = ({ data }) => (typeof data === "string" ? hear(data) : take(data));
-  socket.onclose = () => {
+  socket.onclose = ({ reason }) => {
     status = null;
-    tellState();
+    tellState(reason);
     for (const answer of answers.values()) answer("the program has ended: it is not known whether this was written");
     answers.clear();
     setTimeout(open, pause);
@@ -122,8 +122,8 @@ function note(message) {
   say(at("round-trip"), duration(status.round_trips.median));
 }
 
-function tellState() {
-  const [state, text] = status === null ? ["bad", "unity-link live has ended"] : status.connected ? ["good", "connected"] : ["bad", "gateway away"];
+function tellState(reason) {
+  const [state, text] = status === null ? ["bad", reason || "unity-link live has ended"] : status.connected ? ["good", "connected"] : ["bad", "gateway away"];
   at("state").dataset.state = state;
   say(at("state"), text);
 }
