@@ -265,6 +265,38 @@ def bench_bridge(folder: Path, gateway: str) -> Iterator[subprocess.Popen[str]]:
         yield process
 
 
+def listening_at(process: subprocess.Popen[str]) -> set[str]:
+    """Give the addresses, as Linux writes them, at which a program listens for TCP."""
+    ours = set()
+    for file in Path(f"/proc/{process.pid}/fd").iterdir():
+        # Some are closed meanwhile.
+        with contextlib.suppress(OSError):
+            ours.add(str(file.readlink()))
+    lines = [line.split() for name in ("tcp", "tcp6") for line in Path("/proc/net", name).read_text().splitlines()[1:]]
+    return {line[1].partition(":")[0] for line in lines if line[3] == "0A" and f"socket:[{line[9]}]" in ours}
+
+
+def test_it_listens_at_this_machine_alone_unless_ros_is_told_otherwise(
+    ros: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.delenv("ROS_IP")
+    with master(ros):
+        with bench_bridge(tmp_path, "sim:?data_bits=64") as process, node(COUNTING_LISTENER, "10") as listener:
+            assert line_of(listener) == "listening"
+            assert listening_at(process) == {"0100007F"}
+        monkeypatch.setenv("ROS_HOSTNAME", socket.gethostname())
+        with bench_bridge(tmp_path, "sim:?data_bits=64") as process:
+            assert listening_at(process) == {"00000000"}
+
+
+def test_a_master_on_another_machine_needs_an_address_of_this_one(ros: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.delenv("ROS_IP")
+    monkeypatch.setenv("ROS_MASTER_URI", "http://192.0.2.1:11311")
+    with program("ros1", "examples/scara.ul", "--link", "sim:scara") as process:
+        assert "http://192.0.2.1:11311 is not on this machine: set ROS_IP" in wait_for(process, "error")
+        assert process.wait(PATIENCE) == 2
+
+
 def test_a_subscriber_that_is_killed_takes_no_sample_from_the_others(ros: int, tmp_path: Path) -> None:
     # No machine is too slow for so few samples.
     gateway = FAST_GATEWAY.replace("20000000", "2000000")

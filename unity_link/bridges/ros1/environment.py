@@ -1,12 +1,15 @@
-"""Where rospy is: distributions install it for their own Python, not into an environment of ours."""
+"""What is around the node: where rospy is, which distributions install for their own Python, and where it listens."""
 
 from __future__ import annotations
 
 import importlib.util
+import os
 import sys
 from pathlib import Path
+from urllib.parse import urlsplit
 
-from unity_link.errors import ConnectError
+from unity_link.errors import ArgumentError, ConnectError
+from unity_link.listening import LOOPBACK
 
 _PLACES = ("/usr/lib/python3/dist-packages",)
 
@@ -27,3 +30,21 @@ def find_rospy() -> None:
         "ROS 1 is not installed here: apt install python3-rospy python3-std-msgs python3-sensor-msgs (Debian), "
         "or source the set-up file of your ROS"
     )
+
+
+def choose_address() -> None:
+    """Have the node listen at this machine alone, unless ROS's own words say where: ROS_IP, ROS_HOSTNAME, ``__ip:=``.
+
+    Raises:
+        ArgumentError: where the master is on another machine, whose nodes could not reach this one.
+    """
+    from rosgraph import get_master_uri, network
+
+    if network.get_address_override():
+        return
+    uri = get_master_uri()
+    if not network.is_local_address(urlsplit(uri).hostname or ""):
+        raise ArgumentError(
+            f"the ROS master at {uri} is not on this machine: set ROS_IP to the address by which others reach this one"
+        )
+    os.environ["ROS_IP"] = LOOPBACK

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 from unity_link.bridges.carrying import Carrier
 from unity_link.bridges.commands import Commands
 from unity_link.bridges.gateway_time import GatewayTime
-from unity_link.bridges.ros1.environment import find_rospy
+from unity_link.bridges.ros1.environment import choose_address, find_rospy
 from unity_link.bridges.ros1.rows import joint_rows, number_rows
 from unity_link.bridges.telling import Faults
 from unity_link.bridges.topics import command_topics, published_groups
@@ -44,7 +44,8 @@ class Ros1Bridge:
 
     Raises:
         ConnectError: where ROS 1 is not installed.
-        ArgumentError: where the spec publishes nothing and `poll_hz` is not given.
+        ArgumentError: where the spec publishes nothing and `poll_hz` is not given; where the master is on another
+            machine, and ROS_IP does not say how this one is reached.
     """
 
     def __init__(
@@ -56,6 +57,7 @@ class Ros1Bridge:
         report: Callable[[str], None] = lambda _: None,
     ) -> None:
         find_rospy()
+        choose_address()
         self._namespace = "/" + (robot.interface.name if namespace is None else namespace).strip("/")
         # Robots of one kind have namespaces of their own, and so names.
         self._node_name = f"unity_link_{self._namespace.strip('/').replace('/', '_') or robot.interface.name}"
