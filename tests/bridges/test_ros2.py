@@ -7,6 +7,7 @@ import itertools
 import json
 import os
 import signal
+import socket
 import subprocess
 import sys
 from contextlib import contextmanager
@@ -33,6 +34,7 @@ from bridge_programs import (
 )
 from unity_link import ArgumentError, blocking
 from unity_link.bridges.ros2 import Quality, Settings, read_settings
+from unity_link.bridges.ros2.domain import open_participant
 from unity_link.bridges.ros2.messages import JOINT_STATE, STANDARD
 from unity_link.bridges.ros2.rows import joint_rows, number_rows
 
@@ -314,5 +316,20 @@ def test_wrong_use_is_told_in_one_sentence(arguments: list[str], words: str) -> 
     assert "Traceback" not in result.stderr
 
 
-def test_other_machines_are_spoken_to_only_where_that_is_asked_for() -> None:
-    assert not Settings().network
+def devices_of_ports() -> set[bytes]:
+    """Give the devices to which what this process has open for UDP at all addresses is bound; empty: to none."""
+    found = set()
+    for file in Path("/proc/self/fd").iterdir():
+        with contextlib.suppress(OSError):
+            if str(file.readlink()).startswith("socket:"):
+                with socket.socket(fileno=os.dup(int(file.name))) as one:
+                    if one.type == socket.SOCK_DGRAM and one.getsockname()[0] == "0.0.0.0":
+                        found.add(one.getsockopt(socket.SOL_SOCKET, socket.SO_BINDTODEVICE, 16).rstrip(b"\0"))
+    return found
+
+
+@pytest.mark.parametrize(("network", "devices"), [(False, {b"lo"}), (True, {b""})])
+def test_other_machines_are_heard_only_where_that_is_asked_for(network: bool, devices: set[bytes]) -> None:
+    opened = open_participant(Settings(network=network, domain=next(DOMAINS)))
+    assert devices_of_ports() == devices
+    del opened

@@ -6,13 +6,19 @@ the settings, by ROS's ROS_AUTOMATIC_DISCOVERY_RANGE, or by a configuration of C
 
 from __future__ import annotations
 
+import contextlib
 import os
+import socket
+import sys
 import time
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from unity_link.errors import ArgumentError, ConnectError
 
 if TYPE_CHECKING:
+    from collections.abc import Iterator
+
     from unity_link.bridges.ros2.settings import Settings
 
 LOOPBACK = """
@@ -30,8 +36,8 @@ LOOPBACK = """
 """
 """A configuration of CycloneDDS (its guide, "Configuration") as ROS 2's LOCALHOST range has it."""
 HIGHEST_DOMAIN = 232
-
-
+_FIRST_PORT, _PORTS = 7400, 250
+"""Of domain 0, and of each (DDS-RTPS 9.6.1.1)."""
 LOOK = 1.0
 """Seconds in which another bridge of the same namespace shows itself."""
 
@@ -58,7 +64,31 @@ def open_participant(settings: Settings, mark: str = "") -> tuple[Any, Any]:
         participant = DomainParticipant(number, qos=Qos(Policy.Userdata(mark.encode())))
     except DDSException as error:
         raise ConnectError(f"DDS domain {number} cannot be joined: {error}") from None
+    if domain is not None and sys.platform == "linux":
+        _hear_this_machine_alone(number)
     return participant, domain
+
+
+def _hear_this_machine_alone(domain: int) -> None:
+    """Bind the ports of a domain to the loopback device: CycloneDDS opens them at all addresses, however configured."""
+    first = _FIRST_PORT + _PORTS * domain
+    for one in _own_sockets():
+        if (one.family, one.type) == (socket.AF_INET, socket.SOCK_DGRAM):
+            host, port = one.getsockname()
+            if host == "0.0.0.0" and first <= port < first + _PORTS:  # noqa: S104  (it is what must not stay so)
+                # Before Linux 5.7 only root may.
+                with contextlib.suppress(PermissionError):
+                    one.setsockopt(socket.SOL_SOCKET, socket.SO_BINDTODEVICE, b"lo")
+
+
+def _own_sockets() -> Iterator[socket.socket]:
+    """Give the sockets that this process has, each only for a moment (proc(5))."""
+    for file in Path("/proc/self/fd").iterdir():
+        # Some are closed meanwhile.
+        with contextlib.suppress(OSError):
+            if str(file.readlink()).startswith("socket:"):
+                with socket.socket(fileno=os.dup(int(file.name))) as one:
+                    yield one
 
 
 def is_alone(participant: Any, mark: str) -> bool:
