@@ -440,6 +440,19 @@ def test_by_default_nothing_is_open_to_other_machines() -> None:
     assert {address.rpartition(":")[0] for address in own} == {"127.0.0.1"}
 
 
+def test_a_second_bridge_of_a_machine_ends_with_its_summary_while_the_first_goes_on() -> None:
+    arguments = ["zenoh", "examples/scara.ul", "--link", "sim:scara", "--prefix"]
+    with program(*arguments, "first") as first, program(*arguments, "second") as second:
+        for process in (first, second):
+            wait_for(process, "published")
+        second.send_signal(signal.SIGINT)
+        wait_for(second, "samples published")
+        assert second.wait(PATIENCE) == 130
+        assert second.stderr is not None
+        assert second.stderr.read() == ""
+        assert first.poll() is None
+
+
 def test_bridges_of_one_machine_meet_without_a_word_and_outlive_the_first() -> None:
     first = open_session(Network(), meeting=True)
     second = open_session(Network(), meeting=True)

@@ -15,6 +15,7 @@ import atexit
 import contextlib
 import importlib.util
 import re
+import threading
 from typing import TYPE_CHECKING, Any, Protocol
 
 import msgspec
@@ -29,6 +30,8 @@ if TYPE_CHECKING:
 
 MEETING = "tcp/127.0.0.1:7447"
 ANY_PORT = "tcp/127.0.0.1:0"
+PATIENCE = 1.0
+"""Seconds that the end of a session is waited for."""
 OPEN = "@link/open"
 """Below a prefix: where a client asks for a stream. What stands below ``@link`` is in no ``*`` or ``**`` of others."""
 MOST_PUT = 60_000
@@ -94,10 +97,20 @@ def open_session(network: Network, *, meeting: bool = False) -> zenoh.Session:
 
 
 def close_session(session: zenoh.Session) -> None:
-    """Close a session. Blocks."""
+    """Close a session. Blocks, for `PATIENCE` at most.
+
+    Zenoh waits ten seconds for a session that still tries to listen at a port that another has; it does so in a thread.
+    """
+    import zenoh
+
+    def close() -> None:
+        with contextlib.suppress(zenoh.ZError):
+            session.close()  # type: ignore[no-untyped-call]
+
     atexit.unregister(session.close)
-    close: Callable[[], object] = session.close
-    close()
+    closing = threading.Thread(target=close, name="zenoh-close", daemon=True)
+    closing.start()
+    closing.join(PATIENCE)
 
 
 def explain(error: Exception) -> str:
