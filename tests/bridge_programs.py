@@ -19,6 +19,20 @@ if TYPE_CHECKING:
 
 PROGRAM = str(Path(sys.executable).parent / "unity-link")
 PATIENCE = 60.0
+WRITES_SPEC = """
+public all() {
+  @word = 0x10: unsigned READWRITE(MAX=1000);
+  @scaled = 0x11: signed READWRITE(SCALE=0.5);
+  @flag = 0x12[0]: bool READWRITE();
+  @mode = 0x12[3:1]: mode READWRITE();
+  @wide = 0x14: unsigned 64 READWRITE();
+  @number = 0x16: float READWRITE();
+  @seen = 0x17: unsigned READ();
+}
+enum mode { idle = 0, run = 1 }
+"""
+WRITES_NAMES = ["word", "scaled", "flag", "mode", "wide", "number", "seen", "nothing"]
+"""Those of its signals, one that can only be read, and one that is not there."""
 FAST_SPEC = """
 group fast(1, 1, TIMESTAMPS);
 public bench() {

@@ -15,7 +15,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import unity_link
-from bridge_programs import PATIENCE, Noted, wait_until
+from bridge_programs import PATIENCE, WRITES_NAMES, WRITES_SPEC, Noted, wait_until
 from live_page import Live, hear, live, looking
 from recorded_bus import RecordedBus
 from simulated_time import run_simulated
@@ -159,26 +159,13 @@ def answered(running: Live) -> bool:
 
 # Parts, on simulated time
 
-SPEC = """
-public all() {
-  @word = 0x10: unsigned READWRITE(MAX=1000);
-  @scaled = 0x11: signed READWRITE(SCALE=0.5);
-  @flag = 0x12[0]: bool READWRITE();
-  @mode = 0x12[3:1]: mode READWRITE();
-  @wide = 0x14: unsigned 64 READWRITE();
-  @number = 0x16: float READWRITE();
-  @seen = 0x17: unsigned READ();
-}
-enum mode { idle = 0, run = 1 }
-"""
-NAMES = ["word", "scaled", "flag", "mode", "wide", "number", "seen", "nothing"]
 SCALARS = st.booleans() | st.integers(-(2**70), 2**70) | st.just(10**400) | st.floats() | st.text(max_size=5)
 
 
 @pytest.fixture(scope="module")
 def robot_type(tmp_path_factory: pytest.TempPathFactory) -> Any:
     spec = tmp_path_factory.mktemp("spec") / "all.ul"
-    spec.write_text(SPEC)
+    spec.write_text(WRITES_SPEC)
     return unity_link.load(spec)
 
 
@@ -226,7 +213,7 @@ def test_a_value_whose_page_goes_meanwhile_is_written_once(robot_type: Any) -> N
     assert bus.writes == [(0x10, 5)]
 
 
-@given(value=SCALARS, path=st.sampled_from(NAMES))
+@given(value=SCALARS, path=st.sampled_from(WRITES_NAMES))
 def test_whatever_value_is_asked_for_it_is_written_or_refused_in_a_sentence(
     robot_type: Any, value: Any, path: str
 ) -> None:

@@ -13,32 +13,22 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import unity_link
+from bridge_programs import WRITES_NAMES, WRITES_SPEC
 from unity_link import ArgumentError
 from unity_link.bridges.ordered import write_in_order
 from unity_link.bridges.zenoh.writing import Reader
 from unity_link.data import load
 
-SPEC = """
-public all() {
-  @word = 0x10: unsigned READWRITE(MAX=1000);
-  @scaled = 0x11: signed READWRITE(SCALE=0.5);
-  @flag = 0x12[0]: bool READWRITE();
-  @mode = 0x12[3:1]: mode READWRITE();
-  @wide = 0x14: unsigned 64 READWRITE();
-  @number = 0x16: float READWRITE();
-  @seen = 0x17: unsigned READ();
-}
-enum mode { idle = 0, run = 1 }
-"""
-NAMES = ["word", "scaled", "flag", "mode", "wide", "number", "seen", "nothing"]
 SCALARS = st.none() | st.booleans() | st.integers(-(2**70), 2**70) | st.floats(allow_nan=False) | st.text(max_size=5)
-JSON = st.recursive(SCALARS, lambda inner: st.lists(inner, max_size=3) | st.dictionaries(st.sampled_from(NAMES), inner))
+JSON = st.recursive(
+    SCALARS, lambda inner: st.lists(inner, max_size=3) | st.dictionaries(st.sampled_from(WRITES_NAMES), inner)
+)
 
 
 @pytest.fixture(scope="module")
 def robot_type(tmp_path_factory: pytest.TempPathFactory) -> Any:
     spec = Path(tmp_path_factory.mktemp("spec") / "all.ul")
-    spec.write_text(SPEC)
+    spec.write_text(WRITES_SPEC)
     return load(spec)
 
 
@@ -77,6 +67,6 @@ def test_words_fields_and_values_of_several_words_are_written_in_the_order_of_th
             payload = b'[{"word": 1, "wide": 4294967296}, {"word": 2, "scaled": -1.5}, {"mode": "run"}, {"flag": true}]'
             await write_in_order(reader.read(payload), posted=posted)
             await link.fence()
-            return {name: await robot[name].get() for name in NAMES[:5]}
+            return {name: await robot[name].get() for name in WRITES_NAMES[:5]}
 
     assert asyncio.run(write()) == {"word": 2, "scaled": -1.5, "flag": True, "mode": 1, "wide": 1 << 32}
