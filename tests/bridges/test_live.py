@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import shutil
 import socket
-from contextlib import ExitStack
+from contextlib import ExitStack, contextmanager
 from typing import TYPE_CHECKING, Any
 
 import pytest
@@ -19,6 +19,8 @@ if TYPE_CHECKING:
     from pathlib import Path
 
     from playwright.sync_api import Browser, Page
+
+    from live_page import Live
 
 CHROMIUM = shutil.which("chromium")
 
@@ -62,10 +64,18 @@ def page(browser: Browser) -> Iterator[Page]:
     assert complaints == []
 
 
+@contextmanager
+def shown(page: Page, *arguments: str, fragment: str | None = None) -> Iterator[Live]:
+    """Run `unity-link live`, and look at it; the page leaves first, as a file on its way would be cut off otherwise."""
+    with live(*arguments) as running:
+        page.goto(running.url if fragment is None else f"{running.address}#{fragment}")
+        yield running
+        page.goto("about:blank")
+
+
 @needs_chromium
 def test_the_page_shows_a_robot_that_it_moves(page: Page) -> None:
-    with live("sim:scara", SPEC, "--allow-writes") as running:
-        page.goto(running.url)
+    with shown(page, "sim:scara", SPEC, "--allow-writes"):
         expect(page.locator("#robot")).to_have_text("scara")
         expect(page.locator("#state")).to_have_text("connected")
         expect(page.get_by_label("pos_sp", exact=True).first).to_be_enabled()
@@ -98,8 +108,7 @@ def colors_in(page: Page, card: str) -> int:
 
 @needs_chromium
 def test_a_slider_is_moved_by_the_keyboard_and_writes_within_the_limits(page: Page, tmp_path: Path) -> None:
-    with gateway(tmp_path / "shared", "serve", "sim:scara") as url, live(url, SPEC, "--allow-writes") as running:
-        page.goto(running.url)
+    with gateway(tmp_path / "shared", "serve", "sim:scara") as url, shown(page, url, SPEC, "--allow-writes"):
         slider = page.get_by_label("j1.pos_sp, slider")
         expect(slider).to_be_enabled()
 
@@ -122,9 +131,8 @@ def test_a_slider_is_moved_by_the_keyboard_and_writes_within_the_limits(page: Pa
 
 @needs_chromium
 def test_without_leave_to_write_the_page_has_nothing_to_write_with(page: Page) -> None:
-    with live("sim:scara", SPEC) as running:
+    with shown(page, "sim:scara", SPEC) as running:
         assert "#" not in running.url
-        page.goto(running.url)
         expect(page.locator("#state")).to_have_text("connected")
         expect(page.locator('[data-signal="j1.pos_sp"] output')).to_have_text("0.000")
         assert page.locator("main input, main select").count() == 0
@@ -133,16 +141,14 @@ def test_without_leave_to_write_the_page_has_nothing_to_write_with(page: Page) -
 
 @needs_chromium
 def test_a_page_with_a_wrong_token_says_so_and_is_only_for_looking(page: Page) -> None:
-    with live("sim:scara", SPEC, "--allow-writes") as running:
-        page.goto(running.address + "#token=wrong")
+    with shown(page, "sim:scara", SPEC, "--allow-writes", fragment="token=wrong"):
         expect(page.locator("#notice")).to_contain_text("Open the link that unity-link live printed")
         expect(page.locator("#write-j1\\.pos_sp")).to_be_disabled()
 
 
 @needs_chromium
 def test_every_frame_of_the_browser_shows_another_picture(page: Page) -> None:
-    with live("sim:scara", SPEC) as running:
-        page.goto(running.url)
+    with shown(page, "sim:scara", SPEC):
         wait_until(lambda: page.evaluate("unityLink.samples") > 500)
         frames, plots, cards, samples = page.evaluate(
             """async () => {
@@ -184,8 +190,7 @@ def test_the_page_says_when_the_gateway_is_away_and_goes_on_when_it_is_back(page
     simulate = ("simulate", "--robot", "scara")
     with ExitStack() as stack:
         with gateway(place, *simulate) as url:
-            running = stack.enter_context(live(url, SPEC, "--allow-writes"))
-            page.goto(running.url)
+            stack.enter_context(shown(page, url, SPEC, "--allow-writes"))
             expect(page.locator("#state")).to_have_text("connected")
         expect(page.locator("#state")).to_have_text("gateway away")
         page.locator("#write-j1\\.pos_sp").fill("5")
@@ -217,8 +222,7 @@ def test_the_page_comes_back_when_the_program_does(page: Page, token: str) -> No
 
 @needs_chromium
 def test_words_without_a_spec_have_a_plot_each(page: Page) -> None:
-    with live("sim:scara", "--watch", "0x88", "--watch", "0x8C") as running:
-        page.goto(running.url)
+    with shown(page, "sim:scara", "--watch", "0x88", "--watch", "0x8C"):
         expect(page.locator('[data-signal="word_8C"] output')).to_have_text("0")
         assert page.locator("main .plot").count() == 2
         expect(page.locator("main h2").first).to_have_text("0x88")
@@ -226,8 +230,7 @@ def test_words_without_a_spec_have_a_plot_each(page: Page) -> None:
 
 @needs_chromium
 def test_a_whole_number_that_is_wider_than_a_double_is_written_and_shown_exactly(page: Page) -> None:
-    with live("sim:?data_bits=64", "--watch", "0x10", "--allow-writes") as running:
-        page.goto(running.url)
+    with shown(page, "sim:?data_bits=64", "--watch", "0x10", "--allow-writes"):
         number = page.locator("#write-word_10")
         expect(number).to_be_enabled()
 
@@ -240,8 +243,7 @@ def test_a_whole_number_that_is_wider_than_a_double_is_written_and_shown_exactly
 
 @needs_chromium
 def test_plots_keep_every_peak_in_a_bounded_number_of_rows(page: Page) -> None:
-    with live("sim:scara", SPEC) as running:
-        page.goto(running.url)
+    with shown(page, "sim:scara", SPEC):
         rows, high, low, ascending = page.evaluate(
             """async () => {
               const { History } = await import("/history.js");
