@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import shutil
 import socket
 from contextlib import ExitStack, contextmanager
@@ -65,9 +66,9 @@ def page(browser: Browser) -> Iterator[Page]:
 
 
 @contextmanager
-def shown(page: Page, *arguments: str, fragment: str | None = None) -> Iterator[Live]:
+def shown(page: Page, *arguments: str, fragment: str | None = None, begins: str = "\0") -> Iterator[Live]:
     """Run `unity-link live`, and look at it; the page leaves first, as a file on its way would be cut off otherwise."""
-    with live(*arguments) as running:
+    with live(*arguments, begins=begins) as running:
         page.goto(running.url if fragment is None else f"{running.address}#{fragment}")
         yield running
         page.goto("about:blank")
@@ -202,6 +203,20 @@ def test_the_page_says_when_the_gateway_is_away_and_goes_on_when_it_is_back(page
             page.locator("#write-j1\\.pos_sp").fill("9")
             page.keyboard.press("Enter")
             expect(page.locator('[data-signal="j1.cpos"] output')).to_have_text("9.000")
+
+
+@needs_chromium
+def test_the_page_says_what_a_shared_link_answers_while_its_gateway_is_away(page: Page, tmp_path: Path) -> None:
+    simulate = ("simulate", "--robot", "scara")
+    with ExitStack() as stack:
+        with gateway(tmp_path / "gateway", *simulate) as behind:
+            shared = stack.enter_context(gateway(tmp_path / "shared", "serve", behind))
+            stack.enter_context(shown(page, shared, SPEC, begins="read at 0x"))
+            expect(page.locator("#state")).to_have_text("connected")
+        expect(page.locator("#state")).to_have_text(re.compile("read at 0x.*: nothing on the bus answered"))
+
+        stack.enter_context(gateway(tmp_path / "gateway", *simulate))
+        expect(page.locator("#state")).to_have_text("connected")
 
 
 @needs_chromium

@@ -63,6 +63,8 @@ class Status(msgspec.Struct, tag_field="type", tag="status"):
     """How the link is."""
 
     connected: bool
+    refusal: str | None
+    """Why the gateway does not read what is shown, though the link is there."""
     samples: int
     lost: int
     """Samples that the gateway took and that did not come as far as here."""
@@ -174,6 +176,7 @@ class LivePage:
             status = msgspec.json.encode(
                 Status(
                     self._link.connected,
+                    self._round_trips.refusal,
                     self.samples,
                     self.lost,
                     self._link.statistics,

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import asyncio
-import contextlib
 import math
 import statistics
 import time
@@ -51,6 +50,8 @@ class RoundTrips:
         self._address = proxy.signal.address
         self._counts = [0] * BINS
         self._recent: deque[float] = deque(maxlen=RECENT)
+        self.refusal: str | None = None
+        """Why the last read was refused; a shared gateway that is away refuses all."""
 
     async def run(self) -> None:
         """Measure until it is cancelled.
@@ -63,8 +64,12 @@ class RoundTrips:
             sessions = self._link.statistics.reconnections
             began = time.perf_counter()
             # An error is an answer, too.
-            with contextlib.suppress(GatewayError):
+            try:
                 await self._bus.read(self._address)
+            except GatewayError as error:
+                self.refusal = str(error)
+            else:
+                self.refusal = None
             # How long a link was away is no round trip.
             if self._link.statistics.reconnections == sessions:
                 self.take(time.perf_counter() - began)

@@ -116,16 +116,16 @@ function answer({ number, reason }) {
 function note(message) {
   const before = status;
   status = message;
-  if (before === null || before.connected !== status.connected) tellState();
+  if (before?.connected !== status.connected || before.refusal !== status.refusal) tellState();
   say(at("lost"), count(status.lost));
   at("lost").classList.toggle("bad", status.lost > 0);
   say(at("round-trip"), duration(status.round_trips.median));
 }
 
 function tellState(reason) {
-  const [state, text] = status === null ? ["bad", reason || "unity-link live has ended"] : status.connected ? ["good", "connected"] : ["bad", "gateway away"];
-  at("state").dataset.state = state;
-  say(at("state"), text);
+  const fault = status === null ? reason || "unity-link live has ended" : status.connected ? status.refusal : "gateway away";
+  at("state").dataset.state = fault ? "bad" : "good";
+  say(at("state"), fault || "connected");
 }
 
 function facts(rate, pictures) {
