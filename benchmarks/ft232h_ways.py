@@ -18,8 +18,8 @@ from typing import TYPE_CHECKING, Any
 
 import unity_link
 from unity_link.drivers import ft232h, ft232h_async, parse_url
-from unity_link.drivers.ft232h import StatusStripper
 from unity_link.drivers.ft232h_chip import IN_ENDPOINT, OUT_ENDPOINT, open_chip
+from unity_link.drivers.ft232h_transport import StatusStripper
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.ft232h.board import GatewayBoard
 from unity_link.virtual.ft232h.bus import VirtualBus, VirtualFt232h

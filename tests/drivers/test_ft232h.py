@@ -12,8 +12,8 @@ import pytest
 
 import unity_link
 from unity_link.drivers import load_driver, parse_url
-from unity_link.drivers.ft232h import StatusStripper
 from unity_link.drivers.ft232h_chip import settings_of
+from unity_link.drivers.ft232h_transport import StatusStripper
 from unity_link.errors import ArgumentError, ConnectError, LinkLostError
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.ft232h.board import GatewayBoard

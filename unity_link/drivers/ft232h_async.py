@@ -18,17 +18,16 @@ from collections import deque
 from typing import TYPE_CHECKING, Any
 
 from unity_link.drivers import ft232h_chip
-from unity_link.drivers.ft232h import StatusStripper
 from unity_link.drivers.ft232h_chip import (
     IN_ENDPOINT,
     OPTIONS,
     OUT_ENDPOINT,
     OpenChip,
-    SendImmediate,
     explain,
     open_in_thread,
     stuck,
 )
+from unity_link.drivers.ft232h_transport import MOST_STALLS, ChipTransport
 from unity_link.errors import ConnectError
 
 if TYPE_CHECKING:
@@ -44,8 +43,6 @@ POSTED_READS = 8
 MOST_WRITES = 4
 """Transfers to the chip at a time."""
 WRITE_SIZE = 16384
-HIGH_WATER, LOW_WATER = 65536, 16384
-MOST_STALLS = 3
 _ERRNO_OF_STATUS = {1: errno.EIO, 2: errno.ETIMEDOUT, 4: errno.EPIPE, 5: errno.ENODEV, 6: errno.EOVERFLOW}
 """libusb's status of a transfer, as the operating system's error."""
 _COMPLETED, _CANCELLED, _STALLED = 0, 3, 4
@@ -123,24 +120,16 @@ def _os_error(error: Exception) -> Exception:
     return error if number is None else OSError(number, str(error))
 
 
-class OverlappedTransport(asyncio.Transport):
-    """A chip and its posted transfers. Everything happens in the loop.
-
-    ``get_extra_info`` has what that of ``ftdi://`` has.
-    """
+class OverlappedTransport(ChipTransport):
+    """A chip and its posted transfers. Everything happens in the loop."""
 
     def __init__(
         self, loop: asyncio.AbstractEventLoop, protocol: asyncio.Protocol, chip: OpenChip, usb: tuple[Any, Any]
     ) -> None:
-        super().__init__()
-        self._loop = loop
-        self._protocol = protocol
-        self._chip = chip
+        super().__init__(loop, protocol, chip)
         self._context, self._handle = usb
-        self._status = StatusStripper()
         self._received: list[bytes] = []
         self._to_write: deque[bytes] = deque()
-        self._unwritten = 0
         self._idle_writes = [self._handle.getTransfer() for _ in range(MOST_WRITES)]
         self._reads = [self._handle.getTransfer() for _ in range(POSTED_READS)]
         self._idle_reads = list(self._reads)
@@ -157,9 +146,7 @@ class OverlappedTransport(asyncio.Transport):
         # On a slow line, no write may take long by itself.
         self._write_size = WRITE_SIZE if settings.mode != "uart" else min(WRITE_SIZE, max(settings.baud // 10, 64))
         self._watched: list[int] = []
-        self._writing_paused = self._reading_paused = False
-        self._closing = self._aborted = self._released = False
-        self._error: ConnectError | None = None
+        self._released = False
 
     def start(self) -> None:
         """Post the reads."""
@@ -194,17 +181,6 @@ class OverlappedTransport(asyncio.Transport):
 
     # asyncio.Transport
 
-    def get_extra_info(self, name: str, default: Any = None) -> Any:
-        """Give what only this driver has."""
-        if name == "send_immediate":
-            return self._send_immediate
-        if name == "line_errors":
-            return self._status.errors
-        return default
-
-    async def _send_immediate(self, mode: SendImmediate) -> None:
-        await self._loop.run_in_executor(None, self._chip.tune, mode)
-
     def write(self, data: bytes | bytearray | memoryview) -> None:
         """Post at once what there is a transfer for."""
         if not data or self._closing:
@@ -212,21 +188,7 @@ class OverlappedTransport(asyncio.Transport):
         self._to_write.append(bytes(data))
         self._unwritten += len(data)
         self._post_writes()
-        if self._unwritten > HIGH_WATER and not self._writing_paused:
-            self._writing_paused = True
-            self._protocol.pause_writing()
-
-    def get_write_buffer_size(self) -> int:
-        """Give how many bytes are not written."""
-        return self._unwritten
-
-    def get_write_buffer_limits(self) -> tuple[int, int]:
-        """Give the levels at which the protocol may write again, and must pause."""
-        return LOW_WATER, HIGH_WATER
-
-    def can_write_eof(self) -> bool:
-        """Say that a gateway knows no end of a stream."""
-        return False
+        self._pause_writing_if_full()
 
     def pause_reading(self) -> None:
         """Post no more reads until `resume_reading`; what those that are posted bring is kept."""
@@ -237,14 +199,6 @@ class OverlappedTransport(asyncio.Transport):
         self._reading_paused = False
         self._post_reads()
         self._loop.call_soon(self._deliver)
-
-    def is_reading(self) -> bool:
-        """Say whether what arrives is delivered."""
-        return not self._reading_paused and not self._closing
-
-    def is_closing(self) -> bool:
-        """Say whether the end was asked for, or has come."""
-        return self._closing
 
     def close(self) -> None:
         """Write what is to be written, and end."""
@@ -326,9 +280,9 @@ class OverlappedTransport(asyncio.Transport):
             self._again.append(data[sent:])
             self._take_failure(OUT_ENDPOINT, status)
         self._wait_for_progress()
-        if self._writing_paused and self._unwritten <= LOW_WATER:
-            self._writing_paused = False
-            self._loop.call_soon(self._protocol.resume_writing)
+        if self._writing_paused:
+            # The protocol may write, which is not for a callback of libusb.
+            self._loop.call_soon(self._resume_writing_if_calm)
 
     # Failures and the end
 
@@ -367,9 +321,7 @@ class OverlappedTransport(asyncio.Transport):
 
     def _fail(self, error: Exception) -> None:
         """End because of an error; the first one counts."""
-        if self._error is None and not self._closing:
-            self._error = ConnectError(explain(error))
-            self._error.__context__ = error
+        self._note(error)
         self.abort()
 
     def _release(self) -> None:
