@@ -2,66 +2,98 @@
 
 from __future__ import annotations
 
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
+import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from unity_link.bridges.gateway_time import MOST_SLEW, GatewayTime
+from unity_link.bridges.gateway_time import ANOTHER_CLOCK, MOST_DRIFT, GatewayTime
 
 
-class Samples:
-    """What of a batch tells the time."""
+class Clock:
+    """The time of a gateway, and the samples that tell it."""
 
-    def __init__(self, time: Any, arrived: Any) -> None:
-        self.time = None if time is None else np.array(time, np.float64)
-        self.arrived = np.array(arrived, np.float64)
+    def __init__(self, **options: Any) -> None:
+        self.statistics = SimpleNamespace(reconnections=0)
+        link: Any = SimpleNamespace(statistics=self.statistics)
+        self.time = GatewayTime(link, **options)
 
-
-def instants(clock: GatewayTime, group: int, time: Any, arrived: Any) -> list[float]:
-    batch: Any = Samples(time, arrived)
-    found: list[float] = clock.instants(group, batch).tolist()
-    return found
+    def instants(self, group: int, time: Any, arrived: Any) -> list[float]:
+        batch: Any = SimpleNamespace(
+            time=None if time is None else np.array(time, np.float64), arrived=np.array(arrived, np.float64)
+        )
+        found: list[float] = self.time.instants(group, batch).tolist()
+        return found
 
 
 def test_samples_without_timestamps_have_the_instants_of_their_arrival() -> None:
-    assert instants(GatewayTime(), 0, None, [100.0, 101.5]) == [100.0, 101.5]
+    assert Clock().instants(0, None, [100.0, 101.5]) == [100.0, 101.5]
 
 
 def test_samples_that_arrive_together_stand_apart_as_the_gateway_took_them() -> None:
-    clock = GatewayTime()
-    assert instants(clock, 0, [5.0, 5.25, 5.5], [1000.5, 1000.5, 1000.5]) == [1000.0, 1000.25, 1000.5]
+    assert Clock().instants(0, [5.0, 5.25, 5.5], [1000.5, 1000.5, 1000.5]) == [1000.0, 1000.25, 1000.5]
 
 
 @given(st.lists(st.tuples(st.floats(1e-3, 1.0), st.floats(0.0, 0.5)), min_size=1, max_size=50))
 def test_late_arrivals_neither_turn_time_back_nor_make_it_jump(steps: list[tuple[float, float]]) -> None:
-    clock = GatewayTime()
+    clock = Clock()
     now, seen = 0.0, []
     for step, late in steps:
         now += step
-        seen += instants(clock, 0, [now], [1000.0 + now + late])
+        seen += clock.instants(0, [now], [1000.0 + now + late])
     taken = np.cumsum([step for step, _ in steps])
-    assert np.all(np.diff(seen) >= np.diff(taken) * (1 - 2 * MOST_SLEW) - 1e-9)
-    assert np.all(np.diff(seen) <= np.diff(taken) * (1 + 2 * MOST_SLEW) + 1e-9)
+    assert np.all(np.diff(seen) >= np.diff(taken) * (1 - 2 * MOST_DRIFT) - 1e-9)
+    assert np.all(np.diff(seen) <= np.diff(taken) * (1 + 2 * MOST_DRIFT) + 1e-9)
 
 
-def test_a_quartz_that_is_off_is_followed() -> None:
-    clock = GatewayTime()
+@given(st.lists(st.tuples(st.floats(1e-3, 1.0), st.floats(0.0, 5.0)), min_size=2, max_size=50))
+def test_a_sample_that_was_long_on_its_way_stands_where_it_was_taken(steps: list[tuple[float, float]]) -> None:
+    clock = Clock()
+    clock.instants(0, [0.0], [1000.0])
+    now = 0.0
+    for step, late in steps:
+        now += step
+        (at,) = clock.instants(0, [now], [1000.0 + now + late])
+        assert at == pytest.approx(1000.0 + now, abs=2 * MOST_DRIFT * now + 1e-6)
+
+
+def test_where_the_first_sample_was_late_the_others_soon_stand_where_they_were_taken() -> None:
+    clock = Clock(most_slew=0.5)
+    seen = clock.instants(0, [0.0], [1000.3])
+    for step in range(1, 101):
+        seen += clock.instants(0, [step / 100], [1000.0 + step / 100])
+    assert np.all(np.diff(seen) >= 0)
+    assert seen[-1] == pytest.approx(1001.0, abs=0.001)
+
+
+@pytest.mark.parametrize("drift", [100e-6, -100e-6])
+def test_a_quartz_that_is_off_is_followed(drift: float) -> None:
+    clock = Clock()
     last = 0.0
-    for second in range(10_000):
-        (last,) = instants(clock, 0, [second * (1 + 50e-6)], [1000.0 + second])
-    assert abs(last - (1000.0 + 9_999)) < 0.01
+    for second in range(0, 36_000, 10):
+        (last,) = clock.instants(0, [second * (1 + drift)], [1000.0 + second])
+    assert last == pytest.approx(1000.0 + 35_990, abs=0.01)
 
 
 def test_groups_of_one_gateway_stay_side_by_side() -> None:
-    clock = GatewayTime()
-    (first,) = instants(clock, 0, [5.0], [1000.0])
-    (second,) = instants(clock, 1, [5.0], [1000.3])
+    clock = Clock()
+    (first,) = clock.instants(0, [5.0], [1000.0])
+    (second,) = clock.instants(1, [5.0], [1000.3])
     assert abs(second - first) < 1e-9
 
 
 def test_a_gateway_that_was_reset_begins_anew() -> None:
-    clock = GatewayTime()
-    instants(clock, 0, [500.0], [1000.0])
-    assert instants(clock, 0, [0.5], [1001.0]) == [1001.0]
+    clock = Clock()
+    clock.instants(0, [5.0], [1000.0])
+    clock.statistics.reconnections += 1
+    assert clock.instants(0, [7.0], [1008.0]) == [1008.0]
+
+
+@pytest.mark.parametrize("step", [2 * ANOTHER_CLOCK, -2 * ANOTHER_CLOCK])
+def test_a_clock_of_this_machine_that_was_set_is_followed(step: float) -> None:
+    clock = Clock()
+    clock.instants(0, [5.0], [1000.0])
+    assert clock.instants(0, [6.0], [1001.0 + step]) == [1001.0 + step]

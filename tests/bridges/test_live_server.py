@@ -32,7 +32,6 @@ from live_page import (
 )
 from simulated_time import run_simulated
 from unity_link import BusTimeoutError, blocking
-from unity_link.bridges.live.clock import GatewayClock
 from unity_link.bridges.live.outbox import BATCH_HEAD, HEAD, Chunk, Outbox
 from unity_link.bridges.live.round_trips import RoundTrips
 
@@ -233,30 +232,6 @@ def test_a_message_has_one_table_for_each_stream() -> None:
     message = outbox.take(0.0)
     first, second = np.array([[1.0, 3.0]] * 3).tobytes(), np.array([[2.0]] * 3).tobytes()
     assert message == HEAD.pack(0.0, 0) + BATCH_HEAD.pack(1, 2) + first + BATCH_HEAD.pack(0, 1) + second
-
-
-def batch(time_of: list[float], arrived: list[float]) -> Any:
-    return SimpleNamespace(time=np.array(time_of), arrived=np.array(arrived))
-
-
-def test_a_sample_that_was_long_on_its_way_stands_where_it_was_taken() -> None:
-    clock = GatewayClock()
-    assert clock.place(batch([1.0, 1.1], [101.0, 101.1])) == pytest.approx([101.0, 101.1])
-    assert clock.place(batch([1.2, 1.3], [103.0, 103.0])) == pytest.approx([101.2, 101.3], abs=1e-3)
-
-
-def test_a_gateway_that_begins_anew_is_placed_anew() -> None:
-    clock = GatewayClock()
-    clock.place(batch([1000.0], [5000.0]))
-    assert clock.place(batch([0.5], [5010.0])) == pytest.approx([5010.0])
-
-
-def test_clocks_that_drift_apart_stay_together() -> None:
-    clock = GatewayClock()
-    for second in range(0, 36_000, 10):
-        slow = float(second) * (1 - 1e-4)
-        (at,) = clock.place(batch([slow], [second + 0.001]))
-        assert at == pytest.approx(second, abs=0.01)
 
 
 def test_round_trips_are_counted_in_bins_of_equal_ratio() -> None:

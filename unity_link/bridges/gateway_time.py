@@ -1,8 +1,9 @@
 """When samples were taken, by this machine's clock, as true as a link can tell.
 
 The gateway's clock tells the distances exactly, and nothing of where it began; an arrival tells the instant, late by as
-much as the link is late. So the first sample sets where the gateway's clock began, and later arrivals correct that
-slowly, for no two quartzes agree: by at most `MOST_SLEW`, so that instants never jump, and never go back in a group.
+much as the sample was on its way. Of all samples the one that was on its way for the shortest time says best when the
+gateway's clock was 0, which grows old by as much as quartzes drift apart. What is said of samples follows that slowly:
+instants never jump, and never go back in a group.
 """
 
 from __future__ import annotations
@@ -15,18 +16,31 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from unity_link.data import Batch
+    from unity_link.link import Link
 
-MOST_SLEW = 1e-4
-"""Seconds a second: more than quartzes differ by."""
-ANOTHER_CLOCK = 1.0
-"""Seconds of difference that no delay explains: the gateway was reset, or its counter was read another turn on."""
+MOST_DRIFT = 200e-6
+"""Seconds a second by which two quartzes may differ: twice what cheap ones do."""
+ANOTHER_CLOCK = 10.0
+"""Seconds of difference that no delay explains: this machine's clock was set, or the gateway's was read a turn on."""
 
 
 class GatewayTime:
-    """The time of one gateway; for all its groups the same, so that they stay side by side."""
+    """The time of one gateway; for all its groups the same, so that they stay side by side.
 
-    def __init__(self) -> None:
-        self._epoch: float | None = None
+    Args:
+        link: to the gateway; with each new session the gateway may have been reset, and its clock with it.
+        most_slew: seconds a second by which instants are corrected, below 1: with more of it they are true sooner, and
+            with less of it their distances are.
+    """
+
+    def __init__(self, link: Link, *, most_slew: float = MOST_DRIFT) -> None:
+        self._link = link
+        self._most_slew = most_slew
+        self._session = -1
+        self._earliest = 0.0
+        """When the gateway's clock was 0, by this machine's, as the quickest of all samples says."""
+        self._epoch = 0.0
+        """The same, as it is used."""
         self._latest = 0.0
         self._last: dict[int, float] = {}
 
@@ -38,17 +52,19 @@ class GatewayTime:
         if batch.time is None:
             return batch.arrived
         self._correct(float(batch.time[-1]), float(batch.arrived[-1]))
-        assert self._epoch is not None
-        instants: NDArray[np.float64] = np.maximum(self._epoch + batch.time, self._last.get(group, 0.0))
+        instants: NDArray[np.float64] = np.maximum(self._epoch + batch.time, self._last.get(group, -np.inf))
         self._last[group] = float(instants[-1])
         return instants
 
     def _correct(self, time: float, arrived: float) -> None:
-        seen = arrived - time
-        if self._epoch is None or abs(seen - self._epoch) > ANOTHER_CLOCK:
-            self._epoch, self._latest = seen, time
+        seen, session = arrived - time, self._link.statistics.reconnections
+        if session != self._session or abs(seen - self._earliest) > ANOTHER_CLOCK:
+            self._session, self._latest = session, time
+            self._epoch = self._earliest = seen
             self._last.clear()
-        elif time > self._latest:
-            most = MOST_SLEW * (time - self._latest)
-            self._epoch += min(max(seen - self._epoch, -most), most)
-            self._latest = time
+            return
+        passed = max(0.0, time - self._latest)
+        self._latest += passed
+        self._earliest = min(seen, self._earliest + MOST_DRIFT * passed)
+        most = self._most_slew * passed
+        self._epoch += min(max(self._earliest - self._epoch, -most), most)

@@ -17,7 +17,7 @@ from starlette.staticfiles import StaticFiles
 from starlette.websockets import WebSocketClose, WebSocketDisconnect
 
 from unity_link.bridges.carrying import Carrier
-from unity_link.bridges.live.clock import GatewayClock
+from unity_link.bridges.gateway_time import GatewayTime
 from unity_link.bridges.live.description import WIDEST_EXACT, describe
 from unity_link.bridges.live.doorkeeper import Doorkeeper
 from unity_link.bridges.live.outbox import tabulate
@@ -41,6 +41,8 @@ if TYPE_CHECKING:
 BUFFER = 1 << 16
 """Samples of each group that wait while they are encoded; after that the oldest are lost, and counted."""
 MOST_VIEWERS = 32
+MOST_SLEW = 0.5
+"""Seconds a second: a curve that began late may not stay so."""
 STATUS_EVERY = 0.2
 """Seconds."""
 _ASSETS = Path(__file__).parent / "assets"
@@ -101,8 +103,7 @@ class LivePage:
         self._writing = None if token is None else Writing(robot, token)
         self._foxglove = foxglove
         self._carrier = Carrier(self._groups, self._tabulate, report, buffer=BUFFER)
-        self._clocks = [GatewayClock() for _ in groups]
-        self._sessions = [0 for _ in groups]
+        self._time = GatewayTime(robot.link, most_slew=MOST_SLEW)
         self._round_trips = RoundTrips(self._groups[0].proxies[0])
         self._viewers: set[Viewer] = set()
         self._wide = [
@@ -156,11 +157,7 @@ class LivePage:
     # Samples, in the thread and back
 
     def _tabulate(self, stream: int, batch: Batch) -> None:
-        sessions = self._link.statistics.reconnections
-        if sessions != self._sessions[stream]:
-            # It may be another run of the gateway, whose time began when nobody looked.
-            self._sessions[stream], self._clocks[stream] = sessions, GatewayClock()
-        instants = self._clocks[stream].place(batch)
+        instants = self._time.instants(stream, batch)
         if self._foxglove is not None:
             self._foxglove.send(stream, batch, instants)
         chunk = tabulate(stream, batch, instants, self._groups[stream].proxies)

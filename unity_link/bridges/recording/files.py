@@ -16,7 +16,6 @@ from typing import TYPE_CHECKING
 import msgspec
 import numpy as np
 
-from unity_link.bridges.gateway_time import GatewayTime
 from unity_link.bridges.messages import Encoder
 from unity_link.errors import ArgumentError, UnityLinkError
 
@@ -93,7 +92,6 @@ class RecordingFile:
         self._stream = io.BufferedWriter(self._raw, _BUFFERED)
         self._writer = ChunkWriter(self._stream, f"unity-link {__version__}")
         self._whole = self._whole_messages = 0
-        self._time = GatewayTime()
         self._bits = interface.data_bits
         self._encoders = [Encoder([proxy.signal for proxy in group.group.proxies]) for group in groups]
         self._channels: list[int] = []
@@ -104,13 +102,18 @@ class RecordingFile:
         """Bytes that are in the file for good."""
         return self._whole
 
-    def write(self, group: int, batch: Batch) -> None:
+    def write(self, group: int, batch: Batch, instants: NDArray[np.float64]) -> None:
         """Write the samples of a batch, to the group of that number.
+
+        Args:
+            group: its number.
+            batch: the samples.
+            instants: when they were taken, in seconds since 1970, shape (samples,).
 
         Raises:
             RecordingError: where the disk does not take it.
         """
-        at = np.rint(self._time.instants(group, batch) * 1e9).astype(np.int64)
+        at = np.rint(instants * 1e9).astype(np.int64)
         messages = self._encoders[group].encode(batch, self._bits)
         self._attempt(lambda: self._add(group, at, batch.sequence, messages))
 

@@ -12,6 +12,7 @@ from concurrent.futures import ThreadPoolExecutor
 from typing import TYPE_CHECKING
 
 from unity_link.bridges.carrying import Carrier
+from unity_link.bridges.gateway_time import GatewayTime
 from unity_link.bridges.recording.files import RecordingFile
 from unity_link.bridges.sampled import sampled_groups
 
@@ -59,6 +60,7 @@ class Recorder:
         self._file = RecordingFile(path, robot.interface, robot.link.gateway, groups, overwrite=overwrite)
         self._carrier = Carrier([group.group for group in groups], self._write, report, buffer=BUFFER)
         self._link = robot.link
+        self._time = GatewayTime(robot.link)
         self._report = report
         self.interruptions = 0
         """How often the gateway was away."""
@@ -102,7 +104,7 @@ class Recorder:
             writer.shutdown()
 
     def _write(self, group: int, batch: Batch) -> None:
-        self._file.write(group, batch)
+        self._file.write(group, batch, self._time.instants(group, batch))
         time.sleep(REST)
 
     async def _sync(self, writer: ThreadPoolExecutor) -> None:

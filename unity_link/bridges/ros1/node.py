@@ -5,35 +5,30 @@ from __future__ import annotations
 import asyncio
 import contextlib
 import importlib
-import time
 from concurrent.futures import ThreadPoolExecutor
 from typing import TYPE_CHECKING, Any
 
-from unity_link.bridges.carrying import Carrier
-from unity_link.bridges.commands import Commands
-from unity_link.bridges.gateway_time import GatewayTime
+from unity_link.bridges.ros import RosBridge
 from unity_link.bridges.ros1.environment import choose_address, find_rospy
 from unity_link.bridges.ros1.rows import joint_rows, number_rows
-from unity_link.bridges.telling import Faults
-from unity_link.bridges.topics import command_topics, published_groups
 from unity_link.errors import ConnectError
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from unity_link.bridges.ros1.outlet import Outlet
-    from unity_link.bridges.topics import CommandTopic, Topic
-    from unity_link.data import Batch, Robot
+    import numpy as np
+    from numpy.typing import NDArray
 
-BUFFER = 1 << 16
-"""Samples of each group that wait while subscribers are slow; after that the oldest are lost and counted."""
+    from unity_link.bridges.ros1.outlet import Outlet
+    from unity_link.bridges.ros1.rows import Rows
+    from unity_link.bridges.topics import CommandTopic, Topic
+    from unity_link.data import Robot
+
 LOOK_EVERY = 1.0
 """Seconds between looks whether the master knows the node."""
-PATIENCE = 1.0
-"""Seconds that the end waits for subscribers that do not read."""
 
 
-class Ros1Bridge:
+class Ros1Bridge(RosBridge["Outlet"]):
     """Publishes what a robot publishes, and writes what it is told.
 
     Args:
@@ -58,37 +53,10 @@ class Ros1Bridge:
     ) -> None:
         find_rospy()
         choose_address()
-        self._namespace = "/" + (robot.interface.name if namespace is None else namespace).strip("/")
+        super().__init__(robot, namespace, poll_hz, report)
         # Robots of one kind have namespaces of their own, and so names.
         self._node_name = f"unity_link_{self._namespace.strip('/').replace('/', '_') or robot.interface.name}"
-        self._report = report
-        self._groups = published_groups(robot, poll_hz)
-        self._command_topics = command_topics(robot, self._groups)
-        self._outlets: dict[str, Outlet] = {}
-        self._faults = Faults(report)
-        self._commands = Commands(robot.link, report)
-        self._time = GatewayTime()
-        self._carrier = Carrier([published.group for published in self._groups], self._publish, report, buffer=BUFFER)
-
-    @property
-    def published(self) -> int:
-        """Samples that were published."""
-        return self._carrier.carried
-
-    @property
-    def lost(self) -> int:
-        """Samples that the gateway took and that were not published, and messages that a subscriber did not take."""
-        return self._carrier.lost + sum(outlet.lost for outlet in self._outlets.values())
-
-    @property
-    def messages(self) -> int:
-        """Messages that were sent, of all topics that somebody has subscribed to."""
-        return sum(outlet.sent for outlet in self._outlets.values())
-
-    @property
-    def written(self) -> int:
-        """Values that came by topics and were written."""
-        return self._commands.written
+        self._subscribers: list[Any] = []
 
     async def run(self) -> None:
         """Be the bridge until it is cancelled.
@@ -106,21 +74,17 @@ class Ros1Bridge:
         try:
             await self._find_master(asking)
             await loop.run_in_executor(asking, self._start)
-            self._report(f"node {self._node_name}: {self._count()} at {self._namespace}")
+            self._report(f"node {self._node_name}: {self._describe_topics()}")
             await self._carrier.run(
                 publishing, self._commands.run(), self._stay_registered(asking), self._stay_till_shut_down()
             )
         finally:
-            await asyncio.shield(loop.run_in_executor(publishing, self._finish))
+            await asyncio.shield(loop.run_in_executor(publishing, self._finish_outlets))
             rospy.signal_shutdown("the bridge ends")
             asking.shutdown(wait=False)
             publishing.shutdown(wait=False)
 
     # The node
-
-    def _count(self) -> str:
-        published = sum(len(published.topics) for published in self._groups)
-        return f"{published} topics published, {len(self._subscribers)} subscribed to"
 
     def _start(self) -> None:
         import rospy
@@ -128,23 +92,22 @@ class Ros1Bridge:
         rospy.init_node(self._node_name, disable_signals=True)
         # It may have been given another one on the command line.
         self._node_name = rospy.get_name()
-        for published in self._groups:
-            for topic in published.topics:
-                self._open(topic.name, "std_msgs", topic.type)
-            if published.joints is not None:
-                self._open(published.joints.name, "sensor_msgs", "JointState")
+        self._open_outlets()
         self._subscribers = [self._subscriber(topic) for topic in self._command_topics]
         self._describe()
 
-    def _open(self, name: str, package: str, kind: str) -> None:
+    def _open_outlet(self, name: str, package: str, kind: str) -> Outlet:
         from unity_link.bridges.ros1.outlet import Outlet
 
-        self._outlets[name] = Outlet(f"{self._namespace}/{name}", _message(package, kind), self._faults.tell)
+        return Outlet(f"{self._namespace}/{name}", _message(package, kind), self._faults.tell)
 
-    def _finish(self) -> None:
-        deadline = time.monotonic() + PATIENCE
-        for outlet in self._outlets.values():
-            outlet.finish(deadline)
+    def _number_rows(self, kind: str, values: NDArray[Any]) -> Rows:
+        return number_rows(kind, values)
+
+    def _joint_rows(
+        self, names: list[str], instants: NDArray[np.float64], columns: dict[str, NDArray[np.float64]], first: int
+    ) -> Rows:
+        return joint_rows(names, instants, columns, first)
 
     def _subscriber(self, topic: CommandTopic) -> Any:
         import rospy
@@ -233,19 +196,6 @@ class Ros1Bridge:
 
         rospy.core.add_preshutdown_hook(tell)
         raise ConnectError(f"ROS ended the node {self._node_name}: {await told}")
-
-    # Samples
-
-    def _publish(self, number: int, batch: Batch) -> None:
-        published = self._groups[number]
-        for topic in published.topics:
-            outlet = self._outlets[topic.name]
-            if outlet.is_wanted:
-                outlet.send(number_rows(topic.type, batch[topic.proxy]))
-        joints = published.joints
-        if joints is not None and (outlet := self._outlets[joints.name]).is_wanted:
-            instants = self._time.instants(number, batch)
-            outlet.send(joint_rows(joints.names, instants, joints.columns(batch), outlet.sent + 1))
 
 
 def _message(package: str, kind: str) -> Any:

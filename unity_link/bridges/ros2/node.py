@@ -3,35 +3,29 @@
 from __future__ import annotations
 
 import asyncio
-import time
 from concurrent.futures import ThreadPoolExecutor
 from typing import TYPE_CHECKING, Any
 
-from unity_link.bridges.carrying import Carrier
-from unity_link.bridges.commands import Commands
-from unity_link.bridges.gateway_time import GatewayTime
+from unity_link.bridges.ros import PATIENCE, RosBridge
 from unity_link.bridges.ros2.settings import Quality, Settings
-from unity_link.bridges.telling import Faults
-from unity_link.bridges.topics import command_topics, published_groups
 from unity_link.errors import ConnectError
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
+    import numpy as np
+    from numpy.typing import NDArray
+
     from unity_link.bridges.ros2.inlets import Inlets
     from unity_link.bridges.ros2.messages import MessageType
     from unity_link.bridges.ros2.outlet import Outlet
-    from unity_link.data import Batch, Robot
+    from unity_link.data import Robot
 
-BUFFER = 1 << 16
-"""Samples of each group that wait while readers are slow; after that the oldest are lost and counted."""
 MOST_KEPT = 1 << 14
 """Values of a topic that wait for the link; beyond, who writes it waits."""
-PATIENCE = 1.0
-"""Seconds for which a reliable reader may confirm nothing before messages are lost to it, also at the end."""
 
 
-class Ros2Bridge:
+class Ros2Bridge(RosBridge["Outlet"]):
     """Publishes what a robot publishes, and writes what it is told.
 
     Args:
@@ -48,41 +42,12 @@ class Ros2Bridge:
         self, robot: Robot, settings: Settings | None = None, *, report: Callable[[str], None] = lambda _: None
     ) -> None:
         self._settings = settings or Settings()
-        self._robot = robot
-        namespace = self._settings.namespace
-        self._namespace = (robot.interface.name if namespace is None else namespace).strip("/")
-        self._report = report
-        self._groups = published_groups(robot, self._settings.poll_hz)
-        self._outlets: dict[str, Outlet] = {}
+        super().__init__(robot, self._settings.namespace, self._settings.poll_hz, report)
         self._inlets: Inlets | None = None
-        self._faults = Faults(report)
-        self._commands = Commands(robot.link, report)
-        self._time = GatewayTime()
-        self._carrier = Carrier([published.group for published in self._groups], self._publish, report, buffer=BUFFER)
         try:
             import cyclonedds  # noqa: F401  (its absence is told before anything is opened)
         except ImportError:
             raise ConnectError("CycloneDDS is not installed here: pip install 'unity-link[ros2]'") from None
-
-    @property
-    def published(self) -> int:
-        """Samples that were published."""
-        return self._carrier.carried
-
-    @property
-    def lost(self) -> int:
-        """Samples that the gateway took and that were not published, and messages that a reader did not take."""
-        return self._carrier.lost + sum(outlet.lost for outlet in self._outlets.values())
-
-    @property
-    def messages(self) -> int:
-        """Messages that were sent, of all topics that somebody reads."""
-        return sum(outlet.sent for outlet in self._outlets.values())
-
-    @property
-    def written(self) -> int:
-        """Values that came by topics and were written."""
-        return self._commands.written
 
     async def run(self) -> None:
         """Be the bridge until it is cancelled.
@@ -94,9 +59,8 @@ class Ros2Bridge:
         publishing = ThreadPoolExecutor(1, "ros2-publish")
         loop = asyncio.get_running_loop()
         try:
-            subscribed = await loop.run_in_executor(publishing, self._open)
-            count = sum(len(published.topics) for published in self._groups)
-            self._report(f"{count} topics published, {subscribed} subscribed to at /{self._namespace}")
+            await loop.run_in_executor(publishing, self._open)
+            self._report(self._describe_topics())
             await self._carrier.run(publishing, self._commands.run())
         finally:
             await asyncio.shield(loop.run_in_executor(publishing, self._close))
@@ -104,41 +68,33 @@ class Ros2Bridge:
 
     # Topics
 
-    def _open(self) -> int:
-        """Join the domain; give the number of topics that are subscribed to."""
+    def _open(self) -> None:
+        """Join the domain."""
         from unity_link.bridges.ros2.domain import is_alone, open_participant
         from unity_link.bridges.ros2.inlets import Inlets
-        from unity_link.bridges.ros2.messages import JOINT_STATE, STANDARD
+        from unity_link.bridges.ros2.messages import STANDARD
 
-        mark = f"unity_link=/{self._namespace};"
+        mark = f"unity_link={self._namespace or '/'};"
         self._participant, self._domain = open_participant(self._settings, mark)
         if not is_alone(self._participant, mark):
             raise ConnectError(
-                f"another bridge is at /{self._namespace}, and both would write: "
+                f"another bridge is at {self._namespace or '/'}, and both would write: "
                 "end that one, or choose another namespace"
             )
-        for published in self._groups:
-            for topic in published.topics:
-                self._open_outlet(topic.name, STANDARD[topic.type])
-            if published.joints is not None:
-                self._open_outlet(published.joints.name, JOINT_STATE)
-        topics = command_topics(self._robot, self._groups)
-        readers = [(self._reader(topic.name, STANDARD[topic.type]), topic.proxy) for topic in topics]
+        self._open_outlets()
+        readers = [(self._reader(topic.name, STANDARD[topic.type]), topic.proxy) for topic in self._command_topics]
         self._inlets = Inlets(self._participant, readers, self._commands.give, self._faults.tell)
-        return len(readers)
 
     def _close(self) -> None:
         if self._inlets is not None:
             self._inlets.close()
-        deadline = time.monotonic() + PATIENCE
-        for outlet in self._outlets.values():
-            outlet.finish(deadline)
+        self._finish_outlets()
         self._inlets = self._participant = self._domain = None
 
     def _topic(self, name: str, message: MessageType) -> Any:
         from cyclonedds.topic import Topic
 
-        return Topic(self._participant, f"rt/{self._namespace}/{name}", message.struct)
+        return Topic(self._participant, f"rt{self._namespace}/{name}", message.struct)
 
     def _quality(self, name: str, message: MessageType, *limits: Any) -> Any:
         from cyclonedds.core import Policy, Qos
@@ -158,11 +114,13 @@ class Ros2Bridge:
             *limits,
         )
 
-    def _open_outlet(self, name: str, message: MessageType) -> None:
+    def _open_outlet(self, name: str, package: str, kind: str) -> Outlet:
+        from unity_link.bridges.ros2.messages import JOINT_STATE, STANDARD
         from unity_link.bridges.ros2.outlet import Outlet
 
+        message = STANDARD[kind] if package == "std_msgs" else JOINT_STATE
         quality = self._quality(name, message)
-        self._outlets[name] = Outlet(self._participant, self._topic(name, message), quality, self._faults.tell)
+        return Outlet(self._participant, self._topic(name, message), quality, self._faults.tell)
 
     def _reader(self, name: str, message: MessageType) -> Any:
         from cyclonedds.core import Policy
@@ -171,17 +129,20 @@ class Ros2Bridge:
         quality = self._quality(name, message, Policy.ResourceLimits(MOST_KEPT, -1, MOST_KEPT))
         return DataReader(self._participant, self._topic(name, message), qos=quality)
 
-    # Samples
+    # Messages
 
-    def _publish(self, number: int, batch: Batch) -> None:
-        from unity_link.bridges.ros2.rows import joint_rows, number_rows
+    def _number_rows(self, kind: str, values: NDArray[Any]) -> list[bytes]:
+        from unity_link.bridges.ros2.rows import number_rows
 
-        published = self._groups[number]
-        for topic in published.topics:
-            outlet = self._outlets[topic.name]
-            if outlet.is_wanted:
-                outlet.send(number_rows(topic.type, batch[topic.proxy]))
-        joints = published.joints
-        if joints is not None and (outlet := self._outlets[joints.name]).is_wanted:
-            instants = self._time.instants(number, batch)
-            outlet.send(joint_rows(joints.names, instants, joints.columns(batch)))
+        return number_rows(kind, values)
+
+    def _joint_rows(
+        self,
+        names: list[str],
+        instants: NDArray[np.float64],
+        columns: dict[str, NDArray[np.float64]],
+        first: int,  # noqa: ARG002  (messages of ROS 2 have no numbers)
+    ) -> list[bytes]:
+        from unity_link.bridges.ros2.rows import joint_rows
+
+        return joint_rows(names, instants, columns)

@@ -1,0 +1,152 @@
+"""What the bridges to ROS 1 and ROS 2 have in common: samples to topics, values from topics, and counts."""
+
+from __future__ import annotations
+
+import abc
+import time
+from typing import TYPE_CHECKING, Any, Generic, Protocol, TypeVar
+
+from unity_link.bridges.carrying import Carrier
+from unity_link.bridges.commands import Commands
+from unity_link.bridges.gateway_time import GatewayTime
+from unity_link.bridges.telling import Faults
+from unity_link.bridges.topics import command_topics, published_groups
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    import numpy as np
+    from numpy.typing import NDArray
+
+    from unity_link.bridges.topics import JointTopic
+    from unity_link.data import Batch, Robot
+
+BUFFER = 1 << 16
+"""Samples of each group that wait while subscribers are slow; after that the oldest are lost and counted."""
+PATIENCE = 1.0
+"""Seconds for which one who takes nothing is waited for, also at the end."""
+
+
+class Outlet(Protocol):
+    """A topic that is published."""
+
+    sent: int
+    """Messages that were sent, while somebody subscribed."""
+    lost: int
+    """Messages that a subscriber did not take."""
+
+    @property
+    def is_wanted(self) -> bool:
+        """Whether anybody subscribes."""
+
+    def send(self, rows: Any, /) -> None:
+        """Send messages that are serialised already."""
+
+    def finish(self, deadline: float) -> None:
+        """End, when all was sent, or at an instant of `time.monotonic`."""
+
+
+AnyOutlet = TypeVar("AnyOutlet", bound=Outlet)
+
+
+class RosBridge(abc.ABC, Generic[AnyOutlet]):
+    """Publishes what a robot publishes, and writes what it is told.
+
+    Args:
+        robot: a robot of any spec, behind an open link.
+        namespace: what stands before the names of all topics; that of the interface if nothing is said.
+        poll_hz: also publish, read so often, what nothing samples.
+        report: is told in a sentence what a person should know.
+
+    Raises:
+        ArgumentError: where the spec publishes nothing and `poll_hz` is not given.
+    """
+
+    def __init__(
+        self, robot: Robot, namespace: str | None, poll_hz: float | None, report: Callable[[str], None]
+    ) -> None:
+        name = (robot.interface.name if namespace is None else namespace).strip("/")
+        self._namespace = f"/{name}" if name else ""
+        """What stands before names that begin with a slash."""
+        self._report = report
+        self._groups = published_groups(robot, poll_hz)
+        self._command_topics = command_topics(robot, self._groups)
+        self._outlets: dict[str, AnyOutlet] = {}
+        self._faults = Faults(report)
+        self._commands = Commands(robot.link, report)
+        self._time = GatewayTime(robot.link)
+        self._carrier = Carrier([published.group for published in self._groups], self._publish, report, buffer=BUFFER)
+
+    @property
+    def published(self) -> int:
+        """Samples that were published."""
+        return self._carrier.carried
+
+    @property
+    def lost(self) -> int:
+        """Samples that the gateway took and that were not published, and messages that a subscriber did not take."""
+        return self._carrier.lost + sum(outlet.lost for outlet in self._outlets.values())
+
+    @property
+    def messages(self) -> int:
+        """Messages that were sent, of all topics that somebody subscribes to."""
+        return sum(outlet.sent for outlet in self._outlets.values())
+
+    @property
+    def written(self) -> int:
+        """Values that came by topics and were written."""
+        return self._commands.written
+
+    @abc.abstractmethod
+    async def run(self) -> None:
+        """Be the bridge until it is cancelled."""
+
+    # Of each ROS
+
+    @abc.abstractmethod
+    def _open_outlet(self, name: str, package: str, kind: str) -> AnyOutlet:
+        """Publish a topic, such as ``j1/cpos`` of ``std_msgs`` and ``Float64``."""
+
+    @abc.abstractmethod
+    def _number_rows(self, kind: str, values: NDArray[Any]) -> Any:
+        """Give messages of a type of ``std_msgs``."""
+
+    @abc.abstractmethod
+    def _joint_rows(
+        self, names: list[str], instants: NDArray[np.float64], columns: dict[str, NDArray[np.float64]], first: int
+    ) -> Any:
+        """Give messages of ``sensor_msgs/JointState``, of which the first has this number."""
+
+    # Of both
+
+    def _open_outlets(self) -> None:
+        for published in self._groups:
+            for topic in published.topics:
+                self._outlets[topic.name] = self._open_outlet(topic.name, "std_msgs", topic.type)
+            if published.joints is not None:
+                name = published.joints.name
+                self._outlets[name] = self._open_outlet(name, "sensor_msgs", "JointState")
+
+    def _finish_outlets(self) -> None:
+        deadline = time.monotonic() + PATIENCE
+        for outlet in self._outlets.values():
+            outlet.finish(deadline)
+
+    def _describe_topics(self) -> str:
+        published = sum(len(published.topics) for published in self._groups)
+        return f"{published} topics published, {len(self._command_topics)} subscribed to at {self._namespace or '/'}"
+
+    def _publish(self, number: int, batch: Batch) -> None:
+        published = self._groups[number]
+        for topic in published.topics:
+            outlet = self._outlets[topic.name]
+            if outlet.is_wanted:
+                outlet.send(self._number_rows(topic.type, batch[topic.proxy]))
+        if published.joints is not None:
+            self._publish_joints(published.joints, number, batch)
+
+    def _publish_joints(self, joints: JointTopic, number: int, batch: Batch) -> None:
+        outlet = self._outlets[joints.name]
+        if outlet.is_wanted:
+            instants = self._time.instants(number, batch)
+            outlet.send(self._joint_rows(joints.names, instants, joints.columns(batch), outlet.sent + 1))
