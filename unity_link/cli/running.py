@@ -1,13 +1,14 @@
 """Runs the coroutine of a command until it is done or a signal asks it to end.
 
-A signal cancels the coroutine, so its `finally` blocks close links, restore the terminal and print summaries. A second
-one ends the program at once, should that take too long.
+A signal cancels the coroutine, so its `finally` blocks close links, restore the terminal and print summaries. One that
+comes `PATIENCE` later ends the program at once, should that take too long.
 """
 
 from __future__ import annotations
 
 import asyncio
 import signal
+import time
 from typing import TYPE_CHECKING
 
 import typer
@@ -19,6 +20,8 @@ SIGNALS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
 SIGNALLED = 128
 """Exit codes of a program that a signal ended begin here."""
 INTERRUPTED = SIGNALLED + signal.SIGINT
+PATIENCE = 1.0
+"""Seconds for which further signals change nothing: `timeout` sends two at once, and so do hands."""
 
 
 def run(command: Coroutine[None, None, None]) -> None:
@@ -39,6 +42,7 @@ async def _until_signal(command: Coroutine[None, None, None]) -> None:
     def stop(number: signal.Signals) -> None:
         caught.append(number)
         release()
+        _end_at_next(watched)
         task.cancel()
 
     def release() -> None:
@@ -55,6 +59,20 @@ async def _until_signal(command: Coroutine[None, None, None]) -> None:
         if not caught:
             raise
     finally:
-        release()
+        if not caught:
+            release()
     if caught:
         raise typer.Exit(SIGNALLED + caught[0])
+
+
+def _end_at_next(watched: list[signal.Signals]) -> None:
+    """Have the program end by the next signal that comes after `PATIENCE`, whatever it is doing then."""
+    earliest = time.monotonic() + PATIENCE
+
+    def end(number: int, _: object) -> None:
+        if time.monotonic() >= earliest:
+            signal.signal(number, signal.SIG_DFL)
+            signal.raise_signal(number)
+
+    for number in watched:
+        signal.signal(number, end)
