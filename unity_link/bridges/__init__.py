@@ -5,7 +5,8 @@ command of it, and holds all that is said to people. A bridge reports through a 
 context ends, and says by one exception why it can't go on.
 
 - `serve`: the protocol itself, for several programs at once
-- `ros1`, `ros2`: topics of ROS; `topics` says how signals are named and typed there, `commands` how values come back
+- `ros1`, `ros2`: topics of ROS; `ros` is what both do, `topics` says how signals are named and typed there, `commands`
+  how values come back
 - `zenoh`: links, samples and values for other machines
 - `carrying` and `gateway_time`: how samples get to a thread that sends them, and when they were taken
 - `recording`: what a robot published, on the disk and back; `sampled` says what that is, for other bridges, too,
