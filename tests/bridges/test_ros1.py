@@ -297,6 +297,28 @@ def test_a_master_on_another_machine_needs_an_address_of_this_one(ros: int, monk
         assert process.wait(PATIENCE) == 2
 
 
+@pytest.mark.parametrize(
+    ("arguments", "master_uri", "words"),
+    [
+        (["--namespace", "a b"], None, "'a b' is no namespace of ROS"),
+        (["--namespace", "arm//left"], None, "'arm//left' is no namespace of ROS"),
+        (["--namespace", "1st"], None, "'1st' is no namespace of ROS"),
+        (["--poll", "inf"], None, "--poll inf: more than 0 Hz was expected"),
+        ([], "robot-pc", "ROS_MASTER_URI=robot-pc names no master"),
+    ],
+)
+def test_wrong_use_is_told_in_one_sentence(
+    ros: int, arguments: list[str], master_uri: str | None, words: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    if master_uri is not None:
+        monkeypatch.setenv("ROS_MASTER_URI", master_uri)
+    with program("ros1", SPEC, "--link", "sim:scara", *arguments) as process:
+        assert process.stderr is not None
+        assert words in process.stderr.readline()
+        assert process.stderr.read() == ""
+        assert process.wait(PATIENCE) == 2
+
+
 def test_a_subscriber_that_is_killed_takes_no_sample_from_the_others(ros: int, tmp_path: Path) -> None:
     # No machine is too slow for so few samples.
     gateway = FAST_GATEWAY.replace("20000000", "2000000")
@@ -336,11 +358,12 @@ def test_a_subscriber_that_stops_reading_holds_up_neither_others_nor_writes_nor_
         assert process.wait(PATIENCE) == 130
 
 
-def test_a_gateway_may_go_and_come_back_and_no_value_is_written_twice(ros: int, tmp_path: Path) -> None:
+def test_a_gateway_may_come_late_and_go_in_between_and_no_value_is_written_twice(ros: int, tmp_path: Path) -> None:
     gateway = Noted(tmp_path)
     with master(ros), contextlib.ExitStack() as bridge:
+        process = bridge.enter_context(program("ros1", gateway.spec, "--link", gateway.url))
+        wait_for(process, "waiting for the gateway")
         with gateway.running():
-            process = bridge.enter_context(program("ros1", gateway.spec, "--link", gateway.url))
             wait_for(process, "node /unity_link_plain")
             bridge.enter_context(node(COUNTER))
             gateway.wait_for_more()

@@ -218,13 +218,12 @@ def test_a_reader_that_is_stuck_holds_up_neither_writes_nor_the_end_and_others_a
 
 
 @pytest.mark.slow
-def test_a_gateway_may_go_and_come_back_and_no_value_is_written_twice(tmp_path: Path) -> None:
+def test_a_gateway_may_come_late_and_go_in_between_and_no_value_is_written_twice(tmp_path: Path) -> None:
     gateway, domain = Noted(tmp_path), next(DOMAINS)
     with contextlib.ExitStack() as bridge:
+        process = bridge.enter_context(program("ros2", gateway.spec, "--link", gateway.url, "--domain", str(domain)))
+        wait_for(process, "waiting for the gateway")
         with gateway.running():
-            process = bridge.enter_context(
-                program("ros2", gateway.spec, "--link", gateway.url, "--domain", str(domain))
-            )
             wait_for(process, "topics published")
             bridge.enter_context(running_peer(domain, "count", "rt/plain/target", "std_msgs/msg/UInt32"))
             gateway.wait_for_more()
@@ -304,6 +303,8 @@ def test_a_file_of_parameters_that_is_wrong_is_told_why(tmp_path: Path, text: st
         (["--link", "sim:scara", "--quality", "best"], "one of reliable, sensor_data was expected"),
         (["--link", "sim:scara", "--domain", "233"], "a number from 0 to 232 was expected"),
         (["--params", "/nosuch"], "/nosuch cannot be read"),
+        (["--link", "sim:scara", "--namespace", "a b"], "'a b' is no namespace of ROS"),
+        (["--link", "sim:scara", "--poll", "inf"], "--poll inf: more than 0 Hz was expected"),
     ],
     ids=lambda value: " ".join(value) if isinstance(value, list) else "",
 )
@@ -314,6 +315,16 @@ def test_wrong_use_is_told_in_one_sentence(arguments: list[str], words: str) -> 
     assert result.returncode == 2
     assert words in result.stderr
     assert "Traceback" not in result.stderr
+
+
+def test_a_quality_for_a_topic_that_there_is_not_is_refused(tmp_path: Path) -> None:
+    file = tmp_path / "bridge.yaml"
+    file.write_text("node: {ros__parameters: {link: 'sim:scara', topics: {j9/cpos: {quality: sensor_data}}}}")
+    result = subprocess.run(
+        [PROGRAM, "ros2", SPEC, "--params", str(file)], capture_output=True, text=True, timeout=PATIENCE, check=False
+    )
+    assert result.returncode == 2
+    assert "a quality for 'j9/cpos', which is no topic here: did you mean 'j" in result.stderr
 
 
 def devices_of_ports() -> set[bytes]:

@@ -10,7 +10,7 @@ from unity_link.bridges.carrying import Carrier
 from unity_link.bridges.commands import Commands
 from unity_link.bridges.gateway_time import GatewayTime
 from unity_link.bridges.telling import Faults
-from unity_link.bridges.topics import command_topics, published_groups
+from unity_link.bridges.topics import command_topics, published_groups, read_namespace
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -59,15 +59,13 @@ class RosBridge(abc.ABC, Generic[AnyOutlet]):
         report: is told in a sentence what a person should know.
 
     Raises:
-        ArgumentError: where the spec publishes nothing and `poll_hz` is not given.
+        ArgumentError: where the spec publishes nothing and `poll_hz` is not given, or ROS takes no such namespace.
     """
 
     def __init__(
         self, robot: Robot, namespace: str | None, poll_hz: float | None, report: Callable[[str], None]
     ) -> None:
-        name = (robot.interface.name if namespace is None else namespace).strip("/")
-        self._namespace = f"/{name}" if name else ""
-        """What stands before names that begin with a slash."""
+        self._namespace = read_namespace(robot.interface.name if namespace is None else namespace)
         self._report = report
         self._groups = published_groups(robot, poll_hz)
         self._command_topics = command_topics(robot, self._groups)

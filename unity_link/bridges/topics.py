@@ -15,6 +15,7 @@ import numpy as np
 
 from unity_link.bridges.sampled import sampled_groups
 from unity_link.data import Writable
+from unity_link.errors import ArgumentError
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -34,6 +35,8 @@ _TYPES = {
 }
 _SI = {"deg": math.pi / 180, "deg/s": math.pi / 180, "mm": 1e-3, "mm/s": 1e-3, "cm": 1e-2, "cm/s": 1e-2, "Nmm": 1e-3}
 """Factors to what REP 103 asks for; every other unit is taken as it is."""
+
+_NAMESPACE = re.compile(r"([A-Za-z_]\w*(/[A-Za-z_]\w*)*)?", re.ASCII)
 
 
 class Topic(NamedTuple):
@@ -109,6 +112,20 @@ def command_topics(robot: Robot, published: list[PublishedGroup]) -> list[Comman
             full_name = f"{name}/set" if name in taken else name
             found.append(CommandTopic(full_name, message_type(proxy.signal.kind), proxy))
     return found
+
+
+def read_namespace(text: str) -> str:
+    """Give a namespace as it stands before names that begin with a slash: ``/arm``, or nothing.
+
+    Raises:
+        ArgumentError: where it is none that ROS takes.
+    """
+    name = text.strip("/")
+    if not _NAMESPACE.fullmatch(name):
+        raise ArgumentError(
+            f"{text!r} is no namespace of ROS: names of letters, digits and _ were expected, with / between them"
+        )
+    return f"/{name}" if name else ""
 
 
 def topic_name(path: str) -> str:

@@ -53,12 +53,13 @@ def ros1(
 
 
 async def _ros1(spec: Spec, interface: str | None, url: str, namespace: str | None, poll: float | None) -> None:
-    from unity_link.bridges.ros1 import Ros1Bridge
+    from unity_link.bridges.ros1 import Ros1Bridge, find_rospy
+    from unity_link.bridges.waiting import connect_when_there
     from unity_link.data import load
-    from unity_link.link import connect
 
     robot_type = load(spec, interface)
-    async with connect(url, reconnect=True) as link:
+    find_rospy()
+    async with connect_when_there(url, print_note) as link:
         await run_and_sum_up(Ros1Bridge(robot_type(link), namespace=namespace, poll_hz=poll, report=print_note))
 
 
@@ -105,12 +106,13 @@ def ros2(  # noqa: PLR0913  (each is an option)
 
 
 async def _ros2(spec: Spec, interface: str | None, url: str, settings: Settings) -> None:
-    from unity_link.bridges.ros2 import Ros2Bridge
+    from unity_link.bridges.ros2 import Ros2Bridge, find_dds
+    from unity_link.bridges.waiting import connect_when_there
     from unity_link.data import load
-    from unity_link.link import connect
 
     robot_type = load(spec, interface)
-    async with connect(url, reconnect=True) as link:
+    find_dds()
+    async with connect_when_there(url, print_note) as link:
         await run_and_sum_up(Ros2Bridge(robot_type(link), settings, report=print_note))
 
 

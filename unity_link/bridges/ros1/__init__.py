@@ -8,6 +8,7 @@ know it. rospy's threads and the event loop meet in two places: samples go to a 
 arrive go through `unity_link.bridges.commands`.
 """
 
+from unity_link.bridges.ros1.environment import find_rospy
 from unity_link.bridges.ros1.node import Ros1Bridge
 
-__all__ = ["Ros1Bridge"]
+__all__ = ["Ros1Bridge", "find_rospy"]

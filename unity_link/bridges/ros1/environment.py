@@ -36,14 +36,17 @@ def choose_address() -> None:
     """Have the node listen at this machine alone, unless ROS's own words say where: ROS_IP, ROS_HOSTNAME, ``__ip:=``.
 
     Raises:
-        ArgumentError: where the master is on another machine, whose nodes could not reach this one.
+        ArgumentError: where the master is on another machine, whose nodes could not reach this one, or nowhere.
     """
     from rosgraph import get_master_uri, network
 
+    uri = get_master_uri()
+    host = urlsplit(uri).hostname
+    if host is None:
+        raise ArgumentError(f"ROS_MASTER_URI={uri} names no master: one like http://localhost:11311 was expected")
     if network.get_address_override():
         return
-    uri = get_master_uri()
-    if not network.is_local_address(urlsplit(uri).hostname or ""):
+    if not network.is_local_address(host):
         raise ArgumentError(
             f"the ROS master at {uri} is not on this machine: set ROS_IP to the address by which others reach this one"
         )

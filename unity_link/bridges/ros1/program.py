@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING
 
 from unity_link.bridges.ros1.environment import find_rospy
 from unity_link.bridges.ros1.node import Ros1Bridge
+from unity_link.bridges.waiting import connect_when_there
 from unity_link.errors import UnityLinkError
-from unity_link.link import connect
 
 if TYPE_CHECKING:
     from unity_link.data import Robot
@@ -38,7 +38,7 @@ def _options(description: str) -> argparse.Namespace:
 
 
 async def _run(robot: type[Robot], options: argparse.Namespace) -> None:
-    async with connect(options.link, reconnect=True) as link:
+    async with connect_when_there(options.link, _tell) as link:
         bridge = Ros1Bridge(robot(link), namespace=options.namespace, poll_hz=options.poll, report=_tell)
         await bridge.run()
 

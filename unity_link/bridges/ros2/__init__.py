@@ -8,7 +8,8 @@ ROS 2 calls the topic ``/scara/j1/cpos`` ``rt/scara/j1/cpos`` on DDS, and the ty
 ``std_msgs::msg::dds_::Float64_`` (https://design.ros2.org/articles/topic_and_service_names.html).
 """
 
+from unity_link.bridges.ros2.domain import find_dds
 from unity_link.bridges.ros2.node import Ros2Bridge
 from unity_link.bridges.ros2.settings import Quality, Settings, read_settings
 
-__all__ = ["Quality", "Ros2Bridge", "Settings", "read_settings"]
+__all__ = ["Quality", "Ros2Bridge", "Settings", "find_dds", "read_settings"]

@@ -42,6 +42,18 @@ LOOK = 1.0
 """Seconds in which another bridge of the same namespace shows itself."""
 
 
+def find_dds() -> None:
+    """See that CycloneDDS is installed.
+
+    Raises:
+        ConnectError: where it is not.
+    """
+    try:
+        import cyclonedds  # noqa: F401  (it is to be there, no more)
+    except ImportError:
+        raise ConnectError("CycloneDDS is not installed here: pip install 'unity-link[ros2]'") from None
+
+
 def open_participant(settings: Settings, mark: str = "") -> tuple[Any, Any]:
     """Join the domain; give the participant, and the domain, which ends with its last reference.
 

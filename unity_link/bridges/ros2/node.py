@@ -7,8 +7,9 @@ from concurrent.futures import ThreadPoolExecutor
 from typing import TYPE_CHECKING, Any
 
 from unity_link.bridges.ros import PATIENCE, RosBridge
+from unity_link.bridges.ros2.domain import find_dds
 from unity_link.bridges.ros2.settings import Quality, Settings
-from unity_link.errors import ConnectError
+from unity_link.errors import ArgumentError, ConnectError
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -34,7 +35,8 @@ class Ros2Bridge(RosBridge["Outlet"]):
         report: is told in a sentence what a person should know.
 
     Raises:
-        ArgumentError: where the spec publishes nothing and no rate to poll is given.
+        ArgumentError: where the spec publishes nothing and no rate to poll is given; for a namespace that ROS does not
+            take, or settings of a topic that there is not.
         ConnectError: where CycloneDDS is not installed.
     """
 
@@ -42,12 +44,20 @@ class Ros2Bridge(RosBridge["Outlet"]):
         self, robot: Robot, settings: Settings | None = None, *, report: Callable[[str], None] = lambda _: None
     ) -> None:
         self._settings = settings or Settings()
+        find_dds()
         super().__init__(robot, self._settings.namespace, self._settings.poll_hz, report)
         self._inlets: Inlets | None = None
-        try:
-            import cyclonedds  # noqa: F401  (its absence is told before anything is opened)
-        except ImportError:
-            raise ConnectError("CycloneDDS is not installed here: pip install 'unity-link[ros2]'") from None
+        self._check_topics()
+
+    def _check_topics(self) -> None:
+        from unity_link.spec.diagnostics import did_you_mean
+
+        known = {topic.name for published in self._groups for topic in published.topics}
+        known |= {published.joints.name for published in self._groups if published.joints is not None}
+        known |= {topic.name for topic in self._command_topics}
+        for name in self._settings.topics.keys() - known:
+            hint = did_you_mean(name, known) or "names without the namespace were expected"
+            raise ArgumentError(f"the parameters choose a quality for {name!r}, which is no topic here: {hint}")
 
     async def run(self) -> None:
         """Be the bridge until it is cancelled.

@@ -1,0 +1,49 @@
+"""A link for a bridge that may be started before its gateway is there."""
+
+from __future__ import annotations
+
+import asyncio
+from contextlib import asynccontextmanager
+from typing import TYPE_CHECKING
+
+from unity_link.drivers import parse_url, prepare
+from unity_link.errors import ConnectError
+from unity_link.link import connect
+
+if TYPE_CHECKING:
+    from collections.abc import AsyncIterator, Callable
+
+    from unity_link.link import Link
+
+LOOK_EVERY = 1.0
+"""Seconds between looks whether the gateway is there."""
+
+
+@asynccontextmanager
+async def connect_when_there(url: str, report: Callable[[str], None]) -> AsyncIterator[Link]:
+    """Open a link as soon as the gateway is there, and again whenever it is lost.
+
+    Args:
+        url: where the gateway is.
+        report: is told in a sentence, once, that the gateway is waited for.
+
+    Raises:
+        ArgumentError: for a URL that no driver knows.
+        ConnectError: where no such gateway can be reached from here, whether it is there or not.
+        UnsupportedError: for a gateway of another protocol version.
+    """
+    await prepare(parse_url(url))
+    async with await _connect(url, report) as link:
+        yield link
+
+
+async def _connect(url: str, report: Callable[[str], None]) -> Link:
+    told = False
+    while True:
+        try:
+            return await connect(url, reconnect=True)
+        except ConnectError as error:
+            if not told:
+                report(f"waiting for the gateway: {error}")
+            told = True
+            await asyncio.sleep(LOOK_EVERY)
