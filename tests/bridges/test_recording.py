@@ -245,8 +245,9 @@ def test_wrong_use_is_told_in_one_sentence(arguments: list[str], words: str) -> 
 
 
 def test_a_speed_that_is_none_is_refused(recorded: Path) -> None:
-    with pytest.raises(ArgumentError, match="a speed of 0 was asked for"):
-        replay(Recording(recorded), speed=0)
+    for speed in (0, math.inf):
+        with pytest.raises(ArgumentError, match=f"a speed of {speed:g} was asked for"):
+            replay(Recording(recorded), speed=speed)
 
 
 def test_a_directory_that_cannot_be_written_is_told(recorded: Path) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import Annotated
 
 import typer
@@ -35,5 +36,5 @@ def check_poll(hertz: float | None) -> None:
     Raises:
         ArgumentError: where it is no rate.
     """
-    if hertz is not None and not hertz > 0:
+    if hertz is not None and not 0 < hertz < math.inf:
         raise ArgumentError(f"--poll {hertz:g}: more than 0 Hz was expected")

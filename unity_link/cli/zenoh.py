@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import threading
 from typing import Annotated
 
 import typer
@@ -52,7 +53,7 @@ def zenoh(  # noqa: PLR0913  (each is an option of the command)
     from unity_link.data import load
 
     check_poll(poll)
-    if not every >= 0:
+    if not 0 <= every < threading.TIMEOUT_MAX:
         raise ArgumentError(f"--every {every:g}: 0 or more seconds were expected")
     network = Network(connect=tuple(connect or ()), listen=tuple(listen or ()), mode=mode, config=config)
     robot_type = load(compile_or_exit(spec), interface)

@@ -6,6 +6,7 @@ Both give lists of `Sample` by `take`. A group of several gateways has one sourc
 from __future__ import annotations
 
 import asyncio
+import math
 import time
 from contextlib import AsyncExitStack
 from typing import TYPE_CHECKING, Protocol, Self
@@ -53,7 +54,7 @@ class Poll:
     """Reads that the host repeats at a rate, each when it is asked for; what comes too late for its turn is lost."""
 
     def __init__(self, layout: Layout, rate_hz: float, *, on_change: bool, overflow: Overflow) -> None:
-        if not rate_hz > 0:
+        if not 0 < rate_hz < math.inf:
             raise ArgumentError(f"a rate of {rate_hz:g} Hz was asked for, expected more than 0")
         self.lost = 0
         self.received = 0

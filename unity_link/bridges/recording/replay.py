@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import TYPE_CHECKING
 
 from unity_link.errors import ArgumentError
@@ -33,7 +34,7 @@ class Player:
         Raises:
             ArgumentError: for a speed that is not more than 0, or a recording without samples.
         """
-        if not speed > 0:
+        if not 0 < speed < math.inf:
             raise ArgumentError(f"a speed of {speed:g} was asked for, expected more than 0")
         self.addresses = sorted({address for group in recording.groups for address in group.addresses})
         self.position = 0.0
