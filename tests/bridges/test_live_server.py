@@ -71,7 +71,7 @@ def test_the_page_is_opened_in_the_browser_with_its_token(tmp_path: Path, monkey
     ("arguments", "sentence", "code"),
     [
         ((), "a SPEC was expected, or words by --watch ADDRESS", 2),
-        ((SPEC, "--watch", "1"), "a SPEC was expected, or words by --watch ADDRESS", 2),
+        ((SPEC, "--watch", "1"), "a SPEC was expected, or words by --watch ADDRESS, not both", 2),
         (("--watch", "0x100"), "address 0x100 is not from 0 to 0xff", 2),
         (("--watch", "1", "--watch", "0x1"), "address 0x1 was given twice", 2),
         (("--watch", "x"), "x", 2),

@@ -278,7 +278,7 @@ def test_a_recording_is_never_replaced_unasked(recorded: Path) -> None:
     result = run("record", GATEWAY, SPEC, "-o", recorded, "--duration", "0.1")
 
     assert result.returncode == 2
-    assert "is there already" in result.stderr
+    assert "is there already: choose another name, or --overwrite" in result.stderr
     assert recorded.read_bytes() == before
 
 

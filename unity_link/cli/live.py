@@ -44,7 +44,7 @@ def add_to(app: typer.Typer) -> None:
 def live(  # noqa: PLR0913  (its options)
     url: Url,
     spec: Annotated[
-        Path | None, typer.Argument(metavar="[SPEC]", help="A spec, such as robot.ul.", show_default=False)
+        Path | None, typer.Argument(metavar="SPEC", help="A spec, such as robot.ul.", show_default=False)
     ] = None,
     *,
     watch: Annotated[
@@ -86,7 +86,8 @@ def live(  # noqa: PLR0913  (its options)
     Prints the address of the page and opens it. Gateway and browser may go and come back. Ctrl-C ends it.
     """
     if (spec is None) == (not watch):
-        raise ArgumentError("a SPEC was expected, or words by --watch ADDRESS")
+        both = ", not both" if watch else ""
+        raise ArgumentError(f"a SPEC was expected, or words by --watch ADDRESS{both}")
     for name, hertz in (("--rate", rate), ("--poll", poll)):
         if not 0 <= hertz < math.inf or (name == "--rate" and hertz == 0):
             raise ArgumentError(

@@ -84,9 +84,7 @@ class RecordingFile:
         try:
             self._raw = path.open("wb" if overwrite else "xb", buffering=0)
         except FileExistsError:
-            raise ArgumentError(
-                f"{path} is there already: another name, or leave to overwrite it, was expected"
-            ) from None
+            raise ArgumentError(f"{path} is there already: choose another name, or --overwrite") from None
         except OSError as error:
             raise ArgumentError(f"{path} cannot be written: {error.strerror or error}") from None
         self._stream = io.BufferedWriter(self._raw, _BUFFERED)
