@@ -176,7 +176,9 @@ class Connection:
         except RetryError as error:
             self._end(LinkLostError(f"{reason}, and no reconnection succeeded ({error.last_attempt.exception()})"))
         except Exception as error:  # noqa: BLE001  (whatever it is, nobody must wait for a link that is gone)
-            self._end(LinkLostError(f"{reason}, and the reconnection failed ({error})" if reason else str(error)))
+            lost = LinkLostError(f"{reason}, and the reconnection failed ({error})" if reason else str(error))
+            lost.__cause__ = error
+            self._end(lost)
         finally:
             self._reconnection = None
 

@@ -224,6 +224,12 @@ def test_the_gateway_may_be_away_at_the_start_and_in_between(tmp_path: Path) -> 
         assert process.poll() is None
 
 
+def test_a_gateway_that_nobody_has_is_wrong_use(tmp_path: Path) -> None:
+    result = run("serve", "sim:delta", "--unix", str(tmp_path / "socket"))
+    assert result.returncode == 2
+    assert result.stderr.startswith("error: no robot 'delta' is known")
+
+
 def test_another_gateway_in_its_place_ends_the_server_with_one_sentence(tmp_path: Path) -> None:
     port = free_port()
     with started("serve", f"tcp://127.0.0.1:{port}", "--unix", str(tmp_path / "socket")) as (process, url):

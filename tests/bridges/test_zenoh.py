@@ -396,6 +396,7 @@ def test_a_router_that_goes_and_comes_back_has_nothing_written_twice(tmp_path: P
     ("arguments", "words"),
     [
         (["--prefix", "robot/*"], "'robot/*' is no prefix of keys"),
+        (["--prefix", "robot/1", "--link", "sim:delta"], "no robot 'delta' is known"),
         (["--prefix", "robot/1", "--connect", "nowhere"], "connect/endpoints: Endpoints must be"),
         (["--prefix", "robot/1", "--every", "-1"], "0 or more seconds were expected"),
         (["--prefix", "robot/1", "--every", "inf"], "0 or more seconds were expected"),

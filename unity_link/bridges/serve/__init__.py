@@ -48,6 +48,7 @@ class Server:
         """Wait until the link has ended for good.
 
         Raises:
+            ArgumentError: for a URL of something that there is not.
             ConnectError: it says why: another gateway answers, or one that this program can't talk to.
         """
         await self._shared.ended

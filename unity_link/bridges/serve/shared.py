@@ -15,7 +15,7 @@ import msgspec
 from unity_link.bridges.serve.groups import Slots
 from unity_link.bridges.serve.turns import Turns
 from unity_link.connection import Connection, Reconnect
-from unity_link.errors import ConnectError, GatewayError, LinkLostError, UnansweredError
+from unity_link.errors import ArgumentError, ConnectError, GatewayError, LinkLostError, UnansweredError
 from unity_link.requests import Request
 from unity_link.wire.gateway_info import Feature
 from unity_link.wire.messages import Codec
@@ -188,7 +188,8 @@ class SharedLink(Connection):
         for client in list(self.clients):
             client.hang_up()
         if not self.ended.done():
-            self.ended.set_exception(ConnectError(error.reason))
+            wrong_use = isinstance(error.__cause__, ArgumentError)
+            self.ended.set_exception(error.__cause__ if wrong_use else ConnectError(error.reason))
             self.ended.exception()
 
     def _say(self, text: str) -> None:
