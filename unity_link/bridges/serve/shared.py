@@ -188,8 +188,8 @@ class SharedLink(Connection):
         for client in list(self.clients):
             client.hang_up()
         if not self.ended.done():
-            wrong_use = isinstance(error.__cause__, ArgumentError)
-            self.ended.set_exception(error.__cause__ if wrong_use else ConnectError(error.reason))
+            cause = error.__cause__
+            self.ended.set_exception(cause if isinstance(cause, ArgumentError) else ConnectError(error.reason))
             self.ended.exception()
 
     def _say(self, text: str) -> None:
