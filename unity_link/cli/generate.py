@@ -26,7 +26,7 @@ def generate(
     ] = Path(),
     interface: Name = None,
 ) -> None:
-    """Generate code from a spec: typed proxies, clients in C, C++ and MATLAB, VHDL, documents."""
+    """Generate code from a spec: typed proxies, clients in C, C++ and MATLAB, VHDL, packages of ROS, documents."""
     from unity_link.generate import generate as make
     from unity_link.generate import write
 
