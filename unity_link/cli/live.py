@@ -19,7 +19,7 @@ from unity_link.cli.arguments import DEFAULT_TIMEOUT, Timeout, Url, number
 from unity_link.cli.output import print_line, print_note
 from unity_link.cli.running import run
 from unity_link.cli.spec import Name, compile_or_exit
-from unity_link.errors import ArgumentError
+from unity_link.errors import ArgumentError, ConnectError
 
 if TYPE_CHECKING:
     import socket
@@ -141,8 +141,13 @@ async def _live(
     browser: bool,
     timeout: float,  # noqa: ASYNC109  (an option of the command)
 ) -> None:
-    from unity_link.bridges.live import LivePage, bind
-    from unity_link.bridges.live.foxglove import FoxgloveServer
+    try:
+        from unity_link.bridges.live import LivePage, bind
+        from unity_link.bridges.live.foxglove import FoxgloveServer
+    except ModuleNotFoundError:
+        raise ConnectError(
+            "the page needs a web server, which is not installed: pip install 'unity-link[live]'"
+        ) from None
     from unity_link.link import connect
 
     async with contextlib.AsyncExitStack() as stack:

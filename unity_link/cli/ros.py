@@ -85,7 +85,7 @@ def ros2(  # noqa: PLR0913  (each is an option)
 
     What is said here goes before what stands in --params. Needs pip install "unity-link[ros2]".
     """
-    from unity_link.bridges.ros2 import Quality, Settings, read_settings
+    from unity_link.bridges.ros2 import Quality, Settings, find_dds, read_settings
 
     if quality is not None and quality not in set(Quality):
         raise ArgumentError(f"--quality {quality}: one of {', '.join(Quality)} was expected")
@@ -98,6 +98,7 @@ def ros2(  # noqa: PLR0913  (each is an option)
         "domain": domain,
         "network": network or None,
     }
+    find_dds()
     read = Settings() if params is None else read_settings(params)
     settings = msgspec.structs.replace(read, **{name: value for name, value in said.items() if value is not None})
     if settings.link is None:
@@ -106,12 +107,11 @@ def ros2(  # noqa: PLR0913  (each is an option)
 
 
 async def _ros2(spec: Spec, interface: str | None, url: str, settings: Settings) -> None:
-    from unity_link.bridges.ros2 import Ros2Bridge, find_dds
+    from unity_link.bridges.ros2 import Ros2Bridge
     from unity_link.bridges.waiting import connect_when_there
     from unity_link.data import load
 
     robot_type = load(spec, interface)
-    find_dds()
     async with connect_when_there(url, print_note) as link:
         await run_and_sum_up(Ros2Bridge(robot_type(link), settings, report=print_note))
 

@@ -12,7 +12,15 @@ import asyncio
 import secrets
 from typing import TYPE_CHECKING
 
-from unity_link.drivers.zenoh_session import OPEN, KeyTransport, Network, check_prefix, close_session, open_session
+from unity_link.drivers.zenoh_session import (
+    OPEN,
+    KeyTransport,
+    Network,
+    check_prefix,
+    close_session,
+    find_zenoh,
+    open_session,
+)
 from unity_link.errors import ArgumentError, ConnectError
 
 if TYPE_CHECKING:
@@ -26,6 +34,15 @@ PATIENCE = 2.0
 PAUSE = 0.05
 LONGEST_ANSWER = 1.0
 """Seconds for one question, to which a bridge answers at once."""
+
+
+async def prepare(url: DriverUrl) -> None:  # noqa: ARG001  (a driver's prepare is given the URL)
+    """See that Zenoh is installed.
+
+    Raises:
+        ConnectError: where it is not.
+    """
+    find_zenoh()
 
 
 async def connect(url: DriverUrl, protocol: asyncio.Protocol) -> asyncio.Transport:

@@ -81,7 +81,7 @@ def open_session(network: Network, *, meeting: bool = False) -> zenoh.Session:
         ArgumentError: for an endpoint, a mode or a file that Zenoh does not take.
         ConnectError: where it can't listen; `UnreachableError` where as a client it finds nobody.
     """
-    _find_zenoh()
+    find_zenoh()
     import zenoh
 
     config = _configuration(network, meeting=meeting)
@@ -127,7 +127,7 @@ def check_prefix(prefix: str) -> str:
         ArgumentError: for one that Zenoh does not take.
         ConnectError: where Zenoh is not installed.
     """
-    _find_zenoh()
+    find_zenoh()
     import zenoh
 
     text = prefix.strip("/")
@@ -137,7 +137,12 @@ def check_prefix(prefix: str) -> str:
     raise ArgumentError(f"{prefix!r} is no prefix of keys: names with / between them were expected, as in robot/1")
 
 
-def _find_zenoh() -> None:
+def find_zenoh() -> None:
+    """See that Zenoh is installed.
+
+    Raises:
+        ConnectError: where it is not.
+    """
     if importlib.util.find_spec("zenoh") is None:
         raise ConnectError("Zenoh is not installed here: pip install 'unity-link[zenoh]'")
 

@@ -9,7 +9,6 @@
 - `writing`: values that come back, where that is allowed at all
 - `server`: the web server under the page, within bounds whoever speaks to it
 - `doorkeeper`: which requests are answered
-- `clock`: the gateway's time on this machine's clock
 - `round_trips`: how quickly the gateway answers
 - `foxglove`: the same samples for the Foxglove app, by its own WebSocket
 - `assets`: the page itself, and uPlot, which draws the curves (its licence is beside it); nothing is fetched elsewhere
