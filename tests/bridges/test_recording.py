@@ -250,6 +250,23 @@ def test_a_speed_that_is_none_is_refused(recorded: Path) -> None:
             replay(Recording(recorded), speed=speed)
 
 
+@pytest.mark.parametrize("form", ["csv", "parquet"])
+def test_an_export_that_is_interrupted_leaves_the_tables_as_they_were(
+    form: str, recorded: Path, tmp_path: Path
+) -> None:
+    def interrupt(_: int) -> None:
+        raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        export(Recording(recorded), form, tmp_path / "none", interrupt)
+    assert list((tmp_path / "none").iterdir()) == []
+
+    tables = {path: path.read_bytes() for path in export(Recording(recorded), form, tmp_path / "some")}
+    with pytest.raises(KeyboardInterrupt):
+        export(Recording(recorded), form, tmp_path / "some", interrupt)
+    assert {path: path.read_bytes() for path in (tmp_path / "some").iterdir()} == tables
+
+
 def test_a_directory_that_cannot_be_written_is_told(recorded: Path) -> None:
     with pytest.raises(RecordingError, match="cannot be written"):
         export(Recording(recorded), "csv", Path(os.devnull) / "x")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 from typing import TYPE_CHECKING, Any
 
 from unity_link.bridges.recording.files import RecordingError
@@ -20,7 +21,7 @@ FORMATS = ("parquet", "csv")
 def export(
     recording: Recording, form: str, directory: Path, progress: Callable[[int], None] = lambda _: None
 ) -> list[Path]:
-    """Write a recording as tables ``NAME.GROUP.parquet`` or ``.csv``; files of these names are replaced.
+    """Write a recording as tables ``NAME.GROUP.parquet`` or ``.csv``; files of these names are replaced, by whole ones.
 
     The columns are ``time`` (UTC, instant of sampling), ``gateway_time`` (seconds of the gateway's clock),
     ``sequence``, ``lost`` and the paths of the signals; enumerations are numbers. Parquet has the units and
@@ -47,9 +48,11 @@ def export(
             for samples, done in recording.samples():
                 tables[samples.group.name].write(samples)
                 progress(done)
+            for table in tables.values():
+                table.finish()
         finally:
             for table in tables.values():
-                table.close()
+                table.discard()
     except OSError as error:
         where = error.filename or directory
         raise RecordingError(f"{where} cannot be written: {error.strerror or error}") from None
@@ -66,7 +69,8 @@ class _Table:
         self._columns = Columns(group.signals, group.addresses)
         self._schema = pa.schema(list(self._fields()))
         writer: Any = parquet.ParquetWriter if form == "parquet" else csv.CSVWriter
-        self._writer = writer(str(path), self._schema)
+        self._part = path.with_name(f"{path.name}.part")
+        self._writer = writer(str(self._part), self._schema)
 
     def write(self, samples: RecordedSamples) -> None:
         import pyarrow as pa
@@ -81,8 +85,15 @@ class _Table:
         ]
         self._writer.write_table(pa.Table.from_arrays(columns, schema=self._schema))
 
-    def close(self) -> None:
+    def finish(self) -> None:
         self._writer.close()
+        self._part.replace(self.path)
+
+    def discard(self) -> None:
+        """Remove what was not finished."""
+        with contextlib.suppress(OSError):
+            self._writer.close()
+        self._part.unlink(missing_ok=True)
 
     def _fields(self) -> Iterator[Any]:
         import pyarrow as pa
