@@ -60,6 +60,8 @@ app = typer.Typer(
     epilog="URL is where the gateway is: serial:/dev/ttyUSB0?baud=12000000, tcp://host:port, unix:/path, "
     "udp://host:port; or sim: and sim:scara, which need no hardware, and rtl: and rtl:scara, the gateware compiled.",
     no_args_is_help=True,
+    # As "rich", it would take the brackets of unity-link[zenoh] for its own.
+    rich_markup_mode="markdown",
     pretty_exceptions_enable=False,
     context_settings={"help_option_names": ["-h", "--help"]},
 )
@@ -110,7 +112,7 @@ def _run() -> int:
     except typer.TyperException as error:
         # Without any argument the help has been printed, and there is nothing to add.
         if message := error.format_message():
-            print_error(message, hint=_usage_hint(error))
+            print_error(_with_value(message, error), hint=_usage_hint(error))
         return error.exit_code
     except ArgumentError as error:
         print_error(str(error))
@@ -125,6 +127,13 @@ def _run() -> int:
     except KeyboardInterrupt:
         return INTERRUPTED
     return code or 0
+
+
+def _with_value(message: str, error: typer.TyperException) -> str:
+    """Add the value that was wrong, which some sentences of pydantic leave out."""
+    errors = getattr(error.__cause__, "errors", None)
+    value = str(errors()[0]["input"]) if errors else ""
+    return message if value in message else f"{message}, not {value}"
 
 
 def _usage_hint(error: typer.TyperException) -> str:
