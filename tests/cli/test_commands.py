@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 import signal
 import socket
 import subprocess
@@ -110,6 +111,50 @@ def test_what_a_program_may_read_is_json(kind: str) -> None:
 def test_frames_are_typed_by_hand_and_answers_explained(kind: str) -> None:
     result = run("terminal", f"{kind}:", stdin="W0A0000002A\nR0A\nRZZ\n")
     assert "0x0000002A (42)" in result.stdout
+
+
+COMMANDS_THAT_PRINT = pytest.mark.parametrize(
+    "command",
+    ["unity-link demo --duration 1", "unity-link watch sim: 0x10 --duration 1", "echo R0A | unity-link terminal sim:"],
+    ids=["demo", "watch", "terminal"],
+)
+
+
+def in_shell(line: str) -> subprocess.CompletedProcess[str]:
+    environment = {**os.environ, "PATH": os.pathsep.join([str(Path(PROGRAM).parent), os.environ["PATH"]])}
+    return subprocess.run(["sh", "-c", line], capture_output=True, text=True, timeout=600, env=environment, check=False)
+
+
+@COMMANDS_THAT_PRINT
+def test_output_that_cannot_be_written_ends_a_command_in_one_sentence(command: str) -> None:
+    result = in_shell(f"{command} >/dev/full")
+    assert result.returncode == 1
+    assert result.stderr.splitlines()[-1] == "error: standard output cannot be written: No space left on device"
+    assert "Traceback" not in result.stderr
+
+
+@COMMANDS_THAT_PRINT
+def test_a_reader_of_the_output_may_go_before_its_end(command: str) -> None:
+    result = in_shell(f"({command}) | head -n 1")
+    assert len(result.stdout.splitlines()) == 1
+    assert "error" not in result.stderr
+    assert "Traceback" not in result.stderr
+
+
+def test_a_command_without_stdout_does_its_work() -> None:
+    result = in_shell("unity-link watch sim: 0x10 --count 3 >&-")
+    assert result.returncode == 0
+    assert result.stderr.startswith("3 samples in ")
+
+
+def test_colours_that_are_forced_on_a_pipe_make_no_picture_of_its_lines() -> None:
+    assert in_shell("FORCE_COLOR=1 unity-link watch sim: 0x10 --count 1").stdout.startswith("time\tlost\t0x10\n")
+
+
+def test_characters_that_the_output_cannot_hold_are_written_in_another_way() -> None:
+    result = in_shell("PYTHONIOENCODING=ascii unity-link demo --duration 1")
+    assert result.returncode == 0
+    assert r"\xb5s" in result.stdout
 
 
 @pytest.mark.rtl

@@ -11,7 +11,7 @@ One file for each family of commands. They parse, show and explain; what they do
 - `zenoh` has the bridge to Zenoh
 - `ft232h` has those about the chip's EEPROM
 - `live` shows signals on a page; `serve` shares a link; `service` tells systemd of a command that runs for long
-- `plots` draws curves
+- `plots` draws curves, `full_screen` gives a picture the whole terminal for a while
 
 Modules import at their top only what every command needs; what is slow to load is imported where it is used, so that
 `--help` and shell completion are quick.
@@ -22,8 +22,10 @@ one ended it (130 for Ctrl-C).
 
 from __future__ import annotations
 
+import io
 import os
 import sys
+from pathlib import Path
 from typing import Annotated
 
 import typer
@@ -102,10 +104,21 @@ bench.add_to(app)
 
 def main() -> None:
     """Run a command line, and exit with its code."""
+    _open_what_is_closed()
     sys.exit(_run())
 
 
+def _open_what_is_closed() -> None:
+    """Give a program that was started without stdout or stderr what takes all that is printed."""
+    for name in ("stdout", "stderr"):
+        if getattr(sys, name) is None:
+            setattr(sys, name, Path(os.devnull).open("w"))  # noqa: SIM115  (it stays open to the end)
+
+
 def _run() -> int:
+    # A character that the terminal does not know, such as the µ of µs, is no reason to end.
+    if isinstance(sys.stdout, io.TextIOWrapper):
+        sys.stdout.reconfigure(errors="backslashreplace")
     try:
         code: int | None = app(standalone_mode=False)
         sys.stdout.flush()
@@ -120,9 +133,15 @@ def _run() -> int:
     except UnityLinkError as error:
         print_error(str(error))
         return FAILED
-    except BrokenPipeError:
-        # Who reads our output has gone; what is still buffered must not be tried again at exit.
+    except OSError as error:
+        # What a command opens it answers for itself; what was open before it is stdout.
+        if error.filename is not None:
+            raise
+        # What is still buffered must not be tried again at exit.
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        # If who reads our output has gone, nobody needs to be told.
+        if not isinstance(error, BrokenPipeError):
+            print_error(f"standard output cannot be written: {error.strerror}")
         return FAILED
     except KeyboardInterrupt:
         return INTERRUPTED

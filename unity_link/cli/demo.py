@@ -87,25 +87,26 @@ async def _demo(url: str, duration: float, *, json: bool) -> None:
         elif is_live():
             await _show_live(show)
         else:
-            await show.run(print_line)
-            for name, text in show.summary().describe():
-                print_line(f"{name}: {text}")
+            await _show_lines(show)
+
+
+async def _show_lines(show: Demo) -> None:
+    try:
+        await show.run(print_line)
+    finally:
+        for name, text in show.summary().describe():
+            print_line(f"{name}: {text}")
 
 
 async def _show_live(show: Demo) -> None:
-    from rich.live import Live
-
     from unity_link.cli.demo_view import render, render_summary
+    from unity_link.cli.full_screen import full_screen
 
-    console = out()
-    with Live(render(show, console.size), console=console, auto_refresh=False) as live:
-
-        def refresh() -> None:
-            live.update(render(show, console.size), refresh=True)
-
-        await show.run(picture=refresh)
-        refresh()
-    console.print(render_summary(show.summary()))
+    try:
+        async with full_screen(lambda size: render(show, size)) as draw:
+            await show.run(picture=draw)
+    finally:
+        out().print(render_summary(show.summary()))
 
 
 class Step(msgspec.Struct):
@@ -123,17 +124,20 @@ class Summary(msgspec.Struct, kw_only=True):
     repetitions: int
     samples: int
     samples_lost: int
-    round_trip_median_s: float
-    round_trip_99_percent_s: float
+    round_trip_median_s: float | None
+    """None where the run was ended before anything was measured."""
+    round_trip_99_percent_s: float | None
 
     def describe(self) -> list[tuple[str, str]]:
         """Give it as pairs of a name and a text."""
-        median, most = 1e6 * self.round_trip_median_s, 1e6 * self.round_trip_99_percent_s
-        return [
+        pairs = [
             ("requests", f"{self.requests:,} executed exactly once, {self.repetitions:,} of them sent again"),
             ("samples", f"{self.samples:,} at {RATE_HZ} Hz, {self.samples_lost:,} lost"),
-            ("round trip", f"median {median:.0f} µs, 99 % within {most:.0f} µs"),
         ]
+        if self.round_trip_median_s is not None and self.round_trip_99_percent_s is not None:
+            median, most = 1e6 * self.round_trip_median_s, 1e6 * self.round_trip_99_percent_s
+            pairs.append(("round trip", f"median {median:.0f} µs, 99 % within {most:.0f} µs"))
+        return pairs
 
 
 class Demo:
@@ -173,15 +177,17 @@ class Demo:
     def summary(self) -> Summary:
         """Sum up."""
         seen = self._link.statistics
-        cuts = statistics.quantiles(self._round_trips, n=100)
+        times = self._round_trips
+        # Of a single one there are no quantiles.
+        cuts = statistics.quantiles(times, n=100) if len(times) > 1 else None
         return Summary(
             duration_s=self.elapsed,
             requests=seen.requests,
             repetitions=seen.repetitions,
             samples=seen.samples,
             samples_lost=seen.samples_lost,
-            round_trip_median_s=statistics.median(self._round_trips),
-            round_trip_99_percent_s=cuts[98],
+            round_trip_median_s=statistics.median(times) if cuts else None,
+            round_trip_99_percent_s=cuts[98] if cuts else None,
         )
 
     @property
@@ -235,11 +241,14 @@ class Demo:
         async with self._link.subscribe(addresses, rate_hz=RATE_HZ, callback=self._take):
             self.began = time.monotonic()
             self._end_step("four positions, sampled by the gateway's clock")
-            async with asyncio.TaskGroup() as tasks:
-                helpers = [tasks.create_task(work()) for work in (self._command, self._measure, self._report)]
-                await asyncio.sleep(self.duration)
-                for helper in helpers:
-                    helper.cancel()
+            try:
+                async with asyncio.TaskGroup() as tasks:
+                    helpers = [tasks.create_task(work()) for work in (self._command, self._measure, self._report)]
+                    await asyncio.sleep(self.duration)
+                    for helper in helpers:
+                        helper.cancel()
+            except BaseExceptionGroup as group:
+                raise group.exceptions[0] from None
 
     def _take(self, sample: object) -> None:
         from unity_link.subscription import Sample

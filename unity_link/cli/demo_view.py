@@ -29,8 +29,12 @@ UPPER_ARM, FOREARM = 0.55, 0.45
 _TRAIL_SAMPLES = 150
 _CODE_WIDTH = 46
 _WIDEST, _TALLEST_PLOT, _SHORTEST_PLOT = 110, 5, 2
+_NARROWEST = 70
+"""Columns for the robot beside the plots, and for what the calls gave beside the calls."""
 _AROUND_PLOTS = 13
 """Rows of everything but the plots, with the summary that follows."""
+_FRAME, _STEPS = 3, 5
+"""Rows of the frame with the progress, and of the calls."""
 
 
 def render(show: Demo, size: ConsoleDimensions) -> RenderableType:
@@ -38,15 +42,20 @@ def render(show: Demo, size: ConsoleDimensions) -> RenderableType:
     width = min(size.width, _WIDEST)
     joints = len(JOINTS)
     height = min(max((size.height - _AROUND_PLOTS) // joints - 1, _SHORTEST_PLOT), _TALLEST_PLOT)
+    # On a low terminal the plots go first and then the calls: the numbers stay.
+    height = min(height, max((size.height - _FRAME - _STEPS) // joints - 1, 0))
     rows = joints * (height + 1)
-    arm_width = min(2 * rows, width // 2 - 8) if width >= 70 else 0
+    above: list[RenderableType] = []
+    if rows + _FRAME + _STEPS <= size.height:
+        above = [_steps(show, width), Text()]
+    arm_width = min(2 * rows, width // 2 - 8) if width >= _NARROWEST and height else 0
     plots = Table.grid(padding=(0, 1))
     if arm_width:
         plots.add_row(_arm(show, arm_width, rows), _joints(show, width - arm_width - 7, height))
     else:
         plots.add_row(_joints(show, width - 5, height))
     panel = Panel(
-        Group(_steps(show), Text(), plots, _progress(show, width - 4)),
+        Group(*above, plots, _progress(show, width - 4)),
         title=Text.assemble((" Unity-Link ", "bold")),
         subtitle=Text(f" {show.url}: {describe_gateway(show.gateway)} ", "dim", overflow="ellipsis", no_wrap=True),
         border_style="dim",
@@ -65,14 +74,18 @@ def render_summary(summary: Summary) -> RenderableType:
     return table
 
 
-def _steps(show: Demo) -> Table:
+def _steps(show: Demo, width: int) -> Table:
+    rest = width - 6
+    code_width = min(_CODE_WIDTH, rest)
     table = Table.grid(padding=(0, 1))
     table.add_column(width=1)
-    table.add_column(style="cyan", no_wrap=True, min_width=_CODE_WIDTH)
-    table.add_column(overflow="ellipsis", no_wrap=True)
+    table.add_column(style="cyan", overflow="ellipsis", no_wrap=True, width=code_width)
+    if width >= _NARROWEST:
+        table.add_column(overflow="ellipsis", no_wrap=True, width=rest - code_width - 1)
     for step in show.steps:
         mark = Text("✓", "bold green") if step.result else Text("·", "dim")
-        table.add_row(mark, step.code, Text(step.result))
+        cells: list[RenderableType] = [mark, step.code, Text(step.result)]
+        table.add_row(*cells[: len(table.columns)])
     return table
 
 
@@ -85,13 +98,14 @@ def _joints(show: Demo, width: int, height: int) -> Table:
     now = show.elapsed
     limits = (now - HISTORY, now)
     table = Table.grid()
+    table.add_column(width=width)
     for number, (joint, color) in enumerate(zip(JOINTS, COLORS, strict=True)):
         unit = "°" if joint.unit == "degree" else f" {joint.unit}"
         position = show.history[-1][1][number] / joint.counts_per_unit if show.history else 0.0
         target = show.targets[-1][1][number] if show.targets else 0.0
-        title = Table.grid(expand=True)
-        title.add_column()
-        title.add_column(justify="right")
+        title = Table.grid(padding=(0, 1), expand=True)
+        title.add_column(no_wrap=True)
+        title.add_column(no_wrap=True, justify="right")
         title.add_row(
             Text.assemble((f"{joint.name:<9}", f"bold {_color(color)}"), (f"{position:+8.1f}{unit}", "bold")),
             Text(f"set point {target:+.0f}{unit}", "dim"),
@@ -100,7 +114,8 @@ def _joints(show: Demo, width: int, height: int) -> Table:
         margin = 0.02 * (span[1] - span[0])
         curves = [_set_points(show, number, now), _positions(show, number, color, 2 * DOTS_ACROSS * width)]
         table.add_row(title)
-        table.add_row(draw(width, height, curves, limits, (span[0] - margin, span[1] + margin)))
+        if height:
+            table.add_row(draw(width, height, curves, limits, (span[0] - margin, span[1] + margin)))
     return table
 
 
@@ -157,17 +172,19 @@ def _circle(middle: tuple[float, float], radius: float, color: Rgb) -> Curve:
     )
 
 
-def _progress(show: Demo, width: int) -> Table:
+def _progress(show: Demo, width: int) -> RenderableType:
     requests, samples, lost, median = show.counts
+    asked, sampled = f"{requests:,} requests", f"{samples:,} samples"
+    missing = Text(f"{lost:,} lost", "bold red" if lost else "green")
+    taken = f"{1e6 * median:.0f} µs round trip" if median is not None else ""
+    if width < _NARROWEST:
+        return Text("   ", no_wrap=True, overflow="ellipsis", end="").join(
+            [missing, *map(Text, (sampled, taken, asked))]
+        )
     table = Table.grid(padding=(0, 3), expand=True)
     table.add_column(ratio=1)
     for _ in range(4):
         table.add_column(no_wrap=True, justify="right")
-    table.add_row(
-        ProgressBar(total=show.duration, completed=min(show.elapsed, show.duration), width=max(4, width - 70)),
-        f"{requests:,} requests",
-        f"{samples:,} samples",
-        Text(f"{lost:,} lost", "bold red" if lost else "green"),
-        f"{1e6 * median:.0f} µs round trip" if median is not None else "",
-    )
+    bar = ProgressBar(total=show.duration, completed=min(show.elapsed, show.duration), width=max(4, width - 70))
+    table.add_row(bar, asked, sampled, missing, taken)
     return table

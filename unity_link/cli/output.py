@@ -23,7 +23,8 @@ def out() -> Console:
 def is_live() -> bool:
     """Say whether stdout is a terminal that can show a moving picture."""
     console = out()
-    return console.is_terminal and not console.is_dumb_terminal
+    # Whoever forces colours on a pipe still wants lines in it; and without Unicode there are no dots to draw with.
+    return sys.stdout.isatty() and not console.is_dumb_terminal and console.encoding.startswith("utf")
 
 
 def print_line(text: str) -> None:

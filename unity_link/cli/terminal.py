@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from unity_link.cli.arguments import Url  # noqa: TC001  (typer reads it)
+from unity_link.cli.arguments import DEFAULT_TIMEOUT, Url
 from unity_link.cli.output import out, print_note
 from unity_link.cli.running import INTERRUPTED, run
 from unity_link.errors import ConnectError
@@ -35,13 +35,19 @@ NEAR = 0.05
 """Seconds within which a near gateway answers: its answer then stands before the next prompt."""
 _READ_SIZE = 65_536
 _HELP = """\
-Type a request; the CRC is added. With ID: lower case, and the ID behind the command.
-  R0A          read the word at 0A               W0A0000002A  write 2A to it (with --plain, W0A2A will do)
-  RM0A04       read 4 words from 0A              WM0A...      write words from 0A on
+Type a request; the CRC is added.
+With ID: lower case, and the ID behind the command.
+  R0A                   read the word at 0A
+  RM0A04                read 4 words from 0A
+  W0A0000002A           write 2A to it; with --plain, W0A2A will do
+  WM0A...               write words from 0A on
   WK0Ammmmmmmmdddddddd  replace the bits of mask m by those of d
-  GSgg01vvvvnnaa...     group gg: every vvvv ticks, nn addresses      GNgg starts it, GXgg stops it, GPgg asks once
-  Q  what are you?      H  nothing      Kii  next ID expected      Imm  send-immediate mode
-!R0A00 sends as it stands, without adding a CRC.  Ctrl-D or quit ends."""
+  GSgg01vvvvnnaa...     group gg: every vvvv ticks, nn addresses
+  GNgg, GXgg, GPgg      start group gg, stop it, ask it once
+  Q                     what are you?
+  H, Kii, Imm           nothing; next ID expected; send-immediate mode
+!R0A00 sends as it stands, without adding a CRC.
+Ctrl-D or quit ends."""
 
 
 def add_to(app: typer.Typer) -> None:
@@ -77,7 +83,7 @@ async def _terminal(url: str, *, plain: bool, timeout: float) -> None:  # noqa: 
     session = _Session(stream, codec, plain=plain)
     try:
         if sys.stdin and sys.stdin.isatty() and sys.stdout.isatty():
-            await _converse(url, session)
+            await _converse(url, session, timeout)
         elif not await _while_connected(session, _answer_lines(session, timeout)):
             raise typer.Exit(1)
     finally:
@@ -92,7 +98,10 @@ async def _connect(target: DriverUrl, stream: Stream) -> Codec:
     from unity_link.wire.messages import Codec
 
     try:
-        await load_driver(target.scheme).connect(target, stream)
+        async with asyncio.timeout(DEFAULT_TIMEOUT):
+            await load_driver(target.scheme).connect(target, stream)
+    except TimeoutError:
+        raise ConnectError(f"{target.text}: the connection was not accepted within {DEFAULT_TIMEOUT:g} s") from None
     except ConnectError as error:
         raise ConnectError(f"{target.text}: {error}") from error
     try:
@@ -115,16 +124,19 @@ class _Session:
         self.codec = codec
         self.answered = asyncio.Event()
         self.ended = asyncio.Event()
-        self.reason: Exception | None = None
         self.show: Callable[[Any], None] = out().print
         self._stream = stream
         self._plain = plain
         self._interpreter = Interpreter(codec)
+        self._error: Exception | None = None
+        self._patience: asyncio.TimerHandle | None = None
         stream.receiver = self
 
     def send(self, line: str) -> str | None:
         """Send a typed line; gives the command in it, if it is one."""
         self.answered.clear()
+        if self._patience is not None:
+            self._patience.cancel()
         framing = self.codec.framing
         if line.startswith("!"):
             self._stream.send(_encoded(line[1:]) + b"\n")
@@ -133,6 +145,22 @@ class _Session:
         command = self._interpreter.listen(body)
         self._stream.send(framing.plain_request(body) if self._plain else framing.checked(body))
         return command
+
+    async def answer(self, seconds: float) -> bool:
+        """Wait for the answer to what was sent last; say whether it came."""
+        with contextlib.suppress(TimeoutError):
+            async with asyncio.timeout(seconds):
+                await self.answered.wait()
+        return self.answered.is_set()
+
+    def tell_of_silence(self, line: str, seconds: float) -> None:
+        """Tell the user of it where no answer to `line`, which was sent last, comes within `seconds`."""
+
+        def tell() -> None:
+            if not self.answered.is_set():
+                print_note(_silence(line, seconds))
+
+        self._patience = asyncio.get_running_loop().call_later(seconds, tell)
 
     def receive(self, data: bytes) -> int:
         """Show whole frames."""
@@ -146,22 +174,28 @@ class _Session:
         from rich.text import Text
 
         body = self._interpreter.body(line)
-        text = Text.assemble(
-            (body.decode("ascii", "backslashreplace"), "bold"), "  ", (self._interpreter.explain(line), "cyan")
-        )
-        self.show(text)
+        # Noise may well be what tells a terminal to clear its screen.
+        visible = repr(bytes(body))[2:-1]
+        try:
+            self.show(Text.assemble((visible, "bold"), "  ", (self._interpreter.explain(line), "cyan")))
+        except OSError as error:
+            self._end(error)
         if not body.startswith(b"P"):
             self.answered.set()
 
     def disconnected(self, reason: Exception | None) -> None:
         """Take note of the end."""
-        self.reason = reason
+        self._end(ConnectError(f"the connection has ended ({reason or 'the other side closed it'})"))
+
+    def _end(self, error: Exception) -> None:
+        self._error = self._error or error
         self.ended.set()
         self.answered.set()
 
-    def lost(self) -> ConnectError:
-        """Give the error for an end that nobody asked for."""
-        return ConnectError(f"the connection has ended ({self.reason or 'the other side closed it'})")
+    def raise_error(self) -> None:
+        """Raise what ended the session, if something but the user did."""
+        if self._error is not None:
+            raise self._error
 
 
 def _encoded(line: str) -> bytes:
@@ -174,6 +208,7 @@ async def _while_connected(session: _Session, work: Coroutine[None, None, bool])
 
     Raises:
         ConnectError: where the connection ends first.
+        OSError: where answers cannot be shown.
     """
     working = asyncio.ensure_future(work)
     ending = asyncio.ensure_future(session.ended.wait())
@@ -184,8 +219,12 @@ async def _while_connected(session: _Session, work: Coroutine[None, None, bool])
         ending.cancel()
         await asyncio.wait([working, ending])
     if working.cancelled():
-        raise session.lost()
+        session.raise_error()
     return working.result()
+
+
+def _silence(line: str, seconds: float) -> str:
+    return f"no answer to {line} within {seconds:g} s"
 
 
 async def _answer_lines(session: _Session, timeout: float) -> bool:  # noqa: ASYNC109
@@ -195,16 +234,10 @@ async def _answer_lines(session: _Session, timeout: float) -> bool:  # noqa: ASY
         if not line or line.startswith("?"):
             continue
         silent = session.send(line) == "WS"
-        try:
-            async with asyncio.timeout(WS_PATIENCE if silent else timeout):
-                await session.answered.wait()
-        except TimeoutError:
-            if silent:
-                continue
-            print_note(f"no answer to {line} within {timeout:g} s")
+        if not await session.answer(WS_PATIENCE if silent else timeout) and not silent:
+            print_note(_silence(line, timeout))
             complete = False
-        if session.ended.is_set():
-            raise session.lost()
+        session.raise_error()
     return complete
 
 
@@ -232,7 +265,7 @@ class _Interrupted(Exception):  # noqa: N818  (it is no error)
     """Ctrl-C, which is a key and no signal while a line is edited."""
 
 
-async def _converse(url: str, session: _Session) -> None:
+async def _converse(url: str, session: _Session, timeout: float) -> None:  # noqa: ASYNC109
     """Prompt for lines until the user has enough."""
     from prompt_toolkit import PromptSession
     from prompt_toolkit.auto_suggest import AutoSuggestFromHistory
@@ -245,10 +278,10 @@ async def _converse(url: str, session: _Session) -> None:
     )
     print_note(f"{url}: {summary(session.codec.info)}\n? shows what can be typed, Ctrl-D ends.")
     with patch_stdout(raw=True):
-        await _while_connected(session, _converse_lines(prompt, session))
+        await _while_connected(session, _converse_lines(prompt, session, timeout))
 
 
-async def _converse_lines(prompt: Any, session: _Session) -> bool:
+async def _converse_lines(prompt: Any, session: _Session, timeout: float) -> bool:  # noqa: ASYNC109
     while True:
         try:
             line = (await prompt.prompt_async("> ", handle_sigint=False)).strip()
@@ -261,10 +294,9 @@ async def _converse_lines(prompt: Any, session: _Session) -> bool:
         if line.startswith("?"):
             session.show(_HELP)
         elif line:
-            session.send(line)
-            with contextlib.suppress(TimeoutError):
-                async with asyncio.timeout(NEAR):
-                    await session.answered.wait()
+            silent = session.send(line) == "WS"
+            if not await session.answer(min(NEAR, timeout)) and not silent:
+                session.tell_of_silence(line, timeout)
 
 
 def _history() -> Any:

@@ -6,8 +6,9 @@ On a terminal, a live table with a curve for each address; in a pipe, a line for
 from __future__ import annotations
 
 import asyncio
+import contextlib
 import time
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
@@ -15,7 +16,7 @@ from unity_link.cli.arguments import DEFAULT_TIMEOUT, Json, Timeout, Url, number
 from unity_link.cli.output import is_live, print_json, print_line, print_note
 from unity_link.cli.running import run
 from unity_link.cli.words import Format, address_text, in_form, to_signed
-from unity_link.errors import ArgumentError
+from unity_link.errors import ArgumentError, GatewayError, LinkLostError
 
 if TYPE_CHECKING:
     from collections.abc import AsyncIterator, Callable
@@ -24,6 +25,8 @@ if TYPE_CHECKING:
     from unity_link.subscription import Sample, Subscription
 
 FRAMES_PER_SECOND = 15
+ASK_EVERY = 1.0
+"""Seconds between questions whether the gateway is still the one that was asked for the samples."""
 
 
 def add_to(app: typer.Typer) -> None:
@@ -49,7 +52,9 @@ def watch(
     json: Json = False,
     timeout: Timeout = DEFAULT_TIMEOUT,
 ) -> None:
-    """Watch addresses change, all sampled at the same instant; Ctrl-C ends it with a summary.
+    """Watch addresses change, all sampled at the same instant; q or Ctrl-C ends it with a summary.
+
+    A gateway that goes away is waited for.
 
     In a pipe, each sample is a line: its time in seconds, how many were lost before it, and the values, between tabs.
     Under --json the values are numbers, in two's complement for --format signed and unsigned for the others.
@@ -72,7 +77,10 @@ async def _watch(
 ) -> None:
     from unity_link.link import connect
 
-    async with connect(url, timeout=timeout) as link, link.subscribe(addresses, rate_hz=rate) as samples:
+    async with (
+        connect(url, timeout=timeout, reconnect=True) as link,
+        link.subscribe(addresses, rate_hz=rate) as samples,
+    ):
         start = time.monotonic()
         try:
             async with asyncio.timeout(duration):
@@ -122,11 +130,43 @@ class _Writer:
         return self.text(value & (1 << self.bits) - 1)
 
 
+async def _follow(
+    link: Link, samples: Subscription, count: int | None, take: Callable[[Sample], None], look: Callable[[], None]
+) -> None:
+    """Give the first `count` samples to `take`, or all, and look beside that how things stand."""
+    try:
+        async with asyncio.TaskGroup() as tasks:
+            beside = [tasks.create_task(_repeat(look)), tasks.create_task(_ask(link))]
+            try:
+                async for sample in _first(count, samples):
+                    take(sample)
+            finally:
+                for task in beside:
+                    task.cancel()
+    except BaseExceptionGroup as group:
+        raise group.exceptions[0] from None
+
+
+async def _ask(link: Link) -> None:
+    """Ask for nothing now and then: a gateway that was reset behind an open line says by itself no more of it."""
+    while True:
+        await asyncio.sleep(ASK_EVERY)
+        with contextlib.suppress(GatewayError, LinkLostError):
+            await link.fence()
+
+
+async def _repeat(action: Callable[[], None]) -> None:
+    while True:
+        await asyncio.sleep(1 / FRAMES_PER_SECOND)
+        action()
+
+
 async def _show_lines(url: str, link: Link, samples: Subscription, count: int | None, writer: _Writer) -> None:  # noqa: ARG001
     names = [address_text(address, link.gateway) for address in samples.schedule.addresses]
     if not writer.json:
         print_line("\t".join(["time", "lost", *names]))
-    async for sample in _first(count, samples):
+
+    def take(sample: Sample) -> None:
         words = sample.values.tolist()
         at = sample.arrived if sample.time is None else sample.time
         if writer.json:
@@ -143,31 +183,21 @@ async def _show_lines(url: str, link: Link, samples: Subscription, count: int | 
         else:
             print_line("\t".join([f"{at:.6f}", str(sample.lost), *map(writer.text, words)]))
 
+    away = False
+
+    def look() -> None:
+        nonlocal away
+        if away == link.connected:
+            away = not away
+            print_note("the gateway has gone away: it is waited for" if away else "the gateway is back")
+
+    await _follow(link, samples, count, take, look)
+
 
 async def _show_live(url: str, link: Link, samples: Subscription, count: int | None, writer: _Writer) -> None:
-    from rich.live import Live
-
-    from unity_link.cli.output import out
+    from unity_link.cli.full_screen import full_screen
     from unity_link.cli.watch_view import WatchView
 
-    console = out()
-    view = WatchView(url, samples, [address_text(a, link.gateway) for a in samples.schedule.addresses], writer)
-    with Live(view.render(console.size), console=console, auto_refresh=False) as live:
-
-        def refresh() -> None:
-            live.update(view.render(console.size), refresh=True)
-
-        async with asyncio.TaskGroup() as tasks:
-            refreshing = tasks.create_task(_repeat(refresh))
-            try:
-                async for sample in _first(count, samples):
-                    view.take(sample)
-            finally:
-                refreshing.cancel()
-                refresh()
-
-
-async def _repeat(action: Callable[[], Any]) -> None:
-    while True:
-        await asyncio.sleep(1 / FRAMES_PER_SECOND)
-        action()
+    view = WatchView(url, link, samples, [address_text(a, link.gateway) for a in samples.schedule.addresses], writer)
+    async with full_screen(view.render) as draw:
+        await _follow(link, samples, count, view.take, draw)

@@ -17,11 +17,15 @@ if TYPE_CHECKING:
 
     from rich.console import ConsoleDimensions
 
+    from unity_link.link import Link
     from unity_link.subscription import Sample, Subscription
 
 WINDOW = 10.0
 """Seconds that a curve shows."""
 COLORS: tuple[Rgb, ...] = ((86, 182, 232), (240, 160, 80), (126, 200, 120), (220, 130, 190), (230, 210, 90))
+_ADDRESS, _HEADINGS = "address", ("value", "min", "max")
+_GAP = 2
+"""Columns of the terminal beside each column of the table."""
 _MOST_BINS = 400
 _NARROWEST_PLOT = 10
 _WIDEST_PLOT = 60
@@ -83,8 +87,9 @@ class Trace:
 class WatchView:
     """The table, from what samples it is given."""
 
-    def __init__(self, url: str, samples: Subscription, names: Sequence[str], writer: Writer) -> None:
+    def __init__(self, url: str, link: Link, samples: Subscription, names: Sequence[str], writer: Writer) -> None:
         self._url = url
+        self._link = link
         self._samples = samples
         self._names = names
         self._writer = writer
@@ -103,17 +108,22 @@ class WatchView:
         shown = max(1, min(len(self._names), size.height - frame))
         height = 2 if 2 * shown <= size.height - frame else 1
         texts = [[self._writer.from_number(n) for n in (t.newest, t.lowest, t.highest)] for t in self._traces[:shown]]
-        widths = [max(len(row[column]) for row in texts) for column in range(3)]
-        rest = size.width - sum(max(width, 5) for width in widths) - len(self._names[0]) - 4 * 3 - 4
+        widths = [
+            max(len(_ADDRESS), len(self._names[0])),
+            *(max(5, *map(len, column)) for column in zip(*texts, strict=True)),
+        ]
+        # The value itself is what is shown where there is no room for all.
+        columns = len(_HEADINGS) if sum(widths) + _GAP * len(widths) <= size.width else 1
+        rest = size.width - sum(widths[: columns + 1]) - _GAP * (columns + 2)
         plot_width = min(rest, _WIDEST_PLOT)
         table = Table(box=None, header_style="dim", padding=(0, 1), show_edge=False)
-        table.add_column("address", style="cyan", no_wrap=True)
-        for heading in ("value", "min", "max"):
+        table.add_column(_ADDRESS, style="cyan", no_wrap=True, min_width=widths[0])
+        for heading in _HEADINGS[:columns]:
             table.add_column(heading, justify="right", no_wrap=True, style="bold" if heading == "value" else "")
         if plot_width >= _NARROWEST_PLOT:
             table.add_column(f"last {WINDOW:g} s", no_wrap=True)
         for number, (name, row) in enumerate(zip(self._names, texts, strict=False)):
-            cells: list[RenderableType] = [name, *row]
+            cells: list[RenderableType] = [name, *row[:columns]]
             if plot_width >= _NARROWEST_PLOT:
                 cells.append(self._plot(number, plot_width, height))
             table.add_row(*cells)
@@ -128,14 +138,19 @@ class WatchView:
         return draw(width, height, [curve], (-1, 0), (low, high))
 
     def _title(self) -> Text:
-        return Text.assemble((" unity-link watch ", "bold"), (self._url, "cyan"))
+        return _one_line((" unity-link watch ", "bold"), (self._url, "cyan"))
 
     def _state(self) -> Text:
         seconds = time.monotonic() - self._began
         received, lost = self._samples.received, self._samples.lost
         rate = f"{received / seconds:,.1f} Hz of {self._samples.rate_hz:,.5g}" if seconds > 1 else "..."
-        return Text.assemble(
+        return _one_line(
             (f" {seconds:.0f} s   {received:,} samples   {rate}   ", "dim"),
             (f"{lost:,} lost", "bold red" if lost else "green"),
-            ("   Ctrl-C ends", "dim"),
+            ("", "") if self._link.connected else ("   the gateway is away", "bold red"),
+            ("   q ends", "dim"),
         )
+
+
+def _one_line(*parts: tuple[str, str]) -> Text:
+    return Text.assemble(*parts, no_wrap=True, overflow="ellipsis")
