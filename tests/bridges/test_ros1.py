@@ -276,6 +276,25 @@ def listening_at(process: subprocess.Popen[str]) -> set[str]:
     return {line[1].partition(":")[0] for line in lines if line[3] == "0A" and f"socket:[{line[9]}]" in ours}
 
 
+def test_a_master_that_stands_still_is_away_and_holds_up_no_end(ros: int) -> None:
+    command = ["rosmaster", "--core", "-p", str(ros)]
+    with subprocess.Popen(command, stdout=subprocess.DEVNULL) as standing, contextlib.ExitStack() as bridges:
+        try:
+            wait_until(lambda: is_listening(ros))
+            early = bridges.enter_context(program("ros1", SPEC, "--link", GATEWAY))
+            wait_for(early, "node /unity_link_scara")
+            standing.send_signal(signal.SIGSTOP)
+            wait_for(early, "is away: nodes that are connected stay so")
+            late = bridges.enter_context(program("ros1", SPEC, "--link", GATEWAY))
+            wait_for(late, "waiting for the ROS master")
+            for process in (early, late):
+                process.send_signal(signal.SIGINT)
+                wait_for(process, "values written")
+                assert process.wait(PATIENCE) == 130
+        finally:
+            standing.kill()
+
+
 def test_it_listens_at_this_machine_alone_unless_ros_is_told_otherwise(
     ros: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

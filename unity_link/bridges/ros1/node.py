@@ -5,7 +5,10 @@ from __future__ import annotations
 import asyncio
 import contextlib
 import importlib
+import threading
+import xmlrpc.client
 from concurrent.futures import ThreadPoolExecutor
+from http.client import HTTPException
 from typing import TYPE_CHECKING, Any
 
 from unity_link.bridges.ros import RosBridge
@@ -15,6 +18,7 @@ from unity_link.errors import ConnectError
 
 if TYPE_CHECKING:
     from collections.abc import Callable
+    from http.client import HTTPConnection
 
     import numpy as np
     from numpy.typing import NDArray
@@ -26,6 +30,10 @@ if TYPE_CHECKING:
 
 LOOK_EVERY = 1.0
 """Seconds between looks whether the master knows the node."""
+ANSWERS_WITHIN = 2.0
+"""Seconds after which a master that does not answer is away."""
+LEAVES_WITHIN = 3.0
+"""Seconds that it may take to tell the master of the end."""
 
 
 class Ros1Bridge(RosBridge["Outlet"]):
@@ -66,8 +74,6 @@ class Ros1Bridge(RosBridge["Outlet"]):
             LinkLostError: where the link ends.
         """
         # ROS cannot be stopped and started again in one process; its threads end with the process.
-        import rospy
-
         loop = asyncio.get_running_loop()
         # What asks the master may wait for long, and must not hold up samples.
         asking, publishing = ThreadPoolExecutor(1, "ros-master"), ThreadPoolExecutor(1, "ros-publish")
@@ -80,7 +86,7 @@ class Ros1Bridge(RosBridge["Outlet"]):
             )
         finally:
             await asyncio.shield(loop.run_in_executor(publishing, self._finish_outlets))
-            rospy.signal_shutdown("the bridge ends")
+            _leave()
             asking.shutdown(wait=False)
             publishing.shutdown(wait=False)
 
@@ -202,11 +208,30 @@ def _message(package: str, kind: str) -> Any:
     return getattr(importlib.import_module(f"{package}.msg"), kind)
 
 
-def _is_online() -> bool:
-    import rosgraph
+class _Limited(xmlrpc.client.Transport):
+    """Asks a master, and waits no longer than `ANSWERS_WITHIN` for one that stands still or whose machine is gone."""
 
-    online: bool = rosgraph.is_master_online()
-    return online
+    def make_connection(self, host: Any) -> HTTPConnection:
+        connection = super().make_connection(host)
+        connection.timeout = ANSWERS_WITHIN
+        return connection
+
+
+def _is_online() -> bool:
+    try:
+        xmlrpc.client.ServerProxy(_master_uri(), transport=_Limited()).getPid("/unity_link")
+    except (OSError, HTTPException, xmlrpc.client.Error):
+        return False
+    return True
+
+
+def _leave() -> None:
+    """End the node, and tell the master, unless that does not answer: rospy would wait for it without end."""
+    import rospy
+
+    leaving = threading.Thread(target=rospy.signal_shutdown, args=("the bridge ends",), daemon=True)
+    leaving.start()
+    leaving.join(LEAVES_WITHIN)
 
 
 def _master_uri() -> str:
