@@ -94,4 +94,4 @@ def port_error(kind: str, host: str, port: int, error: Exception) -> ConnectErro
     if isinstance(error, OSError) and error.errno == errno.EADDRINUSE:
         return ConnectError(f"{kind} port {port} of {host} is in use: choose another, or 0 for any free one")
     reason = getattr(error, "strerror", None) or error
-    return ConnectError(f"{kind} port {port} of {host} can't be opened ({reason}): choose another")
+    return ConnectError(f"{kind} port {port} of {host} can't be opened ({reason}): choose another port or address")

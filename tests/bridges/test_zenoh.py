@@ -398,6 +398,7 @@ def test_a_router_that_goes_and_comes_back_has_nothing_written_twice(tmp_path: P
         (["--prefix", "robot/*"], "'robot/*' is no prefix of keys"),
         (["--prefix", "robot/1", "--link", "sim:delta"], "no robot 'delta' is known"),
         (["--prefix", "robot/1", "--connect", "nowhere"], "connect/endpoints: Endpoints must be"),
+        (["--prefix", "robot/1", "--mode", "client"], "a client of Zenoh needs a router: connect to one, such as"),
         (["--prefix", "robot/1", "--every", "-1"], "0 or more seconds were expected"),
         (["--prefix", "robot/1", "--every", "inf"], "0 or more seconds were expected"),
         (["--prefix", "robot/1", "--poll", "inf"], "more than 0 Hz was expected"),

@@ -143,6 +143,13 @@ async def test_a_client_that_reads_slowly_gets_everything_and_takes_no_memory() 
 
 
 @pytest.mark.asyncio
+async def test_an_address_of_another_machine_is_one_clear_error() -> None:
+    with pytest.raises(ConnectError, match=r"of 192\.0\.2\.1 can't be opened .*: choose another port or address"):
+        async with serve_tcp(VirtualGateway(), host="192.0.2.1"):
+            pass
+
+
+@pytest.mark.asyncio
 async def test_a_busy_tcp_port_is_one_clear_error() -> None:
     with socket.create_server(("127.0.0.1", 0)) as other:
         port = other.getsockname()[1]

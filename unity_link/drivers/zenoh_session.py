@@ -43,6 +43,7 @@ MOST_QUEUED = 16
 _SOURCE_LINE = re.compile(r" at \S+\.rs:\d+\.?| - Caused by")
 _PARSING = re.compile(r'msg: "(.*)", location: ')
 _UNREACHABLE = "Unable to connect"
+_NO_ROUTER_NAMED = "No peer specified"
 _RETRY = {"period_init_ms": 100, "period_max_ms": 1000, "period_increase_factor": 2}
 
 
@@ -78,7 +79,7 @@ def open_session(network: Network, *, meeting: bool = False) -> zenoh.Session:
         meeting: whether others of this machine are to find it.
 
     Raises:
-        ArgumentError: for an endpoint, a mode or a file that Zenoh does not take.
+        ArgumentError: for an endpoint, a mode or a file that Zenoh does not take, or a client that names no router.
         ConnectError: where it can't listen; `UnreachableError` where as a client it finds nobody.
     """
     find_zenoh()
@@ -89,6 +90,8 @@ def open_session(network: Network, *, meeting: bool = False) -> zenoh.Session:
         session = zenoh.open(config)
     except zenoh.ZError as error:
         text = explain(error)
+        if text.startswith(_NO_ROUTER_NAMED):
+            raise ArgumentError("a client of Zenoh needs a router: connect to one, such as tcp/router:7447") from error
         kind = UnreachableError if text.startswith(_UNREACHABLE) else ConnectError
         raise kind(f"no Zenoh session could be opened: {text}") from error
     # One that is left open when Python ends takes the process with it.
