@@ -1,0 +1,134 @@
+"""`terminal` on a terminal, as who sits before it sees it."""
+
+from __future__ import annotations
+
+import asyncio
+from typing import TYPE_CHECKING
+
+import pytest
+from anyio.from_thread import start_blocking_portal
+
+from terminal_window import GIVEN_BACK, Window, needs_tmux, window
+from unity_link.listening import listen_unix
+from unity_link.virtual import VirtualGateway
+from unity_link.virtual.serving import serve_unix
+from unity_link.wire.gateway_info import GatewayInfo
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+    from pathlib import Path
+
+pytestmark = needs_tmux
+PROMPT = "^> *$"
+
+
+@pytest.fixture
+def terminal(tmp_path: Path) -> Iterator[Window]:
+    with window(tmp_path) as terminal:
+        yield terminal
+
+
+class Noise(asyncio.Protocol):
+    """What answers to everything as a line of the wrong baud rate may: here, with what clears a terminal."""
+
+    def connection_made(self, transport: asyncio.BaseTransport) -> None:
+        assert isinstance(transport, asyncio.Transport)
+        self._transport = transport
+
+    def data_received(self, data: bytes) -> None:
+        self._transport.write(b"\x1b[2J\x1b[31m[bold]\xff\r\n")
+
+
+def test_what_is_typed_is_sent_and_each_answer_explained_until_ctrl_d(terminal: Window) -> None:
+    terminal.enter("unity-link terminal sim:; echo code $?")
+    terminal.wait_for(PROMPT, "^sim:: words of 32 bits", "Ctrl-D ends")
+    terminal.enter("W0A0000002A")
+    terminal.wait_for("^W0A +write to 0x0A done$", PROMPT)
+    terminal.enter("R0A")
+    terminal.wait_for(r"^R0A0000002A +read of 0x0A: 0x0000002A \(42\)$", PROMPT)
+    terminal.enter("R0")
+    terminal.wait_for("^X03 +error 03: malformed", PROMPT)
+    terminal.enter("?")
+    terminal.wait_for("^ +R0A +read the word at 0A$", PROMPT)
+    terminal.press("C-d")
+    terminal.wait_for("^code 0$", r"^\$ *$")
+    assert terminal.state == GIVEN_BACK
+    terminal.enter("echo typed $((6 * 7))")
+    terminal.wait_for(r"^\$ echo typed", "^typed 42$")
+
+
+def test_samples_that_come_by_themselves_leave_alone_what_is_being_typed(terminal: Window) -> None:
+    terminal.enter("unity-link terminal sim:; echo code $?")
+    terminal.wait_for(PROMPT)
+    terminal.enter("GS00010BB8010A")
+    terminal.wait_for("^GS00 +group 0 is set up$", PROMPT)
+    terminal.enter("GN00")
+    terminal.wait_for("^P0001")
+    terminal.press("R", "0")
+    terminal.wait_for("^P0006.*sample 6 of group 0: 0x0A = 0\n(.*\n)*> R0$")
+    terminal.press("C-c")
+    terminal.wait_for("^code 130$")
+    assert terminal.state == GIVEN_BACK
+
+
+def test_lines_of_earlier_times_are_there_again(terminal: Window) -> None:
+    for keys in (["R", "0", "A", "Enter"], ["Up", "Enter"]):
+        terminal.enter("clear; unity-link terminal sim:; echo code $?")
+        terminal.wait_for(PROMPT)
+        terminal.press(*keys)
+        terminal.wait_for("^R0A00000000 +read of 0x0A", PROMPT)
+        terminal.press("C-d")
+        terminal.wait_for("^code 0$")
+
+
+def test_input_that_is_no_request_is_sent_all_the_same_and_explained(terminal: Window) -> None:
+    terminal.enter("unity-link terminal sim:; echo code $?")
+    terminal.wait_for(PROMPT)
+    terminal.enter("µ [bold] \\")
+    terminal.wait_for("^X02 +error 02: unknown command$", PROMPT)
+    terminal.enter("R0A" * 400)
+    terminal.wait_for("^X03 +error 03: malformed", PROMPT)
+    terminal.enter("!R0A00")
+    terminal.wait_for("^X01 +error 01: the CRC was wrong$", PROMPT)
+    # The gateway says once what it expects, and then waits for that.
+    terminal.enter("r010A")
+    terminal.wait_for("^n00 +out of sequence: the next ID expected is 00$", PROMPT)
+    terminal.enter("r020A")
+    terminal.wait_for("^no answer to r020A within 1 s$", PROMPT)
+
+
+def test_a_window_of_any_size_takes_what_is_typed(terminal: Window) -> None:
+    terminal.enter("unity-link terminal sim:; echo code $?")
+    terminal.wait_for(PROMPT)
+    for width, height, word in [(30, 6, "00000001"), (200, 40, "00000002"), (70, 20, "00000003")]:
+        terminal.resize(width, height)
+        terminal.enter(f"W0A{word}")
+        terminal.enter("R0A")
+        terminal.wait_for(f"^R0A{word} ", PROMPT)
+
+
+def test_a_gateway_that_goes_away_ends_the_terminal_in_one_sentence(terminal: Window, tmp_path: Path) -> None:
+    with (
+        start_blocking_portal() as portal,
+        portal.wrap_async_context_manager(serve_unix(VirtualGateway(GatewayInfo()), tmp_path / "gateway")),
+    ):
+        terminal.enter("unity-link terminal unix:gateway; echo code $?")
+        terminal.wait_for(PROMPT)
+        terminal.press("R", "0")
+        terminal.wait_for("^> R0$")
+    screen = terminal.wait_for("^error: the connection has ended", "^code 1$")
+    assert "Traceback" not in screen
+    assert terminal.state == GIVEN_BACK
+
+
+def test_noise_is_shown_and_does_nothing_to_the_screen(terminal: Window, tmp_path: Path) -> None:
+    with (
+        start_blocking_portal() as portal,
+        portal.wrap_async_context_manager(listen_unix(Noise, tmp_path / "gateway")),
+    ):
+        terminal.enter("unity-link terminal unix:gateway; echo code $?")
+        terminal.wait_for("^The gateway does not say what it is", PROMPT)
+        terminal.enter("R0A")
+        terminal.wait_for("^The gateway", r"^\\x1b\[2J\\x1b\[31m\[bold\]\\xff +not a message", PROMPT)
+        terminal.enter("quit")
+        terminal.wait_for("^code 0$")
