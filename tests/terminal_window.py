@@ -25,6 +25,8 @@ GIVEN_BACK = "cursor 1, alternate 0"
 """How a terminal stands that no program has for itself: its cursor is shown, and what stood on its screen is there."""
 PATIENCE = 60
 """Seconds after which a test gives up to wait for something on the screen."""
+AGAIN_EVERY = 3
+"""Seconds after which a line is typed again."""
 
 
 class Window:
@@ -81,6 +83,19 @@ class Window:
                 pytest.fail(f"this stays on the screen:\n{screen}")
             time.sleep(0.05)
         return screen
+
+    def enter_until(self, line: str, pattern: str) -> None:
+        """Type a line, again and again, until a pattern is on the screen."""
+        again = 0.0
+
+        def is_there(screen: str) -> object:
+            nonlocal again
+            if time.monotonic() >= again:
+                self.enter(line)
+                again = time.monotonic() + AGAIN_EVERY
+            return re.search(pattern, screen, re.MULTILINE)
+
+        self.wait_until(is_there)
 
     def wait_for(self, *patterns: str) -> str:
         """Wait until each of some patterns is on the screen, ^ and $ being ends of lines; give the screen."""

@@ -269,15 +269,22 @@ async def _converse(url: str, session: _Session, timeout: float) -> None:  # noq
     """Prompt for lines until the user has enough."""
     from prompt_toolkit import PromptSession
     from prompt_toolkit.auto_suggest import AutoSuggestFromHistory
+    from prompt_toolkit.input import create_input
     from prompt_toolkit.patch_stdout import patch_stdout
 
     from unity_link.cli.explain import summary
 
+    keyboard = create_input()
+    # While something is printed above the prompt, the terminal would edit lines itself, and take keys such as Ctrl-D.
+    keyboard.cooked_mode = contextlib.nullcontext  # type: ignore[method-assign]
     prompt: PromptSession[str] = PromptSession(
-        history=_history(), auto_suggest=AutoSuggestFromHistory(), interrupt_exception=_Interrupted
+        history=_history(),
+        auto_suggest=AutoSuggestFromHistory(),
+        interrupt_exception=_Interrupted,
+        input=keyboard,
     )
     print_note(f"{url}: {summary(session.codec.info)}\n? shows what can be typed, Ctrl-D ends.")
-    with patch_stdout(raw=True):
+    with keyboard.raw_mode(), patch_stdout(raw=True):
         await _while_connected(session, _converse_lines(prompt, session, timeout))
 
 
