@@ -10,7 +10,9 @@ from __future__ import annotations
 import asyncio
 from collections import deque
 from collections.abc import Callable
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
 
 from unity_link.errors import LinkLostError, Outcome, UnansweredError, UnityLinkError, UnsupportedError
 from unity_link.requests import Message, Request, Rows, Source, Unawaited, gateway_error
@@ -25,8 +27,19 @@ FEWEST_ROWS = 8
 """Answers of a batch that are worth a turn of numpy."""
 FEWEST_BYTES = 64
 """Fewer bytes than so many answers have."""
+FEWEST_PUBLISHES = 12
+"""Publishes of one group, side by side, that are worth a turn of numpy."""
 Publish = Callable[[bytes, float], None]
 """Takes the body of a publish and the time of its arrival on the loop's clock, in seconds."""
+
+
+class PublishRows(NamedTuple):
+    """Who takes many publishes of a group at once, and how long each is."""
+
+    size: int
+    """Characters of a body."""
+    take: Callable[[np.ndarray[Any, np.dtype[np.uint8]], float], int]
+    """Takes bodies, shape (n, size), and the time of their arrival; gives how many of the first ones it took."""
 
 
 class Counters:
@@ -50,6 +63,8 @@ class Exchange:
         self.counters = Counters()
         self.publishes: dict[bytes, Publish] = {}
         """Who takes the publishes of each group, by its two digits."""
+        self.publish_rows: dict[bytes, PublishRows] = {}
+        """Who of them can take many at once."""
         self._on_lost = on_lost
         self._loop = asyncio.get_running_loop()
         self._now = self._loop.time
@@ -72,6 +87,7 @@ class Exchange:
         self._id_number = codec.id_number
         self._id_digits = codec.info.id_digits
         self._open = codec.framing.open
+        self._group_at = len(codec.framing.prefix) + 1
         stream.receiver = self
         self._admit()
 
@@ -218,11 +234,15 @@ class Exchange:
         start = 0
         window = self._window
         batched = self._batching and len(data) >= FEWEST_BYTES
+        publishing = bool(self.publish_rows) and len(data) >= FEWEST_PUBLISHES * FEWEST_BYTES // FEWEST_ROWS
         while True:
             if batched and isinstance(window.find(window.oldest), Rows):
                 # Looked for once for what can't be taken so, not at each line.
                 before, start = start, self._receive_rows(data, start, now)
                 batched = start != before
+            if publishing and data[start + self._group_at - 1 : start + self._group_at] == b"P":
+                before, start = start, self._receive_publishes(data, start, now)
+                publishing = start != before
             end = data.find(b"\n", start)
             if end < 0:
                 break
@@ -233,12 +253,16 @@ class Exchange:
                 break
         if window.oldest == window.next:
             self._batching = False
+        self._go_on()
+        return start
+
+    def _go_on(self) -> None:
+        """Send what answers have made room for, or shown to be lost."""
         if self._stream is not None:
             if self._window.wants_repetition:
                 self._repeat()
             if self._waiting or self._window.unfenced:
                 self._admit()
-        return start
 
     def _receive_rows(self, data: bytes, start: int, now: float) -> int:
         """Take the answers to a batch as long as they stand side by side; give where they end."""
@@ -260,6 +284,22 @@ class Exchange:
             self.counters.responses += taken
             window.answered(number, taken, now)
             start += taken * run.reply_size
+
+    def _receive_publishes(self, data: bytes, start: int, now: float) -> int:
+        """Take the publishes of a group as long as they stand side by side; give where they end."""
+        framing, end = self._codec.framing, start + self._group_at + 2
+        wanted = self.publish_rows.get(data[end - 2 : end])
+        if wanted is None:
+            return start
+        size = wanted.size + framing.overhead
+        while (count := (len(data) - start) // size) >= FEWEST_PUBLISHES:
+            rows = np.frombuffer(data, np.uint8, count * size, start).reshape(count, size)
+            bodies = framing.open_rows(rows, data[start : start + self._group_at + 2])
+            taken = wanted.take(bodies, now) if len(bodies) >= FEWEST_PUBLISHES else 0
+            if not taken:
+                break
+            start += taken * size
+        return start
 
     def _receive_line(self, line: bytes, now: float) -> None:
         try:

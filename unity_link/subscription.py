@@ -23,8 +23,9 @@ from unity_link.errors import (
     UnityLinkError,
     UnsupportedError,
 )
+from unity_link.exchange import PublishRows
 from unity_link.requests import Request, Unawaited
-from unity_link.wire.messages import Codec, GroupFlag, Words, parse_words
+from unity_link.wire.messages import Codec, GroupFlag, Words, parse_rows, parse_words
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -75,6 +76,16 @@ class GatewayClock:
             estimate = self._ticks + int((now - self._at) * self._frequency)
             ticks = estimate + ((timestamp - estimate + 0x8000_0000) & 0xFFFF_FFFF) - 0x8000_0000
         self._ticks, self._at = ticks, now
+        return ticks / self._frequency
+
+    def seconds_of(self, timestamps: NDArray[np.unsignedinteger], now: float) -> NDArray[np.float64]:
+        """Give the times of timestamps that arrived together, in order."""
+        self.seconds(int(timestamps[0]), now)
+        assert self._ticks is not None
+        wide = timestamps.astype(np.int64)
+        steps = (wide[1:] - wide[:-1] + 0x8000_0000 & 0xFFFF_FFFF) - 0x8000_0000
+        ticks = self._ticks + np.concatenate([[0], np.cumsum(steps)])
+        self._ticks = int(ticks[-1])
         return ticks / self._frequency
 
 
@@ -189,6 +200,7 @@ class Groups:
         if self._held.get(group) is subscription:
             subscription.restart()
             self._exchange.publishes[b"%02X" % group] = subscription.receive
+            self._exchange.publish_rows[b"%02X" % group] = PublishRows(subscription.length, subscription.receive_rows)
             await self._submit("GN", group)
 
     def _submit(self, command: str, *values: Any) -> asyncio.Future[None]:
@@ -201,6 +213,7 @@ class Groups:
 
     def _forget(self, group: int) -> None:
         self._exchange.publishes.pop(b"%02X" % group, None)
+        self._exchange.publish_rows.pop(b"%02X" % group, None)
         self._held.pop(group, None)
 
 
@@ -234,6 +247,8 @@ class Subscription:
         """Samples lost so far: on the way, in the gateway, or in the buffer."""
         self.received = 0
         """Samples that arrived so far."""
+        self.length = 0
+        """Characters of a publish."""
         self._groups = groups
         self._buffer: deque[Sample] = deque()
         self._buffer_size = buffer
@@ -266,7 +281,7 @@ class Subscription:
         codec = self._groups.codec
         timestamped = GroupFlag.TIMESTAMP in self.schedule.flags
         self._words_at = _HEAD + (_TIMESTAMP_DIGITS if timestamped else 0)
-        self._length = self._words_at + codec.info.data_digits * len(self.schedule.addresses)
+        self.length = self._words_at + codec.info.data_digits * len(self.schedule.addresses)
         self._group = await self._groups.hold(self)
         return self
 
@@ -332,7 +347,7 @@ class Subscription:
 
     def receive(self, body: bytes, now: float) -> None:
         """Take a publish of the group."""
-        if len(body) != self._length or self._error is not None:
+        if len(body) != self.length or self._error is not None:
             return
         try:
             values = parse_words(body[self._words_at :], self._groups.codec.info.data_digits)
@@ -343,6 +358,62 @@ class Subscription:
         instant = None if timestamp is None else self._groups.clock.seconds(timestamp, now)
         lost = self._count_lost(sequence, instant)
         self._keep(Sample(self._sequence, instant, time.time(), values, lost))
+
+    def receive_rows(self, bodies: NDArray[np.uint8], now: float) -> int:
+        """Take publishes of the group that arrived together, as long as none is missing between them.
+
+        Args:
+            bodies: shape (n, length).
+            now: when they arrived, on the loop's clock.
+
+        Returns:
+            How many of the first ones were taken.
+        """
+        if self._error is not None:
+            return len(bodies)
+        digits, stamped = self._groups.codec.info.data_digits, self._words_at != _HEAD
+        try:
+            values = parse_rows(bodies[:, self._words_at :].reshape(-1, digits)).reshape(len(bodies), -1)
+            sequences = parse_rows(bodies[:, 3:_HEAD])
+            timestamps = parse_rows(bodies[:, _HEAD : self._words_at]) if stamped else None
+        except ValueError:
+            return 0
+        count = self._side_by_side(sequences, timestamps)
+        instants: list[float] | list[None] = [None] * count
+        if timestamps is not None:
+            instants = self._groups.clock.seconds_of(timestamps[:count], now).tolist()
+        lost, first, arrived = self._count_lost(int(sequences[0]), instants[0]), self._sequence, time.time()
+        self._sequence += count - 1
+        self._sampled_at = instants[-1]
+        samples = [
+            Sample(first + offset, instant, arrived, words, 0)
+            for offset, (instant, words) in enumerate(zip(instants, values, strict=False))
+        ]
+        samples[0] = msgspec.structs.replace(samples[0], lost=lost)
+        self._keep_all(samples)
+        return count
+
+    def _side_by_side(
+        self, sequences: NDArray[np.unsignedinteger], timestamps: NDArray[np.unsignedinteger] | None
+    ) -> int:
+        """Give how many of the first samples follow each other with none missing."""
+        steady = np.diff(sequences) == 1
+        if timestamps is not None and self._due_hz is not None:
+            # Two digits may also have gone round.
+            due = np.diff(timestamps) * (self._due_hz / self._groups.codec.info.clock_hz)
+            steady &= due < 0x80
+        return len(sequences) if steady.all() else int(steady.argmin()) + 1
+
+    def _keep_all(self, samples: list[Sample]) -> None:
+        if self._callback is None and len(self._buffer) + len(samples) <= self._buffer_size:
+            self._keep(samples[0])
+            self.received += len(samples) - 1
+            self._groups.samples += len(samples) - 1
+            self._buffer.extend(samples[1:])
+            return
+        for sample in samples:
+            if self._error is None:
+                self._keep(sample)
 
     def _count_lost(self, sequence: int, at: float | None) -> int:
         """Give how many samples are missing before this one; a timestamp tells how often the two digits went round."""
