@@ -12,7 +12,14 @@ from unity_link.virtual import VirtualGateway
 from unity_link.virtual.line import SlowLine
 from unity_link.virtual.pump import MOST_LAG
 from unity_link.virtual.serving import connect_gateway
-from unity_link.virtual.transport import HIGH_WATER, MOST_DELIVERED, MOST_TAKEN, PIECE, GatewayTransport
+from unity_link.virtual.transport import (
+    HIGH_WATER,
+    MOST_DELIVERED,
+    MOST_TAKEN,
+    MOST_UNDELIVERED,
+    PIECE,
+    GatewayTransport,
+)
 
 if TYPE_CHECKING:
     from unity_link.virtual import Gateway
@@ -115,14 +122,14 @@ async def test_samples_that_find_the_protocol_not_reading_are_overruns() -> None
     await asyncio.sleep(0.001)
     transport.pause_reading()
     await asyncio.sleep(3600)
-    assert len(transport._to_protocol) < HIGH_WATER + 100
+    assert len(transport._to_protocol) < MOST_UNDELIVERED + 100
     transport.resume_reading()
     await asyncio.sleep(0.01)
     transport.write(b"GX00\r")
     await asyncio.sleep(0.01)
     samples = protocol.data.count(b"\nP")
     assert samples + gateway.groups.overruns == pytest.approx(100_000 * 3600.011, abs=3)
-    assert samples < HIGH_WATER / 16 + 1200
+    assert samples < MOST_UNDELIVERED / 16 + 1200
 
 
 @on_simulated_time

@@ -22,6 +22,8 @@ PIECE = 2048
 MOST_DELIVERED = 65536
 HIGH_WATER = 65536
 LOW_WATER = 16384
+MOST_UNDELIVERED = 4 * 65536
+"""Bytes for the protocol beyond which samples are lost: several times what a pump that is late gives in one turn."""
 
 
 class GatewayTransport(asyncio.Transport):
@@ -118,7 +120,7 @@ class GatewayTransport(asyncio.Transport):
 
     def _collect(self, data: bytes) -> None:
         self._to_protocol += data
-        if len(self._to_protocol) > HIGH_WATER:
+        if len(self._to_protocol) > MOST_UNDELIVERED:
             self._pump.block()
         if self._to_protocol or self._to_gateway:
             self._plan_turn()
