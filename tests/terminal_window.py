@@ -48,12 +48,17 @@ class Window:
         )
         self._tmux("set-option", "-g", "window-size", "manual")
         # A shell has its own mind of the prompt that it inherits.
-        self.enter("PS1='$ '; clear")
+        self.enter("PS1='$ '")
 
     def enter(self, line: str) -> None:
         """Type a line."""
         self._tmux("send-keys", "-l", line)
         self.press("Enter")
+
+    def clear(self) -> None:
+        """Clear the screen, so that what an earlier program left is not taken for what the next one shows."""
+        self.enter("clear")
+        self.wait_for(r"\A\$ *$")
 
     def press(self, *keys: str) -> None:
         """Press keys, under tmux's names: C-c, Up."""
@@ -113,7 +118,7 @@ class Window:
 def window(home: Path) -> Iterator[Window]:
     terminal = Window(home)
     try:
-        terminal.wait_for(r"\A\$ *$")
+        terminal.clear()
         yield terminal
     finally:
         terminal.close()

@@ -7,8 +7,12 @@ Every error that Unity-Link raises is a `UnityLinkError`. An error's class says 
 
 from __future__ import annotations
 
+import contextlib
 import enum
-from typing import Self
+from typing import TYPE_CHECKING, Self
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
 
 
 class UnityLinkError(Exception):
@@ -108,3 +112,12 @@ class AnswerLostError(GatewayError):
     """The request was executed once, and its answer was lost for good (error 08): a queue read or masked write."""
 
     code = 8
+
+
+@contextlib.contextmanager
+def first_error() -> Iterator[None]:
+    """Raise what failed first in a group of tasks as itself: a caller knows nothing of the tasks."""
+    try:
+        yield
+    except BaseExceptionGroup as group:
+        raise group.exceptions[0] from None

@@ -64,7 +64,7 @@ class Exchange:
         self.publishes: dict[bytes, Publish] = {}
         """Who takes the publishes of each group, by its two digits."""
         self.publish_rows: dict[bytes, PublishRows] = {}
-        """Who of them can take many at once."""
+        """Who of them can take many at once, by what the bodies begin with, ``P`` and the two digits."""
         self._on_lost = on_lost
         self._loop = asyncio.get_running_loop()
         self._now = self._loop.time
@@ -87,7 +87,6 @@ class Exchange:
         self._id_number = codec.id_number
         self._id_digits = codec.info.id_digits
         self._open = codec.framing.open
-        self._group_at = len(codec.framing.prefix) + 1
         stream.receiver = self
         self._admit()
 
@@ -234,13 +233,13 @@ class Exchange:
         start = 0
         window = self._window
         batched = self._batching and len(data) >= FEWEST_BYTES
-        publishing = bool(self.publish_rows) and len(data) >= FEWEST_PUBLISHES * FEWEST_BYTES // FEWEST_ROWS
+        publishing = bool(self.publish_rows)
         while True:
             if batched and isinstance(window.find(window.oldest), Rows):
                 # Looked for once for what can't be taken so, not at each line.
                 before, start = start, self._receive_rows(data, start, now)
                 batched = start != before
-            if publishing and data[start + self._group_at - 1 : start + self._group_at] == b"P":
+            if publishing:
                 before, start = start, self._receive_publishes(data, start, now)
                 publishing = start != before
             end = data.find(b"\n", start)
@@ -287,14 +286,15 @@ class Exchange:
 
     def _receive_publishes(self, data: bytes, start: int, now: float) -> int:
         """Take the publishes of a group as long as they stand side by side; give where they end."""
-        framing, end = self._codec.framing, start + self._group_at + 2
-        wanted = self.publish_rows.get(data[end - 2 : end])
+        framing = self._codec.framing
+        head = data[start : start + len(framing.prefix) + 3]
+        wanted = self.publish_rows.get(head[-3:])
         if wanted is None:
             return start
         size = wanted.size + framing.overhead
         while (count := (len(data) - start) // size) >= FEWEST_PUBLISHES:
             rows = np.frombuffer(data, np.uint8, count * size, start).reshape(count, size)
-            bodies = framing.open_rows(rows, data[start : start + self._group_at + 2])
+            bodies = framing.open_rows(rows, head)
             taken = wanted.take(bodies, now) if len(bodies) >= FEWEST_PUBLISHES else 0
             if not taken:
                 break

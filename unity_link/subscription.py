@@ -200,7 +200,7 @@ class Groups:
         if self._held.get(group) is subscription:
             subscription.restart()
             self._exchange.publishes[b"%02X" % group] = subscription.receive
-            self._exchange.publish_rows[b"%02X" % group] = PublishRows(subscription.length, subscription.receive_rows)
+            self._exchange.publish_rows[b"P%02X" % group] = PublishRows(subscription.length, subscription.receive_rows)
             await self._submit("GN", group)
 
     def _submit(self, command: str, *values: Any) -> asyncio.Future[None]:
@@ -213,7 +213,7 @@ class Groups:
 
     def _forget(self, group: int) -> None:
         self._exchange.publishes.pop(b"%02X" % group, None)
-        self._exchange.publish_rows.pop(b"%02X" % group, None)
+        self._exchange.publish_rows.pop(b"P%02X" % group, None)
         self._held.pop(group, None)
 
 
@@ -386,10 +386,9 @@ class Subscription:
         self._sequence += count - 1
         self._sampled_at = instants[-1]
         samples = [
-            Sample(first + offset, instant, arrived, words, 0)
-            for offset, (instant, words) in enumerate(zip(instants, values, strict=False))
+            Sample(first + offset, instant, arrived, words.copy(), 0 if offset else lost)
+            for offset, (instant, words) in enumerate(zip(instants, values[:count], strict=True))
         ]
-        samples[0] = msgspec.structs.replace(samples[0], lost=lost)
         self._keep_all(samples)
         return count
 

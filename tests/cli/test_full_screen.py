@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 import re
 from contextlib import contextmanager
 from typing import TYPE_CHECKING
@@ -10,7 +11,7 @@ import pytest
 from anyio.from_thread import start_blocking_portal
 
 from counting_device import CountingDevice
-from terminal_window import GIVEN_BACK, Window, needs_tmux, window
+from terminal_window import GIVEN_BACK, Window, needs_tmux
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.build import build_gateway
 from unity_link.virtual.serving import serve_unix
@@ -29,11 +30,10 @@ BEFORE = "what stood there before"
 
 
 @pytest.fixture
-def terminal(tmp_path: Path) -> Iterator[Window]:
-    with window(tmp_path) as terminal:
-        terminal.enter(f"echo {BEFORE}")
-        terminal.wait_for(f"^{BEFORE}$")
-        yield terminal
+def terminal(terminal: Window) -> Window:
+    terminal.enter(f"echo {BEFORE}")
+    terminal.wait_for(f"^{BEFORE}$")
+    return terminal
 
 
 @contextmanager
@@ -91,19 +91,21 @@ def test_the_demo_moves_and_loses_nothing_and_gives_the_terminal_back_at_ctrl_c(
     assert "round trip  median" in left
 
 
+def is_the_whole_demo(width: int, screen: str) -> bool:
+    return (
+        screen.count("Unity-Link") == 1
+        and " 0 lost" in screen
+        and all(name in screen for name in ("shoulder", "elbow", "z ", "wrist"))
+        and len(screen.splitlines()[0]) == width
+    )
+
+
 def test_the_demo_fits_the_window_whatever_becomes_of_it(terminal: Window) -> None:
     # Some shells export these, and they do not follow the window.
     terminal.enter("COLUMNS=80 LINES=24 unity-link demo --duration 600; echo code $?")
     for width, height in [(100, 30), (60, 15), (40, 8), (220, 50), (70, 20)]:
         terminal.resize(width, height)
-        terminal.wait_until(
-            lambda screen, width=width: (  # type: ignore[misc]
-                screen.count("Unity-Link") == 1
-                and " 0 lost" in screen
-                and all(name in screen for name in ("shoulder", "elbow", "z ", "wrist"))
-                and len(screen.splitlines()[0]) == min(width, 110)
-            )
-        )
+        terminal.wait_until(functools.partial(is_the_whole_demo, min(width, 110)))
     terminal.press("C-c")
     terminal.wait_for("^code 130$")
 
@@ -125,9 +127,14 @@ def test_a_gateway_that_goes_away_ends_the_demo_in_one_sentence(terminal: Window
 
 def test_the_demo_on_a_terminal_that_can_draw_nothing_prints_lines(terminal: Window) -> None:
     for environment in ("TERM=dumb", "PYTHONIOENCODING=ascii"):
-        terminal.enter(f"clear; {environment} unity-link demo --duration 1; echo code $?")
+        terminal.clear()
+        terminal.enter(f"{environment} unity-link demo --duration 1; echo code $?")
         screen = terminal.wait_for("^await link.read.*counts$", r"^samples: \d+ at 100 Hz, 0 lost$", "^code 0$")
         assert "╭" not in screen
+
+
+def is_one_watch_beyond(last: float, screen: str) -> bool:
+    return value(screen) > last and screen.count("unity-link watch") == 1
 
 
 def test_watch_shows_values_as_they_change_through_resizes(terminal: Window, tmp_path: Path) -> None:
@@ -136,11 +143,7 @@ def test_watch_shows_values_as_they_change_through_resizes(terminal: Window, tmp
         last = 0.0
         for width, height in [(100, 30), (50, 8), (30, 5), (200, 40)]:
             terminal.resize(width, height)
-            last = value(
-                terminal.wait_until(
-                    lambda screen, last=last: value(screen) > last and screen.count("unity-link watch") == 1  # type: ignore[misc]
-                )
-            )
+            last = value(terminal.wait_until(functools.partial(is_one_watch_beyond, last)))
         terminal.wait_for("^ 0x12 +0 ", r"\b0 lost\b", "[⠁-⣿]")
         terminal.press("C-c")
         assert re.search(r"^\d+ samples in .* 0 lost$", assert_restored(terminal, 130), re.MULTILINE)

@@ -5,27 +5,19 @@ from __future__ import annotations
 import asyncio
 from typing import TYPE_CHECKING
 
-import pytest
 from anyio.from_thread import start_blocking_portal
 
-from terminal_window import GIVEN_BACK, Window, needs_tmux, window
+from terminal_window import GIVEN_BACK, Window, needs_tmux
 from unity_link.listening import listen_unix
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.serving import serve_unix
 from unity_link.wire.gateway_info import GatewayInfo
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
     from pathlib import Path
 
 pytestmark = needs_tmux
 PROMPT = "^> *$"
-
-
-@pytest.fixture
-def terminal(tmp_path: Path) -> Iterator[Window]:
-    with window(tmp_path) as terminal:
-        yield terminal
 
 
 class Noise(asyncio.Protocol):
@@ -73,9 +65,7 @@ def test_samples_that_come_by_themselves_leave_alone_what_is_being_typed(termina
 
 def test_lines_of_earlier_times_are_there_again(terminal: Window) -> None:
     for keys in (["R", "0", "A", "Enter"], ["Up", "Enter"]):
-        # What the last one left must not be taken for this one's.
-        terminal.enter("clear")
-        terminal.wait_for(r"\A\$ *$")
+        terminal.clear()
         terminal.enter("unity-link terminal sim:; echo code $?")
         terminal.wait_for(PROMPT)
         terminal.press(*keys)

@@ -12,7 +12,7 @@ from contextlib import AsyncExitStack
 from typing import TYPE_CHECKING, Any
 
 from unity_link.bridges.telling import Faults
-from unity_link.errors import GatewayError, LinkLostError
+from unity_link.errors import GatewayError, LinkLostError, first_error
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Coroutine, Sequence
@@ -68,16 +68,15 @@ class Carrier:
             Exception: whatever `hand_over` or one beside raised first.
         """
         try:
-            async with AsyncExitStack() as stack, asyncio.TaskGroup() as tasks:
-                for coroutine in (*beside, self._ask()):
-                    tasks.create_task(coroutine)
-                self._subscriptions = [
-                    await stack.enter_async_context(group.subscribe(buffer=self._buffer)) for group in self._groups
-                ]
-                for number, subscription in enumerate(self._subscriptions):
-                    tasks.create_task(self._carry(number, subscription, thread))
-        except BaseExceptionGroup as group:
-            raise group.exceptions[0] from None
+            with first_error():
+                async with AsyncExitStack() as stack, asyncio.TaskGroup() as tasks:
+                    for coroutine in (*beside, self._ask()):
+                        tasks.create_task(coroutine)
+                    self._subscriptions = [
+                        await stack.enter_async_context(group.subscribe(buffer=self._buffer)) for group in self._groups
+                    ]
+                    for number, subscription in enumerate(self._subscriptions):
+                        tasks.create_task(self._carry(number, subscription, thread))
         except asyncio.CancelledError:
             for number, subscription in enumerate(self._subscriptions):
                 await self._drain(number, subscription, thread)

@@ -52,14 +52,7 @@ AnyOutlet = TypeVar("AnyOutlet", bound=Outlet)
 class RosBridge(abc.ABC, Generic[AnyOutlet]):
     """Publishes what a robot publishes, and writes what it is told.
 
-    Args:
-        robot: a robot of any spec, behind an open link.
-        namespace: what stands before the names of all topics; that of the interface if nothing is said.
-        poll_hz: also publish, read so often, what nothing samples.
-        report: is told in a sentence what a person should know.
-
-    Raises:
-        ArgumentError: where the spec publishes nothing and `poll_hz` is not given, or ROS takes no such namespace.
+    What it is made of is said where it is made, by `Ros1Bridge` and `Ros2Bridge`.
     """
 
     def __init__(

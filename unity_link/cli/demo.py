@@ -19,6 +19,7 @@ from unity_link.cli.arguments import DEFAULT_TIMEOUT, Json
 from unity_link.cli.output import is_live, out, print_json, print_line
 from unity_link.cli.running import run
 from unity_link.cli.words import signed_words, to_word
+from unity_link.errors import first_error
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -241,14 +242,12 @@ class Demo:
         async with self._link.subscribe(addresses, rate_hz=RATE_HZ, callback=self._take):
             self.began = time.monotonic()
             self._end_step("four positions, sampled by the gateway's clock")
-            try:
+            with first_error():
                 async with asyncio.TaskGroup() as tasks:
                     helpers = [tasks.create_task(work()) for work in (self._command, self._measure, self._report)]
                     await asyncio.sleep(self.duration)
                     for helper in helpers:
                         helper.cancel()
-            except BaseExceptionGroup as group:
-                raise group.exceptions[0] from None
 
     def _take(self, sample: object) -> None:
         from unity_link.subscription import Sample

@@ -16,7 +16,7 @@ from unity_link.cli.arguments import DEFAULT_TIMEOUT, Json, Timeout, Url, number
 from unity_link.cli.output import is_live, print_json, print_line, print_note
 from unity_link.cli.running import run
 from unity_link.cli.words import Format, address_text, in_form, to_signed
-from unity_link.errors import ArgumentError, GatewayError, LinkLostError
+from unity_link.errors import ArgumentError, GatewayError, LinkLostError, first_error
 
 if TYPE_CHECKING:
     from collections.abc import AsyncIterator, Callable
@@ -134,7 +134,7 @@ async def _follow(
     link: Link, samples: Subscription, count: int | None, take: Callable[[Sample], None], look: Callable[[], None]
 ) -> None:
     """Give the first `count` samples to `take`, or all, and look beside that how things stand."""
-    try:
+    with first_error():
         async with asyncio.TaskGroup() as tasks:
             beside = [tasks.create_task(_repeat(look)), tasks.create_task(_ask(link))]
             try:
@@ -143,8 +143,6 @@ async def _follow(
             finally:
                 for task in beside:
                     task.cancel()
-    except BaseExceptionGroup as group:
-        raise group.exceptions[0] from None
 
 
 async def _ask(link: Link) -> None:

@@ -12,7 +12,7 @@ from __future__ import annotations
 import asyncio
 from typing import TYPE_CHECKING
 
-from unity_link.virtual.pump import Pump
+from unity_link.virtual.pump import MOST_BYTES, Pump
 
 if TYPE_CHECKING:
     from unity_link.virtual.gateway import Gateway
@@ -22,8 +22,8 @@ PIECE = 2048
 MOST_DELIVERED = 65536
 HIGH_WATER = 65536
 LOW_WATER = 16384
-MOST_UNDELIVERED = 4 * 65536
-"""Bytes for the protocol beyond which samples are lost: several times what a pump that is late gives in one turn."""
+MOST_UNDELIVERED = 4 * MOST_BYTES
+"""Bytes for the protocol beyond which samples are lost; a pump that is late gives `MOST_BYTES` in one turn."""
 
 
 class GatewayTransport(asyncio.Transport):

@@ -47,8 +47,8 @@ class Ros1Bridge(RosBridge["Outlet"]):
 
     Raises:
         ConnectError: where ROS 1 is not installed.
-        ArgumentError: where the spec publishes nothing and `poll_hz` is not given; where the master is on another
-            machine, and ROS_IP does not say how this one is reached.
+        ArgumentError: where the spec publishes nothing and `poll_hz` is not given; for a namespace that ROS does not
+            take; where the master is on another machine, and ROS_IP does not say how this one is reached.
     """
 
     def __init__(

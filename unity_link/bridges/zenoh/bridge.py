@@ -22,7 +22,7 @@ from unity_link.drivers.zenoh_session import (
     close_session,
     open_session,
 )
-from unity_link.errors import ConnectError, LinkLostError
+from unity_link.errors import ConnectError, LinkLostError, first_error
 
 if TYPE_CHECKING:
     from collections.abc import AsyncIterator, Callable
@@ -130,16 +130,15 @@ class ZenohBridge:
             self._signals = Signals(session, prefix, robot, shared, self._report)
             streams = Streams(session, prefix, shared)
             try:
-                async with asyncio.TaskGroup() as tasks:
-                    for samples in self._samples:
-                        tasks.create_task(samples.run())
-                    tasks.create_task(self._signals.run())
-                    names = ", ".join(sampled.name for sampled in groups)
-                    self._report(f"{robot.interface.name} at {prefix}: {names} published, {len(robot.signals)} signals")
+                with first_error():
+                    async with asyncio.TaskGroup() as tasks:
+                        for samples in self._samples:
+                            tasks.create_task(samples.run())
+                        tasks.create_task(self._signals.run())
+                        names, signals = ", ".join(sampled.name for sampled in groups), len(robot.signals)
+                        self._report(f"{robot.interface.name} at {prefix}: {names} published, {signals} signals")
             finally:
                 streams.close()
-        except BaseExceptionGroup as group:
-            raise group.exceptions[0] from None
         finally:
             await link.aclose()
 
