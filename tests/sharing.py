@@ -69,9 +69,10 @@ async def settle(shared: SharedLink) -> None:
 
 
 async def until(condition: Callable[[], bool]) -> None:
-    """Wait until something is true."""
-    while not condition():  # noqa: ASYNC110  (time is simulated)
-        await asyncio.sleep(0.001)
+    """Wait until something is true, for ten minutes of simulated time at most."""
+    async with asyncio.timeout(600):
+        while not condition():  # noqa: ASYNC110  (time is simulated)
+            await asyncio.sleep(0.001)
 
 
 class PipedLink(Link):
@@ -110,7 +111,7 @@ class ServedGateway(SharedLink):
 
     def leave(self, client: Client) -> None:
         super().leave(client)
-        self._keep(self.loop.create_task(self.finish()))
+        self._run(self.finish())
 
 
 async def connect_through_server(gateway: Gateway, protocol: asyncio.Protocol) -> asyncio.Transport:

@@ -96,17 +96,20 @@ class Client(asyncio.Protocol):
     def connection_lost(self, exc: Exception | None) -> None:  # noqa: ARG002  (why it has gone changes nothing)
         """Leave: nothing of it is sent any more, and what it has set up ends."""
         self._transport = None
-        for request in self._shared.turns.leave(self.queue):
-            if isinstance(request, Relayed):
-                self._over(request)
+        dropped = self._shared.turns.leave(self.queue)
         for entry in self._pending:
             if isinstance(entry, Relayed):
                 entry.sent = False
-            if not isinstance(entry, Said):
+                # What names a group is waited for: nobody else may take the group before it is over.
+                entry.given_up = entry.after is None
+            elif isinstance(entry, RelayedRows):
                 entry.given_up = True
         self._shared.turns.forget(self.queue)
         self._pending.clear()
         self._shared.leave(self)
+        for request in dropped:
+            if isinstance(request, Relayed):
+                self._over(request)
 
     def hang_up(self) -> None:
         """End the connection."""
@@ -244,7 +247,7 @@ class Client(asyncio.Protocol):
             self._shared.turns.arrived(self.queue, request.cost)
         if request.after is not None:
             after, request.after = request.after, None
-            after()
+            after(request.executed)
 
     def write(self, frame: bytes) -> None:
         """Send together with all else that is sent in this turn of the event loop."""

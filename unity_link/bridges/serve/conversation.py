@@ -12,13 +12,15 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from unity_link.bridges.serve.groups import ClientGroup
+from unity_link.bridges.serve.groups import ClientGroup, Settings
 from unity_link.bridges.serve.requests import Relayed, RelayedRows, answer_digits
 from unity_link.wire.frames import LF
 from unity_link.wire.messages import COMMANDS, Codec, ErrorCode, Repetition, Request, RequestError
 from unity_link.wire.reception import Place, Reception, Sequence, group_fits
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     from unity_link.bridges.serve.client import Client
     from unity_link.bridges.serve.groups import Slot
     from unity_link.bridges.serve.shared import SharedLink
@@ -106,7 +108,9 @@ class Conversation:
         # What is under way belongs to the session before.
         self._awaited = bytearray(len(self._awaited))
         for group in self.groups.values():
-            self._stop(group)
+            if group.slot is not None:
+                # Also where it does not run: behind the answer to this, none of its samples may come.
+                self._relay_silently("GX", group.slot)
         self._choose_mode(ADAPTIVE)
         self._say(self._codec.response(request), plain=plain)
 
@@ -150,19 +154,28 @@ class Conversation:
             digits = answer_digits(codec, command, count)
             self._relay(request, codec.fields(command, *values), digits, plain=plain)
 
-    def _relay(self, request: Request, fields: bytes, digits: int | None, *, plain: bool) -> Relayed:
+    def _relay(
+        self,
+        request: Request,
+        fields: bytes,
+        digits: int | None,
+        *,
+        plain: bool,
+        after: Callable[[bool], None] | None = None,
+    ) -> None:
         codec = self._codec
         head = codec.response(request)
         relayed = Relayed(codec, request.command, fields, digits, self._client, head, request.id, plain=plain)
+        relayed.after = after
         self._client.hand_on(relayed, self._awaited)
-        return relayed
 
-    def _relay_silently(self, command: str, fields: bytes) -> Relayed:
-        """Have a request done that the client did not ask for; what it asks for next is answered behind it."""
+    def _relay_silently(self, command: str, slot: Slot, settings: Settings | None = None) -> None:
+        """Have something done with a slot that the client did not ask for; its next requests are answered behind it."""
+        fields = slot.text + (b"" if settings is None else settings.fields)
         relayed = Relayed(self._codec, command, fields, 0, self._client, b"")
         relayed.silent = True
+        relayed.after = self._shared.naming(slot, command, settings)
         self._client.hand_on(relayed, self._awaited)
-        return relayed
 
     # The short way for single words
 
@@ -238,57 +251,34 @@ class Conversation:
         if not group_fits(self._codec.info, number, flags, divisor, addresses):
             self._refuse(request, plain=plain)
             return
-        group = self.groups.setdefault(number, ClientGroup(number, self._client))
-        group.set_up(self._codec, flags, divisor, addresses)
+        settings = Settings(self._codec, flags, divisor, addresses)
+        group = self.groups.setdefault(number, ClientGroup(number, self._client, settings))
+        group.settings = settings
         if group.slot is None:
             self._say(self._codec.response(request), plain=plain)
         else:
-            self._shared.slots.silence(group.slot)
-            self._name(group.slot, self._relay(request, group.slot.text + group.settings, 0, plain=plain))
+            after = self._shared.naming(group.slot, "GS", settings)
+            self._relay(request, group.slot.text + settings.fields, 0, plain=plain, after=after)
 
     def _change_group(self, request: Request, *, plain: bool) -> None:
-        group = self.groups.get(request.values[0])
+        group, command = self.groups.get(request.values[0]), request.command
         if group is None:
             self._refuse(request, plain=plain)
             return
         slot = group.slot
-        if self._shared.away and request.command != "GX":
+        if self._shared.away and command != "GX":
             # Nothing is to begin by itself when the gateway is back.
             self._say(self._codec.error(ErrorCode.BUS_TIMEOUT, request.id), plain=plain)
             return
-        if slot is None and request.command == "GX":
+        if slot is None and command == "GX":
             self._say(self._codec.response(request), plain=plain)
             return
         if slot is None and (slot := self._shared.slots.take(group)) is not None:
-            group.begin_anew()
-            self._name(slot, self._relay_silently("GS", slot.text + group.settings))
+            self._relay_silently("GS", slot, group.settings)
         if slot is None:
             self._refuse(request, plain=plain)
             return
-        if request.command == "GX":
-            group.running = False
-        else:
-            group.running = group.running or request.command == "GN"
-            self._shared.slots.listen(slot)
-        self._name(slot, self._relay(request, slot.text, 0, plain=plain))
-
-    def _stop(self, group: ClientGroup) -> None:
-        """Stop a group without an answer."""
-        if group.running and group.slot is not None:
-            self._name(group.slot, self._relay_silently("GX", group.slot.text))
-        group.running = False
-
-    def _name(self, slot: Slot, relayed: Relayed) -> None:
-        """Keep a slot as long as a request names it."""
-        if relayed.reply is not None:
-            return
-        slot.busy += 1
-
-        def over() -> None:
-            slot.busy -= 1
-            self._shared.slots.settle(slot)
-
-        relayed.after = over
+        self._relay(request, slot.text, 0, plain=plain, after=self._shared.naming(slot, command))
 
     # Send-immediate
 
@@ -302,9 +292,7 @@ class Conversation:
 
     def _choose_mode(self, mode: int) -> None:
         self.mode = mode
-        wanted = self._shared.change_mode()
-        if wanted is not None:
-            self._relay_silently("I", b"%02X" % wanted)
+        self._shared.settle_mode()
 
     # Answers
 

@@ -5,6 +5,10 @@ and holds a group of the gateway, a `Slot`, from when it is started or published
 stays with it until another needs it. So a client may set up as many groups as it likes, and only those that run at the
 same time have to fit into the gateway.
 
+A slot changes hands only when no request names it and it does not publish. Its samples go to a group from the answer to
+the group's `GS` on, behind which a gateway sends no sample of what the slot was before, and to none from the moment at
+which the group gives it up.
+
 The sequence number that a client sees is the gateway's plus an offset: the gateway's begins anew when a slot changes
 hands or the gateway was lost, the client's goes on. Samples that the client does not take are not sent, and their
 numbers are missing, as if the gateway had found no room for them.
@@ -35,77 +39,102 @@ class Taker(Protocol):
         """Take the frame of a publish."""
 
 
+class Settings:
+    """What a client has set up a group to, and what the group's samples are then like.
+
+    The gateway publishes checked frames in any case; a plain one would reach the server without protection.
+    """
+
+    __slots__ = ("fields", "frame", "seconds_each", "size")
+
+    def __init__(self, codec: Codec, flags: int, divisor: int, addresses: list[int]) -> None:
+        layout = codec.fields("GS", 0, flags & ~GroupFlag.PLAIN, divisor, len(addresses), addresses)
+        self.fields = layout[2:]
+        """Fields of `GS` behind the number, as the gateway gets them."""
+        self.frame: Callable[[bytes], bytes] = (
+            codec.framing.plain_reply if flags & GroupFlag.PLAIN else codec.framing.checked
+        )
+        stamp = _TIMESTAMP_DIGITS if flags & GroupFlag.TIMESTAMP else 0
+        self.size = _HEAD + stamp + codec.info.data_digits * len(addresses)
+        """Characters of the body of a sample."""
+        self.seconds_each = divisor / codec.info.base_frequency_hz if flags & GroupFlag.PERIODIC else None
+
+
 class ClientGroup:
     """A group as its client has set it up.
 
     Args:
         number: the client's number of it.
         taker: the client.
+        settings: what it is set up to first.
     """
 
-    def __init__(self, number: int, taker: Taker) -> None:
-        self.running = False
+    def __init__(self, number: int, taker: Taker, settings: Settings) -> None:
+        self.settings = settings
+        """What the client has asked for last."""
         self.slot: Slot | None = None
-        self.settings = b""
-        """Fields of `GS` behind the number, as the gateway gets them."""
         self._head = b"P%02X" % number
         self._taker = taker
-        self._frame: Callable[[bytes], bytes]
-        self._size = 0
+        self._begun: Settings | None = None
         self._offset = 0
         self._next = 0
-        self._seconds_each: float | None = None
 
-    def set_up(self, codec: Codec, flags: int, divisor: int, addresses: list[int]) -> None:
-        """Take new settings: the group stops, and its sequence begins anew.
+    def begin(self, settings: Settings, seconds_missed: float) -> None:
+        """Take the samples of settings that the gateway has just stored, where its sequence stands at 00.
 
-        The gateway publishes checked frames in any case; a plain one would reach the server without protection.
+        The client's sequence begins anew with new settings; otherwise it goes on, and what was due in the seconds
+        missed was lost.
         """
-        layout = codec.fields("GS", 0, flags & ~GroupFlag.PLAIN, divisor, len(addresses), addresses)
-        self.settings = layout[2:]
-        self.running = False
-        self._frame = codec.framing.plain_reply if flags & GroupFlag.PLAIN else codec.framing.checked
-        stamp = _TIMESTAMP_DIGITS if flags & GroupFlag.TIMESTAMP else 0
-        self._size = _HEAD + stamp + codec.info.data_digits * len(addresses)
-        self._seconds_each = divisor / codec.info.base_frequency_hz if flags & GroupFlag.PERIODIC else None
-        self._offset = self._next = 0
-
-    def begin_anew(self, seconds_missed: float = 0.0) -> None:
-        """Go on with the client's sequence where the gateway's begins at 00; what was due meanwhile was lost."""
-        missed = 0
-        if seconds_missed and self._seconds_each is not None:
-            missed = max(1, int(seconds_missed / self._seconds_each))
-        self._offset = self._next + missed & 0xFF
+        if settings is not self._begun:
+            self._begun, self._next = settings, 0
+        elif seconds_missed and settings.seconds_each is not None:
+            self._next += max(1, int(seconds_missed / settings.seconds_each))
+        self._offset = self._next
 
     def receive(self, body: bytes, _: float) -> None:
         """Hand on a publish of the gateway under the client's numbers."""
-        if len(body) != self._size:
+        settings = self._begun
+        if settings is None or len(body) != settings.size:
             return
         try:
             sequence = int(body[_SEQUENCE], 16) + self._offset & 0xFF
         except ValueError:
             return
         self._next = sequence + 1
-        self._taker.sample(self._frame(b"%b%02X%b" % (self._head, sequence, body[_HEAD:])))
+        self._taker.sample(settings.frame(b"%b%02X%b" % (self._head, sequence, body[_HEAD:])))
 
 
 class Slot:
-    """A group of the gateway."""
+    """A group of the gateway.
 
-    __slots__ = ("busy", "group", "stopping", "text")
+    `settings` and `running` are what the gateway has confirmed: requests on their way change nothing, so what a new
+    session has to set up again is known at any time.
+    """
+
+    __slots__ = ("busy", "group", "lost_at", "running", "settings", "stopping", "text")
 
     def __init__(self, number: int) -> None:
         self.text = b"%02X" % number
         self.group: ClientGroup | None = None
-        """Who holds it; None also where its client has left and it may still publish."""
+        """The group that holds it; None also where its client has left and it may still publish."""
+        self.settings: Settings | None = None
+        """What the gateway has stored for the group."""
+        self.running = False
+        """Whether the gateway publishes it, or did when it was lost."""
+        self.lost_at: float | None = None
+        """When the gateway was lost while this was running; None once it is set up again."""
         self.busy = 0
-        """Requests of its client that name it and are not over."""
+        """Requests that name it and are not over."""
         self.stopping = False
-        """Whether it is being stopped for a client that has left."""
+        """Whether the server is stopping it on its own account."""
 
     def idle(self) -> bool:
-        """Say whether it can change hands: nothing is under way, and it does not publish."""
-        return not self.busy and not self.stopping and (self.group is None or not self.group.running)
+        """Whether it can change hands: nothing is under way, and it does not publish."""
+        return not self.busy and not self.stopping and not self.running
+
+    def change(self, *, running: bool) -> None:
+        """Note that the gateway publishes it from now on, or does not."""
+        self.running, self.lost_at = running, None
 
 
 class Slots:
@@ -134,9 +163,18 @@ class Slots:
         self.held.append(slot)
         return slot
 
+    def begin(self, slot: Slot, settings: Settings, seconds_missed: float = 0.0) -> None:
+        """Hand the publishes of a slot to its group, for which the gateway has just stored settings."""
+        assert slot.group is not None
+        slot.settings = settings
+        slot.group.begin(settings, seconds_missed)
+        self._publishes[slot.text] = slot.group.receive
+
     def abandon(self, slot: Slot) -> None:
-        """Take a slot from its group, whose client has left."""
-        self.silence(slot)
+        """Take a slot from its group; what it publishes from now on is dropped."""
+        self._publishes.pop(slot.text, None)
+        slot.settings = None
+        slot.change(running=False)
         if slot.group is not None:
             slot.group.slot = None
             slot.group = None
@@ -147,16 +185,19 @@ class Slots:
         self.held.remove(slot)
         self._free.append(slot)
 
+    def let_go_idle(self) -> None:
+        """Make all idle slots free: a gateway that was lost may have forgotten what they are set up to."""
+        for slot in list(self.held):
+            if slot.idle():
+                self.let_go(slot)
+
     def settle(self, slot: Slot) -> None:
-        """Make a slot free as soon as it is idle and nobody holds it."""
-        if slot.group is None and slot.idle() and slot in self.held:
+        """Make a slot free as soon as it is idle and there is nothing that a group holds it for."""
+        if slot.settings is None and slot.idle() and slot in self.held:
             self.let_go(slot)
 
-    def listen(self, slot: Slot) -> None:
-        """Hand the publishes of a slot to its group."""
-        assert slot.group is not None
-        self._publishes[slot.text] = slot.group.receive
-
-    def silence(self, slot: Slot) -> None:
-        """Hand the publishes of a slot to nobody."""
-        self._publishes.pop(slot.text, None)
+    def interrupted(self, now: float) -> None:
+        """Note that the gateway was lost, and publishes nothing."""
+        for slot in self.held:
+            if slot.running and slot.lost_at is None:
+                slot.lost_at = now

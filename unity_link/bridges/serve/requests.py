@@ -68,6 +68,7 @@ class Relayed(Message):
         "after",
         "awaited",
         "cost",
+        "executed",
         "fields",
         "head",
         "number",
@@ -104,8 +105,10 @@ class Relayed(Message):
         """The frame for the client, once there is one."""
         self.awaited: bytearray | None = None
         """Where its client notes the IDs that are under way."""
-        self.after: Callable[[], None] | None = None
-        """Called when it is over."""
+        self.executed = False
+        """Whether the gateway has executed it without an error."""
+        self.after: Callable[[bool], None] | None = None
+        """Called when it is over, with `executed`."""
         self._asker = asker
         self._frame = b""
 
@@ -120,6 +123,7 @@ class Relayed(Message):
         command = self.codec.lower[self.command]
         if not body.startswith(command) or len(body) + self.codec.framing.overhead != self.reply_size:
             return False
+        self.executed = True
         self._asker.answer(self, self.head + body[position:])
         return True
 
@@ -130,6 +134,7 @@ class Relayed(Message):
     def fail(self, error: UnityLinkError) -> None:
         """Tell the client what the protocol has words for."""
         code = _code_of(error, self.command)
+        self.executed = code is None
         self._asker.answer(self, self.head if code is None else self.codec.error(code, self.number))
 
     def refuse(self) -> None:

@@ -8,24 +8,25 @@ executed long after it was asked for.
 from __future__ import annotations
 
 import asyncio
-from typing import TYPE_CHECKING
+import contextlib
+from typing import TYPE_CHECKING, Any
 
 import msgspec
 
 from unity_link.bridges.serve.groups import Slots
 from unity_link.bridges.serve.turns import Turns
 from unity_link.connection import Connection, Reconnect
-from unity_link.errors import ArgumentError, ConnectError, GatewayError, LinkLostError, UnansweredError
+from unity_link.errors import ArgumentError, ConnectError, LinkLostError, UnansweredError, UnityLinkError
 from unity_link.requests import Request
 from unity_link.wire.gateway_info import Feature
 from unity_link.wire.messages import Codec
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Coroutine
 
     from unity_link.bridges.serve.client import Client
     from unity_link.bridges.serve.door import Door
-    from unity_link.bridges.serve.groups import ClientGroup, Slot
+    from unity_link.bridges.serve.groups import Settings, Slot
     from unity_link.drivers import DriverUrl
     from unity_link.virtual import Gateway
 
@@ -60,10 +61,11 @@ class SharedLink(Connection):
         """Raises when the link has ended for good."""
         self._report = report
         self._mode = _ADAPTIVE
-        self._lost_at = 0.0
+        """The gateway's send-immediate mode."""
+        self._changing_mode: asyncio.Task[None] | None = None
         self._last_words = ""
         self._patience: asyncio.TimerHandle | None = None
-        self._errands: set[asyncio.Future[None]] = set()
+        self._errands: set[asyncio.Task[None]] = set()
 
     # Clients
 
@@ -75,59 +77,105 @@ class SharedLink(Connection):
         """Let a client go, and free what it has set up."""
         self.clients.discard(client)
         for group in client.conversation.groups.values() if client.conversation is not None else ():
-            self._end_group(group)
-        mode = self.change_mode()
-        if mode is not None and not self._exchange.suspended:
-            self._errand("I", mode)
+            if group.slot is not None:
+                self._free(group.slot)
+        self.settle_mode()
 
-    def change_mode(self) -> int | None:
-        """Give the send-immediate mode that the gateway must have, where that is another than before.
+    # Groups
 
-        The gateway has one mode for all: whoever wants answers at once gets them.
+    def naming(self, slot: Slot, command: str, settings: Settings | None = None) -> Callable[[bool], None]:
+        """Keep a slot for its group as long as a request of the client names it.
+
+        Args:
+            slot: the slot.
+            command: ``GS``, ``GN``, ``GX`` or ``GP``.
+            settings: those of a ``GS``.
+
+        Returns:
+            What is to be called when the request is over, with whether the gateway has executed it.
         """
-        modes = {client.conversation.mode for client in self.clients if client.conversation} or {_ADAPTIVE}
-        mode = next(mode for mode in (_ALWAYS, _ADAPTIVE, _OFF) if mode in modes)
-        if mode == self._mode:
-            return None
-        self._mode = mode
-        if self._stream is not None:
-            self._keep(self.loop.create_task(self._stream.choose_send_immediate(_MODE_NAMES[mode])))
-        return mode
+        slot.busy += 1
 
-    def _end_group(self, group: ClientGroup) -> None:
-        slot = group.slot
-        if slot is None:
-            return
-        slots, running = self.slots, group.running
-        slots.abandon(slot)
-        if (running or slot.busy) and not self._exchange.suspended:
-            slot.stopping = True
-            self._errand("GX", int(slot.text, 16)).add_done_callback(lambda _: self._stopped(slot))
+        def over(executed: bool) -> None:  # noqa: FBT001  (its only argument)
+            slot.busy -= 1
+            # The client may have left meanwhile.
+            if slot.group is not None and executed:
+                if settings is not None:
+                    self.slots.begin(slot, settings)
+                if command != "GP":
+                    slot.change(running=command == "GN")
+            elif slot.group is not None and command == "GX":
+                self._stop(slot)
+            self.slots.settle(slot)
+
+        return over
+
+    def _free(self, slot: Slot) -> None:
+        """Take a slot from a client that has left."""
+        in_use = slot.running or slot.busy
+        self.slots.abandon(slot)
+        if in_use:
+            self._stop(slot)
         else:
-            slots.settle(slot)
+            self.slots.settle(slot)
 
-    def _stopped(self, slot: Slot) -> None:
+    def _stop(self, slot: Slot) -> None:
+        """Have a slot publish no more, also where its client could not stop it."""
+        slot.change(running=False)
+        slot.stopping = True
+        self._run(self._stop_in_this_session(slot))
+
+    async def _stop_in_this_session(self, slot: Slot) -> None:
+        # A new session has stopped all groups.
+        if not self._exchange.suspended:
+            with contextlib.suppress(UnityLinkError):
+                await self._submit("GX", slot.text)
         slot.stopping = False
         self.slots.settle(slot)
 
+    # Send-immediate
+
+    def settle_mode(self) -> None:
+        """Have the gateway take the send-immediate mode that its clients want.
+
+        It has one mode for all: whoever wants answers at once gets them.
+        """
+        if self._changing_mode is None or self._changing_mode.done():
+            self._changing_mode = self._run(self._change_mode())
+
+    async def _change_mode(self) -> None:
+        while self._stream is not None and (mode := self._wanted_mode()) != self._mode:
+            self._mode = mode
+            with contextlib.suppress(UnityLinkError):
+                await self._submit("I", b"%02X" % mode)
+                # A new session, in which it was executed, may have begun meanwhile.
+                self._mode = mode
+            if self._stream is not None:
+                await self._stream.choose_send_immediate(_MODE_NAMES[mode])
+
+    def _wanted_mode(self) -> int:
+        modes = {client.conversation.mode for client in self.clients if client.conversation} or {_ADAPTIVE}
+        return next(mode for mode in (_ALWAYS, _ADAPTIVE, _OFF) if mode in modes)
+
     # The gateway
 
-    def _errand(self, command: str, *values: int) -> asyncio.Future[None]:
+    def _submit(self, command: str, fields: bytes) -> asyncio.Future[None]:
         """Have a request of the server's own done."""
-        request = Request(self._codec, command, self._codec.fields(command, *values), 0, self.loop)
+        request = Request(self._codec, command, fields, 0, self.loop)
         self._exchange.submit(request)
-        self._keep(request.future)
         return request.future
 
-    def _keep(self, errand: asyncio.Future[None]) -> None:
-        """Hold something that nobody waits for until it is over, however it ends."""
-        self._errands.add(errand)
-        errand.add_done_callback(self._forget)
+    def _run(self, errand: Coroutine[Any, Any, None]) -> asyncio.Task[None]:
+        """Do something that no request waits for; a connection that fails it tells so itself."""
+        task = self.loop.create_task(errand)
+        self._errands.add(task)
+        task.add_done_callback(self._forget)
+        return task
 
-    def _forget(self, errand: asyncio.Future[None]) -> None:
-        self._errands.discard(errand)
-        if not errand.cancelled():
-            errand.exception()
+    def _forget(self, task: asyncio.Task[None]) -> None:
+        self._errands.discard(task)
+        if not task.cancelled():
+            task.exception()
 
     def _begin(self, codec: Codec) -> None:
         """Say to clients what the gateway says, but for what is between it and here."""
@@ -137,21 +185,15 @@ class SharedLink(Connection):
             self.slots = Slots(self._exchange, codec.info.groups)
 
     async def _restore(self) -> None:
-        """Set up the groups that run, and the mode, in a new session; then let requests through."""
-        missed = self.loop.time() - self._lost_at
+        """Set up groups and mode in a new session; then let requests through.
+
+        Clients come, leave and ask meanwhile. What they ask for waits, so that it is executed behind all this.
+        """
+        self._mode = _ADAPTIVE
+        self.settle_mode()
+        self.slots.let_go_idle()
         for slot in list(self.slots.held):
-            group = slot.group
-            slot.stopping = False
-            if slot.idle():
-                self.slots.let_go(slot)
-            elif group is not None:
-                await self._ask("GS", slot.text + group.settings)
-                group.begin_anew(missed)
-                if group.running:
-                    self.slots.listen(slot)
-                    await self._ask("GN", slot.text)
-        if self._mode != _ADAPTIVE:
-            await self._ask("I", b"%02X" % self._mode)
+            await self._start_again(slot)
         self.away = False
         self.turns.release()
         if self._patience is not None:
@@ -159,20 +201,43 @@ class SharedLink(Connection):
             self._patience = None
         self._say(f"the gateway answers: {self.gateway.data_bits} data bits, {self.gateway.address_bits} address bits")
 
-    async def _ask(self, command: str, fields: bytes) -> None:
-        request = Request(self._codec, command, fields, 0, self.loop)
-        self._exchange.submit(request)
+    async def _start_again(self, slot: Slot) -> None:
+        """Set up a slot in a new session as it was in the one before, as far as its client wants it to the end."""
+        settings = slot.settings
+        if settings is None:
+            return
+        slot.busy += 1
         try:
-            await request.future
-        except GatewayError as error:
-            raise LinkLostError(f"the groups of the clients could not be set up again ({error})") from error
-        except UnansweredError as error:
-            raise LinkLostError(error.reason) from error
+            await self._ask("GS", slot.text + settings.fields)
+            if slot.settings is settings:
+                missed = 0.0 if slot.lost_at is None else self.loop.time() - slot.lost_at
+                slot.lost_at = None
+                self.slots.begin(slot, settings, missed)
+            if slot.running:
+                await self._ask("GN", slot.text)
+        finally:
+            slot.busy -= 1
+            self.slots.settle(slot)
+
+    async def _ask(self, command: str, fields: bytes) -> None:
+        """Have a request done that the session is worth nothing without.
+
+        Raises:
+            LinkLostError: where it was not executed; the session has ended.
+        """
+        try:
+            await self._submit(command, fields)
+        except UnityLinkError as error:
+            told = error.reason if isinstance(error, UnansweredError) else error
+            reason = f"the groups of the clients could not be set up again ({told})"
+            if not self._exchange.suspended:
+                self._lose(reason)
+            raise LinkLostError(reason) from error
 
     def _interrupted(self, reason: str) -> None:
         self.turns.hold()
+        self.slots.interrupted(self.loop.time())
         if not self.away and self._patience is None:
-            self._lost_at = self.loop.time()
             self._patience = self.loop.call_later(PATIENCE, self._lose_patience)
         self._say(f"the gateway is away: {reason}")
 

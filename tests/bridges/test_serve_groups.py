@@ -1,0 +1,293 @@
+"""Groups of several clients on one gateway: whatever happens while it is lost and restored, each gets its own."""
+
+from __future__ import annotations
+
+import asyncio
+import random
+import re
+from typing import TYPE_CHECKING
+
+import pytest
+
+from sharing import PipedLink, Terminal, call, settle, sharing, until
+from simulated_time import on_simulated_time, run_simulated
+from unity_link import LinkLostError
+from unity_link.virtual import VirtualGateway
+from unity_link.virtual.line import SlowLine
+from unity_link.wire.gateway_info import GatewayInfo
+from valve import Valve, cut
+
+if TYPE_CHECKING:
+    from unity_link.bridges.serve.shared import SharedLink
+
+KILOHERTZ = 1_000_000
+"""A base frequency at which simulated time is quick."""
+
+
+def gateway_of(groups: int) -> VirtualGateway:
+    """Return a gateway whose words are their addresses."""
+    gateway = VirtualGateway(GatewayInfo(base_frequency_millihertz=KILOHERTZ, groups=groups))
+    gateway.memory.update({address: address for address in range(256)})
+    return gateway
+
+
+def drop(shared: SharedLink) -> None:
+    """End the server's connection to the gateway."""
+    cut(shared)  # type: ignore[arg-type]
+
+
+async def come_back(shared: SharedLink) -> None:
+    """End the server's connection, and wait until there is another, over which groups are being restored."""
+    drop(shared)
+    await until(lambda: not shared.connected)
+    await until(lambda: shared.connected)
+
+
+class Asker:
+    """A client that asks for one thing after another, and judges every sample by what it was answered.
+
+    Args:
+        shared: the link.
+        addresses: those that this client alone samples.
+    """
+
+    def __init__(self, shared: SharedLink, addresses: range) -> None:
+        self.terminal: Terminal = call(shared)
+        self.samples = 0
+        self._addresses = addresses
+        self._set: dict[int, int] = {}
+        """The address of each group, as answered last."""
+        self._asked: dict[int, int] = {}
+        """The same, as asked for."""
+        self._last: dict[int, int] = {}
+
+    async def ask(self, command: str, group: int, address: int | None = None) -> str:
+        """Ask for something, and return the answer."""
+        fields = "" if address is None else f"01000A01{address:02X}"
+        if address is not None:
+            self._asked[group] = address
+        self.terminal.transport.write(f"{command}{group:02X}{fields}\r".encode())
+        while True:
+            await until(lambda: b"\n" in self.terminal.heard or self.terminal.gone)
+            answer = self._take_samples()
+            if answer or self.terminal.gone:
+                break
+        if answer.startswith("GS"):
+            self._set[group] = self._asked[group]
+            self._last.pop(group, None)
+        return answer
+
+    def _take_samples(self) -> str:
+        """Judge the samples that stand before the next answer, and return that."""
+        while b"\n" in self.terminal.heard:
+            line, _, self.terminal.heard = self.terminal.heard.partition(b"\n")
+            text = line.decode().rstrip("\r")
+            if not text.startswith("P"):
+                return text
+            group, number, word = int(text[1:3], 16), int(text[3:5], 16), int(text[5:13], 16)
+            assert word in {self._set.get(group), self._asked.get(group)}
+            assert group not in self._last or 0 < (number - self._last[group]) & 0xFF < 128
+            self._last[group] = number
+            self.samples += 1
+        return ""
+
+    async def wander(self, seed: int, times: int) -> None:
+        """Set up, start, stop and publish groups at random."""
+        choices = random.Random(seed)
+        for _ in range(times):
+            group, command = choices.randrange(3), choices.choice(["GS", "GS", "GN", "GN", "GX", "GP"])
+            await self.ask(command, group, choices.choice(self._addresses) if command == "GS" else None)
+            await asyncio.sleep(choices.choice([0, 0, 0.003, 0.02]))
+        await asyncio.sleep(0.05)
+        self._take_samples()
+
+
+async def wander_and_lose(seed: int) -> None:
+    choices = random.Random(seed)
+    gateway = gateway_of(4)
+    async with sharing(SlowLine(gateway, choices.choice([20_000, 200_000]))) as shared:
+        for episode in range(4):
+            askers = [Asker(shared, range(0x10 * number, 0x10 * number + 8)) for number in range(1, 4)]
+            tasks = [asyncio.create_task(asker.wander(seed * 7 + episode, 25)) for asker in askers]
+            for _ in range(3):
+                await asyncio.sleep(choices.uniform(0, 0.15))
+                if shared.connected:
+                    drop(shared)
+                if choices.random() < 0.5:
+                    gateway.reset()
+                if choices.random() < 0.3:
+                    await asyncio.sleep(choices.uniform(0, 0.2))
+                    choices.choice(askers).terminal.transport.abort()
+            await asyncio.gather(*tasks)
+            for asker in askers:
+                asker.terminal.transport.abort()
+        assert not shared.ended.done()
+        await until(lambda: shared.connected and not shared.away)
+        await settle(shared)
+        assert not shared.slots.held
+        assert gateway.next_due is None
+
+
+@pytest.mark.parametrize("seed", range(40))
+def test_clients_get_their_own_samples_and_no_number_twice_while_the_gateway_is_lost_and_they_leave(seed: int) -> None:
+    run_simulated(wander_and_lose(seed))
+
+
+@pytest.mark.parametrize("when", [step / 1000 for step in range(0, 60, 3)])
+@pytest.mark.parametrize("what", ["leaves", "begins a session", "stops one group and sets up another"])
+def test_what_a_client_does_while_groups_are_restored_disturbs_no_other(what: str, when: float) -> None:
+    @on_simulated_time
+    async def act() -> None:
+        gateway = gateway_of(8)
+        async with sharing(SlowLine(gateway, 10_000)) as shared, PipedLink(shared) as other:
+            busy = call(shared)
+            busy.transport.write(b"".join(b"GS%02X01000A0120\rGN%02X\r" % (group, group) for group in range(6)))
+            async with other.subscribe([0x33], rate_hz=100) as samples:
+                await anext(samples)
+                await settle(shared)
+                await come_back(shared)
+                await asyncio.sleep(when)
+                if what == "leaves":
+                    busy.transport.abort()
+                elif what == "begins a session":
+                    busy.transport.write(b"K00\r")
+                else:
+                    busy.transport.write(b"GX00\rGX05\rGS0601000A0121\rGN06\r")
+                for _ in range(40):
+                    assert (await anext(samples)).values.tolist() == [0x33]
+                await settle(shared)
+                busy.take()
+                busy.transport.write(b"GX00\r")
+                await asyncio.sleep(0.1)
+                words = {frame[:3] + frame[5:13] for frame in busy.take().splitlines() if frame.startswith(b"P")}
+                running = {b"P%02X00000020" % group for group in range(1, 5)} | {b"P0600000021"}
+                assert words == (running if what.startswith("stops") else set())
+            assert not shared.ended.done()
+
+    act()
+
+
+class HoldingBack(Valve):
+    """A gateway that sends samples as late as it may: right before an answer behind which they must not come."""
+
+    held = b""
+
+    def receive(self, data: bytes, now: float) -> bytes:
+        self.held += self.gateway.advance(now)
+        answers = b""
+        for frame in super().receive(data, now).splitlines(keepends=True):
+            if frame.startswith(b"P"):
+                self.held += frame
+                continue
+            if frame.startswith((b"gx", b"gs", b"K")):
+                answers, self.held = answers + self.held, b""
+            answers += frame
+        return answers
+
+    def advance(self, now: float, room: int | None = None) -> bytes:
+        self.held += super().advance(now, room)
+        return b""
+
+
+@on_simulated_time
+async def test_late_samples_of_a_group_that_changes_hands_reach_only_whom_they_were_taken_for() -> None:
+    async with sharing(HoldingBack(gateway_of(1))) as shared:
+        one, two = call(shared), call(shared)
+        for _ in range(3):
+            one.transport.write(b"GS0001000A0110\rGN00\r")
+            await asyncio.sleep(0.1)
+            one.transport.write(b"GX00\rGP00\r")
+            await settle(shared)
+            two.transport.write(b"GS0000000A0120\rGP00\rGX00\r")
+            await settle(shared)
+        assert {frame[5:13] for frame in one.take().splitlines() if frame.startswith(b"P")} == {b"00000010"}
+        assert {frame[5:13] for frame in two.take().splitlines() if frame.startswith(b"P")} == {b"00000020"}
+
+
+@on_simulated_time
+async def test_no_sample_comes_behind_the_answer_to_the_start_of_a_session() -> None:
+    async with sharing(HoldingBack(gateway_of(2))) as shared:
+        client, other = call(shared), call(shared)
+        client.transport.write(b"GS0000000A0110\rGP00\r")
+        await settle(shared)
+        client.transport.write(b"K00\r")
+        other.transport.write(b"GS0000000A0111\rGP00\r")
+        await settle(shared)
+        assert client.take().endswith(b"K00\r\n")
+
+
+@on_simulated_time
+async def test_a_group_is_free_again_where_its_client_left_before_its_requests_got_through() -> None:
+    valve = Valve(gateway_of(1))
+    async with sharing(valve) as shared, PipedLink(shared) as other:
+        valve.requests_pass = False
+        async with PipedLink(shared) as one:
+            starting = asyncio.create_task(one.subscribe([0x10], rate_hz=100).__aenter__())
+            await asyncio.sleep(0.005)
+            cut(one)
+            with pytest.raises(LinkLostError):
+                await starting
+        valve.requests_pass = True
+        await settle(shared)
+        async with other.subscribe([0x20], rate_hz=100) as samples:
+            assert (await anext(samples)).values.tolist() == [0x20]
+
+
+@on_simulated_time
+async def test_a_group_that_is_started_while_the_gateway_is_away_for_a_moment_begins_once() -> None:
+    async with sharing(SlowLine(gateway_of(1), 10_000)) as shared:
+        client = call(shared)
+        drop(shared)
+        client.transport.write(b"GS0001000A0110\rGN00\r")
+        await until(lambda: client.heard.count(b"P00") > 10)
+        numbers = [int(frame[3:5], 16) for frame in client.take().splitlines() if frame.startswith(b"P")]
+        assert numbers == list(range(len(numbers)))
+
+
+@on_simulated_time
+async def test_nothing_was_due_in_an_absence_for_a_group_that_did_not_run() -> None:
+    async with sharing(SlowLine(gateway_of(1), 10_000)) as shared:
+        client = call(shared)
+        client.transport.write(b"GS0001000A0110\rGP00\r")
+        await settle(shared)
+        drop(shared)
+        client.transport.write(b"GP00\r")
+        await until(lambda: client.heard.count(b"GP00") == 2)
+        assert [frame[3:5] for frame in client.take().splitlines() if frame.startswith(b"P")] == [b"00", b"01"]
+
+
+@on_simulated_time
+async def test_samples_missed_are_counted_once_where_the_gateway_is_lost_again_while_it_is_restored() -> None:
+    async with sharing(SlowLine(gateway_of(8), 10_000)) as shared:
+        client = call(shared)
+        began = shared.loop.time()
+        client.transport.write(b"".join(b"GS%02X01000A0120\rGN%02X\r" % (group, group) for group in range(6)))
+        await settle(shared)
+        for _ in range(4):
+            await come_back(shared)
+            await asyncio.sleep(0.02)
+        await asyncio.sleep(0.5)
+        client.take()
+        await until(lambda: b"P00" in client.heard)
+        due = (shared.loop.time() - began) * 100
+        number = next(int(frame[3:5], 16) for frame in client.take().splitlines() if frame.startswith(b"P00"))
+        assert due - 10 < number <= due
+
+
+@on_simulated_time
+async def test_a_send_immediate_mode_that_two_clients_want_holds_when_the_first_leaves() -> None:
+    valve = Valve(VirtualGateway())
+    async with sharing(valve) as shared:
+        one, two = call(shared), call(shared)
+        valve.requests_pass = False
+        one.transport.write(b"I01\r")
+        two.transport.write(b"I01\r")
+        await asyncio.sleep(0.001)
+        one.transport.abort()
+        await asyncio.sleep(0.001)
+        valve.requests_pass, valve.heard = True, b""
+        await settle(shared)
+        assert re.search(rb"i[0-9A-F]{2}01", valve.heard)
+        two.transport.write(b"I02\r")
+        await settle(shared)
+        assert re.search(rb"i[0-9A-F]{2}02", valve.heard)
