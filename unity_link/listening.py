@@ -69,10 +69,7 @@ def _bind(path: str | os.PathLike[str]) -> tuple[Path, socket.socket]:
     """Bind a socket; one that a program left behind without removing it is replaced."""
     place = Path(path).absolute()
     if place.is_socket():
-        with socket.socket(socket.AF_UNIX) as probe, contextlib.suppress(ConnectionRefusedError):
-            probe.connect(str(place))
-            raise ConnectError(f"{place} is already served by another program: choose another path")
-        place.unlink(missing_ok=True)
+        _make_way(place)
     elif place.exists():
         raise ConnectError(f"{place} exists and is no socket: remove it, or choose another path")
     listener = socket.socket(socket.AF_UNIX)
@@ -87,6 +84,29 @@ def _bind(path: str | os.PathLike[str]) -> tuple[Path, socket.socket]:
     finally:
         os.umask(mask)
     return place, listener
+
+
+def _make_way(place: Path) -> None:
+    """Remove a socket that a program left behind.
+
+    Raises:
+        ConnectError: where a program listens at it, or that cannot be found out.
+    """
+    with socket.socket(socket.AF_UNIX) as probe:
+        # A program that stands still takes no more callers, and a caller must not wait for it.
+        probe.settimeout(0)
+        try:
+            probe.connect(str(place))
+        except (ConnectionRefusedError, FileNotFoundError):
+            place.unlink(missing_ok=True)
+        except BlockingIOError:
+            raise ConnectError(
+                f"{place} is served by another program, which answers nobody: end that, or choose another path"
+            ) from None
+        except OSError as error:
+            raise ConnectError(f"{place} can't be served ({error.strerror}): choose another path") from error
+        else:
+            raise ConnectError(f"{place} is already served by another program: choose another path")
 
 
 def port_error(kind: str, host: str, port: int, error: Exception) -> ConnectError:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import errno
 import os
 import signal
 import socket
@@ -91,6 +92,31 @@ def test_a_socket_that_is_served_is_not_taken_and_one_that_was_left_behind_is(tm
     assert Path(place).is_socket()
     with started("serve", "sim:", "--unix", place) as (_, url):
         assert run("read", url, "0").returncode == 0
+
+
+def test_a_socket_at_which_a_program_stands_still_with_a_full_backlog_is_told_at_once(tmp_path: Path) -> None:
+    place = str(tmp_path / "socket")
+    with socket.socket(socket.AF_UNIX) as still, contextlib.ExitStack() as stack:
+        still.bind(place)
+        still.listen(0)
+        callers = [stack.enter_context(socket.socket(socket.AF_UNIX)) for _ in range(10)]
+        for caller in callers:
+            caller.setblocking(False)
+        assert errno.EAGAIN in [caller.connect_ex(place) for caller in callers]
+        result = run("serve", "sim:", "--unix", place)
+    assert result.returncode == 1
+    assert "served by another program, which answers nobody" in " ".join(result.stderr.split())
+    assert Path(place).is_socket()
+
+
+def test_a_socket_of_another_kind_is_one_clear_error_and_stays(tmp_path: Path) -> None:
+    place = str(tmp_path / "socket")
+    with socket.socket(socket.AF_UNIX, socket.SOCK_DGRAM) as datagrams:
+        datagrams.bind(place)
+        result = run("serve", "sim:", "--unix", place)
+    assert result.returncode == 1
+    assert "choose another path" in " ".join(result.stderr.split())
+    assert Path(place).is_socket()
 
 
 def test_without_a_runtime_directory_the_place_must_be_said() -> None:

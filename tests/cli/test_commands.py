@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import json
 import os
 import signal
@@ -13,6 +14,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 import pytest
+
+from unity_link import cli
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -139,6 +142,30 @@ def test_a_reader_of_the_output_may_go_before_its_end(command: str) -> None:
     assert len(result.stdout.splitlines()) == 1
     assert "error" not in result.stderr
     assert "Traceback" not in result.stderr
+
+
+@pytest.mark.parametrize(
+    ("error", "words"),
+    [
+        (OSError(errno.EMFILE, "Too many open files"), "error: Too many open files"),
+        (PermissionError(errno.EACCES, "Permission denied", "/root/x"), "error: /root/x: Permission denied"),
+    ],
+)
+def test_what_the_system_refuses_is_told_as_that(
+    error: OSError, words: str, monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]
+) -> None:
+    def refuse(**_: object) -> None:
+        raise error
+
+    monkeypatch.setattr(cli, "app", refuse)
+    monkeypatch.setattr(sys, "argv", ["unity-link"])
+    with pytest.raises(SystemExit) as ended:
+        cli.main()
+    assert ended.value.code == 1
+    print("stdout is still there", flush=True)  # noqa: T201
+    told = capfd.readouterr()
+    assert told.err.splitlines() == [words]
+    assert told.out == "stdout is still there\n"
 
 
 def test_a_command_without_stdout_does_its_work() -> None:

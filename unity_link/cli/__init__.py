@@ -22,6 +22,7 @@ one ended it (130 for Ctrl-C).
 
 from __future__ import annotations
 
+import errno
 import io
 import os
 import sys
@@ -102,6 +103,10 @@ ft232h.add_to(app)
 bench.add_to(app)
 
 
+_UNWRITABLE = {errno.EBADF, errno.EDQUOT, errno.EFBIG, errno.EIO, errno.ENOSPC, errno.EPIPE}
+"""What a file, pipe or terminal says to a write that it cannot take."""
+
+
 def main() -> None:
     """Run a command line, and exit with its code."""
     _open_what_is_closed()
@@ -134,18 +139,25 @@ def _run() -> int:
         print_error(str(error))
         return FAILED
     except OSError as error:
-        # What a command opens it answers for itself; what was open before it is stdout.
-        if error.filename is not None:
-            raise
-        # What is still buffered must not be tried again at exit.
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-        # If who reads our output has gone, nobody needs to be told.
-        if not isinstance(error, BrokenPipeError):
-            print_error(f"standard output cannot be written: {error.strerror}")
+        _tell(error)
         return FAILED
     except KeyboardInterrupt:
         return INTERRUPTED
     return code or 0
+
+
+def _tell(error: OSError) -> None:
+    """Print what the system refused."""
+    # What a command writes to files it answers for itself; what was open before it is stdout.
+    if error.filename is not None or error.errno not in _UNWRITABLE:
+        place = f"{error.filename}: " if error.filename is not None else ""
+        print_error(f"{place}{error.strerror or error}")
+        return
+    # What is still buffered must not be tried again at exit.
+    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+    # If the reader of the output has gone, there is nothing to tell.
+    if not isinstance(error, BrokenPipeError):
+        print_error(f"standard output cannot be written: {error.strerror}")
 
 
 def _with_value(message: str, error: typer.TyperException) -> str:

@@ -3,6 +3,9 @@
 Where a token is wanted, the first line of a connection is `TOKEN_LINE` and the token (protocol, "Shared links"). Until
 it was right nothing else is looked at, and nothing is said; who takes longer than `HURRY` seconds, or says anything
 else, is hung up on.
+
+Connections without the token take no place of a client's. There are `MOST_STRANGERS` of them at most: one more, and the
+oldest is hung up on.
 """
 
 from __future__ import annotations
@@ -23,6 +26,8 @@ HURRY = 5.0
 KEEP_ALIVE = 30
 """Seconds of silence after which a machine is asked whether it is still there."""
 MOST_CLIENTS = 256
+MOST_STRANGERS = 512
+"""More than the system accepts before what the first of them has said is read, so that no token comes too late."""
 LONGEST_TOKEN = 256
 
 
@@ -42,7 +47,7 @@ class Door(asyncio.Protocol):
         self._timer: asyncio.TimerHandle | None = None
 
     def connection_made(self, transport: asyncio.BaseTransport) -> None:
-        """Let in, ask for the token, or hang up where there are too many."""
+        """Let in, or wait for the token."""
         assert isinstance(transport, asyncio.Transport)
         self._transport = transport
         connection = transport.get_extra_info("socket")
@@ -50,13 +55,14 @@ class Door(asyncio.Protocol):
             # A client whose machine has gone without a word is found, and its groups are freed.
             connection.setsockopt(socket.SOL_SOCKET, socket.SO_KEEPALIVE, 1)
             connection.setsockopt(socket.IPPROTO_TCP, socket.TCP_KEEPIDLE, KEEP_ALIVE)
-        if len(self._shared.clients) + len(self._shared.callers) >= MOST_CLIENTS:
-            transport.abort()
-        elif self._token is None:
+        if self._token is None:
             self._let_in()
-        else:
-            self._shared.callers.add(self)
-            self._timer = self._shared.loop.call_later(HURRY, transport.abort)
+            return
+        strangers = self._shared.strangers
+        if len(strangers) >= MOST_STRANGERS:
+            next(iter(strangers)).hang_up()
+        strangers[self] = None
+        self._timer = self._shared.loop.call_later(HURRY, self.hang_up)
 
     def data_received(self, data: bytes) -> None:
         """Compare the first line with what lets in."""
@@ -66,23 +72,28 @@ class Door(asyncio.Protocol):
             self._leave()
             self._let_in(rest)
         elif end or len(line) > len(TOKEN_LINE) + LONGEST_TOKEN:
-            self._transport.abort()
+            self.hang_up()
 
     def connection_lost(self, exc: Exception | None) -> None:  # noqa: ARG002
-        """Forget the caller."""
+        """Forget the stranger."""
         self._leave()
 
     def hang_up(self) -> None:
         """End the connection."""
+        self._leave()
         self._transport.abort()
 
     def _leave(self) -> None:
-        self._shared.callers.discard(self)
+        self._shared.strangers.pop(self, None)
         if self._timer is not None:
             self._timer.cancel()
             self._timer = None
 
     def _let_in(self, rest: bytes = b"") -> None:
+        """Make a client of the connection, or hang up where there are too many."""
+        if len(self._shared.clients) >= MOST_CLIENTS:
+            self._transport.abort()
+            return
         client = Client(self._shared)
         self._transport.set_protocol(client)
         client.connection_made(self._transport)

@@ -55,8 +55,8 @@ class SharedLink(Connection):
         self.turns = Turns(self._exchange)
         self.slots: Slots
         self.clients: set[Client] = set()
-        self.callers: set[Door] = set()
-        """Connections that have not been let in yet."""
+        self.strangers: dict[Door, None] = {}
+        """Connections that have not been let in yet, the oldest first."""
         self.ended: asyncio.Future[None] = self.loop.create_future()
         """Raises when the link has ended for good."""
         self._report = report
@@ -265,8 +265,8 @@ class SharedLink(Connection):
 
     async def finish(self) -> None:
         """Hang up on all clients, leave the gateway as it is without them, and end."""
-        for caller in list(self.callers):
-            caller.hang_up()
+        for stranger in list(self.strangers):
+            stranger.hang_up()
         for client in list(self.clients):
             client.hang_up()
             self.leave(client)

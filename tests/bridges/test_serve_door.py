@@ -1,0 +1,78 @@
+"""Who comes in where a token is wanted, however many others stand before the door."""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+from typing import TYPE_CHECKING
+
+import pytest
+
+import pipe
+import unity_link
+from sharing import Terminal, sharing
+from simulated_time import on_simulated_time
+from unity_link.bridges.serve import serve
+from unity_link.bridges.serve.door import HURRY, MOST_CLIENTS, MOST_STRANGERS, Door
+from unity_link.virtual import VirtualGateway
+
+if TYPE_CHECKING:
+    from unity_link.bridges.serve.shared import SharedLink
+
+TOKEN = "open-sesame"
+
+
+def knock(shared: SharedLink, said: bytes = b"") -> Terminal:
+    terminal = Terminal()
+    pipe.connect(terminal, Door(shared, TOKEN))
+    terminal.transport.write(said)
+    return terminal
+
+
+async def is_served(terminal: Terminal) -> bool:
+    terminal.transport.write(b"H\r")
+    await asyncio.sleep(0.01)
+    return terminal.take() == b"H\r\n"
+
+
+@pytest.mark.parametrize("strangers", [MOST_CLIENTS, MOST_STRANGERS, 3 * MOST_STRANGERS])
+@on_simulated_time
+async def test_silent_strangers_keep_nobody_out_who_knows_the_token(strangers: int) -> None:
+    async with sharing(VirtualGateway()) as shared:
+        silent = [knock(shared) for _ in range(strangers)]
+        for _ in range(20):
+            silent += [knock(shared) for _ in range(10)]
+            assert await is_served(knock(shared, f"token {TOKEN}\n".encode()))
+        assert len(shared.clients) == 20
+        assert len(shared.strangers) <= MOST_STRANGERS
+        # The oldest had to go.
+        left = [terminal for terminal in silent if not terminal.gone]
+        assert left == silent[-len(left) :]
+        await asyncio.sleep(HURRY + 0.1)
+        assert not shared.strangers
+        assert all(terminal.gone for terminal in silent)
+
+
+@on_simulated_time
+async def test_clients_alone_count_towards_the_places_of_clients() -> None:
+    async with sharing(VirtualGateway()) as shared:
+        inside = [knock(shared, f"token {TOKEN}\n".encode()) for _ in range(MOST_CLIENTS)]
+        await asyncio.sleep(0.01)
+        late = knock(shared, f"token {TOKEN}\n".encode())
+        await asyncio.sleep(0.01)
+        assert late.gone
+        inside[0].transport.abort()
+        await asyncio.sleep(0.01)
+        assert await is_served(knock(shared, f"token {TOKEN}\n".encode()))
+
+
+@pytest.mark.asyncio
+async def test_links_are_opened_with_the_token_while_256_strangers_hold_connections() -> None:
+    async with serve("sim:", tcp=0, token=TOKEN) as server, contextlib.AsyncExitStack() as stack:
+        host, port = server.urls[0].removeprefix("tcp://").split(":")
+        for _ in range(256):
+            _, writer = await asyncio.open_connection(host, int(port))
+            stack.callback(writer.close)
+        for _ in range(5):
+            async with unity_link.connect(f"{server.urls[0]}?token={TOKEN}", timeout=60) as link:
+                assert await link.read(0) == 0
