@@ -99,7 +99,8 @@ class Connection:
                 self._start(stream, codec, round_trip)
         except BaseException as error:
             stream.receiver = None
-            stream.abort()
+            # A port is not free for the next attempt before it has been closed.
+            await stream.close()
             if isinstance(error, TimeoutError):
                 heard = "the connection was not accepted" if handshake is None else handshake.describe()
                 raise ConnectError(f"no gateway answered at {name} within {timeout:g} s; {heard}") from None

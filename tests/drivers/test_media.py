@@ -46,6 +46,25 @@ def serve(tmp_path: Path) -> Iterator[Callable[..., tuple[str, subprocess.Popen[
         yield start
 
 
+async def hold(url: str) -> None:
+    async with unity_link.connect(url):
+        await asyncio.Event().wait()
+
+
+@pytest.mark.asyncio
+@pytest.mark.parametrize("turns", range(12))
+async def test_a_port_is_free_again_when_a_connection_to_it_was_cancelled(turns: int) -> None:
+    async with serve_pty(VirtualGateway()) as url:
+        opening = asyncio.create_task(hold(url))
+        for _ in range(turns):
+            await asyncio.sleep(0)
+        opening.cancel()
+        with pytest.raises(asyncio.CancelledError):
+            await opening
+        async with unity_link.connect(url) as link:
+            assert await link.read(0) == 0
+
+
 @pytest.mark.asyncio
 @pytest.mark.parametrize("medium", MEDIA)
 async def test_a_link_works_over_every_medium(serve: Callable[..., tuple[str, object]], medium: str) -> None:
