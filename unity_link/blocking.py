@@ -10,24 +10,25 @@
             for sample in samples:
                 print(sample.values)
 
-Each link has an event loop in a thread of its own (anyio's blocking portal). The methods are those of
+Each link has an event loop in a thread of its own. The methods are those of
 `unity_link.Link`, and any number of threads may call them. A call costs a change of threads there and back, so batches
 and blocks gain even more here than there.
 """
 
 from __future__ import annotations
 
+import asyncio
+import threading
+import weakref
 from collections import deque
-from contextlib import ExitStack
+from concurrent.futures import CancelledError, Future
 from typing import TYPE_CHECKING, Any, Self, TypeVar
 
-from anyio.from_thread import start_blocking_portal
-
 from unity_link import link as asynchronous
-from unity_link.errors import LinkClosedError, Outcome
+from unity_link.errors import ArgumentError, LinkClosedError, Outcome
 
 if TYPE_CHECKING:
-    from collections.abc import Awaitable, Callable
+    from collections.abc import Callable, Coroutine
     from types import TracebackType
 
     from numpy.typing import ArrayLike
@@ -50,31 +51,103 @@ def connect(target: str | Gateway, *, timeout: float = 5.0, reconnect: bool | Re
     return Link(target, timeout=timeout, reconnect=reconnect)
 
 
+LAST_PATIENCE = 2.0
+"""Seconds that the end of a program waits for a link that was not closed."""
+
+
+class LoopThread:
+    """An event loop in a thread of its own, which does not keep a program from ending."""
+
+    def __init__(self) -> None:
+        self._loop = asyncio.new_event_loop()
+        self._lock = threading.Lock()
+        self._calls: set[Future[Any]] | None = set()
+        """Calls that are not over; None when there can be no more."""
+        self._thread = threading.Thread(target=self._run, name="unity_link.blocking", daemon=True)
+        self._thread.start()
+
+    def call(self, function: Callable[..., Coroutine[Any, Any, T]], *arguments: Any) -> T:
+        """Call a function in the thread, and wait for what it returns; what interrupts the wait cancels the call.
+
+        Raises:
+            ArgumentError: in the thread itself.
+            CancelledError: where the thread ends.
+        """
+        if threading.current_thread() is self._thread:
+            raise ArgumentError("a callback runs in the thread of its link, and must not call the link")
+        with self._lock:
+            if self._calls is None:
+                raise CancelledError
+            call = asyncio.run_coroutine_threadsafe(function(*arguments), self._loop)
+            self._calls.add(call)
+        try:
+            return call.result()
+        finally:
+            call.cancel()
+            with self._lock:
+                if self._calls is not None:
+                    self._calls.discard(call)
+
+    def end(self, last: Callable[[], Coroutine[Any, Any, None]]) -> None:
+        """Call a last function, cancel all other calls, and end the thread."""
+
+        async def finish() -> None:
+            try:
+                await last()
+            finally:
+                # What waits learns of the end in its own words before it is cancelled.
+                self._loop.call_soon(self._loop.stop)
+
+        self._loop.call_soon_threadsafe(lambda: self._loop.create_task(finish()))
+        # A link that nothing refers to any more may be found in any thread, in its own too.
+        if threading.current_thread() is not self._thread:
+            # At the end of a program the main thread is over, and some drivers can't close any more.
+            self._thread.join(None if threading.main_thread().is_alive() else LAST_PATIENCE)
+
+    def _run(self) -> None:
+        with asyncio.Runner(loop_factory=lambda: self._loop) as runner:
+            runner.get_loop().run_forever()
+            with self._lock:
+                calls, self._calls = self._calls or (), None
+        for call in calls:
+            call.cancel()
+
+
 class Link:
-    """A connection to one gateway; made by `connect`. `unity_link.Link` documents the methods of the same names."""
+    """A connection to one gateway; made by `connect`. `unity_link.Link` documents the methods of the same names.
+
+    A link that is not closed is closed where nothing refers to it any more, and at the end of the program.
+    """
 
     def __init__(self, target: str | Gateway, *, timeout: float, reconnect: bool | Reconnect) -> None:
-        self._closed = False
-        with ExitStack() as stack:
-            self._portal = stack.enter_context(start_blocking_portal("asyncio"))
+        self._thread = LoopThread()
 
-            async def open_link() -> asynchronous.Link:
-                return await asynchronous.connect(target, timeout=timeout, reconnect=reconnect)
+        async def open_link() -> asynchronous.Link:
+            return await asynchronous.connect(target, timeout=timeout, reconnect=reconnect)
 
-            self._link = self._portal.call(open_link)
-            stack.callback(self._portal.call, self._link.aclose)
-            self._stack = stack.pop_all()
+        try:
+            self._link = self._thread.call(open_link)
+        except BaseException:
+            self._thread.end(_nothing)
+            raise
+        self._end = weakref.finalize(self, self._thread.end, self._link.aclose)
 
     def close(self) -> None:
-        """End the link and its thread. May be called twice."""
-        self._closed = True
-        self._stack.close()
+        """End the link and its thread at once. May be called twice.
 
-    def _call(self, function: Callable[..., Awaitable[T]], *arguments: Any) -> T:
+        Posted writes that are not executed yet are given up, and their errors are not raised: call `fence` before.
+        """
+        self._end()
+
+    def _call(self, function: Callable[..., Coroutine[Any, Any, T]], *arguments: Any) -> T:
         """Call a function in the thread of the link, and wait for what it gives."""
-        if self._closed:
-            raise LinkClosedError("the link was closed", Outcome.NOT_EXECUTED)
-        return self._portal.call(function, *arguments)
+        closed = "the link was closed"
+        if not self._end.alive:
+            raise LinkClosedError(closed, Outcome.NOT_EXECUTED)
+        try:
+            return self._thread.call(function, *arguments)
+        except CancelledError:
+            raise LinkClosedError(closed, Outcome.UNKNOWN) from None
 
     def __enter__(self) -> Self:
         return self
@@ -82,7 +155,12 @@ class Link:
     def __exit__(
         self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
     ) -> None:
-        self.close()
+        """Close; where the block ended well, not before the posted writes are executed, and with their errors."""
+        try:
+            if self._end.alive:
+                self._call(self._link.__aexit__, kind, error, trace)
+        finally:
+            self.close()
 
     @property
     def gateway(self) -> GatewayInfo:
@@ -205,3 +283,7 @@ class Subscription:
             except StopAsyncIteration:
                 raise StopIteration from None
         return self._samples.popleft()
+
+
+async def _nothing() -> None:
+    """Do nothing."""

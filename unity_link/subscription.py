@@ -36,6 +36,7 @@ if TYPE_CHECKING:
     from unity_link.exchange import Exchange
 
 Overflow = Literal["drop_oldest", "fail"]
+NOT_OPEN = "the subscription is not open: write `async with ...subscribe(...) as samples:`, or `with` in blocking code"
 _HEAD = 5
 """Characters before the fields of a publish: the letter, the group and the sequence."""
 _TIMESTAMP_DIGITS = 8
@@ -274,7 +275,7 @@ class Subscription:
     async def publish(self) -> None:
         """Have one sample taken now, besides those that are due by themselves."""
         if self._group is None:
-            raise ArgumentError("the subscription is not open: use it in an `async with` block")
+            raise ArgumentError(NOT_OPEN)
         await self._groups.publish(self._group)
 
     async def __aenter__(self) -> Self:
@@ -323,6 +324,8 @@ class Subscription:
                 raise self._error
             if self._ended:
                 raise StopAsyncIteration
+            if self._group is None:
+                raise ArgumentError(NOT_OPEN)
             if self._waiter is not None:
                 raise ArgumentError("another task is already waiting for this subscription's next sample")
             self._waiter = asyncio.get_running_loop().create_future()

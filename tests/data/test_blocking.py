@@ -75,3 +75,12 @@ def test_a_closed_link_ends_it(link: blocking.Link, robot: Any) -> None:
     link.close()
     with pytest.raises(LinkClosedError):
         robot.j1.cpos.get()
+
+
+def test_a_subscription_of_a_group_without_its_block_says_what_to_write(robot: Any) -> None:
+    samples = Group(robot.j1.cpos).subscribe(rate_hz=100)
+    for ask in (samples.take, lambda: next(iter(samples))):
+        with pytest.raises(ArgumentError, match="`with` in blocking code"):
+            ask()
+    with samples:
+        assert len(samples.take()) > 0

@@ -109,6 +109,17 @@ async def test_two_subscriptions_do_not_mix(link: Link) -> None:
 
 
 @pytest.mark.asyncio
+async def test_a_subscription_without_its_block_says_what_to_write_at_once() -> None:
+    async with unity_link.connect("sim:") as link:
+        samples = link.subscribe([0x10], rate_hz=100)
+        for ask in (samples.take, samples.__anext__, samples.publish):
+            with pytest.raises(ArgumentError, match="write `async with"):
+                await ask()
+        async with samples:
+            assert (await anext(samples)).sequence == 0
+
+
+@pytest.mark.asyncio
 async def test_iteration_ends_with_the_block(link: Link) -> None:
     async with link.subscribe([0]) as samples:
         await samples.publish()

@@ -15,7 +15,7 @@ import numpy as np
 
 from unity_link.data.batch import Batch
 from unity_link.errors import ArgumentError, GatewayError, SamplesLostError
-from unity_link.subscription import Sample
+from unity_link.subscription import NOT_OPEN, Sample
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -147,6 +147,7 @@ class GroupSubscription:
     def __init__(self, sources: Sequence[tuple[Layout, Source]]) -> None:
         self._sources = sources
         self._stack = AsyncExitStack()
+        self._entered = False
         self._waiting: dict[asyncio.Task[Batch], int] = {}
         self._rest: list[GroupSample] = []
 
@@ -173,8 +174,11 @@ class GroupSubscription:
         """Wait until there is a sample, and give all that wait as one batch.
 
         Raises:
-            StopAsyncIteration: when the ``async with`` block has ended.
+            ArgumentError: where the ``async with`` block has not begun.
+            StopAsyncIteration: when it has ended.
         """
+        if not self._entered:
+            raise ArgumentError(NOT_OPEN)
         if len(self._sources) == 1:
             return await self._take(0)
         for number in set(range(len(self._sources))) - set(self._waiting.values()):
@@ -197,6 +201,7 @@ class GroupSubscription:
             for _, source in self._sources:
                 await stack.enter_async_context(source)
             self._stack = stack.pop_all()
+        self._entered = True
         return self
 
     async def __aexit__(
