@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import functools
 import math
 import subprocess
 import sys
@@ -231,8 +232,42 @@ async def test_a_callback_that_raises_is_told_to_the_event_loop_and_stops_nobody
         robot.angle.on_change(seen.append)
         await robot.angle.set(1)
         assert seen == [1]
-    assert [context["message"] for context in told] == ["a callback of angle raised"]
+    assert [context["message"] for context in told] == ["a callback of angle raised ZeroDivisionError (told once)"]
     assert isinstance(told[0]["exception"], ZeroDivisionError)
+
+
+@on_simulated_time
+async def test_a_callback_that_raises_again_and_again_is_told_once_for_each_type() -> None:
+    told: list[str] = []
+    asyncio.get_running_loop().set_exception_handler(lambda _, context: told.append(context["message"]))
+    async with unity_link.connect(VirtualGateway()) as link:
+        robot = ROBOT(link)
+        robot.angle.on_change(lambda value: 1 / (value % 2) if value < 5 else int("x"))
+        for value in range(1, 9):
+            await robot.angle.set(value)
+    assert told == [f"a callback of angle raised {name} (told once)" for name in ("ZeroDivisionError", "ValueError")]
+
+
+class Asynchronous:
+    async def __call__(self, value: float) -> None:
+        raise AssertionError
+
+
+@on_simulated_time
+async def test_an_asynchronous_callback_is_refused_or_told() -> None:
+    told: list[dict[str, Any]] = []
+    asyncio.get_running_loop().set_exception_handler(lambda _, context: told.append(context))
+    async with unity_link.connect(VirtualGateway()) as link:
+        robot = ROBOT(link)
+        message = "a callback of angle is an asynchronous function, which would never be awaited: a plain function"
+        for callback in (Asynchronous(), Asynchronous().__call__, functools.partial(robot.angle.set)):
+            with pytest.raises(ArgumentError, match=message):
+                robot.angle.on_change(callback)
+        with pytest.raises(ArgumentError, match="a callback of angle is 5: a function was expected"):
+            robot.angle.on_change(5)
+        robot.angle.on_change(lambda value: Asynchronous()(value + 1))
+        await robot.angle.set(1)
+    assert [str(context["exception"]).startswith(message) for context in told] == [True]
 
 
 @on_simulated_time
