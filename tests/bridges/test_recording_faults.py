@@ -12,6 +12,7 @@ import signal
 import subprocess
 import sys
 import threading
+import time
 import tracemalloc
 from contextlib import contextmanager
 from typing import TYPE_CHECKING
@@ -34,6 +35,7 @@ from simulated_time import run_simulated
 from unity_link import LinkLostError
 from unity_link.bridges.recording import Recorder, Recording, RecordingError, recorder
 from unity_link.bridges.recording.files import INTERRUPTION
+from unity_link.spec import compile_text
 from unity_link.virtual.build import build_gateway
 from unity_link.virtual.gateway import VirtualGateway
 
@@ -414,6 +416,43 @@ def test_a_gateway_that_was_reset_behind_an_open_line_is_found_and_recorded_on(
     # A link takes nine seconds of silence for a lost one.
     assert 0 < np.diff(times).min() < np.diff(times).max() < 15
     assert interruptions_in(path) == 1
+
+
+POLLED_TOO = compile_text("""
+group fast(1, 10, TIMESTAMPS);
+public robot() {
+  @a = 0x10: READ(PUBLISH(fast));
+  @b = 0x11: READ(POLL(50));
+}
+""")
+
+
+@pytest.mark.parametrize("step", [3600.0, -3600.0, 4.0, -4.0])
+def test_a_clock_of_this_machine_that_is_set_meanwhile_leaves_the_instants_as_they_are(
+    step: float, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    work_in_place(monkeypatch)
+    path = tmp_path / "run.mcap"
+    clock, began = time.time, time.time()
+
+    async def set_it_in_the_middle() -> None:
+        async with unity_link.connect("sim:?base_frequency_millihertz=2000000") as link:
+            running = asyncio.create_task(Recorder(unity_link.load(POLLED_TOO)(link), path).run())
+            await asyncio.sleep(1.5)
+            monkeypatch.setattr(time, "time", lambda: clock() + step)
+            await asyncio.sleep(1.5)
+            running.cancel()
+            await asyncio.wait([running])
+
+    run_simulated(set_it_in_the_middle())
+
+    by_group = {samples.group.name: samples for samples, _ in Recording(path).samples()}
+    assert np.allclose(np.diff(by_group["fast"].at), 5_000_000, rtol=0.02)
+    polled = by_group["poll_50_hz"].at / 1e9
+    # They arrive on the time of this machine, which is not modelled.
+    assert len(polled) > 100
+    assert np.all(np.diff(polled) >= 0)
+    assert began - 0.1 <= polled[0] <= polled[-1] <= clock() + 0.1
 
 
 def test_ctrl_c_finishes_the_file_while_the_gateway_is_away(tmp_path: Path) -> None:
