@@ -310,3 +310,23 @@ def test_a_gateway_of_other_widths_is_refused(info: GatewayInfo, message: str) -
                 unity_link.load(spec)(link)
 
     check()
+
+
+@on_simulated_time
+async def test_signals_and_parts_are_not_assigned_to() -> None:
+    spec = compile_text("""
+    public rover() { left: wheel() @(0x10); legs[2]: wheel() @(0x20 + 2 * i); }
+    wheel(): @(base) { @duty = base: READWRITE(); @speed = base + 1: READ(); }
+    """)
+    async with unity_link.connect(VirtualGateway()) as link:
+        robot: Any = unity_link.load(spec)(link)
+        duty = robot.left.duty
+        with pytest.raises(ArgumentError, match=r"left\.duty is not assigned to: await left\.duty\.set\(1\) writes it"):
+            robot.left.duty = 1
+        for part, name in ((robot.left, "speed"), (robot, "left"), (robot, "legs")):
+            with pytest.raises(ArgumentError, match=f"'{name}' of .* cannot be assigned to"):
+                setattr(part, name, 1)
+        assert robot.left.duty is duty
+        robot.note = (1, 2)
+        robot.note = (3,)
+        assert robot.note == (3,)

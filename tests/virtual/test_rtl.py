@@ -65,7 +65,7 @@ class _Recorder:
 
     def __init__(self) -> None:
         self.calls: list[tuple[str, int, int]] = []
-        self.refusal: Exception | None = None
+        self.refusal: BaseException | None = None
 
     def read(self, offset: int, now: float) -> int:
         assert now >= 0
