@@ -185,7 +185,7 @@ def test_a_chunk_that_would_fill_the_memory_is_left_out(
     ).write(builder)
     path = tmp_path / "bomb.mcap"
     whole, place = recorded.read_bytes(), summary.chunk_indexes[0].chunk_start_offset
-    path.write_bytes(whole[:place] + builder.end() + whole[place:])
+    path.write_bytes(whole[:place] + builder.end() + whole[place:])  # type: ignore[no-untyped-call]
     del data, packed
 
     tracemalloc.start()

@@ -42,6 +42,8 @@ public robot() {
 }
 """)
 INFO = GatewayInfo(base_frequency_millihertz=2_000_000)
+Batches = list[tuple[int, list[tuple[float, tuple[int, ...]]]]]
+"""Numbers of groups, and samples of them: instants, and words."""
 
 
 class Milliseconds:
@@ -63,7 +65,7 @@ def robot() -> Any:
     return run_simulated(make())
 
 
-def recorded(path: Path, batches: list[tuple[int, list[tuple[float, tuple[int, ...]]]]], syncs: set[int]) -> Recording:
+def recorded(path: Path, batches: Batches, syncs: set[int]) -> Recording:
     """Record batches of the groups of those numbers: instants in seconds, and words."""
     groups = sampled_groups(robot())
     file = RecordingFile(path, robot().interface, INFO, groups, overwrite=True)
@@ -83,7 +85,7 @@ EPOCH = 1_000_000.0
 
 
 @st.composite
-def recordings(draw: st.DrawFn) -> list[tuple[int, list[tuple[float, tuple[int, ...]]]]]:
+def recordings(draw: st.DrawFn) -> Batches:
     """Draw batches of three groups: each is in order, and its batches stand anywhere among those of the others."""
     batches = []
     for group, addresses in enumerate(ADDRESSES):
@@ -104,7 +106,7 @@ def recordings(draw: st.DrawFn) -> list[tuple[int, list[tuple[float, tuple[int, 
 def test_at_each_instant_a_replay_has_the_last_sample_of_each_group(
     tmp_path: Path,
     monkeypatch: pytest.MonkeyPatch,
-    batches: list[tuple[int, list[tuple[float, tuple[int, ...]]]]],
+    batches: Batches,
     syncs: set[int],
     chunk: int,
     data: st.DataObject,
@@ -131,7 +133,7 @@ def test_at_each_instant_a_replay_has_the_last_sample_of_each_group(
 
 def test_chunks_that_all_overlap_are_played_in_bounded_memory(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(reader, "MOST_WORDS", 100)
-    batches = [(0, [(EPOCH, (number, 0)), (EPOCH + 10 + number, (number, 1))]) for number in range(500)]
+    batches: Batches = [(0, [(EPOCH, (number, 0)), (EPOCH + 10 + number, (number, 1))]) for number in range(500)]
     recording = recorded(tmp_path / "run.mcap", batches, set(range(500)))
     most = 0
 
@@ -153,7 +155,7 @@ def test_chunks_that_all_overlap_are_played_in_bounded_memory(tmp_path: Path, mo
 def test_a_recording_that_another_program_wrote_anew_is_played_the_same(
     tmp_path: Path, compression: CompressionType, chunked: bool
 ) -> None:
-    batches = [(1, [(EPOCH + 1, (7,))]), (0, [(EPOCH + at / 10, (at, at)) for at in range(30)])]
+    batches: Batches = [(1, [(EPOCH + 1, (7,))]), (0, [(EPOCH + at / 10, (at, at)) for at in range(30)])]
     recording = recorded(tmp_path / "run.mcap", batches, set())
     again = tmp_path / "again.mcap"
     with recording.path.open("rb") as source, again.open("wb") as target:
@@ -169,7 +171,7 @@ def test_a_recording_that_another_program_wrote_anew_is_played_the_same(
             writer.register_channel(channel.topic, "json", channel.schema_id, channel.metadata)
         for _, channel, message in reader.iter_messages(log_time_order=False):
             writer.add_message(channel.id, message.log_time, message.data, message.publish_time, message.sequence)
-        writer.finish()
+        writer.finish()  # type: ignore[no-untyped-call]
 
     rows = [[(row.at, row.group, row.words.tolist()) for row in of.in_order()] for of in (recording, Recording(again))]
 

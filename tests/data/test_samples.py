@@ -189,7 +189,7 @@ def test_whatever_a_listener_drops_is_told_in_lost(
     @on_simulated_time
     async def check() -> None:
         layouts: dict[str, Any] = {"A": object(), "B": object()}
-        listener = Listener(Feed("nothing", GroupSubscription), None, buffer, "drop_oldest")
+        listener = Listener(Feed("nothing", lambda: GroupSubscription([])), None, buffer, "drop_oldest")
         counts = dict.fromkeys(layouts.values(), 0)
         taken: list[Batch] = []
         waiting = 0
@@ -212,8 +212,8 @@ def test_whatever_a_listener_drops_is_told_in_lost(
             listener.deliver(Batch(layout, [Sample(count, None, 0.0, np.zeros(1, np.uint64), 0)]))
             taken.append(await listener.next())
             sequence = [int(at) for batch in taken if batch.layout is layout for at in batch.sequence]
-            lost = [int(lost) for batch in taken if batch.layout is layout for lost in batch.lost]
-            assert lost == [after - before - 1 for before, after in itertools.pairwise([-1, *sequence])]
+            told = [int(lost) for batch in taken if batch.layout is layout for lost in batch.lost]
+            assert told == [after - before - 1 for before, after in itertools.pairwise([-1, *sequence])]
             assert sequence[-1] == count
 
     check()
