@@ -4,15 +4,18 @@ from __future__ import annotations
 
 import asyncio
 import subprocess
+from concurrent.futures import Executor, Future
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import unity_link
 from bridge_programs import PROGRAM
-from unity_link.bridges.recording import Recorder, Recording
+from unity_link.bridges.recording import Recorder, Recording, recorder
 
 if TYPE_CHECKING:
     from collections.abc import Callable
+
+    import pytest
 
 SPEC = Path(__file__).parents[1] / "examples" / "scara.ul"
 GATEWAY = "sim:scara?base_frequency_millihertz=20000000"
@@ -56,3 +59,18 @@ def was_cut(path: Path) -> bool:
     for _ in recording.samples():
         pass
     return recording.was_cut
+
+
+class InPlace(Executor):
+    """Does at once what is given to it, for modelled time."""
+
+    def submit(self, function: Callable[..., Any], /, *args: Any, **kwargs: Any) -> Future[Any]:
+        done: Future[Any] = Future()
+        done.set_result(function(*args, **kwargs))
+        return done
+
+
+def work_in_place(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Have recorders write in the event loop, without pauses."""
+    monkeypatch.setattr(recorder, "ThreadPoolExecutor", lambda *_: InPlace())
+    monkeypatch.setattr(recorder, "REST", 0.0)

@@ -11,6 +11,8 @@ from typing import TYPE_CHECKING
 import pytest
 
 import unity_link
+from recordings import InPlace
+from simulated_time import run_simulated
 from unity_link import GatewayInfo
 from unity_link.bridges.carrying import Carrier
 from unity_link.bridges.sampled import sampled_groups
@@ -94,3 +96,29 @@ def test_a_polled_read_that_is_refused_is_told_once_and_lost_and_the_others_go_o
     assert taken[1] == 0
     assert carrier.lost > 0
     assert told == ["read at 0x11: nothing on the bus answered (told once)"]
+
+
+def test_turns_of_polling_that_pass_while_the_end_takes_its_time_are_not_lost(tmp_path: Path) -> None:
+    (tmp_path / "both.ul").write_text(SPEC)
+    robot_type = load(tmp_path / "both.ul")
+
+    async def end_slowly() -> None:
+        try:
+            await asyncio.get_running_loop().create_future()
+        finally:
+            await asyncio.sleep(1)
+
+    async def carry() -> Carrier:
+        async with unity_link.connect(GATEWAY) as link:
+            groups = [sampled.group for sampled in sampled_groups(robot_type(link))]
+            carrier = Carrier(groups, lambda *_: None, print, buffer=1 << 16)
+            running = asyncio.create_task(carrier.run(InPlace(), end_slowly()))
+            await asyncio.sleep(1)
+            running.cancel()
+            with pytest.raises(asyncio.CancelledError):
+                await running
+            return carrier
+
+    carrier = run_simulated(carry())
+    assert carrier.carried > 1000
+    assert carrier.lost == 0

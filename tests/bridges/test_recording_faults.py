@@ -12,29 +12,35 @@ import signal
 import subprocess
 import sys
 import threading
-from concurrent.futures import Executor, Future
+import time
+import tracemalloc
 from contextlib import contextmanager
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
+import lz4.frame
 import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from mcap.data_stream import RecordBuilder
 from mcap.reader import make_reader
+from mcap.records import Chunk
 from pyarrow import csv
+from zstandard import ZstdCompressor
 
 import unity_link
 from bridge_programs import PROGRAM, wait_for, wait_until
-from recordings import GATEWAY, SPEC, record, run, sequence_in, was_cut
+from recordings import GATEWAY, SPEC, record, run, sequence_in, was_cut, work_in_place
 from simulated_time import run_simulated
 from unity_link import LinkLostError
 from unity_link.bridges.recording import Recorder, Recording, RecordingError, recorder
 from unity_link.bridges.recording.files import INTERRUPTION
+from unity_link.spec import compile_text
 from unity_link.virtual.build import build_gateway
 from unity_link.virtual.gateway import VirtualGateway
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterator
+    from collections.abc import Iterator
     from pathlib import Path
 
 SUMMARY = re.compile(r"([\d,]+) samples in .* ([\d,]+) lost")
@@ -73,20 +79,6 @@ def wait_for_samples(path: Path, than: int = 0) -> int:
 
 
 # The program ends in the middle
-
-
-class InPlace(Executor):
-    """Does at once what is given to it, for modelled time."""
-
-    def submit(self, function: Callable[..., Any], /, *args: Any, **kwargs: Any) -> Future[Any]:
-        done: Future[Any] = Future()
-        done.set_result(function(*args, **kwargs))
-        return done
-
-
-def work_in_place(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(recorder, "ThreadPoolExecutor", lambda *_: InPlace())
-    monkeypatch.setattr(recorder, "REST", 0.0)
 
 
 def test_at_every_instant_the_disk_has_all_but_the_last_second(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -169,6 +161,52 @@ def test_a_file_that_was_damaged_anywhere_is_read_as_far_as_it_can_be_or_refused
 
     with contextlib.suppress(RecordingError):
         assert set(sequence_in(path)) <= set(sequence_in(recorded))
+        assert sum(1 for _ in Recording(path).in_order()) <= len(sequence_in(recorded))
+
+
+@pytest.mark.parametrize("said", [128 << 20, 1000], ids=["says so", "says less"])
+@pytest.mark.parametrize("compression", ["zstd", "lz4"])
+def test_a_chunk_that_would_fill_the_memory_is_left_out(
+    recorded: Path, tmp_path: Path, said: int, compression: str
+) -> None:
+    with recorded.open("rb") as file:
+        summary = make_reader(file).get_summary()
+    assert summary is not None
+    data = bytes(128 << 20)
+    packed = ZstdCompressor().compress(data) if compression == "zstd" else lz4.frame.compress(data)
+    builder = RecordBuilder()
+    Chunk(
+        compression=compression,
+        data=packed,
+        message_end_time=0,
+        message_start_time=0,
+        uncompressed_crc=0,
+        uncompressed_size=said,
+    ).write(builder)
+    path = tmp_path / "bomb.mcap"
+    whole, place = recorded.read_bytes(), summary.chunk_indexes[0].chunk_start_offset
+    path.write_bytes(whole[:place] + builder.end() + whole[place:])  # type: ignore[no-untyped-call]
+    del data, packed
+
+    tracemalloc.start()
+    try:
+        sequences = [sequence_in(path), [row.at for row in Recording(path).in_order()]]
+        _, most = tracemalloc.get_traced_memory()
+    finally:
+        tracemalloc.stop()
+
+    assert sequences == [sequence_in(recorded), [row.at for row in Recording(recorded).in_order()]]
+    assert most < 32 << 20
+    result = run("export", path, "--csv", "-o", tmp_path)
+    assert f"{path} is damaged: what is sound in it was exported" in result.stderr
+
+
+def test_a_pipe_is_no_recording(tmp_path: Path) -> None:
+    path = tmp_path / "pipe"
+    os.mkfifo(path)
+
+    assert f"{path} is no file: the name of a recording was expected" in run("export", path, "--csv").stderr
+    assert f"{path} cannot be written: No such device" in run("record", GATEWAY, SPEC, "-o", path, "--overwrite").stderr
 
 
 def test_a_recorder_that_is_killed_leaves_all_that_was_on_the_disk(tmp_path: Path) -> None:
@@ -293,6 +331,21 @@ def test_a_recording_is_replaced_where_that_is_asked_for(recorded: Path, tmp_pat
     assert not was_cut(path)
 
 
+def test_a_file_that_another_recorder_writes_is_not_replaced(tmp_path: Path) -> None:
+    path = tmp_path / "run.mcap"
+    with recording(GATEWAY, path) as process:
+        wait_for_samples(path)
+
+        result = run("record", GATEWAY, SPEC, "-o", path, "--duration", "0.1", "--overwrite")
+
+        process.send_signal(signal.SIGINT)
+        _, said = process.communicate(timeout=60)
+    assert result.returncode == 2
+    assert result.stderr == f"error: {path} is being written by another recorder: choose another name\n"
+    assert samples_said(said) == len(sequence_in(path)) > 0
+    assert run("record", GATEWAY, SPEC, "-o", path, "--duration", "0.1", "--overwrite").returncode == 0
+
+
 # The gateway
 
 
@@ -363,6 +416,43 @@ def test_a_gateway_that_was_reset_behind_an_open_line_is_found_and_recorded_on(
     # A link takes nine seconds of silence for a lost one.
     assert 0 < np.diff(times).min() < np.diff(times).max() < 15
     assert interruptions_in(path) == 1
+
+
+POLLED_TOO = compile_text("""
+group fast(1, 10, TIMESTAMPS);
+public robot() {
+  @a = 0x10: READ(PUBLISH(fast));
+  @b = 0x11: READ(POLL(50));
+}
+""")
+
+
+@pytest.mark.parametrize("step", [3600.0, -3600.0, 4.0, -4.0])
+def test_a_clock_of_this_machine_that_is_set_meanwhile_leaves_the_instants_as_they_are(
+    step: float, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    work_in_place(monkeypatch)
+    path = tmp_path / "run.mcap"
+    clock, began = time.time, time.time()
+
+    async def set_it_in_the_middle() -> None:
+        async with unity_link.connect("sim:?base_frequency_millihertz=2000000") as link:
+            running = asyncio.create_task(Recorder(unity_link.load(POLLED_TOO)(link), path).run())
+            await asyncio.sleep(1.5)
+            monkeypatch.setattr(time, "time", lambda: clock() + step)
+            await asyncio.sleep(1.5)
+            running.cancel()
+            await asyncio.wait([running])
+
+    run_simulated(set_it_in_the_middle())
+
+    by_group = {samples.group.name: samples for samples, _ in Recording(path).samples()}
+    assert np.allclose(np.diff(by_group["fast"].at), 5_000_000, rtol=0.02)
+    polled = by_group["poll_50_hz"].at / 1e9
+    # They arrive on the time of this machine, which is not modelled.
+    assert len(polled) > 100
+    assert np.all(np.diff(polled) >= 0)
+    assert began - 0.1 <= polled[0] <= polled[-1] <= clock() + 0.1
 
 
 def test_ctrl_c_finishes_the_file_while_the_gateway_is_away(tmp_path: Path) -> None:

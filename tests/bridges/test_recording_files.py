@@ -155,6 +155,23 @@ def test_a_chunk_that_is_large_ends_by_itself() -> None:
     assert sum(1 for _ in make_reader(io.BytesIO(stream.getvalue()), validate_crcs=True).iter_messages()) == 10
 
 
+def test_many_messages_given_at_once_go_into_several_chunks() -> None:
+    stream = io.BytesIO()
+    writer = ChunkWriter(stream, "test")
+    channel = writer.open_channel("/a", "a", b'{"type": "object"}', {})
+    numbers = np.arange(5 * CHUNK // 1000)
+    writer.write(channel, numbers, numbers, [b"%01000d" % number for number in numbers])
+    writer.finish()
+
+    reader = make_reader(io.BytesIO(stream.getvalue()), validate_crcs=True)
+    summary = reader.get_summary()
+    messages = list(reader.iter_messages())
+
+    assert summary is not None
+    assert max(index.uncompressed_size for index in summary.chunk_indexes) < 2 * CHUNK
+    assert [int(message.data) for _, _, message in messages] == numbers.tolist()
+
+
 def test_a_file_without_messages_is_one() -> None:
     stream = io.BytesIO()
     writer = ChunkWriter(stream, "test")

@@ -70,6 +70,12 @@ def test_a_group_is_of_one_link(robot: Any) -> None:
         Group(robot.j1.cpos, put(Scara, other).j1.cpos)
 
 
+def test_a_signal_is_not_assigned_to(robot: Any) -> None:
+    with pytest.raises(ArgumentError, match=r"j1\.pos_sp is not assigned to: j1\.pos_sp\.set\(1\) writes it"):
+        robot.j1.pos_sp = 1
+    assert isinstance(robot.j1.pos_sp, View)
+
+
 def test_a_closed_link_ends_it(link: blocking.Link, robot: Any) -> None:
     assert isinstance(robot.j1, View)
     link.close()

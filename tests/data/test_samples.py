@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 import asyncio
+import itertools
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
 import unity_link
 from counting_device import CountingDevice
@@ -20,13 +23,15 @@ from unity_link import (
     SamplesLostError,
     UnsupportedError,
 )
-from unity_link.data import Group
+from unity_link.data import Batch, Group, GroupSubscription
+from unity_link.data.feed import Feed, Listener
 from unity_link.spec import compile_text
+from unity_link.subscription import Sample
 from unity_link.virtual import VirtualGateway
 from valve import Valve
 
 if TYPE_CHECKING:
-    from unity_link.data import Batch, GroupSample
+    from unity_link.data import GroupSample
 
 INFO = GatewayInfo(base_frequency_millihertz=1_000_000)
 WITHOUT_GROUPS = GatewayInfo(base_frequency_millihertz=1_000_000, features=GatewayInfo().features & ~Feature.GROUPS)
@@ -171,6 +176,91 @@ async def test_a_slow_loop_is_told_that_it_lost_samples_and_takes_nothing_from_o
         first = await anext(newest)
         await asyncio.sleep(1)
         assert await anext(newest) > first + 90
+
+
+@given(
+    st.lists(st.tuples(st.sampled_from("AB"), st.lists(st.integers(0, 3), min_size=1, max_size=9)), max_size=12),
+    st.integers(1, 12),
+    st.integers(1, 4),
+)
+def test_whatever_a_listener_drops_is_told_in_lost(
+    batches: list[tuple[str, list[int]]], buffer: int, every: int
+) -> None:
+    @on_simulated_time
+    async def check() -> None:
+        layouts: dict[str, Any] = {"A": object(), "B": object()}
+        listener = Listener(Feed("nothing", lambda: GroupSubscription([])), None, buffer, "drop_oldest")
+        counts = dict.fromkeys(layouts.values(), 0)
+        taken: list[Batch] = []
+        waiting = 0
+        for number, (name, losses) in enumerate(batches):
+            layout, samples = layouts[name], []
+            for lost in losses:
+                counts[layout] += lost
+                samples.append(Sample(counts[layout], None, 0.0, np.zeros(1, np.uint64), lost))
+                counts[layout] += 1
+            listener.deliver(Batch(layout, samples))
+            waiting = min(buffer, waiting + len(losses))
+            if number % every == 0:
+                taken.append(await listener.next())
+                waiting -= len(taken[-1])
+        while waiting:
+            taken.append(await listener.next())
+            waiting -= len(taken[-1])
+            assert waiting >= 0
+        for layout, count in counts.items():
+            listener.deliver(Batch(layout, [Sample(count, None, 0.0, np.zeros(1, np.uint64), 0)]))
+            taken.append(await listener.next())
+            sequence = [int(at) for batch in taken if batch.layout is layout for at in batch.sequence]
+            told = [int(lost) for batch in taken if batch.layout is layout for lost in batch.lost]
+            assert told == [after - before - 1 for before, after in itertools.pairwise([-1, *sequence])]
+            assert sequence[-1] == count
+
+    check()
+
+
+@on_simulated_time
+async def test_a_slow_loop_that_wants_the_newest_samples_gets_the_buffer_and_is_told_what_it_missed() -> None:
+    async with unity_link.connect(counting()) as link:
+        robot = ROBOT(link)
+        samples = robot.groups["state"].samples(buffer=5, overflow="drop_oldest")
+        seen = []
+        for _ in range(4):
+            seen += [await anext(samples) for _ in range(5)]
+            await asyncio.sleep(1)
+        assert [after.sequence - before.sequence - 1 for before, after in itertools.pairwise(seen)] == [
+            sample.lost for sample in seen[1:]
+        ]
+        assert sum(sample.lost for sample in seen) > 250
+
+
+@on_simulated_time
+async def test_a_callback_that_raises_for_one_sample_gets_the_others_of_its_batch() -> None:
+    told: list[str] = []
+    asyncio.get_running_loop().set_exception_handler(lambda _, context: told.append(context["message"]))
+    async with unity_link.connect(counting()) as link:
+        robot = ROBOT(link)
+        seen: list[int] = []
+
+        def picky(sample: GroupSample) -> None:
+            seen.append(sample.sequence)
+            raise ValueError
+
+        async def asynchronous(_: object) -> None:
+            raise AssertionError
+
+        state = robot.groups["state"]
+        with state.on_sample(picky):
+            await asyncio.sleep(0.2)
+            # The host is busy, so that many come together.
+            await link.read_many([0x15] * 500)
+            await asyncio.sleep(0.2)
+        for listen in (state.on_sample, state.on_batch):
+            with pytest.raises(ArgumentError, match=r"a callback for .* of state is an asynchronous function"):
+                listen(asynchronous)
+    assert seen == list(range(len(seen)))
+    assert len(seen) > 30
+    assert told == ["a callback for samples of state raised ValueError (told once)"]
 
 
 # The end of a link

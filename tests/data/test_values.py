@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import functools
 import math
 import subprocess
 import sys
@@ -231,8 +232,42 @@ async def test_a_callback_that_raises_is_told_to_the_event_loop_and_stops_nobody
         robot.angle.on_change(seen.append)
         await robot.angle.set(1)
         assert seen == [1]
-    assert [context["message"] for context in told] == ["a callback of angle raised"]
+    assert [context["message"] for context in told] == ["a callback of angle raised ZeroDivisionError (told once)"]
     assert isinstance(told[0]["exception"], ZeroDivisionError)
+
+
+@on_simulated_time
+async def test_a_callback_that_raises_again_and_again_is_told_once_for_each_type() -> None:
+    told: list[str] = []
+    asyncio.get_running_loop().set_exception_handler(lambda _, context: told.append(context["message"]))
+    async with unity_link.connect(VirtualGateway()) as link:
+        robot = ROBOT(link)
+        robot.angle.on_change(lambda value: 1 / (value % 2) if value < 5 else int("x"))
+        for value in range(1, 9):
+            await robot.angle.set(value)
+    assert told == [f"a callback of angle raised {name} (told once)" for name in ("ZeroDivisionError", "ValueError")]
+
+
+class Asynchronous:
+    async def __call__(self, value: float) -> None:
+        raise AssertionError
+
+
+@on_simulated_time
+async def test_an_asynchronous_callback_is_refused_or_told() -> None:
+    told: list[dict[str, Any]] = []
+    asyncio.get_running_loop().set_exception_handler(lambda _, context: told.append(context))
+    async with unity_link.connect(VirtualGateway()) as link:
+        robot = ROBOT(link)
+        message = "a callback of angle is an asynchronous function, which would never be awaited: a plain function"
+        for callback in (Asynchronous(), Asynchronous().__call__, functools.partial(robot.angle.set)):
+            with pytest.raises(ArgumentError, match=message):
+                robot.angle.on_change(callback)
+        with pytest.raises(ArgumentError, match="a callback of angle is 5: a function was expected"):
+            robot.angle.on_change(5)
+        robot.angle.on_change(lambda value: Asynchronous()(value + 1))
+        await robot.angle.set(1)
+    assert [str(context["exception"]).startswith(message) for context in told] == [True]
 
 
 @on_simulated_time
@@ -275,3 +310,23 @@ def test_a_gateway_of_other_widths_is_refused(info: GatewayInfo, message: str) -
                 unity_link.load(spec)(link)
 
     check()
+
+
+@on_simulated_time
+async def test_signals_and_parts_are_not_assigned_to() -> None:
+    spec = compile_text("""
+    public rover() { left: wheel() @(0x10); legs[2]: wheel() @(0x20 + 2 * i); }
+    wheel(): @(base) { @duty = base: READWRITE(); @speed = base + 1: READ(); }
+    """)
+    async with unity_link.connect(VirtualGateway()) as link:
+        robot: Any = unity_link.load(spec)(link)
+        duty = robot.left.duty
+        with pytest.raises(ArgumentError, match=r"left\.duty is not assigned to: await left\.duty\.set\(1\) writes it"):
+            robot.left.duty = 1
+        for part, name in ((robot.left, "speed"), (robot, "left"), (robot, "legs")):
+            with pytest.raises(ArgumentError, match=f"'{name}' of .* cannot be assigned to"):
+                setattr(part, name, 1)
+        assert robot.left.duty is duty
+        robot.note = (1, 2)
+        robot.note = (3,)
+        assert robot.note == (3,)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import asyncio
 import itertools
 from typing import TYPE_CHECKING
 
@@ -185,3 +186,15 @@ async def test_fields_change_what_was_written_last_and_not_what_the_other_buffer
         await node.write_block(5, [1, 2])
         await link.read_many([CTRL] * 10)
         assert [memory.sent[-1][64 + offset] for offset in (4, 5, 6)] == [0x2211, 1, 2]
+
+
+@on_simulated_time
+async def test_fields_of_one_word_that_are_written_at_the_same_time_are_all_in_it() -> None:
+    gateway, memory = network()
+    async with unity_link.connect(gateway) as link:
+        node = TosnetNetwork(link, BASE, ctrl=CTRL, nodes=15).node(1)
+        masks = [0xF << 4 * place for place in range(8)]
+        old = await asyncio.gather(*(node.write_masked(4, 0x7654_3210, mask) for mask in masks))
+        await link.read_many([CTRL] * 10)
+        assert old == [0, 0, 0x10, 0x210, 0x3210, 0x4_3210, 0x54_3210, 0x654_3210]
+        assert memory.sent[-1][64 + 4] == 0x7654_3210

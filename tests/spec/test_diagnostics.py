@@ -2,6 +2,7 @@
 
 # ruff: noqa: E501, Q003 -- a case is a row of the table, and quotes are what it is about
 
+import os
 import re
 from pathlib import Path
 
@@ -9,6 +10,7 @@ import pytest
 
 from unity_link.spec import Diagnostic, SpecError, compile_file, compile_text
 from unity_link.spec.diagnostics import did_you_mean
+from unity_link.spec.parser import MOST_CHARACTERS
 
 
 def faults(text: str, address_bits: int | None = None) -> tuple[Diagnostic, ...]:
@@ -272,6 +274,24 @@ def test_files_that_import_each_other_are_told(tmp_path: Path) -> None:
     (found,) = caught.value.diagnostics
     assert found.message == "files import each other in a circle: a.ul -> b.ul -> a.ul"
     assert found.span.file == str(tmp_path / "b.ul")
+
+
+@pytest.mark.parametrize("name", ["/dev/zero", "pipe"])
+def test_an_import_of_what_has_no_end_or_waits_for_a_writer_is_refused(name: str, tmp_path: Path) -> None:
+    os.mkfifo(tmp_path / "pipe")
+    (tmp_path / "a.ul").write_text(f'import "{name}";\npublic x() {{}}')
+    with pytest.raises(SpecError) as caught:
+        compile_file(tmp_path / "a.ul")
+    (found,) = caught.value.diagnostics
+    assert (found.code, found.message) == ("import", f"{tmp_path / name} is no regular file")
+
+
+def test_a_file_that_is_longer_than_any_spec_is_not_read_to_its_end(tmp_path: Path) -> None:
+    (tmp_path / "long.ul").write_bytes(b" " * (MOST_CHARACTERS + 1))
+    (tmp_path / "a.ul").write_text('import "long.ul";\npublic x() {}')
+    for name in ("/dev/zero", str(tmp_path / "a.ul")):
+        with pytest.raises(SpecError, match="is too long for a spec: 16,777,216 bytes are the most"):
+            compile_file(name)
 
 
 def test_a_fault_in_an_imported_file_is_told_there(tmp_path: Path) -> None:

@@ -2,15 +2,19 @@
 
 from __future__ import annotations
 
+import asyncio
 import tracemalloc
 from itertools import pairwise
 from typing import Any
 
+import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from unity_link.errors import ArgumentError, UnsupportedError
+import unity_link
+from simulated_time import on_simulated_time
+from unity_link.errors import ArgumentError, BusError, UnsupportedError
 from unity_link.virtual import AccessError, VirtualGateway
 from unity_link.virtual.faults import Failing
 from unity_link.wire.gateway_info import Feature, GatewayInfo
@@ -191,7 +195,7 @@ def test_endless_noise_without_an_end_takes_no_memory() -> None:
 def test_a_device_may_give_negative_words() -> None:
     class Negative(Counting):
         def read(self, offset: int, now: float) -> int:
-            return -2 - offset
+            return -2 if offset == 0 else np.int32(-3)  # type: ignore[return-value]
 
     gateway = VirtualGateway()
     gateway.attach(Negative(), range(0x10, 0x12))
@@ -233,3 +237,57 @@ def test_memory_takes_only_what_fits(address: int, word: int) -> None:
 def test_a_device_is_attached_only_where_addresses_are() -> None:
     with pytest.raises(ArgumentError, match="0x100 does not fit in 8 bits"):
         VirtualGateway().attach(Counting(), [0xFF, 0x100])
+
+
+def test_a_device_is_attached_only_where_no_other_one_is() -> None:
+    gateway = VirtualGateway()
+    gateway.attach(Counting(), [0x20, 0x21])
+    with pytest.raises(ArgumentError, match=r"address 0x21 has a device, <.*Counting.*>: detach that first"):
+        gateway.attach(Failing(), [0x22, 0x21])
+    assert gateway.receive(b"R22\r", 0.0) == b"R2200000000\r\n", "all of them or none"
+    gateway.detach([0x21])
+    gateway.attach(Failing(), [0x22, 0x21])
+
+
+def test_what_has_no_way_to_be_read_or_written_is_no_device() -> None:
+    class ReadOnly:
+        def read(self, offset: int, now: float) -> int:
+            return 0
+
+    with pytest.raises(ArgumentError, match="has no method 'write': a device with read and write was expected"):
+        VirtualGateway().attach(ReadOnly(), [0x20])  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize("word", [None, 1.5, "1", ZeroDivisionError("in the device")])
+def test_a_bug_of_a_device_is_a_bus_error_of_who_asks_and_logged_for_its_author(
+    word: Any, caplog: pytest.LogCaptureFixture
+) -> None:
+    class Buggy(Counting):
+        def read(self, offset: int, now: float) -> Any:
+            if isinstance(word, Exception):
+                raise word
+            return word
+
+        def write(self, offset: int, value: int, now: float) -> None:
+            raise IndexError("list index out of range")
+
+    @on_simulated_time
+    async def ask() -> None:
+        gateway = VirtualGateway(GatewayInfo(base_frequency_millihertz=1_000_000))
+        gateway.attach(Buggy(), [0x20])
+        async with unity_link.connect(gateway) as link:
+            for _ in range(3):
+                with pytest.raises(BusError, match="read at 0x20"):
+                    await link.read(0x20)
+                with pytest.raises(BusError, match="write at 0x20"):
+                    await link.write(0x20, 1)
+            assert await link.read(0x21) == 0
+            async with link.subscribe([0x20], rate_hz=100):
+                await asyncio.sleep(1)
+            assert link.statistics.repetitions == 0
+
+    ask()
+    records = [(record.name, record.exc_info and record.exc_info[0]) for record in caplog.records]
+    kind = type(word) if isinstance(word, Exception) else TypeError
+    assert records == [("unity_link.virtual", kind), ("unity_link.virtual", IndexError)]
+    assert "failed in a read at 0x20, which is a bus error (told once)" in caplog.messages[0]

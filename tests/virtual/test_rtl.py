@@ -65,7 +65,7 @@ class _Recorder:
 
     def __init__(self) -> None:
         self.calls: list[tuple[str, int, int]] = []
-        self.refusal: Exception | None = None
+        self.refusal: BaseException | None = None
 
     def read(self, offset: int, now: float) -> int:
         assert now >= 0
@@ -100,11 +100,18 @@ def test_a_device_that_refuses_is_an_error_of_the_bus(gateway: RtlGateway, code:
     gateway.detach((0x20,))
 
 
-def test_what_a_device_raises_otherwise_reaches_the_caller(gateway: RtlGateway) -> None:
+def test_a_bug_of_a_device_is_a_bus_error_and_logged_and_an_interruption_reaches_the_caller(
+    gateway: RtlGateway, caplog: pytest.LogCaptureFixture
+) -> None:
     device = _Recorder()
     device.refusal = ZeroDivisionError("in the device")
     gateway.attach(device, (0x20,))
-    with pytest.raises(ZeroDivisionError, match="in the device"):
+    assert gateway.receive(b"R20\r", 0.0) == b"X04\r\n"
+    assert "ZeroDivisionError: in the device" in caplog.text
+    with pytest.raises(ArgumentError, match="address 0x20 has a device"):
+        gateway.attach(_Recorder(), (0x20,))
+    device.refusal = KeyboardInterrupt()
+    with pytest.raises(KeyboardInterrupt):
         gateway.receive(b"R20\r", 0.0)
     gateway.detach((0x20,))
 

@@ -104,11 +104,9 @@ class Carrier:
     async def _drain(self, number: int, subscription: GroupSubscription, thread: Executor) -> None:
         """Carry what waits in a subscription that has ended, behind what the thread was given before."""
         loop = asyncio.get_running_loop()
-        with contextlib.suppress(StopAsyncIteration, TimeoutError, LinkLostError):
+        with contextlib.suppress(StopAsyncIteration, LinkLostError):
             while True:
-                # What the host polls has no end, but nothing waits there.
-                async with asyncio.timeout(0):
-                    batch = await subscription.take()
+                batch = await subscription.take()
                 await loop.run_in_executor(thread, self._give, number, batch)
         await loop.run_in_executor(thread, lambda: None)
 

@@ -8,6 +8,7 @@ instants never jump, and never go back in a group.
 
 from __future__ import annotations
 
+import time
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -24,6 +25,30 @@ ANOTHER_CLOCK = 10.0
 """Seconds of difference that no delay explains: this machine's clock was set, or the gateway's was read a turn on."""
 
 
+class SteadyClock:
+    """The time since 1970 as this machine's clock told it at first: later settings of that clock are not followed."""
+
+    def __init__(self) -> None:
+        self._began = time.time() - time.monotonic()
+        self._last: dict[int, float] = {}
+
+    def now(self) -> float:
+        """Return the instant in seconds since 1970."""
+        return self._began + time.monotonic()
+
+    def arrivals(self, group: int, batch: Batch) -> NDArray[np.float64]:
+        """Return when the samples of a batch arrived, shape (samples,); they do not go back in a group.
+
+        Where the machine's clock was set while they arrived, their distances within the batch are lost.
+        """
+        latest = self._began + batch.at
+        instants: NDArray[np.float64] = np.clip(
+            latest + (batch.arrived - batch.arrived[-1]), self._last.get(group, -np.inf), latest
+        )
+        self._last[group] = float(instants[-1])
+        return instants
+
+
 class GatewayTime:
     """The time of one gateway; for all its groups the same, so that they stay side by side.
 
@@ -31,10 +56,12 @@ class GatewayTime:
         link: to the gateway; with each new session the gateway may have been reset, and its clock with it.
         most_slew: seconds a second by which instants are corrected, below 1: with more of it they are true sooner, and
             with less of it their distances are.
+        clock: tells arrivals; without it they are those of this machine's clock, which may be set meanwhile.
     """
 
-    def __init__(self, link: Link, *, most_slew: float = MOST_DRIFT) -> None:
+    def __init__(self, link: Link, *, most_slew: float = MOST_DRIFT, clock: SteadyClock | None = None) -> None:
         self._link = link
+        self._clock = clock
         self._most_slew = most_slew
         self._session = -1
         self._earliest = 0.0
@@ -45,13 +72,14 @@ class GatewayTime:
         self._last: dict[int, float] = {}
 
     def instants(self, group: int, batch: Batch) -> NDArray[np.float64]:
-        """Give the instants of samples of a group, in seconds since 1970, shape (samples,).
+        """Return the instants of samples of a group, in seconds since 1970, shape (samples,).
 
         Of samples without timestamps, that is when they arrived.
         """
+        arrived = batch.arrived if self._clock is None else self._clock.arrivals(group, batch)
         if batch.time is None:
-            return batch.arrived
-        self._correct(float(batch.time[-1]), float(batch.arrived[-1]))
+            return arrived
+        self._correct(float(batch.time[-1]), float(arrived[-1]))
         instants: NDArray[np.float64] = np.maximum(self._epoch + batch.time, self._last.get(group, -np.inf))
         self._last[group] = float(instants[-1])
         return instants

@@ -97,7 +97,7 @@ def _show(results: Results) -> None:
         rows = [row[1:] for row in tables.throughput_rows(results.throughputs) if row[0] == stack]
         head = ("accesses", "mode", "modelled", "measured as well", "of 64", "paper")
         _table(f"Long bursts, {stack}, Mb/s", 2, head, rows)
-    head = ("words", "bytes", "8 MB/s carry", "modelled", "measured as well", "paper")
+    head = ("words", "bytes", "8 MB/s carry", "modelled", "measured as well")
     _table("The limit of publishing, kHz", 0, head, tables.publish_rows(results.publish_limits))
     _table("What must hold", 4, ("what", "found", "wanted", "met"), tables.check_rows(results.checks))
 

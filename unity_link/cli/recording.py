@@ -105,8 +105,12 @@ def _state(recorder: Recorder, began: float) -> str:
         away = f"; the gateway was away {times} time{'s' * (times > 1)}, for {recorder.away:.1f} s in all"
     return (
         f"{recorder.samples:,} samples in {seconds:.1f} s ({rate:,.0f} Hz), {recorder.lost:,} lost, "
-        f"{recorder.size / 1e6:,.1f} MB{away}"
+        f"{_bytes(recorder.size)}{away}"
     )
+
+
+def _bytes(size: int) -> str:
+    return f"{size / 1e6:,.1f} MB" if size >= 1e6 else f"{size / 1e3:,.1f} kB"
 
 
 @contextmanager

@@ -94,8 +94,9 @@ async def _watch(
 
 
 def _summary(samples: Subscription, seconds: float) -> str:
-    rate = samples.received / seconds if seconds else 0.0
-    return f"{samples.received:,} samples in {seconds:.1f} s ({rate:,.1f} Hz), {samples.lost:,} lost"
+    # The first comes at the beginning, so there is one period less than samples.
+    rate = f" ({(samples.received - 1) / seconds:,.1f} Hz)" if samples.received > 1 else ""
+    return f"{samples.received:,} samples in {seconds:.1f} s{rate}, {samples.lost:,} lost"
 
 
 async def _first(count: int | None, samples: Subscription) -> AsyncIterator[Sample]:

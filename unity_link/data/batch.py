@@ -11,6 +11,7 @@ import time
 from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING, Any, NamedTuple, TypeVar
 
+import msgspec
 import numpy as np
 
 if TYPE_CHECKING:
@@ -94,6 +95,14 @@ class Batch:
         rows = zip(*(proxy.scalars(column) for proxy, column in self.columns.items()), strict=True)
         for sample, row in zip(self._samples, rows, strict=True):
             yield GroupSample(sample.sequence, sample.time, sample.arrived, Values(proxies, row), sample.lost)
+
+    def behind(self, count: int, lost: int = 0) -> Batch:
+        """Return the samples behind the first `count`; the first of them counts these, and `lost` others, as lost."""
+        if not count + lost:
+            return self
+        lost += count + int(self.lost[: count + 1].sum())
+        first, *others = self._samples[count:]
+        return Batch(self.layout, [msgspec.structs.replace(first, lost=lost), *others])
 
     @property
     def proxies(self) -> tuple[Proxy[Any], ...]:

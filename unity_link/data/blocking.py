@@ -42,9 +42,18 @@ _SHOWN = (Component, Proxy, Module, groups.Group, GroupSubscription, Registratio
 class View:
     """Something of a robot, without `await`. It is equal to what it stands for, so values are found by it, too."""
 
+    _thing: Any
+    _link: Link
+
     def __init__(self, thing: Any, link: Link) -> None:
-        self._thing = thing
-        self._link = link
+        self.__dict__.update(_thing=thing, _link=link)
+
+    def __setattr__(self, name: str, value: object) -> None:
+        """Set an attribute of the thing; a signal cannot be assigned to."""
+        try:
+            setattr(self._thing, name, _plain(value))
+        except ArgumentError as error:
+            raise ArgumentError(str(error).replace(": await ", ": ")) from None
 
     def __getattr__(self, name: str) -> Any:
         """Give what the thing has under a name."""

@@ -7,8 +7,8 @@ own, so a slow one takes nothing from the others.
 from __future__ import annotations
 
 import asyncio
-from collections import deque
-from typing import TYPE_CHECKING, Self, TypeVar
+from collections import Counter, deque
+from typing import TYPE_CHECKING, Self
 
 from unity_link.errors import LinkClosedError, LinkLostError, SamplesLostError
 
@@ -17,11 +17,9 @@ if TYPE_CHECKING:
     from types import TracebackType
 
     from unity_link.data.batch import Batch
+    from unity_link.data.layout import Layout
     from unity_link.data.sampling import GroupSubscription
     from unity_link.subscription import Overflow
-
-
-T = TypeVar("T")
 
 
 class Registration:
@@ -56,6 +54,8 @@ class Listener:
         self._overflow = overflow
         self._batches: deque[Batch] = deque()
         self._waiting = 0
+        self._lost: Counter[Layout] = Counter()
+        """Samples of each gateway that were dropped since the last batch of it was taken."""
         self._waiter: asyncio.Future[None] | None = None
         self._error: Exception | None = None
 
@@ -76,7 +76,7 @@ class Listener:
                 self._waiter = None
         batch = self._batches.popleft()
         self._waiting -= len(batch)
-        return batch
+        return batch.behind(0, self._lost.pop(batch.layout, 0))
 
     def leave(self) -> None:
         """Want no more samples. May be called twice."""
@@ -95,7 +95,7 @@ class Listener:
     def deliver(self, batch: Batch) -> None:
         """Take a batch."""
         if self._callback is not None:
-            call(self._callback, batch, "a callback for samples")
+            self._callback(batch)
             return
         if self._error is not None or not self._buffer:
             return
@@ -105,8 +105,7 @@ class Listener:
             if self._overflow == "fail":
                 self.fail(SamplesLostError(f"the reader is too slow: {self._buffer} samples are waiting for it"))
                 return
-            while self._waiting > self._buffer and len(self._batches) > 1:
-                self._waiting -= len(self._batches.popleft())
+            self._drop(self._waiting - self._buffer)
         self._wake()
 
     def fail(self, error: Exception) -> None:
@@ -118,6 +117,18 @@ class Listener:
     def is_deaf(self) -> bool:
         """Say whether an error would reach nobody."""
         return self._callback is not None or not self._buffer
+
+    def _drop(self, count: int) -> None:
+        """Drop the oldest samples; the first that is left of their gateway tells how many."""
+        self._waiting -= count
+        while count:
+            batch = self._batches.popleft()
+            dropped = min(count, len(batch))
+            count -= dropped
+            if dropped < len(batch):
+                self._batches.appendleft(batch.behind(dropped))
+            else:
+                self._lost[batch.layout] += dropped + int(batch.lost.sum())
 
     def _wake(self) -> None:
         if self._waiter is not None and not self._waiter.done():
@@ -188,11 +199,3 @@ class Feed:
             asyncio.get_running_loop().call_exception_handler(
                 {"message": f"the samples of {self._name}, which callbacks wait for, have ended", "exception": error}
             )
-
-
-def call(callback: Callable[[T], object], value: T, what: str) -> None:
-    """Call a function of the user's; what it raises is told to the event loop, and must not stop the samples."""
-    try:
-        callback(value)
-    except Exception as error:  # noqa: BLE001  (it may be anything)
-        asyncio.get_running_loop().call_exception_handler({"message": f"{what} raised", "exception": error})

@@ -11,6 +11,7 @@ import msgspec
 import numpy as np
 
 from unity_link.data.batch import Values
+from unity_link.data.callbacks import Callback
 from unity_link.data.feed import Feed, Registration
 from unity_link.data.layout import Layout
 from unity_link.data.proxies import BUFFER, Proxy
@@ -251,19 +252,25 @@ class Group:
     def on_sample(self, callback: Callable[[GroupSample], object]) -> Registration:
         """Call a function with each sample, until `Registration.cancel`. To be called where an event loop runs.
 
-        A callback that raises is told to the event loop's exception handler; that a link was lost, too.
+        What a callback raises is told to the event loop's exception handler, the first exception of each type; that a
+        link was lost, too.
+
+        Raises:
+            ArgumentError: for an asynchronous function.
         """
+        made = Callback(callback, f"a callback for samples of {self.name}")
 
         def call_each(batch: Batch) -> None:
             for sample in batch:
-                callback(sample)
+                made(sample)
 
         return self.on_batch(call_each)
 
     def on_batch(self, callback: Callable[[Batch], object]) -> Registration:
         """Call a function with all samples that have come together: the same for many samples a second."""
+        made = Callback(callback, f"a callback for batches of {self.name}")
         self._default_plan()
-        return Registration(lambda: None, self.feed.listen(callback))
+        return Registration(lambda: None, self.feed.listen(made))
 
     # The inside
 

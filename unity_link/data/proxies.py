@@ -11,7 +11,8 @@ import math
 import time
 from typing import TYPE_CHECKING, Any, Generic, TypeVar, cast
 
-from unity_link.data.feed import Registration, call
+from unity_link.data.callbacks import Callback
+from unity_link.data.feed import Registration
 from unity_link.errors import AnswerLostError
 from unity_link.hardware import link_under
 
@@ -52,7 +53,7 @@ class Proxy(Generic[T]):
         self._seen: T | None = None
         self._seen_at = -math.inf
         self._batch: Batch | None = None
-        self._callbacks: tuple[Callable[[T], object], ...] = ()
+        self._callbacks: tuple[Callback[T], ...] = ()
 
     @property
     def path(self) -> str:
@@ -98,19 +99,20 @@ class Proxy(Generic[T]):
         """Call a function with the value whenever another one is seen than before.
 
         A signal that is published or polled is from now on, until `Registration.cancel`; any other one is seen when it
-        is read or written. To be called where an event loop runs. A callback that raises is told to the event loop's
-        exception handler; that the link was lost, too.
+        is read or written. To be called where an event loop runs. What a callback raises is told to the event loop's
+        exception handler, the first exception of each type; that the link was lost, too.
+
+        Raises:
+            ArgumentError: for an asynchronous function.
         """
+        made = Callback(callback, f"a callback of {self.path}")
         feed = self.feed()
         listening = feed.listen() if feed is not None else None
-        self._callbacks = (*self._callbacks, callback)
-        return Registration(lambda: self._remove(callback), listening)
+        self._callbacks = (*self._callbacks, made)
+        return Registration(lambda: self._remove(made), listening)
 
-    def _remove(self, callback: Callable[[T], object]) -> None:
-        callbacks = list(self._callbacks)
-        if callback in callbacks:
-            callbacks.remove(callback)
-        self._callbacks = tuple(callbacks)
+    def _remove(self, callback: Callback[T]) -> None:
+        self._callbacks = tuple(other for other in self._callbacks if other is not callback)
 
     def feed(self) -> Feed | None:
         """Give the samples of the group that publishes or polls it; None where nothing does."""
@@ -147,7 +149,7 @@ class Proxy(Generic[T]):
         if value == before or (value != value and before != before):  # noqa: PLR0124  (NaN, twice)
             return
         for callback in self._callbacks:
-            call(callback, value, f"a callback of {self.path}")
+            callback(value)
 
     def see_batch(self, batch: Batch) -> None:
         """Keep the last value of a batch, or call who waits for changes with each."""

@@ -42,6 +42,20 @@ class Component:
         """All signals in it and in its parts, in the order of the spec."""
         return tuple(_walk(self._members))
 
+    def __setattr__(self, name: str, value: object) -> None:
+        """Set an attribute of a program's own.
+
+        Raises:
+            ArgumentError: for a signal, a part or a module, which it would hide.
+        """
+        member = self.__dict__.get(name)
+        if isinstance(member, Proxy) and member.signal.access.writes:
+            raise ArgumentError(f"{member.path} is not assigned to: await {member.path}.set({value!r}) writes it")
+        first = member[0] if isinstance(member, tuple) and member else member
+        if isinstance(first, (Proxy, Component, Module)):
+            raise ArgumentError(f"{name!r} of {self._model.path or self._model.name} cannot be assigned to")
+        super().__setattr__(name, value)
+
     def __repr__(self) -> str:
         """Give the path, and the signals with their last values, one a line."""
         name = self._model.path or self._model.name

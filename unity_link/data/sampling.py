@@ -68,6 +68,7 @@ class Poll:
         self._asked = asyncio.Event()
         self._last: Words | None = None
         self._lost = 0
+        self._ended = False
 
     @property
     def rate_hz(self) -> float | None:
@@ -78,10 +79,11 @@ class Poll:
         """Wait for the next turn, and read.
 
         Raises:
+            StopAsyncIteration: when the ``async with`` block has ended; turns that pass then are not missed.
             SamplesLostError: where turns were missed, and the overflow is ``"fail"``.
             GatewayError: where the gateway refused the read; the turn is lost, and there may be others.
         """
-        while True:
+        while not self._ended:
             self._turn += await self._wait_for_turn()
             try:
                 words = await self._layout.read()
@@ -90,6 +92,7 @@ class Poll:
                 raise
             if not self._on_change or self._last is None or not np.array_equal(words, self._last):
                 return [self._sample(words)]
+        raise StopAsyncIteration
 
     async def publish(self) -> None:
         """Read now, besides the turns."""
@@ -101,7 +104,7 @@ class Poll:
     async def __aexit__(
         self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
     ) -> None:
-        return
+        self._ended = True
 
     async def _wait_for_turn(self) -> int:
         """Give by how many turns this goes on: none, where it was asked for a sample in between."""

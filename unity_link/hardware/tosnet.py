@@ -238,8 +238,9 @@ class CommittingBus:
 
     async def write_masked(self, address: int, value: int, mask: int) -> int:
         """Change bits of what was written last, 0 at first: the other buffer would read back something older."""
-        old = self._written.get(address, 0)
-        await self.write_many([address], [old & ~mask | value & mask])
+        async with self._lock:
+            old = self._written.get(address, 0)
+            await self._send({address: old & ~mask | value & mask})
         return old
 
     async def write_block(self, address: int, values: ArrayLike) -> None:

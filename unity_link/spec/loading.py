@@ -9,7 +9,7 @@ from pathlib import Path, PurePath
 from typing import TYPE_CHECKING, Generic, NamedTuple, TypeVar
 
 from unity_link.spec.diagnostics import Reporter, Source, Span
-from unity_link.spec.parser import parse
+from unity_link.spec.parser import MOST_CHARACTERS, parse
 from unity_link.spec.syntax import ComponentDeclaration, EnumDeclaration, File, GroupDeclaration, Import
 
 if TYPE_CHECKING:
@@ -52,17 +52,32 @@ def read_text(path: Path) -> str:
         ValueError: where it cannot be read as text; the message says why.
     """
     try:
-        return path.read_bytes().decode("utf-8-sig").replace("\r\n", "\n")
+        with path.open("rb") as file:
+            data = file.read(MOST_CHARACTERS + 1)
+        if len(data) > MOST_CHARACTERS:
+            raise ValueError(f"{path} is too long for a spec: {MOST_CHARACTERS:,} bytes are the most")
+        return data.decode("utf-8-sig").replace("\r\n", "\n")
     except UnicodeDecodeError as error:
         raise ValueError(f"{path} is no UTF-8 text: byte {error.start} is 0x{error.object[error.start]:02X}") from None
     except OSError as error:
         raise ValueError(f"{path} cannot be read: {error.strerror or error}") from None
 
 
+def read_import(path: Path) -> str:
+    """Read a file that another one names; what is read with no end, or waits for a writer, is refused.
+
+    Raises:
+        ValueError: as `read_text`.
+    """
+    if path.exists() and not path.is_file() and not path.is_dir():
+        raise ValueError(f"{path} is no regular file")
+    return read_text(path)
+
+
 class Loader:
     """Loads files, each once."""
 
-    def __init__(self, reporter: Reporter, read: Callable[[Path], str] = read_text) -> None:
+    def __init__(self, reporter: Reporter, read: Callable[[Path], str] = read_import) -> None:
         self.declarations = Declarations()
         self._reporter = reporter
         self._read = read

@@ -6,15 +6,19 @@ the addresses it was attached to, and the time of each access, so that a simulat
 
 from __future__ import annotations
 
+import logging
+import operator
 from typing import TYPE_CHECKING, Protocol
 
 from unity_link.errors import ArgumentError
+from unity_link.wire.messages import ErrorCode
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
 
     from unity_link.wire.gateway_info import GatewayInfo
-    from unity_link.wire.messages import ErrorCode
+
+_LOG = logging.getLogger("unity_link.virtual")
 
 
 class AccessError(Exception):
@@ -58,27 +62,85 @@ class Memory(dict[int, int]):
         super().__setitem__(address, value)
 
 
+class Devices(dict[int, tuple[Device, int]]):
+    """Devices and offsets by address.
+
+    A device that raises anything but `AccessError`, or reads as what is no whole number, has a bug: the access ends
+    with a bus error, and the log has the traceback, once for each type of exception.
+    """
+
+    def __init__(self, address_bits: int) -> None:
+        super().__init__()
+        self._address_bits = address_bits
+        self._told: set[tuple[int, type[Exception]]] = set()
+
+    def attach(self, device: Device, addresses: Iterable[int]) -> list[int]:
+        """Put a device behind addresses, and return these; the first is its offset 0.
+
+        Raises:
+            ArgumentError: for an address that does not fit or has a device, or an object that is no device.
+        """
+        for method in ("read", "write"):
+            if not callable(getattr(device, method, None)):
+                raise ArgumentError(f"{device!r} has no method {method!r}: a device with read and write was expected")
+        places = list(addresses)
+        for address in places:
+            if not 0 <= address < 1 << self._address_bits:
+                raise ArgumentError(f"address {address:#x} does not fit in {self._address_bits} bits")
+            if address in self:
+                raise ArgumentError(f"address {address:#x} has a device, {self[address][0]!r}: detach that first")
+        self.update((address, (device, offset)) for offset, address in enumerate(places))
+        return places
+
+    def read(self, address: int, now: float) -> int:
+        """Read a word of a device, which may be negative.
+
+        Raises:
+            AccessError: where the device refuses, or has a bug.
+        """
+        device, offset = self[address]
+        try:
+            return operator.index(device.read(offset, now))
+        except AccessError:
+            raise
+        except Exception as error:  # noqa: BLE001  (it may be anything)
+            raise self._bug(device, f"read at {address:#x}", error) from None
+
+    def write(self, address: int, value: int, now: float) -> None:
+        """Write a word to a device.
+
+        Raises:
+            AccessError: where the device refuses, or has a bug.
+        """
+        device, offset = self[address]
+        try:
+            device.write(offset, value, now)
+        except AccessError:
+            raise
+        except Exception as error:  # noqa: BLE001  (it may be anything)
+            raise self._bug(device, f"write at {address:#x}", error) from None
+
+    def _bug(self, device: Device, what: str, error: Exception) -> AccessError:
+        kind = id(device), type(error)
+        if kind not in self._told:
+            self._told.add(kind)
+            _LOG.error("%r failed in a %s, which is a bus error (told once)", device, what, exc_info=error)
+        return AccessError(ErrorCode.BUS_ERROR)
+
+
 class Bus:
     """Memory and devices of one gateway. Addresses and words given to its methods are in range."""
 
     def __init__(self, info: GatewayInfo) -> None:
         self.memory = Memory(info)
-        self.devices: dict[int, tuple[Device, int]] = {}
-        """Device and offset by address; every other address is memory."""
+        self.devices = Devices(info.address_bits)
+        """Every other address is memory."""
         self._word_mask = (1 << info.data_bits) - 1
         self._address_mask = (1 << info.address_bits) - 1
 
     def attach(self, device: Device, addresses: Iterable[int]) -> None:
-        """Put a device behind addresses, in place of what was there; the first is its offset 0.
-
-        Raises:
-            ArgumentError: for an address that does not fit.
-        """
-        places = list(addresses)
-        for address in places:
-            if not 0 <= address <= self._address_mask:
-                raise ArgumentError(f"address {address:#x} does not fit in {self._address_mask.bit_length()} bits")
-        self.devices.update((address, (device, offset)) for offset, address in enumerate(places))
+        """Put a device behind addresses, as `Devices.attach`."""
+        self.devices.attach(device, addresses)
 
     def detach(self, addresses: Iterable[int]) -> None:
         """Make addresses plain memory again."""
@@ -91,11 +153,9 @@ class Bus:
         Raises:
             AccessError: where the device behind the address refuses.
         """
-        place = self.devices.get(address)
-        if place is None:
+        if address not in self.devices:
             return self.memory[address]
-        device, offset = place
-        return device.read(offset, now) & self._word_mask
+        return self.devices.read(address, now) & self._word_mask
 
     def write(self, address: int, value: int, now: float) -> None:
         """Write one word.
@@ -103,12 +163,10 @@ class Bus:
         Raises:
             AccessError: where the device behind the address refuses.
         """
-        place = self.devices.get(address)
-        if place is None:
+        if address not in self.devices:
             dict.__setitem__(self.memory, address, value)
         else:
-            device, offset = place
-            device.write(offset, value, now)
+            self.devices.write(address, value, now)
 
     def block(self, address: int, count: int) -> Sequence[int]:
         """Give the addresses of a block, which wraps at the end of the address space."""

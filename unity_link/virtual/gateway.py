@@ -76,7 +76,7 @@ class BareGateway(Gateway, Protocol):
         """Go back to the state after power-up. What is behind the bus stays as it is."""
 
     def attach(self, device: Device, addresses: Iterable[int]) -> None:
-        """Put a device behind addresses, in place of what was there; the first is its offset 0."""
+        """Put a device behind addresses, which have none; the first is its offset 0."""
 
     def detach(self, addresses: Iterable[int]) -> None:
         """Make addresses plain memory again."""
@@ -144,10 +144,10 @@ class VirtualGateway:
         return self.bus.memory
 
     def attach(self, device: Device, addresses: Iterable[int]) -> None:
-        """Put a device behind addresses, in place of what was there; the first is its offset 0.
+        """Put a device behind addresses; the first is its offset 0.
 
         Raises:
-            ArgumentError: for an address that does not fit.
+            ArgumentError: for an address that does not fit or has a device, or an object that is no device.
         """
         self.bus.attach(device, addresses)
 

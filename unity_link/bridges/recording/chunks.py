@@ -10,6 +10,7 @@ Schemas and channels stand in front of the chunks, so that a file that was cut t
 
 from __future__ import annotations
 
+import itertools
 import struct
 import zlib
 from collections import defaultdict
@@ -43,7 +44,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 CHUNK = 4 << 20
-"""Bytes before compression after which a chunk ends by itself."""
+"""Bytes before compression after which a chunk ends by itself: before it has twice as many, or with one message."""
 _LEVEL = 1
 """Of zstd: a quarter of the size, as at its usual 3, in half the time."""
 _RECORD = struct.Struct("<BQ")
@@ -146,26 +147,11 @@ class ChunkWriter:
             sequence: their numbers, of which the file keeps 32 bits, shape (messages,).
             messages: the texts.
         """
-        heads = np.empty(len(messages), _MESSAGE)
         lengths = np.fromiter(map(len, messages), np.int64, len(messages)) + _MESSAGE.itemsize
-        heads["opcode"] = Opcode.MESSAGE
-        heads["length"] = lengths - _RECORD.size
-        heads["channel"] = channel
-        heads["sequence"] = sequence & 0xFFFF_FFFF
-        heads["log_time"] = heads["publish_time"] = at
-        pieces = [b""] * (2 * len(messages))
-        pieces[::2] = heads.view(f"V{_MESSAGE.itemsize}").tolist()
-        pieces[1::2] = messages
-        records = b"".join(pieces)
-
-        entries = np.empty(len(messages), _ENTRY)
-        entries["log_time"] = at
-        entries["offset"] = self._size + np.cumsum(lengths) - lengths
-        self._records.append(records)
-        self._entries[channel].append(entries)
-        self._size += len(records)
-        if self._size >= CHUNK:
-            self.end_chunk()
+        full = np.flatnonzero(np.diff((self._size + np.cumsum(lengths)) // CHUNK)) + 1
+        for first, end in itertools.pairwise([0, *full.tolist(), len(messages)]):
+            part = slice(first, end)
+            self._write(channel, at[part], sequence[part], messages[part], lengths[part])
 
     def end_chunk(self) -> None:
         """Bring what was written to the stream; nothing where nothing was."""
@@ -226,6 +212,34 @@ class ChunkWriter:
         self._put(summary + _bytes(footer) + MCAP0_MAGIC)
 
     # The inside
+
+    def _write(
+        self,
+        channel: int,
+        at: NDArray[np.int64],
+        sequence: NDArray[np.int64],
+        messages: Sequence[bytes],
+        lengths: NDArray[np.int64],
+    ) -> None:
+        heads = np.empty(len(messages), _MESSAGE)
+        heads["opcode"] = Opcode.MESSAGE
+        heads["length"] = lengths - _RECORD.size
+        heads["channel"] = channel
+        heads["sequence"] = sequence & 0xFFFF_FFFF
+        heads["log_time"] = heads["publish_time"] = at
+        pieces = [b""] * (2 * len(messages))
+        pieces[::2] = heads.view(f"V{_MESSAGE.itemsize}").tolist()
+        pieces[1::2] = messages
+        records = b"".join(pieces)
+
+        entries = np.empty(len(messages), _ENTRY)
+        entries["log_time"] = at
+        entries["offset"] = self._size + np.cumsum(lengths) - lengths
+        self._records.append(records)
+        self._entries[channel].append(entries)
+        self._size += len(records)
+        if self._size >= CHUNK:
+            self.end_chunk()
 
     def _begin_chunk(self) -> None:
         self._records: list[bytes] = []

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import contextlib
 import datetime as dt
+import fcntl
 import io
 import os
 from typing import TYPE_CHECKING
@@ -69,7 +70,8 @@ class RecordingFile:
         """Begin a file.
 
         Raises:
-            ArgumentError: where there is one of that name, unless `overwrite`; where it cannot be written.
+            ArgumentError: where there is one of that name, unless `overwrite`; where another recorder writes it, or it
+                cannot be written.
             RecordingError: where the disk is full, or mcap is not installed.
         """
         check_extra()
@@ -81,12 +83,7 @@ class RecordingFile:
         """Written so far."""
         if path.is_dir():
             raise ArgumentError(f"{path} is a directory: the name of a file was expected")
-        try:
-            self._raw = path.open("wb" if overwrite else "xb", buffering=0)
-        except FileExistsError:
-            raise ArgumentError(f"{path} is there already: choose another name, or --overwrite") from None
-        except OSError as error:
-            raise ArgumentError(f"{path} cannot be written: {error.strerror or error}") from None
+        self._raw = _open(path, overwrite=overwrite)
         self._stream = io.BufferedWriter(self._raw, _BUFFERED)
         self._writer = ChunkWriter(self._stream, f"unity-link {__version__}")
         self._whole = self._whole_messages = 0
@@ -193,3 +190,30 @@ class RecordingFile:
         self.messages = self._whole_messages
         with contextlib.suppress(OSError, ValueError):
             self._raw.close()
+
+
+def _open(path: Path, *, overwrite: bool) -> io.FileIO:
+    """Open an empty file, and lock it against other recorders."""
+    try:
+        # What another recorder writes must not be cut before the lock tells; and a pipe is not waited for.
+        file = io.FileIO(
+            path,
+            "wb" if overwrite else "xb",
+            opener=lambda name, flags: os.open(name, flags & ~os.O_TRUNC | os.O_NONBLOCK, 0o666),
+        )
+    except FileExistsError:
+        raise ArgumentError(f"{path} is there already: choose another name, or --overwrite") from None
+    except OSError as error:
+        raise ArgumentError(f"{path} cannot be written: {error.strerror or error}") from None
+    try:
+        fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+    except BlockingIOError:
+        file.close()
+        raise ArgumentError(f"{path} is being written by another recorder: choose another name") from None
+    except OSError:
+        # A file system without locks.
+        pass
+    # Devices are empty, and refuse to be cut.
+    if os.fstat(file.fileno()).st_size:
+        file.truncate(0)
+    return file

@@ -2,6 +2,11 @@
 
 from __future__ import annotations
 
+import dataclasses
+import heapq
+import itertools
+import math
+import os
 import struct
 from typing import TYPE_CHECKING, BinaryIO, NamedTuple
 
@@ -14,16 +19,22 @@ from unity_link.spec import Interface
 from unity_link.wire.gateway_info import GatewayInfo
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Iterable, Iterator
     from pathlib import Path
 
-    from mcap.records import McapRecord
+    from mcap.records import Chunk, McapRecord
     from numpy.typing import NDArray
 
     from unity_link.spec import Signal
     from unity_link.wire.messages import Words
 
+MOST_UNPACKED = 64 << 20
+"""Bytes of a chunk that are unpacked; those of `ChunkWriter` have an eighth. A chunk of more counts as damaged."""
+MOST_WORDS = 8 << 20
+"""Words of samples that `Recording.in_order` holds at most, besides those of one chunk."""
 _AT_ONCE = 4096
+_RECORD = struct.Struct("<BQ")
+"""What each record begins with: its opcode, and how long the rest is."""
 
 
 class RecordedGroup(NamedTuple):
@@ -47,6 +58,16 @@ class RecordedSamples(NamedTuple):
     lost: NDArray[np.int64]
     words: Words
     """Shape (samples, addresses)."""
+
+
+class RecordedRow(NamedTuple):
+    """One sample of a group."""
+
+    at: int
+    """As `RecordedSamples.at`."""
+    group: RecordedGroup
+    words: Words
+    """Shape (addresses,)."""
 
 
 class Recording:
@@ -80,37 +101,48 @@ class Recording:
         return self.path.stat().st_size
 
     def samples(self) -> Iterator[tuple[RecordedSamples, int]]:
-        """Read all samples in the order of the file; with each, how many bytes of the file were read."""
-        from mcap.records import Message as McapMessage
+        """Read all samples, those of each group in the order of the file; with each, the bytes of the file read so far.
 
+        The groups take turns every few thousand samples: `in_order` is for those who need the order among them.
+        """
         waiting: dict[int, list[tuple[int, bytes]]] = {}
         with self._open() as file:
             for record in self._records(file):
-                if not isinstance(record, McapMessage) or record.channel_id not in self._channels:
-                    continue
-                rows = waiting.setdefault(record.channel_id, [])
-                rows.append((record.log_time, record.data))
-                if len(rows) >= _AT_ONCE:
+                if self._put(record, waiting) >= _AT_ONCE:
                     # All together: what the groups recorded side by side stays side by side.
                     yield from ((samples, file.tell()) for samples in self._take(waiting))
             yield from ((samples, file.tell()) for samples in self._take(waiting))
+
+    def in_order(self) -> Iterator[RecordedRow]:
+        """Read all samples one by one in the order of their instants, whichever group they are of.
+
+        A chunk is read when its first instant comes, so that only chunks that overlap are in memory together. Where
+        these have more than `MOST_WORDS`, as in no file of a recorder, the order among them is given up.
+        """
+        waiting = _Waiting()
+        with self._open() as file:
+            for start, place in sorted(_places(file)):
+                yield from waiting.take_before(start)
+                for samples in self._samples_at(file, place):
+                    waiting.add(samples)
+        yield from waiting.take_before(math.inf)
 
     # The inside
 
     def _open(self) -> BinaryIO:
         try:
+            if self.path.exists() and not self.path.is_file():
+                raise RecordingError(f"{self.path} is no file: the name of a recording was expected")
             return self.path.open("rb")
         except OSError as error:
             raise RecordingError(f"{self.path} cannot be read: {error.strerror or error}") from None
 
     def _records(self, file: BinaryIO) -> Iterator[McapRecord]:
-        from mcap.exceptions import InvalidMagic, McapError
+        from mcap.exceptions import InvalidMagic
         from mcap.records import Chunk, DataEnd
-        from mcap.stream_reader import CRCValidationError, StreamReader, breakup_chunk
-        from zstandard import ZstdError
+        from mcap.stream_reader import CRCValidationError, StreamReader
 
-        # The last two are for lengths that are nonsense.
-        unreadable = (McapError, ValueError, struct.error, ZstdError, MemoryError, OverflowError)
+        unreadable = _unreadable()
         self.was_cut, self.was_damaged, broken = True, False, False
         try:
             for record in StreamReader(file, validate_crcs=True, emit_chunks=True).records:
@@ -123,7 +155,7 @@ class Recording:
                     yield record
                     continue
                 try:
-                    inside = breakup_chunk(record, validate_crc=True)
+                    inside = _unpack(record)
                 except unreadable:
                     inside, broken = [], True
                 yield from inside
@@ -163,6 +195,32 @@ class Recording:
             addresses = tuple(dict.fromkeys(address for signal in signals for address in signal.addresses))
             self._channels[number] = RecordedGroup(channel.topic.rpartition("/")[2], signals, addresses)
 
+    def _samples_at(self, file: BinaryIO, place: int) -> list[RecordedSamples]:
+        """Read the chunk, or the message, at a place of the file; nothing where it is damaged."""
+        from mcap.records import Chunk
+        from mcap.stream_reader import StreamReader
+
+        waiting: dict[int, list[tuple[int, bytes]]] = {}
+        file.seek(place)
+        try:
+            record = next(StreamReader(file, skip_magic=True, emit_chunks=True).records)
+            inside = _unpack(record) if isinstance(record, Chunk) else [record]
+        except _unreadable():
+            return []
+        for record in inside:
+            self._put(record, waiting)
+        return self._take(waiting)
+
+    def _put(self, record: McapRecord, waiting: dict[int, list[tuple[int, bytes]]]) -> int:
+        """Keep a message of a recorded group; return how many of that group wait."""
+        from mcap.records import Message as McapMessage
+
+        if not isinstance(record, McapMessage) or record.channel_id not in self._channels:
+            return 0
+        rows = waiting.setdefault(record.channel_id, [])
+        rows.append((record.log_time, record.data))
+        return len(rows)
+
     def _take(self, waiting: dict[int, list[tuple[int, bytes]]]) -> list[RecordedSamples]:
         taken = [self._decode(self._channels[number], rows) for number, rows in waiting.items() if rows]
         waiting.clear()
@@ -174,13 +232,96 @@ class Recording:
             messages = [decode(data) for _, data in rows]
             texts = [message.words for message in messages]
             words = hex_to_words(texts, len(group.addresses), self.interface.data_bits)
-        except (msgspec.DecodeError, ValueError) as error:
+            return RecordedSamples(
+                group,
+                np.array([at for at, _ in rows], np.int64),
+                np.array([np.nan if message.time is None else message.time for message in messages]),
+                np.array([message.sequence for message in messages], np.int64),
+                np.array([message.lost for message in messages], np.int64),
+                words,
+            )
+        except (msgspec.DecodeError, ValueError, OverflowError) as error:
             raise RecordingError(f"{self.path} has a message of {group.name} that is not ours: {error}") from None
-        return RecordedSamples(
-            group,
-            np.array([at for at, _ in rows], np.int64),
-            np.array([np.nan if message.time is None else message.time for message in messages]),
-            np.array([message.sequence for message in messages], np.int64),
-            np.array([message.lost for message in messages], np.int64),
-            words,
-        )
+
+
+class _Waiting:
+    """Samples whose instants are to come, in runs of one group and one chunk."""
+
+    def __init__(self) -> None:
+        self._runs: list[tuple[int, int, Iterator[RecordedRow], RecordedRow, int]] = []
+        """A heap. Of each: the next instant, a number that no other has, the rows behind the next, the next, words."""
+        self._numbers = itertools.count()
+        self._words = 0
+
+    def add(self, samples: RecordedSamples) -> None:
+        """Add a run."""
+        order = np.argsort(samples.at, kind="stable")
+        rows = map(RecordedRow, samples.at[order].tolist(), itertools.repeat(samples.group), samples.words[order])
+        first = next(rows)
+        heapq.heappush(self._runs, (first.at, next(self._numbers), rows, first, samples.words.size))
+        self._words += samples.words.size
+
+    def take_before(self, instant: float) -> Iterator[RecordedRow]:
+        """Take the rows before an instant, in order; and later ones where there are too many."""
+        runs = self._runs
+        while runs and (runs[0][0] < instant or self._words > MOST_WORDS):
+            _, number, rows, row, words = runs[0]
+            yield row
+            following = next(rows, None)
+            if following is None:
+                heapq.heappop(runs)
+                self._words -= words
+            else:
+                heapq.heapreplace(runs, (following.at, number, rows, following, words))
+
+
+def _places(file: BinaryIO) -> Iterator[tuple[int, int]]:
+    """Find the chunks of a file, and the messages that stand outside of them; give the first instant and the place."""
+    from mcap.opcode import Opcode
+    from mcap.writer import MCAP0_MAGIC
+
+    # How far behind the head of the record its first instant stands.
+    instants = {Opcode.CHUNK: 0, Opcode.MESSAGE: 6}
+    size, place = os.fstat(file.fileno()).st_size, len(MCAP0_MAGIC)
+    while place + _RECORD.size <= size:
+        file.seek(place)
+        opcode, length = _RECORD.unpack(file.read(_RECORD.size))
+        if opcode == Opcode.DATA_END:
+            return
+        if opcode in instants:
+            file.seek(instants[opcode], os.SEEK_CUR)
+            yield int.from_bytes(file.read(8), "little"), place
+        place += _RECORD.size + length
+
+
+def _unpack(chunk: Chunk) -> Iterable[McapRecord]:
+    """Give the records of a chunk.
+
+    Raises:
+        Exception: one of `_unreadable`, where it is damaged, or would fill the memory.
+    """
+    from lz4.frame import LZ4FrameDecompressor
+    from mcap.stream_reader import breakup_chunk
+    from zstandard import ZstdDecompressor
+
+    size = chunk.uncompressed_size
+    if size > MOST_UNPACKED:
+        raise ValueError(f"a chunk of {size} bytes")
+    data = chunk.data
+    # One byte more shows that it is more than it says.
+    if chunk.compression == "zstd":
+        data = ZstdDecompressor().stream_reader(data).read(size + 1)
+    elif chunk.compression == "lz4":
+        data = LZ4FrameDecompressor().decompress(data, max_length=size + 1)
+    if len(data) != size:
+        raise ValueError(f"a chunk that is not of {size} bytes")
+    return breakup_chunk(dataclasses.replace(chunk, compression="", data=data), validate_crc=True)
+
+
+def _unreadable() -> tuple[type[Exception], ...]:
+    """Give what is raised for records that are damaged."""
+    from mcap.exceptions import McapError
+    from zstandard import ZstdError
+
+    # The last two are for lengths that are nonsense.
+    return (McapError, ValueError, struct.error, ZstdError, RuntimeError, MemoryError, OverflowError)

@@ -12,7 +12,7 @@ from concurrent.futures import ThreadPoolExecutor
 from typing import TYPE_CHECKING
 
 from unity_link.bridges.carrying import Carrier
-from unity_link.bridges.gateway_time import GatewayTime
+from unity_link.bridges.gateway_time import GatewayTime, SteadyClock
 from unity_link.bridges.recording.files import RecordingFile
 from unity_link.bridges.sampled import sampled_groups
 
@@ -60,7 +60,8 @@ class Recorder:
         self._file = RecordingFile(path, robot.interface, robot.link.gateway, groups, overwrite=overwrite)
         self._carrier = Carrier([group.group for group in groups], self._write, report, buffer=BUFFER)
         self._link = robot.link
-        self._time = GatewayTime(robot.link)
+        self._clock = SteadyClock()
+        self._time = GatewayTime(robot.link, clock=self._clock)
         self._report = report
         self.interruptions = 0
         """How often the gateway was away."""
@@ -85,7 +86,7 @@ class Recorder:
     @property
     def away(self) -> float:
         """Seconds for which the gateway was away."""
-        return self._away + (0.0 if self._away_since is None else time.time() - self._away_since)
+        return self._away + (0.0 if self._away_since is None else self._clock.now() - self._away_since)
 
     async def run(self) -> None:
         """Record until it is cancelled; the file is finished whatever ends it.
@@ -115,10 +116,10 @@ class Recorder:
 
     async def _watch(self, writer: ThreadPoolExecutor) -> None:
         link, loop = self._link, asyncio.get_running_loop()
-        before, heard = link.statistics, time.time()
+        before, heard = link.statistics, self._clock.now()
         while True:
             await asyncio.sleep(WATCH_EVERY)
-            seen, now = link.statistics, time.time()
+            seen, now = link.statistics, self._clock.now()
             if self._away_since is None and (not link.connected or seen.reconnections != before.reconnections):
                 self._away_since = heard
                 self.interruptions += 1

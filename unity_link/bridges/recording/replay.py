@@ -11,8 +11,6 @@ from unity_link.virtual.gateway import VirtualGateway
 from unity_link.wire.messages import ErrorCode
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
-
     from unity_link.bridges.recording.reader import Recording
 
 
@@ -44,16 +42,16 @@ class Player:
         self._speed = speed
         self._loop = loop
         self._words = dict.fromkeys(self.addresses, 0)
-        self._rows = self._read()
+        self._rows = recording.in_order()
         self._began: float | None = None
         self._next = next(self._rows, None)
         if self._next is None:
             raise ArgumentError(f"{recording.path} has no samples")
-        self._first = self._last = self._next[0]
+        self._first = self._last = self._next.at
         self._ahead = self._half_a_period()
 
     def read(self, offset: int, now: float) -> int:
-        """Give a word as it was."""
+        """Return a word as it was."""
         self._play(now)
         return self._words[self.addresses[offset]]
 
@@ -70,25 +68,20 @@ class Player:
             length = (self._last - self._first) * 1e-9 + 2 * self._ahead
             self.position %= length
             self._began = now - self.position / self._speed
-            self._rows = self._read()
+            self._rows = self._recording.in_order()
             self._next = next(self._rows)
             self._catch_up()
         self.ended = self._next is None
 
     def _catch_up(self) -> None:
         due = self._first + int((self.position + self._ahead) * 1e9)
-        while self._next is not None and self._next[0] <= due:
-            self._last, addresses, words = self._next
-            self._words.update(zip(addresses, words, strict=True))
+        while self._next is not None and self._next.at <= due:
+            self._last, group, words = self._next
+            self._words.update(zip(group.addresses, words.tolist(), strict=True))
             self._next = next(self._rows, None)
 
-    def _read(self) -> Iterator[tuple[int, tuple[int, ...], list[int]]]:
-        for samples, _ in self._recording.samples():
-            for at, words in zip(samples.at.tolist(), samples.words.tolist(), strict=True):
-                yield at, samples.group.addresses, words
-
     def _half_a_period(self) -> float:
-        """Give half the shortest period of the recorded groups, in seconds of the recording."""
+        """Return half the shortest period of the recorded groups, in seconds of the recording."""
         base = self._recording.gateway.base_frequency_hz
         rates = [
             base / group.divisor if group.divisor else group.rate_hz or 0.0
@@ -99,7 +92,7 @@ class Player:
 
 
 def replay(recording: Recording, *, speed: float = 1.0, loop: bool = False) -> tuple[VirtualGateway, Player]:
-    """Give a gateway as the recorded one was, and what plays the recording behind it.
+    """Return a gateway as the recorded one was, and what plays the recording behind it.
 
     What was not recorded is plain memory; a write to what was is a bus error. ``unity_link.connect(gateway)`` connects
     to it, `unity_link.virtual.serving` gives it to other programs.

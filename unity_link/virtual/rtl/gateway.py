@@ -16,7 +16,7 @@ from collections.abc import Iterable, Iterator, MutableMapping
 from typing import TYPE_CHECKING, NamedTuple
 
 from unity_link.errors import ArgumentError, ConnectError
-from unity_link.virtual.bus import AccessError, Device
+from unity_link.virtual.bus import AccessError, Device, Devices
 from unity_link.virtual.rtl.configurations import find
 from unity_link.virtual.rtl.library import DeviceFunction, load
 from unity_link.wire.gateway_info import GatewayInfo
@@ -101,12 +101,12 @@ class RtlGateway:
         self._free = weakref.finalize(self, self._library.ul_destroy, self._handle)
         self.wake: Callable[[], None] = _do_nothing
         self._origin: float | None = None
-        self._devices: dict[int, tuple[Device, int]] = {}
         self._fault: BaseException | None = None
         # The library keeps the address alone: the function must live as long as the gateway.
         self._device_function = DeviceFunction(_device_of(weakref.ref(self)))
         self._library.ul_set_device(self._handle, self._device_function, None)
         self.info = self._ask_for_info(b"" if build.node is None else b"Z%02X" % build.node)
+        self._devices = Devices(self.info.address_bits)
         # In cycles; those of a fraction don't come in whole ones.
         self._base_tick = max(1, self.info.clock_hz * 1000 // self.info.base_frequency_millihertz)
         self.memory = RtlMemory(self._library, self._handle, self.info)
@@ -119,17 +119,12 @@ class RtlGateway:
     # What is behind the bus
 
     def attach(self, device: Device, addresses: Iterable[int]) -> None:
-        """Put a device behind addresses, in place of what was there; the first is its offset 0.
+        """Put a device behind addresses; the first is its offset 0.
 
         Raises:
-            ArgumentError: for an address that does not fit.
+            ArgumentError: for an address that does not fit or has a device, or an object that is no device.
         """
-        places = list(addresses)
-        for address in places:
-            if not 0 <= address < 1 << self.info.address_bits:
-                raise ArgumentError(f"address {address:#x} does not fit in {self.info.address_bits} bits")
-        for offset, address in enumerate(places):
-            self._devices[address] = device, offset
+        for address in self._devices.attach(device, addresses):
             self._library.ul_set_behind(self._handle, address, _BEHIND_DEVICE)
 
     def detach(self, addresses: Iterable[int]) -> None:
@@ -285,12 +280,11 @@ class RtlGateway:
         return buffer.raw
 
     def _access(self, address: int, word: int | None) -> int:
-        """Let a device answer one access; gives the word read."""
-        device, offset = self._devices[address]
+        """Let a device answer one access; return the word read."""
         now = self._time() if self._origin is not None else 0.0
         if word is None:
-            return device.read(offset, now) & (1 << self.info.data_bits) - 1
-        device.write(offset, word, now)
+            return self._devices.read(address, now) & (1 << self.info.data_bits) - 1
+        self._devices.write(address, word, now)
         return 0
 
     def _raise_fault(self) -> None:

@@ -1,0 +1,68 @@
+"""Functions of a program that are called with values or samples, and may raise what they like."""
+
+from __future__ import annotations
+
+import asyncio
+import inspect
+from typing import TYPE_CHECKING, Any, Generic, TypeVar
+
+from unity_link.errors import ArgumentError
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+T = TypeVar("T")
+
+
+class Callback(Generic[T]):
+    """A function that is called from the event loop.
+
+    What it raises is told to the event loop's exception handler and stops nothing: the first exception of each type,
+    since one that is raised with each sample would be told thousands of times a second.
+    """
+
+    def __init__(self, function: Callable[[T], object], what: str) -> None:
+        """Wrap a function.
+
+        Args:
+            function: takes a value or samples.
+            what: how messages call it.
+
+        Raises:
+            ArgumentError: where it is none, or an asynchronous one.
+        """
+        if not callable(function):
+            raise ArgumentError(f"{what} is {function!r}: a function was expected")
+        if inspect.iscoroutinefunction(function) or inspect.iscoroutinefunction(type(function).__call__):
+            raise _asynchronous(what)
+        self._function = function
+        self._what = what
+        self._told: set[type[BaseException]] = set()
+
+    def __call__(self, value: T) -> None:
+        """Call the function."""
+        try:
+            result = self._function(value)
+        except Exception as error:  # noqa: BLE001  (it may be anything)
+            self._tell(error)
+            return
+        if inspect.iscoroutine(result):
+            result.close()
+            self._tell(_asynchronous(self._what))
+
+    def _tell(self, error: Exception) -> None:
+        if type(error) in self._told:
+            return
+        self._told.add(type(error))
+        context: dict[str, Any] = {
+            "message": f"{self._what} raised {type(error).__name__} (told once)",
+            "exception": error,
+        }
+        asyncio.get_running_loop().call_exception_handler(context)
+
+
+def _asynchronous(what: str) -> ArgumentError:
+    return ArgumentError(
+        f"{what} is an asynchronous function, which would never be awaited: a plain function was expected, which may "
+        "start a task"
+    )
