@@ -121,11 +121,11 @@ def _all_told(rules: Rules, state: State) -> bool:
 
 def _moves(rules: Rules, state: State) -> Iterator[tuple[str, State | Fault]]:
     yield from _host_moves(rules, state)
-    for datagram in state.out:
+    for datagram in sorted(state.out):
         taken = _take(rules, state, datagram)
         if taken is not state:
             yield f"the gateway takes {_show(datagram)}", taken
-    for datagram in state.back:
+    for datagram in sorted(state.back):
         heard = _hear(rules, state, datagram)
         if heard is not state:
             yield f"the host hears {_show(datagram)}", heard
@@ -175,8 +175,10 @@ def _take(rules: Rules, state: State, datagram: Datagram) -> State | Fault:
 
 
 def _offer(rules: Rules, state: State) -> State:
-    """Return the state after a question, which stands outside of all sessions: each has an offer of its own."""
+    """Return the state after a question, which stands outside of all sessions; an offer stands until it is taken."""
     gateway = state.gateway
+    if gateway.offer != NO_SESSION:
+        return _answered(state, gateway, Datagram(gateway.offer, 0, "offer"))
     if state.named == rules.sessions:
         return state
     offer = gateway.session + 1 if rules.naming is Naming.COUNTED else state.named + 1

@@ -65,15 +65,19 @@ class Host(NamedTuple):
     """A letter for each request in flight, `DONE` for those that were told."""
     confirmed: int
     """How many of them are known to be executed."""
+    repeated: int
+    """How many of them were sent more than once, or may have been."""
 
 
 class Gateway(NamedTuple):
-    """The gateway; `executed` has a bit for each number, for the checks alone."""
+    """The gateway; `executed` and `never` have a bit for each number, for the checks alone."""
 
     in_session: bool
     expected: int
     gap_told: bool
     executed: int
+    never: int
+    """What was told as not executed."""
 
 
 class State(NamedTuple):
@@ -89,7 +93,7 @@ class State(NamedTuple):
 
 def explored(rules: Rules, sought: str = "") -> Exploration:
     """Return what happens under the rules; where a fault is sought, others are passed over."""
-    start = State(Host(0, False, 0, 0, "", 0), Gateway(False, 0, False, 0), (), (), 0, 0)
+    start = State(Host(0, False, 0, 0, "", 0, 0), Gateway(False, 0, False, 0, 0), (), (), 0, 0)
     return explore(start, lambda state: _moves(rules, state), lambda state: _all_told(rules, state), sought=sought)
 
 
@@ -101,7 +105,7 @@ def _moves(rules: Rules, state: State) -> Iterator[tuple[str, State | Fault]]:
     yield from _host_moves(rules, state)
     yield from _line_moves(rules, state)
     if state.resets < rules.resets:
-        after_reset = Gateway(False, 0, False, state.gateway.executed)
+        after_reset = state.gateway._replace(in_session=False, expected=0, gap_told=False)
         yield "the gateway is reset", state._replace(gateway=after_reset, resets=state.resets + 1)
 
 
@@ -110,11 +114,11 @@ def _moves(rules: Rules, state: State) -> Iterator[tuple[str, State | Fault]]:
 
 def _line_moves(rules: Rules, state: State) -> Iterator[tuple[str, State | Fault]]:
     if state.out:
-        frame, rest = state.out[0], state.out[1:]
-        lost = state._replace(out=rest)
+        frame, behind = state.out[0], state.out[1:]
+        lost = state._replace(out=behind)
         yield f"lost on the way out: {_show(frame)}", lost
         if rules.damages and frame != DAMAGED:
-            yield f"damaged: {_show(frame)}", state._replace(out=(DAMAGED, *rest))
+            yield f"damaged: {_show(frame)}", state._replace(out=(DAMAGED, *behind))
         if len(state.back) < rules.in_line:
             gateway, answer = _take(rules, state.gateway, frame)
             if isinstance(gateway, Fault):
@@ -125,13 +129,9 @@ def _line_moves(rules: Rules, state: State) -> Iterator[tuple[str, State | Fault
                 after = lost._replace(gateway=gateway, back=(*state.back, answer))
                 yield f"the gateway takes {_show(frame)} and answers {_show(answer)}", after
     if state.back:
-        heard, rest = state.back[0], state.back[1:]
-        yield f"lost on the way back: {_show(heard)}", state._replace(back=rest)
-        host = _hear(rules, state, heard)
-        yield (
-            f"the host hears {_show(heard)}",
-            host if isinstance(host, Fault) else state._replace(host=host, back=rest),
-        )
+        heard, rest = state.back[0], state._replace(back=state.back[1:])
+        yield f"lost on the way back: {_show(heard)}", rest
+        yield f"the host hears {_show(heard)}", _hear(rules, rest, heard)
 
 
 def _show(frame: Frame) -> str:
@@ -150,7 +150,7 @@ def _take(rules: Rules, gateway: Gateway, frame: Frame) -> tuple[Gateway | Fault
     if frame == DAMAGED:
         return gateway, CRC_ERROR
     if kind == "K":
-        return Gateway(True, ident, False, gateway.executed), ("k", ident, -1)
+        return gateway._replace(in_session=True, expected=ident, gap_told=False), ("k", ident, -1)
     if rules.needs_session and not gateway.in_session:
         return gateway, (NO_SESSION, ident, number)
     return _in_sequence(gateway, frame)
@@ -176,8 +176,10 @@ def _execute(gateway: Gateway, frame: Frame) -> tuple[Gateway | Fault, Frame | N
         if executed >> number:
             how = "twice" if executed >> number & 1 else "out of order"
             return Fault(f"request {number} is executed {how}"), None
+        if gateway.never >> number & 1:
+            return Fault(f"request {number} is executed, and was told as not executed"), None
         executed |= 1 << number
-    after = Gateway(gateway.in_session, (ident + 1) % RING, False, executed)
+    after = gateway._replace(expected=(ident + 1) % RING, gap_told=False, executed=executed)
     if kind in FAILING:
         return after, (ERROR, ident, number)
     return after, None if kind in POSTED else (ANSWER, ident, number)
@@ -215,7 +217,8 @@ def _host_moves(rules: Rules, state: State) -> Iterator[tuple[str, State]]:
         if kind != DONE
     )
     if again and len(again) <= room:
-        yield "the host goes back", state._replace(out=state.out + again)
+        all_repeated = host._replace(repeated=len(host.window))
+        yield "the host goes back", state._replace(host=all_repeated, out=state.out + again)
     if rules.cancels:
         for place in range(host.confirmed, len(host.window)):
             if host.window[place] not in ("h", DONE):
@@ -247,21 +250,44 @@ def _new_session(rules: Rules, host: Host) -> Host:
     """Return the host with nothing in flight: of each request it has said what it knows."""
     session, first = host.session + 1, host.first + len(host.window)
     start = session % RING if rules.starts_anew else 0
-    return Host(session, False, (start - first) % RING, first, "", 0)
+    return Host(session, False, (start - first) % RING, first, "", 0, 0)
 
 
-def _hear(rules: Rules, state: State, frame: Frame) -> Host | Fault:
-    """Return what the host is after a frame of the gateway."""
-    host, (kind, ident, _) = state.host, frame
+def _hear(rules: Rules, state: State, frame: Frame) -> State | Fault:
+    """Return everything after the host has heard a frame of the gateway."""
+    kind, ident, _ = frame
+    if state.host.ready and kind == NO_SESSION:
+        return _lose_session(rules, state, ident)
+    host = _heard(state.host, frame, state.gateway.executed)
+    return host if isinstance(host, Fault) else state._replace(host=host)
+
+
+def _lose_session(rules: Rules, state: State, ident: int) -> State | Fault:
+    """Return everything after the news that the gateway had no session when the request with an ID came.
+
+    That request and those behind it were not executed, unless they were sent before; of all others it is unknown.
+    """
+    host, gateway = state.host, state.gateway
+    place = (ident - _id(host, host.first)) % RING
+    never = 0
+    for number in range(host.first + max(place, host.repeated), host.first + len(host.window)):
+        never |= 1 << number
+    if never & gateway.executed:
+        return Fault("a request is told as not executed, and was")
+    after = gateway._replace(never=gateway.never | never)
+    return state._replace(host=_new_session(rules, host), gateway=after)
+
+
+def _heard(host: Host, frame: Frame, executed: int) -> Host | Fault:
+    """Return what the host is after a frame of the gateway that leaves the session as it is."""
+    kind, ident, _ = frame
     if not host.ready:
         return host._replace(ready=kind == "k" and ident == _id(host, host.first))
-    if kind == NO_SESSION:
-        return _new_session(rules, host)
     place = (ident - _id(host, host.first)) % RING
     if kind == "n" and place <= len(host.window):
-        return _confirm(host, place, state.gateway.executed)
+        return _confirm(host, place, executed)
     if kind in (ANSWER, ERROR, REPEATED) and place < len(host.window) and host.window[place] != DONE:
-        return _answered(host, place, frame, state.gateway.executed)
+        return _answered(host, place, frame, executed)
     return host
 
 
@@ -286,4 +312,5 @@ def _confirm(host: Host, count: int, executed: int) -> Host | Fault:
             window = _put(window, place, DONE)
     confirmed = max(host.confirmed, count)
     told = len(window) - len(window.lstrip(DONE))
-    return host._replace(first=host.first + told, window=window[told:], confirmed=confirmed - told)
+    repeated = max(host.repeated - told, 0)
+    return Host(host.session, host.ready, host.offset, host.first + told, window[told:], confirmed - told, repeated)

@@ -39,7 +39,7 @@ def assert_fails(found: Exploration, fault: str, steps: int) -> None:
         stream.Rules(kinds="eqp", requests=3, resets=0),
         stream.Rules(kinds="eqp", requests=2),
         stream.Rules(damages=True, requests=3),
-        stream.Rules(cancels=True, requests=4, resets=0),
+        stream.Rules(cancels=True, requests=3, resets=0),
         stream.Rules(cancels=True, requests=2),
         pytest.param(stream.Rules(requests=6, resets=2), marks=campaign),
         pytest.param(stream.Rules(requests=6, resets=0, in_line=4), marks=campaign),
@@ -100,7 +100,7 @@ def test_late_doubled_and_reordered_datagrams_do_no_harm(rules: datagrams.Rules)
     ],
 )
 def test_datagrams_without_session_and_count_are_taken_for_those_of_a_later_lap(fault: str, steps: int) -> None:
-    assert_fails(datagrams.explored(datagrams.Rules(Naming.NOT_AT_ALL), fault), fault, steps)
+    assert_fails(datagrams.explored(datagrams.Rules(Naming.NOT_AT_ALL, datagrams=6), fault), fault, steps)
 
 
 def test_a_late_opening_ends_the_session_where_the_host_alone_names_it() -> None:
