@@ -44,6 +44,8 @@ class Rules(NamedTuple):
     counts: int = 1 << 32
     """The counts go round after so many, 0 left out."""
     first_count: int = 1
+    opens_once: bool = True
+    """The host takes no offer that it has taken before."""
 
 
 class Datagram(NamedTuple):
@@ -69,7 +71,7 @@ class Host(NamedTuple):
     next: int = 0
     """Requests `first` to before `next` are in flight."""
     used: int = NO_SESSION
-    """The last session that was begun: no session is begun twice."""
+    """The last session that was begun."""
 
 
 class Gateway(NamedTuple):
@@ -256,7 +258,7 @@ def _hear(rules: Rules, state: State, datagram: Datagram) -> State | Fault:
     host = state.host
     session, count, kind, _, _ = datagram
     if kind == "offer":
-        wanted = host.session == NO_SESSION and session > host.used
+        wanted = host.session == NO_SESSION and (session > host.used or not rules.opens_once)
         return state._replace(host=_begin(host, session)) if wanted else state
     if session != host.session:
         return state

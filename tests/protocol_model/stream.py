@@ -50,6 +50,8 @@ class Rules(NamedTuple):
     """Requests may be given up."""
     leaves_room: bool = True
     """A posted request is sent only where the window has room for the fence behind it."""
+    minds_repetitions: bool = True
+    """After a reset, what was sent more than once is not told as not executed."""
 
 
 class Host(NamedTuple):
@@ -270,7 +272,8 @@ def _lose_session(rules: Rules, state: State, ident: int) -> State | Fault:
     host, gateway = state.host, state.gateway
     place = (ident - _id(host, host.first)) % RING
     never = 0
-    for number in range(host.first + max(place, host.repeated), host.first + len(host.window)):
+    sent_once = max(place, host.repeated) if rules.minds_repetitions else place
+    for number in range(host.first + sent_once, host.first + len(host.window)):
         never |= 1 << number
     if never & gateway.executed:
         return Fault("a request is told as not executed, and was")

@@ -73,6 +73,11 @@ def test_a_window_that_posted_requests_fill_can_never_be_confirmed() -> None:
     assert_fails(found, "there is no way to an end", 5)
 
 
+def test_a_repeated_request_that_a_reset_gateway_refuses_may_have_been_executed_before() -> None:
+    found = stream.explored(stream.Rules(minds_repetitions=False))
+    assert_fails(found, "a request is told as not executed, and was", 10)
+
+
 # The same over datagrams
 
 
@@ -110,6 +115,11 @@ def test_a_late_opening_ends_the_session_where_the_host_alone_names_it() -> None
 
 def test_a_session_comes_back_after_a_reset_where_the_gateway_counts_them() -> None:
     assert_fails(datagrams.explored(datagrams.Rules(Naming.COUNTED)), "request 0 is executed twice", 12)
+
+
+def test_a_session_that_its_host_opens_twice_has_answers_of_both_times() -> None:
+    found = datagrams.explored(datagrams.Rules(opens_once=False))
+    assert_fails(found, "the answer of request 0 is taken for that of 1", 13)
 
 
 def test_a_datagram_that_is_late_by_half_of_all_counts_is_taken_for_a_new_one() -> None:
