@@ -4,7 +4,8 @@ So nothing ever leaves the network: a datagram that is lost is one that never ar
 found by taking it again. What is bounded instead is how much is sent and how often a session is begun. The host is that
 of `stream`, with answered writes alone, and it sends again any request in flight, which takes in every way to go back.
 
-K opens a session in its datagram. Four ways to say which are explored; three of them are wrong.
+K opens a session in its datagram. Four ways to say which are explored; three of them are wrong. A host that begins anew
+does so from another port, so what an earlier attempt left on its way stands for another host's, too.
 """
 
 from collections.abc import Iterator
@@ -44,8 +45,10 @@ class Rules(NamedTuple):
     counts: int = 1 << 32
     """The counts go round after so many, 0 left out."""
     first_count: int = 1
-    opens_once: bool = True
-    """The host takes no offer that it has taken before."""
+    beginnings: int = 3
+    """How often the host may begin."""
+    new_ports: bool = True
+    """It does so from another port each time; a session belongs to the port that opened it."""
 
 
 class Datagram(NamedTuple):
@@ -56,6 +59,8 @@ class Datagram(NamedTuple):
     kind: str
     ident: int = 0
     number: int = -1
+    port: int = 0
+    """The host's: from where, or where to."""
 
 
 class Host(NamedTuple):
@@ -70,8 +75,8 @@ class Host(NamedTuple):
     first: int = 0
     next: int = 0
     """Requests `first` to before `next` are in flight."""
-    used: int = NO_SESSION
-    """The last session that was begun."""
+    port: int = 0
+    beginnings: int = 1
 
 
 class Gateway(NamedTuple):
@@ -83,6 +88,7 @@ class Gateway(NamedTuple):
     heard: int = 0
     expected: int = 0
     executed: int = 0
+    port: int = 0
 
 
 Network: TypeAlias = frozenset[Datagram]
@@ -97,9 +103,6 @@ class State(NamedTuple):
     back: Network = frozenset()
     named: int = 0
     resets: int = 0
-
-
-QUESTION = Datagram(NO_SESSION, 0, "Q")
 
 
 def explored(rules: Rules, sought: str = "") -> Exploration:
@@ -128,6 +131,8 @@ def _moves(rules: Rules, state: State) -> Iterator[tuple[str, State | Fault]]:
         if taken is not state:
             yield f"the gateway takes {_show(datagram)}", taken
     for datagram in sorted(state.back):
+        if datagram.port != state.host.port:
+            continue
         heard = _hear(rules, state, datagram)
         if heard is not state:
             yield f"the host hears {_show(datagram)}", heard
@@ -137,9 +142,9 @@ def _moves(rules: Rules, state: State) -> Iterator[tuple[str, State | Fault]]:
 
 
 def _show(datagram: Datagram) -> str:
-    session, count, kind, ident, number = datagram
+    session, count, kind, ident, number, port = datagram
     request = f" {ident} of request {number}" if number >= 0 else f" {ident}" if kind in "Kkn" else ""
-    return f"{kind}{request}, session {session}, count {count}"
+    return f"{kind}{request}, session {session}, count {count}, port {port}"
 
 
 # Counts
@@ -164,28 +169,28 @@ def _is_newer(rules: Rules, count: int, heard: int) -> bool:
 
 def _take(rules: Rules, state: State, datagram: Datagram) -> State | Fault:
     gateway = state.gateway
-    if datagram == QUESTION:
-        return _offer(rules, state)
-    if datagram.session == gateway.session:
+    if datagram.kind == "Q":
+        return _offer(rules, state, datagram.port)
+    if (datagram.session, datagram.port) == (gateway.session, gateway.port):
         if not _is_newer(rules, datagram.serial, gateway.heard):
             return state
         return _execute(rules, state, gateway._replace(heard=datagram.serial), datagram)
     if datagram.kind == "K" and (rules.naming is Naming.BY_HOST or datagram.session == gateway.offer):
-        opened = Gateway(session=datagram.session, heard=datagram.serial, executed=gateway.executed)
+        opened = Gateway(datagram.session, heard=datagram.serial, executed=gateway.executed, port=datagram.port)
         return _execute(rules, state, opened, datagram)
-    return _answered(state, gateway, Datagram(datagram.session, 0, "no session"))
+    return _answered(state, gateway, Datagram(datagram.session, 0, "no session", port=datagram.port))
 
 
-def _offer(rules: Rules, state: State) -> State:
+def _offer(rules: Rules, state: State, port: int) -> State:
     """Return the state after a question, which stands outside of all sessions; an offer stands until it is taken."""
     gateway = state.gateway
     if gateway.offer != NO_SESSION:
-        return _answered(state, gateway, Datagram(gateway.offer, 0, "offer"))
+        return _answered(state, gateway, Datagram(gateway.offer, 0, "offer", port=port))
     if state.named == rules.sessions:
         return state
     offer = gateway.session + 1 if rules.naming is Naming.COUNTED else state.named + 1
     named = state._replace(named=state.named + 1)
-    return _answered(named, gateway._replace(offer=offer), Datagram(offer, 0, "offer"))
+    return _answered(named, gateway._replace(offer=offer), Datagram(offer, 0, "offer", port=port))
 
 
 def _execute(rules: Rules, state: State, gateway: Gateway, datagram: Datagram) -> State | Fault:
@@ -202,7 +207,7 @@ def _execute(rules: Rules, state: State, gateway: Gateway, datagram: Datagram) -
         gateway = gateway._replace(expected=(ident + 1) % RING, executed=gateway.executed | 1 << number)
     elif ahead < RING // 2:
         said = "n", gateway.expected, -1
-    answer = Datagram(gateway.session, _count(rules, gateway.sent), *said)
+    answer = Datagram(gateway.session, _count(rules, gateway.sent), *said, gateway.port)
     return _answered(state, gateway._replace(sent=gateway.sent + 1), answer)
 
 
@@ -217,13 +222,14 @@ def _host_moves(rules: Rules, state: State) -> Iterator[tuple[str, State]]:
     host = state.host
     if host.session == NO_SESSION:
         if rules.naming is not Naming.BY_HOST:
-            yield "the host asks", state._replace(out=state.out | {QUESTION})
+            question = Datagram(NO_SESSION, 0, "Q", port=host.port)
+            yield "the host asks", state._replace(out=state.out | {question})
         elif state.named < rules.sessions:
             begun = _begin(host, state.named + 1)
             yield "the host names a session", state._replace(host=begun, named=state.named + 1)
         return
-    if rules.naming is not Naming.NOT_AT_ALL:
-        yield "the host begins anew", state._replace(host=_end(host))
+    if rules.naming is not Naming.NOT_AT_ALL and host.beginnings < rules.beginnings:
+        yield "the host begins anew", state._replace(host=_begin_anew(rules, host))
     if host.sent == rules.datagrams:
         return
     if not host.ready:
@@ -236,7 +242,7 @@ def _host_moves(rules: Rules, state: State) -> Iterator[tuple[str, State]]:
 
 def _sent(rules: Rules, state: State, host: Host, kind: str, number: int) -> State:
     ident = 0 if kind == "K" else _id(host, number)
-    datagram = Datagram(host.session, _count(rules, host.sent), kind, ident, number)
+    datagram = Datagram(host.session, _count(rules, host.sent), kind, ident, number, host.port)
     return state._replace(host=host._replace(sent=host.sent + 1), out=state.out | {datagram})
 
 
@@ -246,24 +252,24 @@ def _id(host: Host, number: int) -> int:
 
 def _begin(host: Host, session: int) -> Host:
     """Return the host in a session that begins at ID 0."""
-    return Host(session=session, offset=-host.next % RING, first=host.next, next=host.next, used=session)
+    return host._replace(session=session, offset=-host.next % RING)
 
 
-def _end(host: Host) -> Host:
+def _begin_anew(rules: Rules, host: Host) -> Host:
     """Return the host without a session: what was in flight is told as unknown."""
-    return Host(first=host.next, next=host.next, used=host.used)
+    port = host.port + rules.new_ports
+    return Host(first=host.next, next=host.next, port=port, beginnings=host.beginnings + 1)
 
 
 def _hear(rules: Rules, state: State, datagram: Datagram) -> State | Fault:
     host = state.host
-    session, count, kind, _, _ = datagram
+    session, count, kind = datagram[:3]
     if kind == "offer":
-        wanted = host.session == NO_SESSION and (session > host.used or not rules.opens_once)
-        return state._replace(host=_begin(host, session)) if wanted else state
+        return state._replace(host=_begin(host, session)) if host.session == NO_SESSION else state
     if session != host.session:
         return state
     if kind == "no session":
-        return state._replace(host=_end(host))
+        return state._replace(host=_begin_anew(rules, host)) if host.beginnings < rules.beginnings else state
     if not _is_newer(rules, count, host.heard):
         return state
     after = _told(host._replace(heard=count), datagram, state.gateway.executed)

@@ -84,12 +84,12 @@ def test_a_repeated_request_that_a_reset_gateway_refuses_may_have_been_executed_
 @pytest.mark.parametrize(
     "rules",
     [
-        datagrams.Rules(sessions=1, datagrams=7, resets=0),
-        datagrams.Rules(sessions=1, datagrams=7, resets=0, counts=16, first_count=13),
-        datagrams.Rules(requests=2, datagrams=3),
-        pytest.param(datagrams.Rules(requests=3), marks=campaign),
-        pytest.param(datagrams.Rules(requests=2, datagrams=3, sessions=3), marks=campaign),
-        pytest.param(datagrams.Rules(sessions=1, datagrams=8), marks=campaign),
+        datagrams.Rules(sessions=1, beginnings=1, datagrams=7, resets=0),
+        datagrams.Rules(sessions=1, beginnings=1, datagrams=7, resets=0, counts=16, first_count=13),
+        datagrams.Rules(beginnings=2, datagrams=3, requests=2),
+        pytest.param(datagrams.Rules(beginnings=2, requests=3), marks=campaign),
+        pytest.param(datagrams.Rules(sessions=3, datagrams=2, requests=2), marks=campaign),
+        pytest.param(datagrams.Rules(sessions=1, beginnings=1, datagrams=8), marks=campaign),
     ],
 )
 def test_late_doubled_and_reordered_datagrams_do_no_harm(rules: datagrams.Rules) -> None:
@@ -117,8 +117,8 @@ def test_a_session_comes_back_after_a_reset_where_the_gateway_counts_them() -> N
     assert_fails(datagrams.explored(datagrams.Rules(Naming.COUNTED)), "request 0 is executed twice", 12)
 
 
-def test_a_session_that_its_host_opens_twice_has_answers_of_both_times() -> None:
-    found = datagrams.explored(datagrams.Rules(opens_once=False))
+def test_a_host_that_begins_anew_from_the_same_port_opens_the_same_session_twice() -> None:
+    found = datagrams.explored(datagrams.Rules(new_ports=False))
     assert_fails(found, "the answer of request 0 is taken for that of 1", 13)
 
 
