@@ -1,0 +1,95 @@
+"""Explores every state that a small model can reach, breadth first, so that a fault is found by its shortest story."""
+
+from collections.abc import Callable, Hashable, Iterator
+from typing import NamedTuple, TypeAlias, TypeVar
+
+S = TypeVar("S", bound=Hashable)
+
+
+class Fault(NamedTuple):
+    """The end of a story that must not be."""
+
+    what: str
+
+
+Moves: TypeAlias = Callable[[S], Iterator[tuple[str, "S | Fault"]]]
+
+
+class Exploration(NamedTuple):
+    """What was found."""
+
+    states: int
+    fault: str | None
+    """The first thing that went wrong, None where nothing can."""
+    story: tuple[str, ...]
+    """The fewest steps that lead to the fault."""
+    ends: int
+    """How many states were an end: all was told."""
+
+    def __str__(self) -> str:
+        if self.fault is None:
+            return f"{self.states} states, {self.ends} of them ends, nothing wrong"
+        steps = "\n".join(f"  {number:2} {step}" for number, step in enumerate(self.story, 1))
+        return f"{self.fault}, in {len(self.story)} steps, after {self.states} states\n{steps}"
+
+
+def explore(
+    start: S, moves: Moves[S], is_end: Callable[[S], bool], *, always_ends: bool = True, sought: str = ""
+) -> Exploration:
+    """Return what the states that can be reached from `start` show.
+
+    Args:
+        start: the first state.
+        moves: gives every step that is possible in a state, each with the state after it, or with a fault.
+        is_end: whether all that was asked for was told in a state.
+        always_ends: whether it is a fault if a state is reached from which no end can be.
+        sought: words of the fault that is looked for; others are passed over.
+    """
+    states = [start]
+    known = {start: 0}
+    came_from: list[tuple[int, str]] = [(-1, "")]
+    before: list[list[int]] = [[]]
+    for index, state in enumerate(states):
+        for step, after in moves(state):
+            if isinstance(after, Fault):
+                if sought not in after.what:
+                    continue
+                return Exploration(len(states), after.what, (*_story(came_from, index), step), 0)
+            found = known.get(after)
+            if found is None:
+                known[after] = found = len(states)
+                states.append(after)
+                came_from.append((index, step))
+                before.append([])
+            if always_ends:
+                before[found].append(index)
+    ends = [index for index, state in enumerate(states) if is_end(state)]
+    if always_ends:
+        stuck = _never_ends(before, ends)
+        if stuck is not None:
+            return Exploration(len(states), "there is no way to an end", _story(came_from, stuck), len(ends))
+    return Exploration(len(states), None, (), len(ends))
+
+
+def _story(came_from: list[tuple[int, str]], index: int) -> tuple[str, ...]:
+    """Return the steps that first led to a state."""
+    steps = []
+    while index:
+        index, step = came_from[index]
+        steps.append(step)
+    return tuple(reversed(steps))
+
+
+def _never_ends(before: list[list[int]], ends: list[int]) -> int | None:
+    """Return the first state from which no end can be reached, None if there is none."""
+    can_end = bytearray(len(before))
+    pending = list(ends)
+    for index in ends:
+        can_end[index] = True
+    while pending:
+        for index in before[pending.pop()]:
+            if not can_end[index]:
+                can_end[index] = True
+                pending.append(index)
+    first = can_end.find(0)
+    return None if first < 0 else first

@@ -1,0 +1,319 @@
+"""Requests with IDs over a line that keeps the order: every interleaving of what host, line and gateway can do.
+
+A ring of four IDs and a window of two are enough to show what goes wrong on a ring of any size: its half is what may be
+in flight, and it comes round within a few requests. Each request has a number beside its ID, which no rule may look at:
+by it the model sees what was executed twice, out of order or never, and whose answer an answer is.
+
+The requests, by the letter with which they stand in the host's window and on the line:
+
+    w  is answered            e  is answered, and ends in an error
+    s  is posted              p  is posted, and ends in an error
+    q  cannot be repeated     h  does nothing: the fence, and what stands in for a request that was given up
+"""
+
+from collections.abc import Iterator
+from typing import NamedTuple, TypeAlias
+
+from protocol_model.exploration import Exploration, Fault, explore
+
+RING = 4
+WINDOW = RING // 2
+POSTED = "sp"
+FAILING = "ep"
+DONE = "-"
+
+Frame: TypeAlias = tuple[str, int, int]
+"""Kind, ID, number of the request. From the gateway: k, n, and the kinds of answers below."""
+ANSWER, ERROR, REPEATED, NO_SESSION = "answer", "error", "already executed", "no session"
+DAMAGED: Frame = ("damaged", 0, -1)
+CRC_ERROR: Frame = ("X01", 0, -1)
+
+
+class Rules(NamedTuple):
+    """What a version of the protocol says, and how much of it is explored."""
+
+    needs_session: bool = True
+    """No session, no execution: the rule that 02 adds to 01."""
+    starts_anew: bool = True
+    """Each session begins at an ID of its own, not at 0."""
+    kinds: str = "w"
+    requests: int = 5
+    in_line: int = 3
+    """Most frames in each direction."""
+    resets: int = 1
+    """How often the gateway may be reset."""
+    restarts: int = 0
+    """How often the host may begin anew on the line as it stands."""
+    damages: bool = False
+    """Frames may also arrive damaged, which the gateway answers; a damaged answer is a lost one."""
+    cancels: bool = False
+    """Requests may be given up."""
+    leaves_room: bool = True
+    """A posted request is sent only where the window has room for the fence behind it."""
+    minds_repetitions: bool = True
+    """After a reset, what was sent more than once is not told as not executed."""
+
+
+class Host(NamedTuple):
+    """The host: requests `first` and on stand in the window."""
+
+    session: int
+    ready: bool
+    """The session was confirmed."""
+    offset: int
+    """ID less number, in this session."""
+    first: int
+    window: str
+    """A letter for each request in flight, `DONE` for those that were told."""
+    confirmed: int
+    """How many of them are known to be executed."""
+    repeated: int
+    """How many of them were sent more than once, or may have been."""
+
+
+class Gateway(NamedTuple):
+    """The gateway; `executed` and `never` have a bit for each number, for the checks alone."""
+
+    in_session: bool
+    expected: int
+    gap_told: bool
+    executed: int
+    never: int
+    """What was told as not executed."""
+
+
+class State(NamedTuple):
+    """Everything."""
+
+    host: Host
+    gateway: Gateway
+    out: tuple[Frame, ...]
+    back: tuple[Frame, ...]
+    resets: int
+    restarts: int
+
+
+def explored(rules: Rules, sought: str = "") -> Exploration:
+    """Return what happens under the rules; where a fault is sought, others are passed over."""
+    start = State(Host(0, False, 0, 0, "", 0, 0), Gateway(False, 0, False, 0, 0), (), (), 0, 0)
+    return explore(start, lambda state: _moves(rules, state), lambda state: _all_told(rules, state), sought=sought)
+
+
+def _all_told(rules: Rules, state: State) -> bool:
+    return state.host.first >= rules.requests
+
+
+def _moves(rules: Rules, state: State) -> Iterator[tuple[str, State | Fault]]:
+    yield from _host_moves(rules, state)
+    yield from _line_moves(rules, state)
+    if state.resets < rules.resets:
+        after_reset = state.gateway._replace(in_session=False, expected=0, gap_told=False)
+        yield "the gateway is reset", state._replace(gateway=after_reset, resets=state.resets + 1)
+
+
+# The line
+
+
+def _line_moves(rules: Rules, state: State) -> Iterator[tuple[str, State | Fault]]:
+    if state.out:
+        frame, behind = state.out[0], state.out[1:]
+        lost = state._replace(out=behind)
+        yield f"lost on the way out: {_show(frame)}", lost
+        if rules.damages and frame != DAMAGED:
+            yield f"damaged: {_show(frame)}", state._replace(out=(DAMAGED, *behind))
+        if len(state.back) < rules.in_line:
+            gateway, answer = _take(rules, state.gateway, frame)
+            if isinstance(gateway, Fault):
+                yield f"the gateway takes {_show(frame)}", gateway
+            elif answer is None:
+                yield f"the gateway takes {_show(frame)}", lost._replace(gateway=gateway)
+            else:
+                after = lost._replace(gateway=gateway, back=(*state.back, answer))
+                yield f"the gateway takes {_show(frame)} and answers {_show(answer)}", after
+    if state.back:
+        heard, rest = state.back[0], state._replace(back=state.back[1:])
+        yield f"lost on the way back: {_show(heard)}", rest
+        yield f"the host hears {_show(heard)}", _hear(rules, rest, heard)
+
+
+def _show(frame: Frame) -> str:
+    kind, ident, number = frame
+    if frame in (DAMAGED, CRC_ERROR):
+        return kind
+    return f"{kind} {ident}" if number < 0 else f"{kind} {ident} of request {number}"
+
+
+# The gateway
+
+
+def _take(rules: Rules, gateway: Gateway, frame: Frame) -> tuple[Gateway | Fault, Frame | None]:
+    """Return what the gateway is after a frame, and its answer."""
+    kind, ident, number = frame
+    if frame == DAMAGED:
+        return gateway, CRC_ERROR
+    if kind == "K":
+        return gateway._replace(in_session=True, expected=ident, gap_told=False), ("k", ident, -1)
+    if rules.needs_session and not gateway.in_session:
+        return gateway, (NO_SESSION, ident, number)
+    return _in_sequence(gateway, frame)
+
+
+def _in_sequence(gateway: Gateway, frame: Frame) -> tuple[Gateway | Fault, Frame | None]:
+    """Return the same for a request in a session."""
+    _, ident, _ = frame
+    ahead = (ident - gateway.expected) % RING
+    if ahead == 0:
+        return _execute(gateway, frame)
+    if ahead >= RING // 2:
+        return gateway, _repeat(frame)
+    if gateway.gap_told:
+        return gateway, None
+    return gateway._replace(gap_told=True), ("n", gateway.expected, -1)
+
+
+def _execute(gateway: Gateway, frame: Frame) -> tuple[Gateway | Fault, Frame | None]:
+    kind, ident, number = frame
+    executed = gateway.executed
+    if kind != "h":
+        if executed >> number:
+            how = "twice" if executed >> number & 1 else "out of order"
+            return Fault(f"request {number} is executed {how}"), None
+        if gateway.never >> number & 1:
+            return Fault(f"request {number} is executed, and was told as not executed"), None
+        executed |= 1 << number
+    after = gateway._replace(expected=(ident + 1) % RING, gap_told=False, executed=executed)
+    if kind in FAILING:
+        return after, (ERROR, ident, number)
+    return after, None if kind in POSTED else (ANSWER, ident, number)
+
+
+def _repeat(frame: Frame) -> Frame | None:
+    """Return the answer to a request that the gateway takes for a repetition."""
+    kind, ident, number = frame
+    if kind in POSTED:
+        return None
+    return (REPEATED if kind == "q" else ANSWER), ident, number
+
+
+# The host
+
+
+def _host_moves(rules: Rules, state: State) -> Iterator[tuple[str, State]]:
+    host, room = state.host, rules.in_line - len(state.out)
+    if state.restarts < rules.restarts:
+        anew = state._replace(host=_new_session(rules, host), restarts=state.restarts + 1)
+        yield "the host begins anew on the same line", anew
+    if not host.ready:
+        if room:
+            yield "the host sends K", state._replace(out=(*state.out, ("K", _id(host, host.first), -1)))
+        return
+    number = host.first + len(host.window)
+    if room and len(host.window) < WINDOW:
+        for kind in _kinds(rules, host, number):
+            frame = (kind, _id(host, number), number)
+            issued = host._replace(window=host.window + kind)
+            yield f"the host sends {_show(frame)}", state._replace(host=issued, out=(*state.out, frame))
+    again = tuple(
+        (kind, _id(host, host.first + place), host.first + place)
+        for place, kind in enumerate(host.window)
+        if kind != DONE
+    )
+    if again and len(again) <= room:
+        all_repeated = host._replace(repeated=len(host.window))
+        yield "the host goes back", state._replace(host=all_repeated, out=state.out + again)
+    if rules.cancels:
+        for place in range(host.confirmed, len(host.window)):
+            if host.window[place] not in ("h", DONE):
+                window = _put(host.window, place, "h")
+                yield (
+                    f"the host gives request {host.first + place} up",
+                    state._replace(host=host._replace(window=window)),
+                )
+
+
+def _kinds(rules: Rules, host: Host, number: int) -> Iterator[str]:
+    """Give the kinds of which the next request may be; behind posted ones a fence is always one more."""
+    if number < rules.requests:
+        alone = len(host.window) + 1 < WINDOW
+        yield from (kind for kind in rules.kinds if kind not in POSTED or alone or not rules.leaves_room)
+    elif host.window and host.window[-1] in POSTED:
+        yield "h"
+
+
+def _id(host: Host, number: int) -> int:
+    return (number + host.offset) % RING
+
+
+def _put(window: str, place: int, letter: str) -> str:
+    return window[:place] + letter + window[place + 1 :]
+
+
+def _new_session(rules: Rules, host: Host) -> Host:
+    """Return the host with nothing in flight: of each request it has said what it knows."""
+    session, first = host.session + 1, host.first + len(host.window)
+    start = session % RING if rules.starts_anew else 0
+    return Host(session, False, (start - first) % RING, first, "", 0, 0)
+
+
+def _hear(rules: Rules, state: State, frame: Frame) -> State | Fault:
+    """Return everything after the host has heard a frame of the gateway."""
+    kind, ident, _ = frame
+    if state.host.ready and kind == NO_SESSION:
+        return _lose_session(rules, state, ident)
+    host = _heard(state.host, frame, state.gateway.executed)
+    return host if isinstance(host, Fault) else state._replace(host=host)
+
+
+def _lose_session(rules: Rules, state: State, ident: int) -> State | Fault:
+    """Return everything after the news that the gateway had no session when the request with an ID came.
+
+    That request and those behind it were not executed, unless they were sent before; of all others it is unknown.
+    """
+    host, gateway = state.host, state.gateway
+    place = (ident - _id(host, host.first)) % RING
+    never = 0
+    sent_once = max(place, host.repeated) if rules.minds_repetitions else place
+    for number in range(host.first + sent_once, host.first + len(host.window)):
+        never |= 1 << number
+    if never & gateway.executed:
+        return Fault("a request is told as not executed, and was")
+    after = gateway._replace(never=gateway.never | never)
+    return state._replace(host=_new_session(rules, host), gateway=after)
+
+
+def _heard(host: Host, frame: Frame, executed: int) -> Host | Fault:
+    """Return what the host is after a frame of the gateway that leaves the session as it is."""
+    kind, ident, _ = frame
+    if not host.ready:
+        return host._replace(ready=kind == "k" and ident == _id(host, host.first))
+    place = (ident - _id(host, host.first)) % RING
+    if kind == "n" and place <= len(host.window):
+        return _confirm(host, place, executed)
+    if kind in (ANSWER, ERROR, REPEATED) and place < len(host.window) and host.window[place] != DONE:
+        return _answered(host, place, frame, executed)
+    return host
+
+
+def _answered(host: Host, place: int, frame: Frame, executed: int) -> Host | Fault:
+    """Return the host after an answer that it takes for that of the request at `place`."""
+    _, _, number = frame
+    if number != host.first + place:
+        return Fault(f"the answer of request {number} is taken for that of {host.first + place}")
+    if host.window[place] != "h" and not executed >> number & 1:
+        return Fault(f"request {number} is told as executed, and was not")
+    answered = host._replace(window=_put(host.window, place, DONE))
+    return _confirm(answered, place + 1, executed)
+
+
+def _confirm(host: Host, count: int, executed: int) -> Host | Fault:
+    """Return the host after the news that `count` requests from its first on were executed."""
+    window = host.window
+    for place in range(count):
+        if window[place] in POSTED:
+            if not executed >> host.first + place & 1:
+                return Fault(f"the posted request {host.first + place} is told as executed, and was not")
+            window = _put(window, place, DONE)
+    confirmed = max(host.confirmed, count)
+    told = len(window) - len(window.lstrip(DONE))
+    repeated = max(host.repeated - told, 0)
+    return Host(host.session, host.ready, host.offset, host.first + told, window[told:], confirmed - told, repeated)

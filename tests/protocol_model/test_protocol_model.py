@@ -1,0 +1,168 @@
+"""The rules of the protocol hold in every state of a small model, and each of them is needed.
+
+What is explored without a fault is version 02. Version 01, and 02 without one of its rules, are the proof that the same
+exploration finds what is wrong.
+"""
+
+import pytest
+
+from protocol_model import datagrams, groups, half_duplex, stream
+from protocol_model.datagrams import Naming
+from protocol_model.exploration import Exploration
+
+campaign = pytest.mark.campaign
+
+PROTOCOL_01 = stream.Rules(needs_session=False, starts_anew=False)
+
+
+def assert_holds(found: Exploration) -> None:
+    """Assert that nothing went wrong, and that the stories that were explored had an end."""
+    assert found.fault is None, str(found)
+    assert found.ends
+
+
+def assert_fails(found: Exploration, fault: str, steps: int) -> None:
+    """Assert that a fault was found, by a story that is as short as it can be."""
+    assert (found.fault, len(found.story)) == (fault, steps), str(found)
+
+
+# Requests with IDs over a line that keeps the order
+
+
+@pytest.mark.parametrize(
+    "rules",
+    [
+        stream.Rules(),
+        stream.Rules(restarts=1, resets=0),
+        stream.Rules(kinds="wsh", requests=3, resets=0),
+        stream.Rules(kinds="ws", requests=3),
+        stream.Rules(kinds="eqp", requests=3, resets=0),
+        stream.Rules(kinds="eqp", requests=2),
+        stream.Rules(damages=True, requests=3),
+        stream.Rules(cancels=True, requests=3, resets=0),
+        stream.Rules(cancels=True, requests=2),
+        pytest.param(stream.Rules(requests=6, resets=2), marks=campaign),
+        pytest.param(stream.Rules(requests=6, resets=0, in_line=4), marks=campaign),
+        pytest.param(stream.Rules(restarts=1), marks=campaign),
+        pytest.param(stream.Rules(restarts=2, resets=0), marks=campaign),
+        pytest.param(stream.Rules(kinds="wsqeph", requests=3), marks=campaign),
+        pytest.param(stream.Rules(kinds="ws", damages=True, requests=3), marks=campaign),
+        pytest.param(stream.Rules(kinds="ws", cancels=True, requests=3), marks=campaign),
+    ],
+)
+def test_requests_are_executed_once_in_order_and_told_right(rules: stream.Rules) -> None:
+    assert_holds(stream.explored(rules))
+
+
+def test_a_gateway_that_executes_before_a_session_does_so_twice_behind_a_reset() -> None:
+    assert_fails(stream.explored(PROTOCOL_01), "request 0 is executed twice", 8)
+
+
+def test_a_gateway_that_executes_before_a_session_acknowledges_what_it_never_executed() -> None:
+    found = stream.explored(PROTOCOL_01, "told as executed")
+    assert_fails(found, "request 2 is told as executed, and was not", 12)
+
+
+def test_a_session_that_begins_at_the_id_of_the_one_before_takes_its_answers() -> None:
+    found = stream.explored(stream.Rules(starts_anew=False, restarts=1))
+    assert_fails(found, "the answer of request 0 is taken for that of 1", 11)
+
+
+def test_a_window_that_posted_requests_fill_can_never_be_confirmed() -> None:
+    found = stream.explored(stream.Rules(kinds="sh", leaves_room=False, resets=0))
+    assert_fails(found, "there is no way to an end", 5)
+
+
+def test_a_repeated_request_that_a_reset_gateway_refuses_may_have_been_executed_before() -> None:
+    found = stream.explored(stream.Rules(minds_repetitions=False))
+    assert_fails(found, "a request is told as not executed, and was", 10)
+
+
+# The same over datagrams
+
+
+@pytest.mark.parametrize(
+    "rules",
+    [
+        datagrams.Rules(sessions=1, beginnings=1, datagrams=7, resets=0),
+        datagrams.Rules(sessions=1, beginnings=1, datagrams=7, resets=0, counts=16, first_count=13),
+        datagrams.Rules(beginnings=2, datagrams=3, requests=2),
+        pytest.param(datagrams.Rules(beginnings=2, requests=3), marks=campaign),
+        pytest.param(datagrams.Rules(sessions=3, datagrams=2, requests=2), marks=campaign),
+        pytest.param(datagrams.Rules(sessions=1, beginnings=1, datagrams=8), marks=campaign),
+    ],
+)
+def test_late_doubled_and_reordered_datagrams_do_no_harm(rules: datagrams.Rules) -> None:
+    assert_holds(datagrams.explored(rules))
+
+
+@pytest.mark.parametrize(
+    ("fault", "steps"),
+    [
+        ("request 0 is executed twice", 10),
+        ("the answer of request 0 is taken for that of 4", 11),
+        ("request 2 is told as executed, and was not", 9),
+    ],
+)
+def test_datagrams_without_session_and_count_are_taken_for_those_of_a_later_lap(fault: str, steps: int) -> None:
+    assert_fails(datagrams.explored(datagrams.Rules(Naming.NOT_AT_ALL, datagrams=6), fault), fault, steps)
+
+
+def test_a_late_opening_ends_the_session_where_the_host_alone_names_it() -> None:
+    found = datagrams.explored(datagrams.Rules(Naming.BY_HOST, resets=0))
+    assert_fails(found, "request 0 is executed twice", 12)
+
+
+def test_a_session_comes_back_after_a_reset_where_the_gateway_counts_them() -> None:
+    assert_fails(datagrams.explored(datagrams.Rules(Naming.COUNTED)), "request 0 is executed twice", 12)
+
+
+def test_a_host_that_begins_anew_from_the_same_port_opens_the_same_session_twice() -> None:
+    found = datagrams.explored(datagrams.Rules(new_ports=False))
+    assert_fails(found, "the answer of request 0 is taken for that of 1", 13)
+
+
+def test_a_datagram_that_is_late_by_half_of_all_counts_is_taken_for_a_new_one() -> None:
+    rules = datagrams.Rules(sessions=1, datagrams=7, resets=0, counts=8, first_count=6)
+    assert_fails(datagrams.explored(rules), "request 0 is executed twice", 14)
+
+
+# Groups
+
+
+@pytest.mark.parametrize(
+    "rules",
+    [
+        groups.Rules(),
+        groups.Rules(stops=False),
+        pytest.param(groups.Rules(holders=5, buffered=4, in_line=4, resets=2), marks=campaign),
+    ],
+)
+def test_no_sample_of_a_former_life_reaches_the_next_holder(rules: groups.Rules) -> None:
+    assert_holds(groups.explored(rules))
+
+
+@pytest.mark.parametrize(("stops", "steps"), [(True, 23), (False, 19)])
+def test_samples_reach_the_next_holder_where_responses_may_overtake_them(*, stops: bool, steps: int) -> None:
+    found = groups.explored(groups.Rules(in_order=False, stops=stops))
+    assert_fails(found, "a sample for holder 0 reaches holder 1", steps)
+
+
+# Half-duplex
+
+
+def test_on_a_half_duplex_line_only_one_sends_at_a_time() -> None:
+    assert_holds(half_duplex.explored(half_duplex.Rules()))
+
+
+@pytest.mark.parametrize(
+    ("rules", "steps"),
+    [
+        pytest.param(half_duplex.Rules(waits=False), 4, id="an answer is not waited for"),
+        pytest.param(half_duplex.Rules(kinds="p"), 4, id="a posted request fails"),
+        pytest.param(half_duplex.Rules(response_last=False), 6, id="a sample comes behind the response"),
+        pytest.param(half_duplex.Rules(patient=False), 5, id="an answer is given up while it may come"),
+    ],
+)
+def test_both_send_at_once_where(rules: half_duplex.Rules, steps: int) -> None:
+    assert_fails(half_duplex.explored(rules), "both send at once", steps)
