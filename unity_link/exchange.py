@@ -288,8 +288,8 @@ class Exchange:
         """Take the publishes of a group as long as they stand side by side; give where they end."""
         framing = self._codec.framing
         head = data[start : start + len(framing.prefix) + 3]
-        wanted = self.publish_rows.get(head[-3:])
-        if wanted is None:
+        wanted = self.publish_rows.get(head[len(framing.prefix) :])
+        if wanted is None or not head.startswith(framing.prefix):
             return start
         size = wanted.size + framing.overhead
         while (count := (len(data) - start) // size) >= FEWEST_PUBLISHES:
