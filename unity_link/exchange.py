@@ -70,6 +70,7 @@ class Exchange:
         self._now = self._loop.time
         self._waiting: deque[Source] = deque()
         self._timer: asyncio.TimerHandle | None = None
+        self._timer_at = 0.0
         self._stream: Stream | None = None
         self._codec: Codec
         self._window: Window[Message] = Window(2)
@@ -370,10 +371,15 @@ class Exchange:
         """Have `_tick` called by the window's deadline; a timer that comes too early sets itself again."""
         deadline = self._window.deadline
         if self._timer is not None:
-            if deadline is None or self._timer.when() <= deadline:
+            if deadline is None or self._timer_at <= deadline:
                 return
             self._timer.cancel()
-        self._timer = None if deadline is None else self._loop.call_at(deadline, self._tick)
+        if deadline is None:
+            self._timer = None
+        else:
+            # Kept here, for a timer of uvloop that is due at once cannot tell it.
+            self._timer_at = deadline
+            self._timer = self._loop.call_at(deadline, self._tick)
 
     def _tick(self) -> None:
         self._timer = None

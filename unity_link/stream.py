@@ -7,7 +7,7 @@ sent in one turn of the event loop into one write. It never looks into a frame.
 from __future__ import annotations
 
 import asyncio
-from typing import Protocol
+from typing import Protocol, cast
 
 LONGEST_FRAME = 16_384
 """Bytes without a line end that are kept: more than the longest message, a sample of 255 words of 64 bits, has."""
@@ -90,8 +90,8 @@ class Stream(asyncio.Protocol):
 
     def connection_made(self, transport: asyncio.BaseTransport) -> None:
         """Keep the transport."""
-        assert isinstance(transport, asyncio.Transport)
-        self._transport = transport
+        # No check by class: the transports of uvloop are of none of asyncio's.
+        self._transport = cast("asyncio.Transport", transport)
 
     def data_received(self, data: bytes) -> None:
         """Hand on a whole read."""
