@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from unity_link.errors import LinkLostError, Outcome, UnansweredError, UnityLinkError, UnsupportedError
-from unity_link.requests import Message, Request, Rows, Source, Unawaited, gateway_error
+from unity_link.requests import Fence, Message, Request, Rows, Source, Unawaited, gateway_error
 from unity_link.wire.frames import FrameError
 from unity_link.wire.window import Window
 
@@ -89,6 +89,7 @@ class Exchange:
         self._id_digits = codec.info.id_digits
         self._open = codec.framing.open
         stream.receiver = self
+        stream.on_writable = self._go_on
         self._admit()
 
     def suspend(self, reason: str) -> None:
@@ -96,6 +97,12 @@ class Exchange:
         self._stop()
         again = self._end_sent(LinkLostError(reason), keep=True)
         self._waiting.extendleft(reversed(again))
+        earlier: list[Source] = []
+        for source in self._waiting:
+            if isinstance(source, Fence):
+                source.earlier += earlier
+            elif not source.exhausted():
+                earlier.append(source)
 
     def end(self, error: LinkLostError) -> None:
         """End for good: every call that waits raises."""
@@ -107,7 +114,7 @@ class Exchange:
 
     def _stop(self) -> None:
         if self._stream is not None:
-            self._stream.receiver = None
+            self._stream.receiver = self._stream.on_writable = None
             self._stream = None
         if self._timer is not None:
             self._timer.cancel()
@@ -153,6 +160,8 @@ class Exchange:
             if source.posted:
                 self._fence()
             return
+        if isinstance(source, Fence):
+            source.earlier = [other for other in self._waiting if not other.exhausted()]
         self._waiting.append(source)
         if stream is not None:
             self._admit()
@@ -195,6 +204,9 @@ class Exchange:
             if source.unwanted():
                 waiting.popleft()
                 continue
+            if isinstance(source, Fence) and any(other in waiting for other in source.earlier):
+                waiting.rotate(-1)
+                continue
             room = window.room(source.size, posted=source.posted)
             if room < source.least() and (not room or window.oldest != window.next):
                 break
@@ -213,7 +225,10 @@ class Exchange:
             self._stream.send_soon(self._number(Unawaited(self._codec, "H", b"", 0, self._loop)))
 
     def _repeat(self) -> None:
-        """Send all unanswered requests again; an ``h`` in place of those that nobody wants."""
+        """Send unanswered requests again; an ``h`` in place of those that are not wanted any more."""
+        if self._stream is None or self._stream.paused:
+            # What was sent before is still held back: a copy of it would only be behind it.
+            return
         codec = self._codec
         for number, run, offset, count in self._window.repetition():
             self.counters.repetitions += count
@@ -222,8 +237,7 @@ class Exchange:
                 frames = b"".join(codec.request("H", identifier, b"") for identifier in ids)
             else:
                 frames = run.encode(offset, count)
-            if self._stream is not None:
-                self._stream.send_soon(frames)
+            self._stream.send_soon(frames)
 
     # Responses
 
