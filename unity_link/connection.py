@@ -135,7 +135,8 @@ class Connection:
         self.gateway = info
         credit = None if Feature.FLOW_CONTROL in info.features else info.receive_fifo_bytes
         self._begin(codec)
-        self._exchange.start(stream, codec, Window(codec.ring, credit, round_trip / LAST_ANSWER, round_trip))
+        byte_time = round_trip / LAST_ANSWER
+        self._exchange.start(stream, codec, Window(codec.ring, credit, byte_time, round_trip, stream.shortest_timeout))
 
     def _lose(self, reason: str) -> None:
         """End the session; and the link, if it is not to reconnect."""

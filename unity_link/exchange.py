@@ -16,7 +16,7 @@ import numpy as np
 
 from unity_link.errors import LinkLostError, Outcome, UnansweredError, UnityLinkError, UnsupportedError
 from unity_link.requests import Fence, Message, Request, Rows, Source, Unawaited, gateway_error
-from unity_link.wire.frames import FrameError
+from unity_link.wire.frames import FrameError, OtherNodeError
 from unity_link.wire.window import Window
 
 if TYPE_CHECKING:
@@ -88,6 +88,8 @@ class Exchange:
         self._id_number = codec.id_number
         self._id_digits = codec.info.id_digits
         self._open = codec.framing.open
+        self._sample = codec.framing.prefix + b"P"
+        """What samples begin with, which say nothing about requests."""
         stream.receiver = self
         stream.on_writable = self._go_on
         self._admit()
@@ -208,7 +210,8 @@ class Exchange:
                 waiting.rotate(-1)
                 continue
             room = window.room(source.size, posted=source.posted)
-            if room < source.least() and (not room or window.oldest != window.next):
+            # A window that is small because the line loses is not waited for to grow.
+            if not room or room < min(source.least(), max(1, window.most_room(source.size) // 2)):
                 break
             waiting.popleft()
             run = source.take(room)
@@ -244,7 +247,6 @@ class Exchange:
     def receive(self, data: bytes) -> int:
         """Take the whole frames of a read, and give where the first that is not whole begins."""
         now = self._now()
-        self._window.heard = True
         start = 0
         window = self._window
         batched = self._batching and len(data) >= FEWEST_BYTES
@@ -265,6 +267,9 @@ class Exchange:
             start = end + 1
             if start == len(data):
                 break
+        if start != len(data) and not data.startswith(self._sample, start):
+            # Perhaps the beginning of a long answer on a slow line.
+            window.heard = True
         if window.oldest == window.next:
             self._batching = False
         self._go_on()
@@ -319,8 +324,13 @@ class Exchange:
     def _receive_line(self, line: bytes, now: float) -> None:
         try:
             body = self._open(line)
+        except OtherNodeError:
+            self.counters.stray += 1
+            return
         except FrameError:
             self.counters.damaged += 1
+            self._window.heard |= not line.startswith(self._sample)
+            self._window.damaged(now)
             return
         if len(body) < 2:
             self.counters.stray += 1
@@ -335,6 +345,7 @@ class Exchange:
 
     def _receive_answer(self, body: bytes, now: float) -> None:
         """Take a message with an ID."""
+        self._window.heard = True
         head = 1 if body[1] < _UPPER_G else 2
         after = head + self._id_digits
         number = self._id_number.get(body[head:after])
@@ -364,6 +375,7 @@ class Exchange:
 
     def _receive_error(self, body: bytes, now: float) -> None:
         """Take an error without an ID."""
+        self._window.heard = True
         code = _number_of(body[1:])
         if code in (1, 7, 9):
             self._window.damaged(now)

@@ -9,6 +9,8 @@ from __future__ import annotations
 import asyncio
 from typing import TYPE_CHECKING, Protocol, cast
 
+from unity_link.wire.window import QUICK_TIMEOUT, SHORTEST_TIMEOUT
+
 if TYPE_CHECKING:
     from collections.abc import Callable
 
@@ -65,6 +67,15 @@ class Stream(asyncio.Protocol):
         if not self._flushing and not self.paused:
             self._flushing = True
             self._loop.call_soon(self._flush)
+
+    @property
+    def shortest_timeout(self) -> float:
+        """Seconds that the medium may hold an answer back, and some more; what is unknown is as slow as a USB chip."""
+        if self._transport is None:
+            return SHORTEST_TIMEOUT
+        is_socket = self._transport.get_extra_info("socket") is not None
+        known = self._transport.get_extra_info("shortest_timeout", QUICK_TIMEOUT if is_socket else SHORTEST_TIMEOUT)
+        return float(known)
 
     async def close(self) -> None:
         """End the connection and wait until it has ended."""
