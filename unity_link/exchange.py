@@ -329,8 +329,9 @@ class Exchange:
             return
         except FrameError:
             self.counters.damaged += 1
-            self._window.heard |= not line.startswith(self._sample)
-            self._window.damaged(now)
+            if not line.startswith(self._sample):
+                self._window.heard = True
+                self._window.damaged(now)
             return
         if len(body) < 2:
             self.counters.stray += 1

@@ -139,17 +139,6 @@ def test_signs_are_taken_after_pauses_that_double_as_long_as_nothing_moves() -> 
     assert taken == pytest.approx([10, 30, 70, 150], abs=1)
 
 
-def test_a_sign_waits_for_the_bytes_that_are_under_way() -> None:
-    window: Window[Named] = Window(RING, byte_time=0.001, round_trip=0.01)
-    sent(window, *"abcdefghij")
-    window.damaged(now=0.0)
-    repeated(window)
-    window.damaged(now=0.01 + 0.001 * 10 * SIZE - 0.001)
-    assert repeated(window) == ""
-    window.damaged(now=0.01 + 0.001 * 10 * SIZE)
-    assert repeated(window) != ""
-
-
 def test_many_signs_that_arrive_together_are_one() -> None:
     window: Window[Named] = Window(RING)
     sent(window, *"abcdefghijklmnopqrstuvwxyz")
@@ -484,6 +473,18 @@ def test_an_answer_to_a_request_that_was_sent_once_undoes_a_longer_time_out() ->
     sent(window, "d", now=0.4)
     window.answered(2, 1, now=0.4)
     assert window.deadline == pytest.approx(0.4 + 0.3, abs=0.1)
+
+
+def test_progress_after_a_sign_of_loss_undoes_a_longer_time_out() -> None:
+    window: Window[Named] = Window(RING, round_trip=0.1)
+    sent(window, "a", "b")
+    assert window.deadline is not None
+    window.expire(window.deadline)
+    repeated(window)
+    window.damaged(now=0.6)
+    repeated(window)
+    window.answered(0, 1, now=0.7)
+    assert window.deadline == pytest.approx(0.7 + 0.3)
 
 
 def test_a_longer_time_out_stays_until_a_round_trip_is_measured() -> None:

@@ -34,15 +34,15 @@ kept in flight, because one damaged frame costs all those sent behind it; the re
 time, and new requests follow behind its end.
 
 A gap brings many signs (the damaged frame, the out-of-sequence one behind it, the skipped answer). So after it has gone
-back, the window takes no further sign as long as `oldest` has not moved and a sign can still be about what was sent
-before: for the least round trip seen and the time that the bytes under way need on the wire, and twice as long each
-time. A later sign says that the repetition was lost, too. What brings no sign at all, the time out finds.
+back, the window takes no further sign as long as `oldest` has not moved and a sign must still be about what was sent
+before: for the least round trip seen, and twice as long each time. A later sign says that the repetition was lost, too.
+What brings no sign at all, the time out finds.
 
 Something was *heard* if it can be about a request; samples are not. A request that is given up, or that is not wanted
 any more, keeps its ID, for those behind it build on it; when it is sent again, it is sent as ``h``.
 
 The time out is RFC 6298's, with the clock of the caller. One request at a time is timed, and none that was sent twice.
-The answer to a request that was sent once undoes the doubling, too.
+The doubling is undone by the answer to a request that was sent once, and by any progress after a sign of loss.
 """
 
 from __future__ import annotations
@@ -439,9 +439,7 @@ class Window(Generic[R]):
             self._repeat_from_oldest(now)
 
     def _repeat_from_oldest(self, now: float) -> None:
-        import os
-        under_way = self._least_round_trip + (self._byte_time * self._bytes if os.environ.get("BYTES") else 0)
-        self._next_sign = now + min(under_way * 2**self._gone_back, LONGEST_TIMEOUT)
+        self._next_sign = now + min(self._least_round_trip * 2**self._gone_back, LONGEST_TIMEOUT)
         self._gone_back += 1
         self._refused = False
         self._timed = None
