@@ -52,6 +52,10 @@ from typing import TYPE_CHECKING, Generic, NamedTuple, TypeVar
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
+MOST_QUICK_SIGNS = 6
+"""How often signs are followed at the pace of a round trip that is next to nothing."""
+SLOWER_SIGNS = 0.001
+"""Seconds that a round trip counts as, at least, after so many."""
 LONGEST_SILENCE = 5.0
 """Seconds without anything that can be about a request, and with one under way, after which the link is lost."""
 FEWEST_SILENT_TRIES = 3
@@ -439,8 +443,12 @@ class Window(Generic[R]):
             self._repeat_from_oldest(now)
 
     def _repeat_from_oldest(self, now: float) -> None:
-        self._next_sign = now + min(self._least_round_trip * 2**self._gone_back, LONGEST_TIMEOUT)
-        self._gone_back += 1
+        least = (
+            self._least_round_trip if self._gone_back < MOST_QUICK_SIGNS else max(self._least_round_trip, SLOWER_SIGNS)
+        )
+        self._next_sign = now + min(least * 2**self._gone_back, LONGEST_TIMEOUT)
+        # Beyond this the pause is the longest anyway.
+        self._gone_back = min(self._gone_back + 1, MOST_QUICK_SIGNS * 2)
         self._refused = False
         self._timed = None
         self._allowed = max(self._allowed // 2, min(FEWEST_IN_FLIGHT, self._half))
