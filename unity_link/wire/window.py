@@ -36,7 +36,8 @@ time, and new requests follow behind its end.
 A gap brings many signs (the damaged frame, the out-of-sequence one behind it, the skipped answer). So after it has gone
 back, the window takes no further sign as long as `oldest` has not moved and a sign must still be about what was sent
 before: for the least round trip seen, and twice as long each time. A later sign says that the repetition was lost, too.
-What brings no sign at all, the time out finds.
+What brings no sign at all, the time out finds. Where no flow control protects the gateway's receive FIFO, only the time out sends
+the same once more: what waits in the FIFO must have left it.
 
 Something was *heard* if it can be about a request; samples are not. A request that is given up, or that is not wanted
 any more, keeps its ID, for those behind it build on it; when it is sent again, it is sent as ``h``.
@@ -146,7 +147,7 @@ class Window(Generic[R]):
         self.smoothed_round_trip: float | None = None
         """Smoothed round trip in seconds (SRTT of RFC 6298), None before the first."""
         self._variation = 0.0
-        self._shortest_timeout = shortest_timeout
+        self._shortest_timeout = shortest_timeout if byte_limit is None else SHORTEST_TIMEOUT
         self._least_round_trip = 0.0 if round_trip is None else round_trip
         self._measured_timeout = self._timeout = FIRST_TIMEOUT
         self._sent_once_from = 0
@@ -446,7 +447,9 @@ class Window(Generic[R]):
         least = (
             self._least_round_trip if self._gone_back < MOST_QUICK_SIGNS else max(self._least_round_trip, SLOWER_SIGNS)
         )
-        self._next_sign = now + min(least * 2**self._gone_back, LONGEST_TIMEOUT)
+        pause = min(least * 2**self._gone_back, LONGEST_TIMEOUT)
+        # What waits in a receive FIFO that can overflow must have left it before the same is sent once more.
+        self._next_sign = now + (pause if self._byte_limit is None else LONGEST_TIMEOUT)
         # Beyond this the pause is the longest anyway.
         self._gone_back = min(self._gone_back + 1, MOST_QUICK_SIGNS * 2)
         self._refused = False
