@@ -579,7 +579,8 @@ def connect(target: str | Gateway, *, timeout: float = 5.0, reconnect: bool | Re
     """
     if not isinstance(reconnect, bool | Reconnect):
         raise ArgumentError(f"reconnect is True, False or a Reconnect, not {reconnect!r:.80}")
-    if not isinstance(timeout, int | float) or not timeout > 0:
+    given: object = timeout
+    if not (isinstance(given, int | float) and given > 0):
         raise ArgumentError(f"timeout is a number of seconds above 0, not {timeout!r:.80}")
     if isinstance(reconnect, bool):
         return Connecting(target, timeout, Reconnect() if reconnect else None)

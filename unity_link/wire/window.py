@@ -36,8 +36,8 @@ time, and new requests follow behind its end.
 A gap brings many signs (the damaged frame, the out-of-sequence one behind it, the skipped answer). So after it has gone
 back, the window takes no further sign as long as `oldest` has not moved and a sign must still be about what was sent
 before: for the least round trip seen, and twice as long each time. A later sign says that the repetition was lost, too.
-What brings no sign at all, the time out finds. Where no flow control protects the gateway's receive FIFO, only the time out sends
-the same once more: what waits in the FIFO must have left it.
+What brings no sign at all, the time out finds. Where no flow control protects the gateway's receive FIFO, only the time
+out sends the same once more: what waits in the FIFO must have left it.
 
 Something was *heard* if it can be about a request; samples are not. A request that is given up, or that is not wanted
 any more, keeps its ID, for those behind it build on it; when it is sent again, it is sent as ``h``.
