@@ -13,7 +13,14 @@ from typing import TYPE_CHECKING
 import msgspec
 
 from unity_link.drivers import DriverUrl, load_driver
-from unity_link.errors import ConnectError, LinkClosedError, LinkLostError, Outcome, UnsupportedError
+from unity_link.errors import (
+    ConnectError,
+    LinkClosedError,
+    LinkLostError,
+    Outcome,
+    UnansweredError,
+    UnsupportedError,
+)
 from unity_link.exchange import Exchange
 from unity_link.handshake import LAST_ANSWER, Handshake
 from unity_link.stream import Stream
@@ -129,7 +136,8 @@ class Connection:
         self.gateway = info
         credit = None if Feature.FLOW_CONTROL in info.features else info.receive_fifo_bytes
         self._begin(codec)
-        self._exchange.start(stream, codec, Window(codec.ring, credit, round_trip / LAST_ANSWER, round_trip))
+        byte_time = round_trip / LAST_ANSWER
+        self._exchange.start(stream, codec, Window(codec.ring, credit, byte_time, round_trip, stream.shortest_timeout))
 
     def _lose(self, reason: str) -> None:
         """End the session; and the link, if it is not to reconnect."""
@@ -163,7 +171,7 @@ class Connection:
 
         began, longest = self._loop.time(), reconnect.give_up_after
         attempts = AsyncRetrying(
-            retry=retry_if_exception_type((ConnectError, LinkLostError)),
+            retry=retry_if_exception_type((ConnectError, UnansweredError)),
             wait=wait_exponential(reconnect.first_pause, reconnect.longest_pause)
             + wait_random(0, reconnect.first_pause),
             # The library's own limit looks at another clock than the loop's.
@@ -185,7 +193,13 @@ class Connection:
 
     async def _open_again(self, timeout: float) -> None:  # noqa: ASYNC109  (as `open`)
         await self.open(timeout)
-        await self._restore()
+        try:
+            await self._restore()
+        except UnansweredError as error:
+            # On a bad line this attempt has failed; the next one begins with a connection of its own.
+            if self._stream is not None:
+                self._lose(error.reason)
+            raise
         if self._stream is None:
             raise LinkLostError("the connection was lost again")
 

@@ -15,8 +15,8 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from unity_link.errors import LinkLostError, Outcome, UnansweredError, UnityLinkError, UnsupportedError
-from unity_link.requests import Message, Request, Rows, Source, Unawaited, gateway_error
-from unity_link.wire.frames import FrameError
+from unity_link.requests import Fence, Message, Request, Rows, Source, Unawaited, gateway_error
+from unity_link.wire.frames import FrameError, OtherNodeError
 from unity_link.wire.window import Window
 
 if TYPE_CHECKING:
@@ -70,6 +70,7 @@ class Exchange:
         self._now = self._loop.time
         self._waiting: deque[Source] = deque()
         self._timer: asyncio.TimerHandle | None = None
+        self._timer_at = 0.0
         self._stream: Stream | None = None
         self._codec: Codec
         self._window: Window[Message] = Window(2)
@@ -87,7 +88,10 @@ class Exchange:
         self._id_number = codec.id_number
         self._id_digits = codec.info.id_digits
         self._open = codec.framing.open
+        self._sample = codec.framing.prefix + b"P"
+        """What samples begin with, which say nothing about requests."""
         stream.receiver = self
+        stream.on_writable = self._go_on
         self._admit()
 
     def suspend(self, reason: str) -> None:
@@ -95,6 +99,12 @@ class Exchange:
         self._stop()
         again = self._end_sent(LinkLostError(reason), keep=True)
         self._waiting.extendleft(reversed(again))
+        earlier: list[Source] = []
+        for source in self._waiting:
+            if isinstance(source, Fence):
+                source.earlier += earlier
+            elif not source.exhausted():
+                earlier.append(source)
 
     def end(self, error: LinkLostError) -> None:
         """End for good: every call that waits raises."""
@@ -106,7 +116,7 @@ class Exchange:
 
     def _stop(self) -> None:
         if self._stream is not None:
-            self._stream.receiver = None
+            self._stream.receiver = self._stream.on_writable = None
             self._stream = None
         if self._timer is not None:
             self._timer.cancel()
@@ -152,6 +162,8 @@ class Exchange:
             if source.posted:
                 self._fence()
             return
+        if isinstance(source, Fence):
+            source.earlier = [other for other in self._waiting if not other.exhausted()]
         self._waiting.append(source)
         if stream is not None:
             self._admit()
@@ -194,8 +206,12 @@ class Exchange:
             if source.unwanted():
                 waiting.popleft()
                 continue
+            if isinstance(source, Fence) and any(other in waiting for other in source.earlier):
+                waiting.rotate(-1)
+                continue
             room = window.room(source.size, posted=source.posted)
-            if room < source.least() and (not room or window.oldest != window.next):
+            # A window that is small because the line loses is not waited for to grow.
+            if not room or room < min(source.least(), max(1, window.most_room(source.size) // 2)):
                 break
             waiting.popleft()
             run = source.take(room)
@@ -212,7 +228,10 @@ class Exchange:
             self._stream.send_soon(self._number(Unawaited(self._codec, "H", b"", 0, self._loop)))
 
     def _repeat(self) -> None:
-        """Send all unanswered requests again; an ``h`` in place of those that nobody wants."""
+        """Send unanswered requests again; an ``h`` in place of those that are not wanted any more."""
+        if self._stream is None or self._stream.paused:
+            # What was sent before is still held back: a copy of it would only be behind it.
+            return
         codec = self._codec
         for number, run, offset, count in self._window.repetition():
             self.counters.repetitions += count
@@ -221,15 +240,13 @@ class Exchange:
                 frames = b"".join(codec.request("H", identifier, b"") for identifier in ids)
             else:
                 frames = run.encode(offset, count)
-            if self._stream is not None:
-                self._stream.send_soon(frames)
+            self._stream.send_soon(frames)
 
     # Responses
 
     def receive(self, data: bytes) -> int:
         """Take the whole frames of a read, and give where the first that is not whole begins."""
         now = self._now()
-        self._window.heard = True
         start = 0
         window = self._window
         batched = self._batching and len(data) >= FEWEST_BYTES
@@ -250,6 +267,9 @@ class Exchange:
             start = end + 1
             if start == len(data):
                 break
+        if start != len(data) and not data.startswith(self._sample, start):
+            # Perhaps the beginning of a long answer on a slow line.
+            window.heard = True
         if window.oldest == window.next:
             self._batching = False
         self._go_on()
@@ -288,8 +308,8 @@ class Exchange:
         """Take the publishes of a group as long as they stand side by side; give where they end."""
         framing = self._codec.framing
         head = data[start : start + len(framing.prefix) + 3]
-        wanted = self.publish_rows.get(head[-3:])
-        if wanted is None:
+        wanted = self.publish_rows.get(head[len(framing.prefix) :])
+        if wanted is None or not head.startswith(framing.prefix):
             return start
         size = wanted.size + framing.overhead
         while (count := (len(data) - start) // size) >= FEWEST_PUBLISHES:
@@ -304,8 +324,14 @@ class Exchange:
     def _receive_line(self, line: bytes, now: float) -> None:
         try:
             body = self._open(line)
+        except OtherNodeError:
+            self.counters.stray += 1
+            return
         except FrameError:
             self.counters.damaged += 1
+            if not line.startswith(self._sample):
+                self._window.heard = True
+                self._window.damaged(now)
             return
         if len(body) < 2:
             self.counters.stray += 1
@@ -320,6 +346,7 @@ class Exchange:
 
     def _receive_answer(self, body: bytes, now: float) -> None:
         """Take a message with an ID."""
+        self._window.heard = True
         head = 1 if body[1] < _UPPER_G else 2
         after = head + self._id_digits
         number = self._id_number.get(body[head:after])
@@ -349,6 +376,7 @@ class Exchange:
 
     def _receive_error(self, body: bytes, now: float) -> None:
         """Take an error without an ID."""
+        self._window.heard = True
         code = _number_of(body[1:])
         if code in (1, 7, 9):
             self._window.damaged(now)
@@ -370,10 +398,15 @@ class Exchange:
         """Have `_tick` called by the window's deadline; a timer that comes too early sets itself again."""
         deadline = self._window.deadline
         if self._timer is not None:
-            if deadline is None or self._timer.when() <= deadline:
+            if deadline is None or self._timer_at <= deadline:
                 return
             self._timer.cancel()
-        self._timer = None if deadline is None else self._loop.call_at(deadline, self._tick)
+        if deadline is None:
+            self._timer = None
+        else:
+            # Kept here, for a timer of uvloop that is due at once cannot tell it.
+            self._timer_at = deadline
+            self._timer = self._loop.call_at(deadline, self._tick)
 
     def _tick(self) -> None:
         self._timer = None

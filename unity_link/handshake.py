@@ -8,6 +8,8 @@ A plain answer has no CRC, so whatever is wrong with one may be damage: it is as
 from __future__ import annotations
 
 import asyncio
+import contextlib
+import math
 from typing import TYPE_CHECKING
 
 from unity_link.errors import ConnectError, UnsupportedError
@@ -26,6 +28,13 @@ LAST_ANSWER = len("K00CC\n")
 """Bytes of the last answer, at least."""
 CHECKED_TRIES = 4
 """How often the checked `Q` is asked before the plain answer is doubted."""
+DAMAGE_PAUSE = 0.002
+"""Seconds from a line that is no answer to the next question."""
+DAMAGE_PATIENCE = 16
+"""How many times as long as a line took that was no answer, the next answer is waited for."""
+SHORTEST_TRY = 0.005
+DAMAGE_COST = 1 / 16
+"""What part of a try a question counts that was answered by something else."""
 _LONGEST_TEXT = 120
 """Characters of what is not understood that a message quotes."""
 
@@ -45,6 +54,9 @@ class Handshake:
         self._plain = True
         self._beginning = b""
         self._answer: asyncio.Future[bytes] = asyncio.get_running_loop().create_future()
+        self._damage: asyncio.Future[None] = asyncio.get_running_loop().create_future()
+        """Done when a line has come that is no answer."""
+        self._tries = 0
         self._doubtful = b""
         self._heard = 0
         self._text = ""
@@ -64,11 +76,18 @@ class Handshake:
         codec = await self._learn()
         loop = asyncio.get_running_loop()
         session = b"K" + codec.id_text[0]
+        patience = FIRST_TRY
         while True:
             start = loop.time()
-            if await self._ask(codec.framing.checked(session), session, tries=1):
+            tries = self._tries
+            await self._ask(codec.framing.checked(session), session, patience)
+            round_trip = loop.time() - start
+            if self._tries == tries + 1:
                 self._stream.receiver = None
-                return codec, loop.time() - start
+                return codec, round_trip
+            # An answer does not say to which question it is: once more, when those to the others have come.
+            await asyncio.sleep(round_trip)
+            patience = 2 * round_trip
 
     def describe(self) -> str:
         """Say what was heard, for the message of a time out."""
@@ -82,16 +101,14 @@ class Handshake:
         while True:
             # A line end first, for what an earlier program left unfinished; LF, for CR would execute it unchecked.
             self._framing, self._plain = Framing(Crc(), self._node), True
-            plain = await self._ask(LF + self._framing.plain_request(b"Q"), b"Q", tries=None)
-            info = self._believe(plain)
-            if info is None:
-                continue
-            codec = Codec(info, self._node)
-            self._framing, self._plain = codec.framing, False
-            checked = await self._ask(codec.framing.checked(b"Q"), b"Q", tries=CHECKED_TRIES)
-            if checked == plain:
-                return codec
-            self._doubtful = plain
+            answer = await self._ask(LF + self._framing.plain_request(b"Q"), b"Q")
+            while (info := self._believe(answer)) is not None:
+                codec = Codec(info, self._node)
+                self._framing, self._plain = codec.framing, False
+                checked = await self._ask(codec.framing.checked(b"Q"), b"Q", tries=CHECKED_TRIES)
+                if checked == answer:
+                    return codec
+                self._doubtful, answer = answer, checked
 
     def _believe(self, plain: bytes) -> GatewayInfo | None:
         """Read a plain answer; what it says twice in the same words is no damage."""
@@ -105,22 +122,34 @@ class Handshake:
         self._doubtful = plain
         return None
 
-    async def _ask(self, question: bytes, beginning: bytes, tries: int | None) -> bytes:
-        """Ask until the answer comes, and give it; nothing after so many tries."""
+    async def _ask(
+        self, question: bytes, beginning: bytes, patience: float = FIRST_TRY, tries: float = math.inf
+    ) -> bytes:
+        """Ask until the answer comes, and return it; nothing after so many tries.
+
+        A line that is no answer may be a damaged one: then it is asked again soon, and that counts as a part of a try.
+        """
+        loop = asyncio.get_running_loop()
         self._beginning = beginning
-        self._answer = asyncio.get_running_loop().create_future()
-        patience = FIRST_TRY
-        while tries is None or tries > 0:
+        self._answer = loop.create_future()
+        while tries > 0:
             if self._stream.closed:
                 raise self._ended(None)
+            self._damage = loop.create_future()
+            self._tries += 1
+            asked = loop.time()
             self._stream.send(question)
-            try:
-                # Not by wait_for, which up to Python 3.11 forgets a cancellation that comes with the answer.
-                async with asyncio.timeout(patience):
-                    return await asyncio.shield(self._answer)
-            except TimeoutError:
+            await asyncio.wait((self._answer, self._damage), timeout=patience, return_when=asyncio.FIRST_COMPLETED)
+            if self._damage.done():
+                # What answers so soon will not take much longer for the next one.
+                patience = min(max(DAMAGE_PATIENCE * (loop.time() - asked), SHORTEST_TRY), LONGEST_TRY)
+                await asyncio.wait((self._answer,), timeout=DAMAGE_PAUSE)
+                tries -= DAMAGE_COST
+            else:
                 patience = min(2 * patience, LONGEST_TRY)
-                tries = None if tries is None else tries - 1
+                tries -= 1
+            if self._answer.done():
+                return self._answer.result()
         return b""
 
     # Called by the stream
@@ -134,15 +163,15 @@ class Handshake:
         return len(data) - len(rest)
 
     def _receive_line(self, line: bytes) -> None:
-        if line.endswith(b"\r") != self._plain:
-            return
-        try:
-            body = self._framing.open(line)
-        except FrameError:
-            body = b""
+        body = b""
+        if line.endswith(b"\r") == self._plain:
+            with contextlib.suppress(FrameError):
+                body = self._framing.open(line)
         if not body.startswith(self._beginning):
             text = line[:_LONGEST_TEXT].decode("ascii", "replace").strip()
             self._text = text if text.isprintable() else ""
+            if not self._damage.done():
+                self._damage.set_result(None)
         elif not self._answer.done():
             self._answer.set_result(body)
 

@@ -6,6 +6,7 @@
 
 from __future__ import annotations
 
+import contextlib
 from collections.abc import Sequence
 from operator import index
 from typing import TYPE_CHECKING, Any, Literal, Self, cast
@@ -26,6 +27,7 @@ from unity_link.requests import (
     Batch,
     BatchSource,
     Block,
+    Fence,
     Posted,
     PostedBatch,
     Request,
@@ -117,10 +119,16 @@ class Link(Connection):
     async def __aexit__(
         self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
     ) -> None:
-        """Close; where the block ended well, not before the posted writes are executed, and with their errors."""
+        """Close; where the block ended well, not before the posted writes are executed, and with their errors.
+
+        A gateway that is away is not waited for: what is not known of posted writes is then one of their errors.
+        """
         try:
             if error is None and self._posted and not self._closed:
-                await self.fence()
+                if self.connected:
+                    with contextlib.suppress(LinkLostError):
+                        await self._fence(leaving=True)
+                self._raise_posted()
         finally:
             await self.aclose()
 
@@ -205,7 +213,19 @@ class Link(Connection):
             UnityLinkError: the first error of the writes posted since the last fence.
         """
         self._posted = False
-        await self._ask("H")
+        try:
+            await self._fence(leaving=False)
+        except BaseException:
+            self._posted = True
+            raise
+        self._raise_posted()
+
+    async def _fence(self, *, leaving: bool) -> None:
+        fence = Fence(self._codec, self._loop, leaving=leaving)
+        self._exchange.submit(fence)
+        await fence.future
+
+    def _raise_posted(self) -> None:
         first, count = self._posted_error, self._posted_failures
         self._posted_error, self._posted_failures = None, 0
         if first is not None:
@@ -275,7 +295,7 @@ class Link(Connection):
         """Write one word to each of many addresses, in order, in one pipelined batch.
 
         Raises:
-            GatewayError: the first error; the other writes may have been executed.
+            GatewayError: the first error; the other writes are done all the same.
         """
         where, what = self._write_arguments(addresses, values)
         info = self.gateway
@@ -336,11 +356,11 @@ class Link(Connection):
         needs = (
             (trigger, Feature.EXTERNAL_TRIGGERS, "external triggers"),
             (timestamps, Feature.TIMESTAMPS, "timestamps"),
+            (immediate, Feature.SEND_IMMEDIATE, "send-immediate"),
         )
         for wanted, feature, name in needs:
             if wanted:
                 self._require(feature, name)
-        immediate = immediate and Feature.SEND_IMMEDIATE in self.gateway.features
         flags = GroupFlag(0)
         if rate_hz is not None or divisor is not None:
             flags |= GroupFlag.PERIODIC
@@ -437,13 +457,15 @@ class Link(Connection):
         if rate_hz is not None:
             if divisor is not None:
                 raise ArgumentError("a rate and a divisor were given, expected one of them")
+            if not isinstance(rate_hz, int | float | np.number):
+                raise ArgumentError(f"a rate is a number of Hz, not {rate_hz!r:.80}")
             if not base / _LARGEST_DIVISOR <= rate_hz <= base:
                 lowest = base / _LARGEST_DIVISOR
                 raise ArgumentError(f"a rate of {rate_hz:g} Hz was asked for, expected {lowest:.3g} to {base:g} Hz")
             return round(base / rate_hz)
         if divisor is None:
             return 1
-        if not 1 <= divisor <= _LARGEST_DIVISOR:
+        if not 1 <= _whole(divisor, "a divisor") <= _LARGEST_DIVISOR:
             raise ArgumentError(f"a divisor of {divisor} was asked for, expected 1 to {_LARGEST_DIVISOR}")
         return divisor
 
@@ -452,16 +474,16 @@ class Link(Connection):
             raise UnsupportedError(f"the gateway was built without {name}")
 
     def _check_address(self, address: int) -> None:
-        if not 0 <= address <= self._highest_address:
+        if not 0 <= _whole(address, "an address") <= self._highest_address:
             raise ArgumentError(f"address {address:#x} is not from 0 to {self._highest_address:#x}")
 
     def _check_word(self, value: int) -> None:
-        if not 0 <= value <= self._highest_word:
+        if not 0 <= _whole(value, "a word") <= self._highest_word:
             bits = self.gateway.data_bits
             raise ArgumentError(f"{value} does not fit in a word of {bits} bits (0 to {self._highest_word:#x})")
 
     def _check_count(self, count: int) -> None:
-        if count < 1:
+        if _whole(count, "a number of words") < 1:
             raise ArgumentError(f"{count} words were asked for, at least 1 is needed")
 
     def _check_block(self, address: int, count: int) -> None:
@@ -477,6 +499,14 @@ class Link(Connection):
 
     def _words(self, values: ArrayLike) -> Words:
         return _in_range(values, self._highest_word, "value").astype(self._codec.word_type)
+
+
+def _whole(value: int, what: str) -> int:
+    """Return a whole number, of whatever type, as an `int`."""
+    try:
+        return index(value)
+    except TypeError:
+        raise ArgumentError(f"{what} is a whole number, not {value!r:.80}") from None
 
 
 def _in_range(values: ArrayLike, highest: int, what: str) -> NDArray[Any]:
@@ -543,10 +573,15 @@ def connect(target: str | Gateway, *, timeout: float = 5.0, reconnect: bool | Re
             reads and what had not been sent are sent again; other requests that were under way raise `LinkLostError`.
 
     Raises:
-        ArgumentError: for a URL that no driver knows.
+        ArgumentError: for a URL that no driver knows, or an argument of another type.
         ConnectError: where nothing answers in time; it says what was tried.
         UnsupportedError: for a gateway of another protocol version.
     """
+    if not isinstance(reconnect, bool | Reconnect):
+        raise ArgumentError(f"reconnect is True, False or a Reconnect, not {reconnect!r:.80}")
+    given: object = timeout
+    if not (isinstance(given, int | float) and given > 0):
+        raise ArgumentError(f"timeout is a number of seconds above 0, not {timeout!r:.80}")
     if isinstance(reconnect, bool):
         return Connecting(target, timeout, Reconnect() if reconnect else None)
     return Connecting(target, timeout, reconnect)

@@ -284,6 +284,28 @@ class Posted(Request):
             self.future.set_exception(error)
 
 
+class Fence(Request):
+    """An ``h`` that is not sent before all that was asked for earlier.
+
+    Args:
+        codec: the messages of the gateway.
+        loop: the loop of the future.
+        leaving: whether it ends with its session, where a new one would send it again.
+    """
+
+    __slots__ = ("_leaving", "earlier")
+
+    def __init__(self, codec: Codec, loop: asyncio.AbstractEventLoop, *, leaving: bool = False) -> None:
+        super().__init__(codec, "H", b"", 0, loop)
+        self._leaving = leaving
+        self.earlier: list[Source] = []
+        """Sources of several turns that were asked for before."""
+
+    def again(self, offset: int, count: int) -> Source | None:
+        """Return the fence itself, or nothing where it ends with its session."""
+        return None if self._leaving else super().again(offset, count)
+
+
 class Unawaited(Request):
     """A request of the link itself that nobody waits for, and that a call's cancellation leaves as it is."""
 
@@ -361,13 +383,28 @@ class Batch:
         """Whether any of the requests was sent."""
         self._answers = np.zeros(len(fields), codec.word_type)
         self._unanswered = len(fields)
+        self._error: tuple[int, GatewayError] | None = None
+        """The first request that the gateway refused, and how."""
 
     def put(self, offset: int, words: Words) -> None:
         """Take answers."""
         self._answers[offset : offset + len(words)] = words
-        self._unanswered -= len(words)
-        if not self._unanswered and not self.future.done():
+        self._count(len(words))
+
+    def refuse(self, offset: int, error: GatewayError) -> None:
+        """Take the refusal of one request; the others are done all the same."""
+        if self._error is None or offset < self._error[0]:
+            self._error = offset, error
+        self._count(1)
+
+    def _count(self, answered: int) -> None:
+        self._unanswered -= answered
+        if self._unanswered or self.future.done():
+            return
+        if self._error is None:
             self.future.set_result(self._answers)
+        else:
+            self.future.set_exception(self._error[1])
 
     def fail(self, error: UnityLinkError) -> None:
         """Raise `error`, which is about a part of the batch, in who waits."""
@@ -417,7 +454,7 @@ class BatchSource:
 class BatchRun(Rows):
     """The part of a batch that was sent in one turn."""
 
-    __slots__ = ("_batch", "_exhausted", "_frames", "_offset")
+    __slots__ = ("_batch", "_frames", "_offset")
 
     def __init__(self, batch: Batch, offset: int, count: int) -> None:
         super().__init__(batch.codec, batch.command, batch.fields.shape[1], batch.reply_digits, count)
@@ -453,6 +490,13 @@ class BatchRun(Rows):
             return 0
         self._batch.put(self._offset + offset, words)
         return len(words)
+
+    def fail_part(self, offset: int, count: int, error: UnityLinkError) -> None:
+        """Keep the refusal of a request until the others are done; whatever else it is, it ends the batch."""
+        if isinstance(error, GatewayError):
+            self._batch.refuse(self._offset + offset, error)
+        else:
+            super().fail_part(offset, count, error)
 
     def fields_at(self, offset: int) -> bytes:
         """Give the fields of one request."""

@@ -7,7 +7,12 @@ sent in one turn of the event loop into one write. It never looks into a frame.
 from __future__ import annotations
 
 import asyncio
-from typing import Protocol
+from typing import TYPE_CHECKING, Protocol, cast
+
+from unity_link.wire.window import QUICK_TIMEOUT, SHORTEST_TIMEOUT
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
 
 LONGEST_FRAME = 16_384
 """Bytes without a line end that are kept: more than the longest message, a sample of 255 words of 64 bits, has."""
@@ -31,6 +36,8 @@ class Stream(asyncio.Protocol):
 
     def __init__(self) -> None:
         self.receiver: Receiver | None = None
+        self.on_writable: Callable[[], None] | None = None
+        """Is called when the transport takes bytes again after a pause."""
         self.bytes_received = 0
         self.bytes_sent = 0
         self.closed = False
@@ -40,14 +47,15 @@ class Stream(asyncio.Protocol):
         self._rest = b""
         self._out: list[bytes] = []
         self._flushing = False
-        self._paused = False
+        self.paused = False
+        """Whether the transport has asked for no more bytes: what is sent now is held back here."""
 
     # Called by users of the stream
 
     def send(self, data: bytes) -> None:
         """Send at once; for a frame that nothing is under way before."""
         transport = self._transport
-        if self._out or self._paused or transport is None or self.closed:
+        if self._out or self.paused or transport is None or self.closed:
             self.send_soon(data)
         else:
             self.bytes_sent += len(data)
@@ -56,9 +64,18 @@ class Stream(asyncio.Protocol):
     def send_soon(self, data: bytes) -> None:
         """Send together with all else that is sent in this turn of the event loop."""
         self._out.append(data)
-        if not self._flushing and not self._paused:
+        if not self._flushing and not self.paused:
             self._flushing = True
             self._loop.call_soon(self._flush)
+
+    @property
+    def shortest_timeout(self) -> float:
+        """Seconds that the medium may hold an answer back, and some more; what is unknown is as slow as a USB chip."""
+        if self._transport is None:
+            return SHORTEST_TIMEOUT
+        is_socket = self._transport.get_extra_info("socket") is not None
+        known = self._transport.get_extra_info("shortest_timeout", QUICK_TIMEOUT if is_socket else SHORTEST_TIMEOUT)
+        return float(known)
 
     async def close(self) -> None:
         """End the connection and wait until it has ended."""
@@ -79,7 +96,7 @@ class Stream(asyncio.Protocol):
 
     def _flush(self) -> None:
         self._flushing = False
-        if self._out and not self._paused:
+        if self._out and not self.paused:
             data = b"".join(self._out)
             self._out.clear()
             if self._transport is not None and not self.closed:
@@ -90,8 +107,8 @@ class Stream(asyncio.Protocol):
 
     def connection_made(self, transport: asyncio.BaseTransport) -> None:
         """Keep the transport."""
-        assert isinstance(transport, asyncio.Transport)
-        self._transport = transport
+        # No check by class: the transports of uvloop are of none of asyncio's.
+        self._transport = cast("asyncio.Transport", transport)
 
     def data_received(self, data: bytes) -> None:
         """Hand on a whole read."""
@@ -107,12 +124,14 @@ class Stream(asyncio.Protocol):
 
     def pause_writing(self) -> None:
         """Hold back what is sent from now on."""
-        self._paused = True
+        self.paused = True
 
     def resume_writing(self) -> None:
         """Send what was held back."""
-        self._paused = False
+        self.paused = False
         self._flush()
+        if self.on_writable is not None:
+            self.on_writable()
 
     def connection_lost(self, exc: Exception | None) -> None:
         """Tell the receiver."""

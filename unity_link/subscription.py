@@ -40,6 +40,8 @@ NOT_OPEN = "the subscription is not open: write `async with ...subscribe(...) as
 _HEAD = 5
 """Characters before the fields of a publish: the letter, the group and the sequence."""
 _TIMESTAMP_DIGITS = 8
+RESET_TOLERANCE = 1
+"""Seconds by which the clock of a gateway that was not reset may be off this machine's after an interruption."""
 
 
 class Sample(msgspec.Struct, frozen=True, gc=False):
@@ -55,6 +57,8 @@ class Sample(msgspec.Struct, frozen=True, gc=False):
     """The words, in the order of the addresses; shape (addresses,)."""
     lost: int
     """How many samples were lost between the one that was read before and this one."""
+    epoch: int = 0
+    """Number of the link's session that it came in: 0, and one more after each reconnection."""
 
 
 class GatewayClock:
@@ -62,22 +66,40 @@ class GatewayClock:
 
     Of all the instants that a timestamp may mean, it takes the one nearest to what this machine's clock says has passed
     since the last: right as long as samples are less than half a turn of the counter late (43 s at 50 MHz).
+
+    The gateway may have been reset between two sessions, and its counter with it. Where the first timestamp of a
+    session is not close to what this machine's clock expects, the time goes on from there, so it never goes back.
     """
 
     def __init__(self, frequency_hz: int) -> None:
         self._frequency = frequency_hz
         self._ticks: int | None = None
         self._at = 0.0
+        self._offset = 0
+        """What is added to timestamps since a reset of the gateway, in ticks."""
+        self._resumed = False
+
+    def resume(self) -> None:
+        """Begin with a new session."""
+        self._resumed = self._ticks is not None
 
     def seconds(self, timestamp: int, now: float) -> float:
-        """Give the time of a timestamp that arrived at `now`, in seconds."""
+        """Return the time of a timestamp that arrived at `now`, in seconds."""
         if self._ticks is None:
             ticks = timestamp
         else:
             estimate = self._ticks + int((now - self._at) * self._frequency)
-            ticks = estimate + ((timestamp - estimate + 0x8000_0000) & 0xFFFF_FFFF) - 0x8000_0000
+            ticks = self._nearest(timestamp, estimate)
+            tolerance = RESET_TOLERANCE * self._frequency
+            if self._resumed and not (self._ticks < ticks and abs(ticks - estimate) < tolerance):
+                self._offset += max(estimate, self._ticks + 1) - ticks
+                ticks = max(estimate, self._ticks + 1)
+        self._resumed = False
         self._ticks, self._at = ticks, now
         return ticks / self._frequency
+
+    def _nearest(self, timestamp: int, estimate: int) -> int:
+        return estimate + ((timestamp + self._offset - estimate + 0x8000_0000) & 0xFFFF_FFFF) - 0x8000_0000
 
     def seconds_of(self, timestamps: NDArray[np.unsignedinteger], now: float) -> NDArray[np.float64]:
         """Give the times of timestamps that arrived together, in order."""
@@ -109,15 +131,19 @@ class Groups:
         self._held: dict[int, Subscription] = {}
         self._stopping: set[Request] = set()
         self._free: deque[int] | None = None
+        self.epoch = -1
+        """Number of the session."""
         self.samples = 0
         self.samples_lost = 0
 
     def start(self, codec: Codec) -> None:
         """Begin with a new session: all groups are stopped."""
         self.codec = codec
-        self.clock = GatewayClock(codec.info.clock_hz)
+        self.epoch += 1
         if self._free is None:
             self._free = deque(range(codec.info.groups))
+            self.clock = GatewayClock(codec.info.clock_hz)
+        self.clock.resume()
 
     async def restore(self) -> None:
         """Set up all subscriptions again in a new session."""
@@ -195,6 +221,9 @@ class Groups:
                 return
 
     async def _set_up(self, group: int, subscription: Subscription) -> None:
+        if self._held.get(group) is not subscription:
+            # It has ended while those before it were set up, and the group may be another's.
+            return
         schedule = subscription.schedule
         addresses = np.array(schedule.addresses, np.uint64)
         await self._submit("GS", group, int(schedule.flags), schedule.divisor, len(addresses), addresses)
@@ -239,6 +268,10 @@ class Subscription:
         overflow: Overflow,
         callback: Callable[[Sample], object] | None,
     ) -> None:
+        if not isinstance(buffer, int):
+            raise ArgumentError(f"a buffer is a number of samples, not {buffer!r:.80}")
+        if callback is not None and not callable(callback):
+            raise ArgumentError(f"a callback is a function, not {callback!r:.80}")
         if buffer < 1:
             raise ArgumentError(f"a buffer of {buffer} samples was asked for, at least 1 is needed")
         if overflow not in ("drop_oldest", "fail"):
@@ -257,6 +290,7 @@ class Subscription:
         self._callback = callback
         self._dropped = 0
         self._waiter: asyncio.Future[None] | None = None
+        self._entered = False
         self._group: int | None = None
         self._error: UnityLinkError | None = None
         self._ended = False
@@ -279,11 +313,18 @@ class Subscription:
         await self._groups.publish(self._group)
 
     async def __aenter__(self) -> Self:
+        if self._entered:
+            raise ArgumentError("this subscription has been entered before: make another one by `subscribe`")
+        self._entered = True
         codec = self._groups.codec
         timestamped = GroupFlag.TIMESTAMP in self.schedule.flags
         self._words_at = _HEAD + (_TIMESTAMP_DIGITS if timestamped else 0)
         self.length = self._words_at + codec.info.data_digits * len(self.schedule.addresses)
-        self._group = await self._groups.hold(self)
+        try:
+            self._group = await self._groups.hold(self)
+        except BaseException:
+            self._entered = False
+            raise
         return self
 
     async def __aexit__(
@@ -350,7 +391,7 @@ class Subscription:
 
     def receive(self, body: bytes, now: float) -> None:
         """Take a publish of the group."""
-        if len(body) != self.length or self._error is not None:
+        if len(body) != self.length:
             return
         try:
             values = parse_words(body[self._words_at :], self._groups.codec.info.data_digits)
@@ -360,7 +401,7 @@ class Subscription:
             return
         instant = None if timestamp is None else self._groups.clock.seconds(timestamp, now)
         lost = self._count_lost(sequence, instant)
-        self._keep(Sample(self._sequence, instant, time.time(), values, lost))
+        self._keep(Sample(self._sequence, instant, time.time(), values, lost, self._groups.epoch))
 
     def receive_rows(self, bodies: NDArray[np.uint8], now: float) -> int:
         """Take publishes of the group that arrived together, as long as none is missing between them.
@@ -372,8 +413,6 @@ class Subscription:
         Returns:
             How many of the first ones were taken.
         """
-        if self._error is not None:
-            return len(bodies)
         digits, stamped = self._groups.codec.info.data_digits, self._words_at != _HEAD
         try:
             values = parse_rows(bodies[:, self._words_at :].reshape(-1, digits)).reshape(len(bodies), -1)
@@ -386,10 +425,11 @@ class Subscription:
         if timestamps is not None:
             instants = self._groups.clock.seconds_of(timestamps[:count], now).tolist()
         lost, first, arrived = self._count_lost(int(sequences[0]), instants[0]), self._sequence, time.time()
+        epoch = self._groups.epoch
         self._sequence += count - 1
         self._sampled_at = instants[-1]
         samples = [
-            Sample(first + offset, instant, arrived, words.copy(), 0 if offset else lost)
+            Sample(first + offset, instant, arrived, words.copy(), 0 if offset else lost, epoch)
             for offset, (instant, words) in enumerate(zip(instants, values[:count], strict=True))
         ]
         self._keep_all(samples)
@@ -407,15 +447,15 @@ class Subscription:
         return len(sequences) if steady.all() else int(steady.argmin()) + 1
 
     def _keep_all(self, samples: list[Sample]) -> None:
-        if self._callback is None and len(self._buffer) + len(samples) <= self._buffer_size:
+        room = self._buffer_size - len(self._buffer)
+        if self._callback is None and self._error is None and len(samples) <= room:
             self._keep(samples[0])
             self.received += len(samples) - 1
             self._groups.samples += len(samples) - 1
             self._buffer.extend(samples[1:])
             return
         for sample in samples:
-            if self._error is None:
-                self._keep(sample)
+            self._keep(sample)
 
     def _count_lost(self, sequence: int, at: float | None) -> int:
         """Give how many samples are missing before this one; a timestamp tells how often the two digits went round."""
@@ -432,12 +472,16 @@ class Subscription:
         self._groups.samples += 1
         if sample.lost:
             self._lose(sample.lost)
+        if self._error is not None:
+            self._lose(1)
+            return
         if self._callback is not None:
             self._call(self._callback, sample)
             return
         if len(self._buffer) == self._buffer_size:
             if self._overflow == "fail":
                 self.fail(SamplesLostError(f"the reader is too slow: {self._buffer_size} samples are waiting for it"))
+                self._lose(1)
                 return
             self._dropped += self._buffer.popleft().lost + 1
             self._lose(1)

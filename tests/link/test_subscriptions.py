@@ -242,10 +242,10 @@ async def test_a_gateway_without_the_feature_is_told_by_name(
 
 
 @pytest.mark.asyncio
-async def test_timestamps_and_immediate_are_used_where_the_gateway_can(make_gateway: Maker) -> None:
+async def test_timestamps_are_used_where_the_gateway_can(make_gateway: Maker) -> None:
     async with (
         unity_link.connect(make_gateway(features=Feature.GROUPS | Feature.FLOW_CONTROL)) as link,
-        link.subscribe([0], immediate=True) as samples,
+        link.subscribe([0]) as samples,
     ):
         await samples.publish()
         assert (await anext(samples)).time is None

@@ -47,7 +47,7 @@ class Plan(msgspec.Struct, frozen=True, kw_only=True):
     polled: bool = False
     """Whether the host is to read by itself, though the gateway may have groups."""
     nearest: bool = False
-    """Whether a rate that the gateway does not have stands for the nearest that it has."""
+    """Whether a rate, or sending at once, that the gateway does not have stands for the nearest that it has."""
 
     def is_known(self) -> bool:
         """Say whether this tells when samples are taken."""
@@ -312,13 +312,14 @@ def _source(layout: Layout, plan: Plan, buffer: int, overflow: Overflow) -> Sour
     rate_hz, divisor = plan.rate_hz, plan.divisor
     if plan.nearest and plan.rate_hz is not None:
         rate_hz, divisor = None, min(max(round(info.base_frequency_hz / plan.rate_hz), 1), _LARGEST_DIVISOR)
+    immediate = plan.immediate and (not plan.nearest or Feature.SEND_IMMEDIATE in info.features)
     return layout.link.subscribe(
         layout.addresses,
         rate_hz=rate_hz,
         divisor=divisor,
         trigger=plan.trigger,
         on_change=plan.on_change,
-        immediate=plan.immediate,
+        immediate=immediate,
         timestamps=plan.timestamps,
         buffer=buffer,
         overflow=overflow,

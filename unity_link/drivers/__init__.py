@@ -3,6 +3,9 @@
 A driver module has a coroutine ``connect(url, protocol)`` that opens the medium and gives an `asyncio` transport that
 feeds `protocol`, and ``OPTIONS``, the names of the URL options that it takes. It may have a coroutine ``prepare(url)``
 for what takes its time once on a machine and says nothing about the gateway: no time-out counts it.
+
+The transport's ``get_extra_info("shortest_timeout")`` are the seconds that the medium may hold an answer back, and some
+more; where it says nothing, a socket is quick, and everything else as slow as a USB chip.
 """
 
 from __future__ import annotations

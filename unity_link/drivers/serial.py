@@ -22,6 +22,7 @@ import serial
 from serial_asyncio_fast import SerialTransport
 
 from unity_link.errors import ArgumentError, ConnectError
+from unity_link.wire.window import QUICK_TIMEOUT
 
 if TYPE_CHECKING:
     from unity_link.drivers import DriverUrl
@@ -29,6 +30,8 @@ if TYPE_CHECKING:
 OPTIONS = frozenset({"baud", "rtscts"})
 DEFAULT_BAUD = 115_200
 LARGEST_READ = 65_536
+_PSEUDO_TERMINALS = range(136, 144)
+"""Major numbers of their device files on Linux."""
 
 
 async def connect(url: DriverUrl, protocol: asyncio.Protocol) -> asyncio.Transport:
@@ -75,6 +78,8 @@ class PortTransport(SerialTransport):
     def __init__(self, loop: asyncio.AbstractEventLoop, protocol: asyncio.Protocol, port: serial.Serial) -> None:
         super().__init__(loop, protocol, port)
         self._descriptor = port.fileno()
+        if os.major(os.fstat(self._descriptor).st_rdev) in _PSEUDO_TERMINALS:
+            self._extra["shortest_timeout"] = QUICK_TIMEOUT
 
     def _read_ready(self) -> None:
         try:

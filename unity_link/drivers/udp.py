@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 from unity_link.drivers.tcp import address
 from unity_link.errors import ConnectError
 from unity_link.wire.frames import datagrams
+from unity_link.wire.window import QUICK_TIMEOUT
 
 if TYPE_CHECKING:
     from unity_link.drivers import DriverUrl
@@ -31,7 +32,7 @@ class DatagramAdapter(asyncio.Transport, asyncio.DatagramProtocol):
     """Looks like a stream to `protocol`, and sends datagrams."""
 
     def __init__(self, protocol: asyncio.Protocol) -> None:
-        super().__init__()
+        super().__init__({"shortest_timeout": QUICK_TIMEOUT})
         self._protocol = protocol
         self._endpoint: asyncio.DatagramTransport | None = None
 

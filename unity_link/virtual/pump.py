@@ -48,6 +48,7 @@ class Pump:
         self._send = send
         self._loop = loop
         self._timer: asyncio.TimerHandle | None = None
+        self._armed_for = 0.0
         self._closed = False
         gateway.wake = self._arm
         self._arm()
@@ -104,8 +105,9 @@ class Pump:
         if due is None or self.blocked or self._closed:
             return
         at = max(due, not_before)
-        if self._timer is None or at < self._timer.when():
+        if self._timer is None or at < self._armed_for:
             self._disarm()
+            self._armed_for = at
             self._timer = self._loop.call_at(at, self._on_time, due)
 
     def _disarm(self) -> None:

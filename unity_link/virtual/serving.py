@@ -17,7 +17,7 @@ import io
 import os
 import tty
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 from unity_link.errors import ConnectError
 from unity_link.listening import LOOPBACK, listen_tcp, listen_unix, port_error
@@ -88,12 +88,13 @@ class _Client(asyncio.Protocol):
         self._served = False
 
     def connection_made(self, transport: asyncio.BaseTransport) -> None:
-        assert isinstance(transport, asyncio.Transport)
+        # No check by class: the transports of uvloop are of none of asyncio's.
+        client = cast("asyncio.Transport", transport)
         if self._counter.taken:
-            transport.pause_reading()
-            asyncio.get_running_loop().call_later(GRACE, self._serve_or_refuse, transport)
+            client.pause_reading()
+            asyncio.get_running_loop().call_later(GRACE, self._serve_or_refuse, client)
         else:
-            self._serve(transport)
+            self._serve(client)
 
     def _serve(self, transport: asyncio.Transport) -> None:
         self._served = True

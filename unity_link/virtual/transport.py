@@ -13,6 +13,7 @@ import asyncio
 from typing import TYPE_CHECKING
 
 from unity_link.virtual.pump import MOST_BYTES, Pump
+from unity_link.wire.window import QUICK_TIMEOUT
 
 if TYPE_CHECKING:
     from unity_link.virtual.gateway import Gateway
@@ -37,7 +38,7 @@ class GatewayTransport(asyncio.Transport):
     """
 
     def __init__(self, gateway: Gateway, protocol: asyncio.Protocol, *, at_once: bool = False) -> None:
-        super().__init__({"gateway": gateway})
+        super().__init__({"gateway": gateway, "shortest_timeout": QUICK_TIMEOUT})
         self._loop = asyncio.get_running_loop()
         self._protocol: asyncio.BaseProtocol = protocol
         self._pump = Pump(gateway, self._collect, self._loop)

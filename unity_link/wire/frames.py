@@ -31,6 +31,10 @@ class FrameError(ValueError):
     """A frame that is damaged, cut, or not for us."""
 
 
+class OtherNodeError(FrameError):
+    """A sound frame of another node on a shared medium."""
+
+
 class Framing:
     """Puts bodies into frames and takes them out again.
 
@@ -65,7 +69,8 @@ class Framing:
             line: what came before the LF.
 
         Raises:
-            FrameError: where the check fails or the frame is another node's.
+            OtherNodeError: where the frame is another node's.
+            FrameError: where the check fails.
         """
         if line and line[-1] == _CR_BYTE:
             covered = line[:-1]
@@ -76,7 +81,7 @@ class Framing:
                 raise FrameError(f"wrong CRC in {line[:80]!r}")
         if self.prefix:
             if not covered.startswith(self.prefix):
-                raise FrameError(f"not from node {self.prefix[1:].decode()}: {line[:80]!r}")
+                raise OtherNodeError(f"not from node {self.prefix[1:].decode()}: {line[:80]!r}")
             return covered[len(self.prefix) :]
         return covered
 

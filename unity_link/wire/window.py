@@ -21,22 +21,29 @@ What comes in, and what the window does:
                                     then an answer was lost: go back
     response to any other ID        stale, the answer to a repetition: nothing
     ``n i``                         `executed` moves to i; go back
-    ``X01`` ``X07`` ``X09``         something arrived damaged: go back
+    ``X01`` ``X07`` ``X09``         a request arrived damaged: go back
+    a frame with a wrong CRC        an answer arrived damaged, perhaps: go back
     ``X02`` ``X03``                 the same, and the third time for the same request: give that one up
     time out, something was heard   go back, with twice the time out; after too many for the same request: give that
                                     one up; after as many for the ``h`` in its place: lost
-    time out, nothing was heard     go back, with twice the time out; after too many: lost
+    time out, nothing was heard     go back, with twice the time out; after `LONGEST_SILENCE`: lost
     ==============================  ==========================================================================
 
-*Go back* means: send all unanswered requests again, in order, from `oldest`. A gap brings many signs (the damaged
-frame, the out-of-sequence one behind it, the skipped answer), so the window goes back once for each `oldest`; if the
-repetition is lost too, the time out finds it. While it loses, fewer requests are kept in flight, because one damaged
-frame costs all those sent behind it.
+*Go back* means: send the unanswered requests again, in order, from `oldest`. While the line loses, fewer requests are
+kept in flight, because one damaged frame costs all those sent behind it; the repetition, too, sends only as many at a
+time, and new requests follow behind its end.
 
-A request that is given up, or that nobody waits for any more, keeps its ID, for those behind it build on it; when it is
-sent again, it is sent as ``h``.
+A gap brings many signs (the damaged frame, the out-of-sequence one behind it, the skipped answer). So after it has gone
+back, the window takes no further sign as long as `oldest` has not moved and a sign must still be about what was sent
+before: for the least round trip seen, and twice as long each time. A later sign says that the repetition was lost, too.
+What brings no sign at all, the time out finds. Where no flow control protects the gateway's receive FIFO, only the time
+out sends the same once more: what waits in the FIFO must have left it.
+
+Something was *heard* if it can be about a request; samples are not. A request that is given up, or that is not wanted
+any more, keeps its ID, for those behind it build on it; when it is sent again, it is sent as ``h``.
 
 The time out is RFC 6298's, with the clock of the caller. One request at a time is timed, and none that was sent twice.
+The doubling is undone by the answer to a request that was sent once, and by any progress after a sign of loss.
 """
 
 from __future__ import annotations
@@ -46,12 +53,22 @@ from typing import TYPE_CHECKING, Generic, NamedTuple, TypeVar
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
-MOST_SILENT_TRIES = 8
+MOST_QUICK_SIGNS = 6
+"""How often signs are followed at the pace of a round trip that is next to nothing."""
+SLOWER_SIGNS = 0.001
+"""Seconds that a round trip counts as, at least, after so many."""
+LONGEST_SILENCE = 5.0
+"""Seconds without anything that can be about a request, and with one under way, after which the link is lost."""
+FEWEST_SILENT_TRIES = 3
+"""Time outs in silence before the link is lost, however long one takes."""
 MOST_TRIES = 32
 MOST_REFUSALS = 3
 FEWEST_IN_FLIGHT = 8
 SHORTEST_TIMEOUT = 0.025
-"""An answer may stay in a USB chip until its latency timer ends: 16 ms by default, whatever the last round trip was."""
+"""Seconds, for media that do not say better: an answer may stay in a USB chip until its latency timer ends, 16 ms by
+default, whatever the last round trip was."""
+QUICK_TIMEOUT = 0.003
+"""The same for media that hand everything on at once: sockets, pseudo-terminals, gateways of this process."""
 LONGEST_TIMEOUT = 2.0
 FIRST_TIMEOUT = 0.25
 FENCE_DELAY = 0.001
@@ -99,10 +116,16 @@ class Window(Generic[R]):
         byte_limit: most unconfirmed request bytes, or None where flow control protects the gateway's receive FIFO.
         byte_time: seconds that one byte may need on the wire, at most; round trips of many bytes show where it is less.
         round_trip: a first measurement in seconds, if there is one.
+        shortest_timeout: seconds that the medium may hold an answer back, and some more.
     """
 
     def __init__(
-        self, ring: int, byte_limit: int | None = None, byte_time: float = 0.0, round_trip: float | None = None
+        self,
+        ring: int,
+        byte_limit: int | None = None,
+        byte_time: float = 0.0,
+        round_trip: float | None = None,
+        shortest_timeout: float = SHORTEST_TIMEOUT,
     ) -> None:
         self._mask = ring - 1
         self._half = ring // 2
@@ -110,6 +133,8 @@ class Window(Generic[R]):
         self._byte_time = self._reply_byte_time = byte_time
         self._slots: list[R | None] = [None] * ring
         self.oldest = self.executed = self.next = 0
+        self._to_repeat = 0
+        """The next ID that is to be sent again; `next` where none is."""
         self._allowed = self._half
         self._bytes = 0
         self.unfenced = 0
@@ -122,18 +147,27 @@ class Window(Generic[R]):
         self.smoothed_round_trip: float | None = None
         """Smoothed round trip in seconds (SRTT of RFC 6298), None before the first."""
         self._variation = 0.0
-        self._timeout = FIRST_TIMEOUT
+        self._shortest_timeout = shortest_timeout if byte_limit is None else SHORTEST_TIMEOUT
+        self._least_round_trip = 0.0 if round_trip is None else round_trip
+        self._measured_timeout = self._timeout = FIRST_TIMEOUT
+        self._sent_once_from = 0
+        """The first ID that was not under way when the window last went back."""
         self._since = 0.0
+        self._silent_since = 0.0
         self._silent_tries = 0
         self._tries = 0
         self.heard = False
-        """Something has arrived since the last time out, be it damaged: set by who reads."""
-        self._gone_back = False
+        """Something that can be about a request has arrived since the last time out, be it damaged: set by the reader.
+        """
+        self._gone_back = 0
+        """How often the window has gone back to this `oldest`."""
+        self._waited = False
+        """Whether it went back last because the time had run out."""
+        self._next_sign = float("-inf")
+        """When a sign can be about the repetition."""
         self._refused = False
         self._refusals = 0
         self._gave_up = False
-        self.wants_repetition = False
-        """The window has gone back: `repetition` is to be sent."""
         self.lost = False
         """The gateway does not answer any more: too many time outs in silence, or not even an ``h`` comes through."""
         if round_trip is not None:
@@ -146,11 +180,22 @@ class Window(Generic[R]):
 
     # Sending
 
+    @property
+    def wants_repetition(self) -> bool:
+        """Whether the window has gone back, and not all was sent again yet: call `repetition` when something came."""
+        return self._to_repeat != self.next
+
+    def most_room(self, size: int) -> int:
+        """Return for how many requests of `size` characters there is room while nothing is under way."""
+        return self._allowed if self._byte_limit is None else min(self._allowed, max(1, self._byte_limit // size))
+
     def room(self, size: int, *, posted: bool = False) -> int:
         """Give how many more requests of `size` characters may be sent now.
 
         Posted writes leave room for the ``h`` that will confirm them.
         """
+        if self._to_repeat != self.next:
+            return 0
         ids = self._allowed - self.in_flight - posted
         if self._byte_limit is not None:
             most = (self._byte_limit - self._bytes) // size - posted
@@ -180,30 +225,43 @@ class Window(Generic[R]):
                 self._timed = (first, now)
                 self._timed_bytes = (self._bytes, run.reply_size)
         if self.oldest == first:
-            self._since = now
-        self.next = after
+            self._since = self._silent_since = now
+        self.next = self._to_repeat = after
 
     def needs_fence(self, now: float) -> bool:
         """Say whether posted writes have waited long enough, or are many enough, to be confirmed by an ``h``."""
-        if not self.unfenced:
+        if not self.unfenced or self._to_repeat != self.next:
             return False
         if self._byte_limit is not None and 4 * self._unfenced_bytes >= self._byte_limit:
             return True
         return 4 * self.unfenced >= self._allowed or (self._fence_due is not None and now >= self._fence_due)
 
     def repetition(self) -> Iterator[tuple[int, R, int, int]]:
-        """Give what is to be sent again, in order: ID, run, offset in the run, count."""
-        self.wants_repetition = False
-        for part in self.unanswered():
+        """Return what is to be sent again now, in order: ID, run, offset in the run, count."""
+        start, most = self._to_repeat, max(self._allowed, self._before_answer() + 1)
+        if self._distance(start) >= most:
+            return
+        end = self.next if most >= self.in_flight else self.oldest + most & self._mask
+        self._to_repeat = end
+        for part in self._unanswered(start, end):
             yield part.run.first + part.offset & self._mask, part.run, part.offset, part.size
 
     def unanswered(self) -> Iterator[Unanswered[R]]:
-        """Give all that is not done, in order."""
+        """Return all that is not done, in order."""
+        return self._unanswered(self.oldest, self.next)
+
+    def _before_answer(self) -> int:
+        """Return how many of the oldest IDs are followed by no answer, for they are posted writes, or answered."""
         position = self.oldest
-        while position != self.next:
+        while position != self.next and ((run := self._slots[position]) is None or run.posted):
+            position = position + 1 & self._mask
+        return self._distance(position)
+
+    def _unanswered(self, position: int, last: int) -> Iterator[Unanswered[R]]:
+        while position != last:
             run = self._slots[position]
             executed = self._distance(position) < self._distance(self.executed)
-            end = self.executed if executed else self.next
+            end = self.executed if executed and self._distance(self.executed) < self._distance(last) else last
             count = 1
             while (position + count & self._mask) != end and self._slots[position + count & self._mask] is run:
                 count += 1
@@ -243,6 +301,8 @@ class Window(Generic[R]):
             self._fill(number, count, None)
         if self._allowed < self._half:
             self._allowed = min(self._half, self._allowed + count)
+        if self._timeout != self._measured_timeout and (number - self._sent_once_from & self._mask) <= self._half:
+            self._timeout = self._measured_timeout
         after = number + count & self._mask
         if number == self.oldest == self.executed:
             self._bytes -= run.size * count
@@ -268,7 +328,7 @@ class Window(Generic[R]):
         self._go_back(now)
 
     def damaged(self, now: float) -> None:
-        """Take note of ``X01``, ``X07`` or ``X09``: a request arrived damaged."""
+        """Go back for ``X01``, ``X07`` or ``X09``, where a request arrived damaged, or for a damaged answer."""
         self._go_back(now)
 
     def refused(self, now: float) -> R | None:
@@ -287,14 +347,15 @@ class Window(Generic[R]):
     @property
     def deadline(self) -> float | None:
         """When `expire` must be called, or a fence is due; None while nothing is under way."""
-        if self.unfenced == self.in_flight:
+        repeating = self._to_repeat != self.next
+        if self.unfenced == self.in_flight and not repeating:
             # Posted writes alone have no answer to wait for: their fence will.
             return self._fence_due
         run = self._slots[self.oldest]
         # RFC 6298 knows no messages of unlike sizes: the answer to a long one behind short ones is not late yet.
         wire_time = self._byte_time * self._bytes + self._reply_byte_time * (0 if run is None else run.reply_size)
         expiry = self._since + self._timeout + wire_time
-        return expiry if self._fence_due is None else min(expiry, self._fence_due)
+        return expiry if self._fence_due is None or repeating else min(expiry, self._fence_due)
 
     def expire(self, now: float) -> R | None:
         """Take note of the time: give the run whose request is given up, if this was once too often.
@@ -310,14 +371,16 @@ class Window(Generic[R]):
         self._timeout = min(2 * self._timeout, LONGEST_TIMEOUT)
         if self.heard:
             self._silent_tries = 0
+            self._silent_since = now
             if self._tries > MOST_TRIES:
                 self.lost = self._gave_up
                 given_up = self._give_up()
         else:
             self._silent_tries += 1
-            self.lost = self._silent_tries > MOST_SILENT_TRIES
-        self.heard = self._gone_back = False
-        self._go_back(now)
+            self.lost = self._silent_tries >= FEWEST_SILENT_TRIES and now - self._silent_since >= LONGEST_SILENCE
+        self.heard = False
+        self._waited = True
+        self._repeat_from_oldest(now)
         return given_up
 
     # The inside
@@ -351,32 +414,49 @@ class Window(Generic[R]):
             self.oldest = position
             self._moved(now)
         self._tries = self._silent_tries = 0
-        self._since = now
+        self._since = self._silent_since = now
 
     def _moved(self, now: float) -> None:
         """Begin anew with another `oldest`."""
-        self._gone_back = self._refused = self._gave_up = False
-        self._refusals = self._tries = self._silent_tries = 0
-        self._since = now
+        self._refused = self._gave_up = False
+        self._gone_back = self._refusals = self._tries = self._silent_tries = 0
+        self._since = self._silent_since = now
+        if not self._waited:
+            # What the window went back for was a sign, so the answer is not a late one to what was sent before.
+            self._timeout = self._measured_timeout
+        if self._to_repeat != self.next and self._distance(self._to_repeat) > self._distance(self.next):
+            self._to_repeat = self.oldest
 
     def _give_up(self) -> R | None:
         given_up = self._slots[self.oldest]
         if given_up is not None:
             # What it is sent as from now on, an ``h``, has an answer.
             given_up.posted = False
-        self._tries = self._refusals = 0
-        self._gone_back = False
+        self._tries = self._refusals = self._gone_back = 0
         self._gave_up = True
         return given_up
 
     def _go_back(self, now: float) -> None:
-        if self.oldest == self.next or self._gone_back:
-            return
-        self._gone_back = True
+        """Go back for a sign of loss, unless it may be one of the loss before."""
+        begun = self._to_repeat != self.oldest
+        if self.oldest != self.next and begun and (not self._gone_back or now >= self._next_sign):
+            self._waited = False
+            self._repeat_from_oldest(now)
+
+    def _repeat_from_oldest(self, now: float) -> None:
+        least = (
+            self._least_round_trip if self._gone_back < MOST_QUICK_SIGNS else max(self._least_round_trip, SLOWER_SIGNS)
+        )
+        pause = min(least * 2**self._gone_back, LONGEST_TIMEOUT)
+        # What waits in a receive FIFO that can overflow must have left it before the same is sent once more.
+        self._next_sign = now + (pause if self._byte_limit is None else LONGEST_TIMEOUT)
+        # Beyond this the pause is the longest anyway.
+        self._gone_back = min(self._gone_back + 1, MOST_QUICK_SIGNS * 2)
         self._refused = False
         self._timed = None
         self._allowed = max(self._allowed // 2, min(FEWEST_IN_FLIGHT, self._half))
-        self.wants_repetition = True
+        self._to_repeat = self.oldest
+        self._sent_once_from = self.next
         self._since = now
 
     def _measure(self, round_trip: float) -> None:
@@ -387,5 +467,6 @@ class Window(Generic[R]):
         else:
             self._variation += (abs(self.smoothed_round_trip - round_trip) - self._variation) / 4
             self.smoothed_round_trip += (round_trip - self.smoothed_round_trip) / 8
+        self._least_round_trip = min(self._least_round_trip, round_trip)
         wanted = self.smoothed_round_trip + 4 * self._variation
-        self._timeout = min(max(wanted, SHORTEST_TIMEOUT), LONGEST_TIMEOUT)
+        self._measured_timeout = self._timeout = min(max(wanted, self._shortest_timeout), LONGEST_TIMEOUT)

@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import asyncio
 from collections import deque
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, cast
 
 from unity_link.bridges.serve.conversation import Conversation
 from unity_link.bridges.serve.requests import Relayed, RelayedRows, Said
@@ -55,8 +55,8 @@ class Client(asyncio.Protocol):
 
     def connection_made(self, transport: asyncio.BaseTransport) -> None:
         """Join those who share the link."""
-        assert isinstance(transport, asyncio.Transport)
-        self._transport = transport
+        # No check by class: the transports of uvloop are of none of asyncio's.
+        self._transport = cast("asyncio.Transport", transport)
         transport.set_write_buffer_limits(high=MOST_UNSENT)
         self._shared.join(self)
 

@@ -13,7 +13,7 @@ from __future__ import annotations
 import asyncio
 import hmac
 import socket
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, cast
 
 from unity_link.bridges.serve.client import Client
 from unity_link.wire.frames import TOKEN_LINE
@@ -48,8 +48,8 @@ class Door(asyncio.Protocol):
 
     def connection_made(self, transport: asyncio.BaseTransport) -> None:
         """Let in, or wait for the token."""
-        assert isinstance(transport, asyncio.Transport)
-        self._transport = transport
+        # No check by class: the transports of uvloop are of none of asyncio's.
+        self._transport = cast("asyncio.Transport", transport)
         connection = transport.get_extra_info("socket")
         if connection is not None and connection.family != socket.AF_UNIX:
             # A client whose machine has gone without a word is found, and its groups are freed.

@@ -1,0 +1,75 @@
+"""Links on uvloop, whose transports and timers are not of asyncio's classes, over each medium that is a stream."""
+
+from __future__ import annotations
+
+import asyncio
+import subprocess
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+import pytest
+import uvloop
+
+import unity_link
+from unity_link.virtual import VirtualGateway
+from unity_link.virtual.serving import serve_tcp, serve_unix
+
+if TYPE_CHECKING:
+    from collections.abc import Coroutine, Iterator
+
+SERVER = Path(__file__).with_name("serve.py")
+POSTS = 3000
+"""More than the posts after which the due time of a timer was first asked for when that was past."""
+
+
+def run(coroutine: Coroutine[object, object, None]) -> None:
+    with asyncio.Runner(loop_factory=uvloop.new_event_loop) as runner:
+        runner.run(coroutine)
+
+
+@pytest.fixture(params=["tcp", "unix", "serial"])
+def url(request: pytest.FixtureRequest, tmp_path: Path) -> Iterator[str]:
+    """Serve a gateway by another process."""
+    command = [sys.executable, str(SERVER), request.param, str(tmp_path / "gateway"), "0"]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as process:
+        assert process.stdout is not None
+        yield process.stdout.readline().strip()
+        process.kill()
+
+
+async def use(url: str) -> None:
+    """Make each kind of call over a link."""
+    async with unity_link.connect(url) as link:
+        await link.write(0x0A, 42)
+        assert await link.read(0x0A) == 42
+        for value in range(POSTS):
+            await link.post(value % 256, value)
+        await link.fence()
+        expected = [max(range(address, POSTS, 256)) for address in range(256)]
+        assert (await link.read_many(range(256))).tolist() == expected
+        await link.post_many(np.arange(POSTS) % 256, np.arange(POSTS) + 1)
+        await link.fence()
+        assert (await link.read_block(0, 256)).tolist() == [value + 1 for value in expected]
+        async with link.subscribe([1, 2], rate_hz=200) as samples:
+            for number in range(20):
+                assert (await anext(samples)).sequence == number
+        assert link.statistics.damaged_frames == 0
+
+
+def test_a_link_works_on_uvloop_over_every_stream(url: str) -> None:
+    run(use(url))
+
+
+@pytest.mark.parametrize("medium", ["sim", "tcp", "unix"])
+def test_a_gateway_is_served_on_uvloop(medium: str, tmp_path: Path) -> None:
+    async def serve_and_use() -> None:
+        if medium == "sim":
+            await use("sim:")
+            return
+        gateway = VirtualGateway()
+        async with serve_tcp(gateway) if medium == "tcp" else serve_unix(gateway, tmp_path / "gateway") as url:
+            await use(url)
+
+    run(serve_and_use())

@@ -1,0 +1,463 @@
+"""What the calls of a link promise in their docstrings, where something else happens at the same time."""
+
+from __future__ import annotations
+
+import asyncio
+from typing import TYPE_CHECKING, Any
+
+import anyio
+import numpy as np
+import pytest
+
+import unity_link
+from makers import BUS_ERROR, BUS_TIMEOUT, SLOW, Maker, with_failing
+from recorded_bus import RecordedBus
+from scripted import Scripted
+from simulated_time import on_simulated_time
+from unity_link import ArgumentError, BusError, BusTimeoutError, LinkLostError, UnsupportedError
+from unity_link.connection import Reconnect
+from unity_link.wire.crc import Crc
+from unity_link.wire.frames import Framing
+from unity_link.wire.gateway_info import Feature
+from valve import Valve, cut
+
+if TYPE_CHECKING:
+    from collections.abc import Awaitable, Callable
+
+    from unity_link import Link, Sample
+
+TWO_GROUPS = {**SLOW, "groups": 2}
+
+
+def now() -> float:
+    return asyncio.get_running_loop().time()
+
+
+async def until(condition: Callable[[], bool]) -> None:
+    while not condition():  # noqa: ASYNC110  (turn by turn of the loop)
+        await asyncio.sleep(0)
+
+
+# Fences
+
+
+@on_simulated_time
+async def test_a_fence_waits_for_batches_and_blocks_that_were_asked_for_before_it(make_bare: Maker) -> None:
+    bus = RecordedBus(gateway := make_bare(**SLOW))
+    async with unity_link.connect(gateway) as link:
+        asked = [
+            asyncio.ensure_future(link.write_many([0x10] * 2000, range(2000))),
+            asyncio.ensure_future(link.write_queue(0x11, range(2000))),
+            asyncio.ensure_future(link.post_many([0x12] * 2000, range(2000))),
+        ]
+        await asyncio.sleep(0)
+        await link.fence()
+        assert [address for address, _ in bus.writes].count(0x10) == 2000
+        assert [address for address, _ in bus.writes].count(0x11) == 2000
+        assert [address for address, _ in bus.writes].count(0x12) == 2000
+        await asyncio.gather(*asked)
+
+
+@on_simulated_time
+async def test_calls_behind_a_fence_that_waits_go_on(make_bare: Maker) -> None:
+    async with unity_link.connect(make_bare(**SLOW)) as link:
+        batch = asyncio.ensure_future(link.read_many([1] * 20_000))
+        await asyncio.sleep(0)
+        fences = [asyncio.ensure_future(link.fence()) for _ in range(3)]
+        await asyncio.sleep(0)
+        await link.write(0x20, 5)
+        assert not batch.done()
+        assert not any(fence.done() for fence in fences)
+        await asyncio.gather(batch, *fences)
+
+
+@on_simulated_time
+async def test_a_fence_whose_batch_is_cancelled_goes_on(make_bare: Maker) -> None:
+    async with unity_link.connect(make_bare(**SLOW)) as link:
+        batch = asyncio.ensure_future(link.read_many([1] * 20_000))
+        await asyncio.sleep(0)
+        fence = asyncio.ensure_future(link.fence())
+        await asyncio.sleep(0)
+        batch.cancel()
+        await fence
+
+
+@on_simulated_time
+async def test_a_fence_waits_for_reads_that_a_new_session_sends_again(make_bare: Maker) -> None:
+    gateway = Valve(make_bare(**SLOW))
+    async with unity_link.connect(gateway, reconnect=True) as link:
+        gateway.answers_pass = False
+        batch = asyncio.ensure_future(link.read_many([1] * 1000))
+        await asyncio.sleep(0)
+        fence = asyncio.ensure_future(link.fence())
+        await asyncio.sleep(0.01)
+        gateway.answers_pass = True
+        cut(link)
+        await fence
+        await asyncio.sleep(0)
+        assert batch.done()
+        assert len(await batch) == 1000
+
+
+@on_simulated_time
+async def test_a_fence_that_was_cancelled_leaves_the_errors_of_posted_writes_to_the_end_of_the_block(
+    make_bare: Maker,
+) -> None:
+    async def post_and_cancel() -> None:
+        async with unity_link.connect(with_failing(make_bare(**SLOW))) as link:
+            await link.post(BUS_ERROR, 1)
+            fence = asyncio.ensure_future(link.fence())
+            await asyncio.sleep(0)
+            fence.cancel()
+            await asyncio.sleep(1)
+
+    with pytest.raises(BusError):
+        await post_and_cancel()
+
+
+# Batches
+
+
+@on_simulated_time
+async def test_after_an_error_in_a_batch_of_reads_the_others_are_done_and_the_first_is_raised(make_bare: Maker) -> None:
+    bus = RecordedBus(gateway := make_bare(**SLOW))
+    with_failing(gateway)
+    async with unity_link.connect(gateway) as link:
+        with pytest.raises(BusTimeoutError, match="read at 0xE8"):
+            await link.read_many([1, BUS_TIMEOUT, BUS_ERROR, *[2] * 2000])
+        assert bus.reads.count(2) == 2000
+        assert await link.read(1) == 0
+
+
+@on_simulated_time
+async def test_after_an_error_in_a_batch_of_writes_the_others_are_done_and_the_first_is_raised(
+    make_bare: Maker,
+) -> None:
+    bus = RecordedBus(gateway := make_bare(**SLOW))
+    with_failing(gateway)
+    async with unity_link.connect(gateway) as link:
+        with pytest.raises(BusError, match="write at 0xE0"):
+            await link.write_many([BUS_ERROR, BUS_TIMEOUT, *[2] * 2000], range(2002))
+        assert [value for address, value in bus.writes if address == 2] == list(range(2, 2002))
+
+
+# Leaving
+
+
+@pytest.mark.parametrize("when", ["before", "while it waits"])
+@on_simulated_time
+async def test_leaving_the_block_of_a_link_does_not_wait_for_a_gateway_that_is_gone(
+    make_bare: Maker, when: str
+) -> None:
+    gateway = Valve(make_bare(**SLOW))
+
+    async def post_and_leave() -> None:
+        async with unity_link.connect(gateway, reconnect=True) as link:
+            gateway.answers_pass = False
+            await link.post(1, 2)
+            if when == "before":
+                await asyncio.sleep(0)
+                cut(link)
+                await until(lambda: not link.connected)
+            else:
+                asyncio.get_running_loop().call_later(0.1, cut, link)
+
+    start = now()
+    with pytest.raises(LinkLostError):
+        await post_and_leave()
+    assert now() - start < 10
+
+
+@on_simulated_time
+async def test_leaving_while_the_gateway_is_away_is_quiet_where_nothing_is_open(make_bare: Maker) -> None:
+    gateway = Valve(make_bare(**SLOW))
+    async with unity_link.connect(gateway, reconnect=True) as link:
+        await link.post(1, 2)
+        await asyncio.sleep(1)
+        gateway.answers_pass = False
+        cut(link)
+        await until(lambda: not link.connected)
+
+
+@pytest.mark.parametrize("cutting", [True, False])
+@on_simulated_time
+async def test_leaving_the_block_of_a_subscription_does_not_wait_for_a_gateway_that_is_gone(
+    make_bare: Maker, *, cutting: bool
+) -> None:
+    gateway = Valve(make_bare(**SLOW))
+    async with unity_link.connect(gateway, reconnect=True) as link:
+        start = now()
+        async with link.subscribe([1], rate_hz=100):
+            gateway.answers_pass = False
+            if cutting:
+                cut(link)
+        assert now() - start < 10
+
+
+# Reconnection
+
+
+@on_simulated_time
+async def test_a_group_that_changes_hands_while_subscriptions_are_set_up_again_is_its_last_holders(
+    make_bare: Maker,
+) -> None:
+    gateway = Valve(bare := make_bare(**TWO_GROUPS))
+    for address in (0x0A, 0x0B, 0x0C):
+        bare.memory[address] = address
+    async with unity_link.connect(gateway, reconnect=True) as link, link.subscribe([0x0A], rate_hz=100) as staying:
+        async with link.subscribe([0x0B], rate_hz=100):
+            gateway.heard = b""
+            cut(link)
+            await until(lambda: b"gs" in gateway.heard)
+        async with link.subscribe([0x0C], rate_hz=100) as changed:
+            await asyncio.sleep(0.5)
+            assert {tuple(sample.values.tolist()) for sample in await changed.take()} == {(0x0C,)}
+            assert {tuple(sample.values.tolist()) for sample in await staying.take()} == {(0x0A,)}
+
+
+@pytest.mark.parametrize("reset", [True, False])
+@on_simulated_time
+async def test_time_goes_on_over_a_reconnection_and_samples_tell_their_session(
+    make_bare: Maker, *, reset: bool
+) -> None:
+    gateway = make_bare(**SLOW, clock_hz=400_000_000)
+    samples: list[Sample] = []
+    async with (
+        unity_link.connect(gateway, reconnect=True) as link,
+        link.subscribe([1], rate_hz=20, callback=samples.append),
+    ):
+        for _ in range(6):
+            await asyncio.sleep(7.3)
+            if reset:
+                gateway.reset()
+            cut(link)
+        await asyncio.sleep(5)
+    assert {sample.epoch for sample in samples} == set(range(7))
+    times = [sample.time for sample in samples]
+    steps = np.diff(np.array(times, float))
+    assert steps.min() > 0
+    assert steps.max() < 1.0
+    assert times[-1] - times[0] == pytest.approx(6 * 7.3 + 5, abs=1.0)
+    assert [sample.epoch for sample in samples] == sorted(sample.epoch for sample in samples)
+
+
+@on_simulated_time
+async def test_a_line_so_bad_that_subscriptions_are_not_set_up_again_is_tried_again(make_bare: Maker) -> None:
+    """The setting up is damaged each time until the link gives it up; then the line is good again."""
+    gateway = Spoiled(make_bare(**SLOW))
+    async with (
+        unity_link.connect(gateway, reconnect=Reconnect(longest_pause=1)) as link,
+        link.subscribe([1], rate_hz=100) as samples,
+    ):
+        gateway.spoiling = True
+        cut(link)
+        await asyncio.sleep(200)
+        gateway.spoiling = False
+        await asyncio.sleep(10)
+        assert link.connected
+        received = samples.received
+        await asyncio.sleep(1)
+        assert samples.received > received
+
+
+class Spoiled(Valve):
+    """A gateway that a request to set up a group never reaches undamaged, though something is heard of it."""
+
+    spoiling = False
+
+    def receive(self, data: bytes, now: float) -> bytes:
+        if self.spoiling:
+            data = data.replace(b"gs", b"g?")
+        return super().receive(data, now)
+
+
+# A link that does not get through
+
+
+@on_simulated_time
+async def test_a_link_on_which_only_samples_get_through_is_lost_in_seconds(make_bare: Maker) -> None:
+    gateway = Valve(make_bare(**SLOW))
+    async with unity_link.connect(gateway) as link, link.subscribe([1], rate_hz=100) as samples:
+        await asyncio.sleep(1)
+        gateway.requests_pass = False
+        start = now()
+        with pytest.raises(LinkLostError, match="does not answer"):
+            await link.read(1)
+        assert 2 < now() - start < 10
+        assert samples.received > 100
+
+
+@on_simulated_time
+async def test_requests_are_not_repeated_while_the_transport_takes_nothing(make_bare: Maker) -> None:
+    async with unity_link.connect(gateway := Valve(make_bare(**SLOW))) as link:
+        assert link._stream is not None
+        stream = link._stream
+        stream.pause_writing()
+        gateway.heard = b""
+        reads = [asyncio.ensure_future(link.read(address)) for address in range(100)]
+        await asyncio.sleep(2)
+        assert gateway.heard == b""
+        stream.resume_writing()
+        await asyncio.gather(*reads)
+        assert gateway.heard.count(b"\n") <= 200
+
+
+@on_simulated_time
+async def test_a_transport_that_takes_nothing_for_good_ends_the_link(make_bare: Maker) -> None:
+    async with unity_link.connect(make_bare(**SLOW)) as link:
+        assert link._stream is not None
+        link._stream.pause_writing()
+        start = now()
+        with pytest.raises(LinkLostError):
+            await link.read(1)
+        assert now() - start < 10
+
+
+@on_simulated_time
+async def test_a_round_trip_longer_than_the_patience_of_the_handshake_is_not_measured_too_short(
+    make_bare: Maker,
+) -> None:
+    gateway = Late(make_bare(**SLOW), 0.35)
+    async with unity_link.connect(gateway, timeout=60) as link:
+        assert link.statistics.round_trip is not None
+        assert link.statistics.round_trip == pytest.approx(0.35)
+        await link.read(1)
+        assert link.statistics.repetitions == 0
+
+
+class Late(Scripted):
+    """A gateway all of whose answers come late."""
+
+    def __init__(self, gateway: Any, seconds: float) -> None:
+        super().__init__(gateway)
+        self._seconds = seconds
+
+    def receive(self, data: bytes, now: float) -> bytes:
+        answer = super().receive(data, now)
+        if answer:
+            self._pieces.append((now + self._seconds, answer))
+        return b""
+
+
+# Arguments
+
+NOT_WHOLE = [1.0, 2.5, "5", None, [1], b"1", np.float64(1)]
+WRONG: dict[str, Callable[[Link, Any], Awaitable[object]]] = {
+    "read": lambda link, wrong: link.read(wrong),
+    "write at": lambda link, wrong: link.write(wrong, 1),
+    "write": lambda link, wrong: link.write(1, wrong),
+    "write_masked": lambda link, wrong: link.write_masked(1, 1, wrong),
+    "post": lambda link, wrong: link.post(1, wrong),
+    "post at": lambda link, wrong: link.post(wrong, 1),
+    "read_block": lambda link, wrong: link.read_block(wrong, 1),
+    "read_block of": lambda link, wrong: link.read_block(1, wrong),
+    "read_queue": lambda link, wrong: link.read_queue(1, wrong),
+    "write_block": lambda link, wrong: link.write_block(wrong, [1]),
+    "write_queue": lambda link, wrong: link.write_queue(wrong, [1]),
+    "divisor": lambda link, wrong: link.subscribe([1], divisor=wrong or "").__aenter__(),
+    "buffer": lambda link, wrong: link.subscribe([1], buffer=wrong).__aenter__(),
+}
+
+
+@pytest.mark.parametrize("wrong", NOT_WHOLE, ids=repr)
+@pytest.mark.parametrize("call", WRONG.values(), ids=WRONG)
+@on_simulated_time
+async def test_what_is_no_whole_number_is_named(call: Callable[[Link, Any], Awaitable[object]], wrong: Any) -> None:
+    async with unity_link.connect("sim:") as link:
+        sent = link.statistics.requests
+        with pytest.raises(ArgumentError):
+            await call(link, wrong)
+        assert link.statistics.requests == sent
+
+
+@on_simulated_time
+async def test_whole_numbers_of_other_types_are_taken() -> None:
+    async with unity_link.connect("sim:") as link:
+        await link.write(np.uint8(7), np.int64(9))
+        assert await link.read(np.int32(7)) == 9
+        assert (await link.read_block(np.uint16(7), np.uint8(1))).tolist() == [9]
+        async with link.subscribe(np.uint8(7), rate_hz=np.float32(100), buffer=10) as samples:
+            assert (await anext(samples)).values.tolist() == [9]
+
+
+@pytest.mark.parametrize("options", [{"rate_hz": "5"}, {"rate_hz": [1]}, {"callback": 5}, {"rate_hz": float("nan")}])
+@on_simulated_time
+async def test_a_subscription_of_something_else_is_refused(options: dict[str, Any]) -> None:
+    async with unity_link.connect("sim:") as link:
+        with pytest.raises(ArgumentError):
+            link.subscribe([1], **options)
+
+
+@pytest.mark.parametrize("reconnect", [3, "yes", None, 0.5])
+def test_reconnect_is_a_choice_or_its_details(reconnect: Any) -> None:
+    with pytest.raises(ArgumentError, match="reconnect is True, False or a Reconnect"):
+        unity_link.connect("sim:", reconnect=reconnect)
+
+
+@pytest.mark.parametrize("timeout", ["5", None, 0, -1, float("nan")])
+def test_a_timeout_is_a_number_of_seconds(timeout: Any) -> None:
+    with pytest.raises(ArgumentError, match="timeout is a number of seconds above 0"):
+        unity_link.connect("sim:", timeout=timeout)
+
+
+@on_simulated_time
+async def test_a_subscription_is_entered_once(make_bare: Maker) -> None:
+    async with unity_link.connect(make_bare(**TWO_GROUPS)) as link:
+        samples = link.subscribe([1], rate_hz=100)
+        async with samples:
+            with pytest.raises(ArgumentError, match="has been entered before"):
+                await samples.__aenter__()
+            assert (await anext(samples)).sequence == 0
+        with pytest.raises(ArgumentError, match="has been entered before"):
+            await samples.__aenter__()
+        async with link.subscribe([1]), link.subscribe([2]):
+            waiting = link.subscribe([3])
+            with pytest.raises(UnsupportedError, match="all 2 groups"):
+                await waiting.__aenter__()
+        async with waiting:
+            await waiting.publish()
+
+
+@on_simulated_time
+async def test_samples_that_a_gateway_cannot_send_at_once_are_refused() -> None:
+    features = int(unity_link.GatewayInfo().features & ~Feature.SEND_IMMEDIATE)
+    async with unity_link.connect(f"sim:?features={features}") as link:
+        with pytest.raises(UnsupportedError, match="built without send-immediate"):
+            link.subscribe([1], rate_hz=100, immediate=True)
+
+
+# What is lost is counted
+
+
+@on_simulated_time
+async def test_samples_that_come_after_a_slow_reader_has_failed_are_counted_as_lost(make_bare: Maker) -> None:
+    async with (
+        unity_link.connect(make_bare(**SLOW)) as link,
+        link.subscribe([1], rate_hz=100, buffer=10, overflow="fail") as samples,
+    ):
+        await asyncio.sleep(1.005)
+        read = len(await samples.take())
+        with pytest.raises(unity_link.SamplesLostError):
+            await samples.take()
+        assert read == 10
+        assert samples.lost == samples.received - read
+        assert (link.statistics.samples, link.statistics.samples_lost) == (samples.received, samples.lost)
+
+
+@pytest.mark.parametrize("together", [True, False])
+@on_simulated_time
+async def test_all_that_was_sampled_is_read_or_counted(make_bare: Maker, *, together: bool) -> None:
+    """A reader that is too slow, and a line on which samples are missing, lose nothing that is not told."""
+    gateway = Scripted(make_bare(**SLOW))
+    framing = Framing(Crc())
+    numbers = [number for number in range(400) if number % 50 not in (7, 8)]
+    frames = [framing.checked(b"P00%02X%08X" % (number & 0xFF, number)) for number in numbers]
+    async with unity_link.connect(gateway) as link, link.subscribe([1], timestamps=False, buffer=30) as samples:
+        with anyio.fail_after(100):
+            await asyncio.sleep(gateway.say([b"".join(frames)] if together else frames))
+        read = await samples.take()
+        assert read[-1].values.tolist() == [399]
+        assert len(read) == 30
+        assert samples.lost == 400 - 30
+        assert sum(sample.lost for sample in read) == 400 - 30
+        assert link.statistics.samples_lost == samples.lost

@@ -1,0 +1,56 @@
+"""A gateway of which a test writes what the host hears, byte by byte, cut into reads as the test wants them."""
+
+from __future__ import annotations
+
+from collections import deque
+from typing import TYPE_CHECKING
+
+from valve import Valve
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable
+
+    from unity_link.virtual import Gateway
+
+APART = 1e-4
+"""Seconds between two reads: on simulated time they are never put together."""
+
+
+class Scripted(Valve):
+    """Stands in front of a gateway and lets the host hear what `say` is given, besides what the gateway sends."""
+
+    def __init__(self, gateway: Gateway) -> None:
+        self._pieces: deque[tuple[float, bytes]] = deque()
+        self._now = 0.0
+        self.before_answer = b""
+        """What the host hears once, right before the next answer."""
+        super().__init__(gateway)
+        self.wake = lambda: None
+
+    def say(self, pieces: Iterable[bytes]) -> float:
+        """Have each of `pieces` arrive as a read of its own, from the next instant on; return how long that takes."""
+        due = self._now
+        for piece in pieces:
+            due += APART
+            self._pieces.append((due, piece))
+        self.wake()
+        return due - self._now + APART
+
+    @property
+    def next_due(self) -> float | None:
+        own = self._pieces[0][0] if self._pieces else None
+        return min((due for due in (own, self.gateway.next_due) if due is not None), default=None)
+
+    def receive(self, data: bytes, now: float) -> bytes:
+        self._now = max(self._now, now)
+        answer = super().receive(data, now)
+        if answer:
+            answer, self.before_answer = self.before_answer + answer, b""
+        return answer
+
+    def advance(self, now: float, room: int | None = None) -> bytes:
+        self._now = max(self._now, now)
+        said = b""
+        while self._pieces and self._pieces[0][0] <= now:
+            said += self._pieces.popleft()[1]
+        return self.gateway.advance(now, room) + said
