@@ -13,7 +13,7 @@ from hypothesis import Phase, given, settings
 
 from generate.every_kind import WORD_BITS, bad_values, every_kind, written
 from generate.peers import MEDIA, Fault, FaultyLine, Medium, damage, double, lose, replace, serve, simulate
-from generate.programs import CPP, HERE, SANITIZED, C, Driven, compiled, generated, linked, output
+from generate.programs import CPP, HERE, SANITIZED, C, Driven, Simulated, compiled, generated, linked, output
 from spec_examples import FIGURE_1, specs
 from unity_link.generate.c.layout import Layout
 from unity_link.spec import KindName, compile_text
@@ -400,6 +400,57 @@ def test_a_request_that_the_gateway_never_understands_is_given_up_and_those_behi
         assert line.count("^h00") == 1
 
 
+class Babbling:
+    """A gateway that opens a session, and answers everything else with the same."""
+
+    def __init__(self, answer: bytes) -> None:
+        self._gateway, self._answer = VirtualGateway(), answer
+        self.stops = False
+
+    def __call__(self, data: bytes, now: float) -> bytes:
+        """Take bytes at a time, and give what is answered."""
+        frames = [frame for frame in re.split(rb"(?<=[\r\n])", data) if frame.strip()]
+        return b"".join(self._answer if frame[0] in b"ghirw" else self._gateway.receive(frame, now) for frame in frames)
+
+
+REFUSAL = Framing(Crc()).checked(b"X02")
+DAMAGED_ANSWER = b"w0000\n"
+
+
+@pytest.mark.parametrize(
+    ("answer", "first"),
+    [
+        (REFUSAL, "2 {} at 0x10: the gateway does not know the command"),
+        (DAMAGED_ANSWER, "35 {} at 0x10: every try was damaged on the way; the request is perhaps executed"),
+    ],
+)
+@pytest.mark.parametrize(
+    ("command", "name"), [("read 10", "read"), ("wblock 10 1 2 3", "block write"), ("rblock 10 3", "block read")]
+)
+def test_what_is_given_up_is_its_own_error_and_a_gateway_that_refuses_even_the_fence_is_gone(
+    driver: Path, answer: bytes, first: str, command: str, name: str
+) -> None:
+    with Simulated(driver, Babbling(answer)) as client:
+        client.words("connect test 5")
+        assert client(command) == first.format(name)
+        assert client("write 20 1") == f"{LOST}write at 0x20: the link was lost; the request is perhaps executed"
+        assert client("read 21").startswith(f"{LOST_NOT_EXECUTED}read at 0x21: ")
+        client("close")
+
+
+@pytest.mark.parametrize("answer", [REFUSAL, DAMAGED_ANSWER])
+def test_what_is_under_way_when_its_call_fails_is_ended_with_it(driver: Path, answer: bytes) -> None:
+    with Simulated(driver, Babbling(answer)) as client:
+        client.words("connect test 5")
+        for value in range(10):
+            client.words(f"post 10 {value}")
+        assert client("rmany 10 11 12").startswith(LOST)
+        client("close")
+        client.words("connect test 5")
+        assert client("subscribe 0 100 - 10 11 12").startswith(("2 ", UNANSWERED))
+        assert client("close").startswith(LOST)
+
+
 def test_a_gateway_without_flow_control_gets_no_more_than_its_fifo_holds(client: Driven) -> None:
     built = {"features": Feature(0x7F) & ~Feature.FLOW_CONTROL, "receive_fifo_bytes": 64}
     with serve(build_gateway(configuration=built, bytes_per_second=20_000)) as url:
@@ -496,6 +547,19 @@ def test_callbacks_get_each_sample_and_may_use_the_link(client: Driven) -> None:
         client.words("publish 0")
         assert client.words("poll 0.05") == [3]
         assert client("next 1 5").startswith("0 0 0 ")
+
+
+def test_a_callback_may_close_the_link_and_its_medium_is_not_used_again(driver: Path) -> None:
+    with Simulated(driver, VirtualGateway().receive) as client:
+        client.words("connect test 5")
+        client.words("subscribe 0 0 z 10")
+        client.words("publish 0")
+        client.words("publish 0")
+        assert client("poll 1").startswith(LOST)
+        assert client("next 0 1").startswith("0 1 ")
+        assert client("next 0 1").startswith(LOST)
+        assert client("read 0").startswith(LOST_NOT_EXECUTED)
+        client.words("close")
 
 
 def test_samples_on_change_come_only_with_one(client: Driven) -> None:

@@ -16,6 +16,7 @@
 static const double FIRST_TIMEOUT = 0.25, SHORTEST_TIMEOUT = 0.010, LONGEST_TIMEOUT = 2.0;
 static const double MEASUREMENT_PAUSE = 0.001;
 enum { MOST_SILENT_TRIES = 8, MOST_TRIES = 32, MOST_REFUSALS = 3, FEWEST_IN_FLIGHT = 8 };
+static const ul_request FENCE = {.command = "h"};
 
 static uint32_t distance(const ul_link *link, uint32_t id)
 {
@@ -180,28 +181,32 @@ static void note_gap(ul_link *link, uint32_t expected, double now)
     go_back(link, now);
 }
 
-/* The oldest request cannot be had: from now on it is an `h`, for those behind it build on its ID. */
-static ul_request *give_up(ul_link *link)
+/* The oldest request cannot be had. An `h` takes its place, for those behind it build on its ID; what it was is put
+ * where its end can be told. Whether the gateway is gone: where not even the `h` can be had. */
+static bool give_up(ul_link *link, ul_request *given_up)
 {
-    ul_request *request = slot_of(link, link->oldest);
-    request->given_up = true;
-    request->posted = false;
+    ul_request *place = slot_of(link, link->oldest);
+    *given_up = *place;
+    *place = FENCE;
+    place->waiting = true;
+    if (link->oldest == link->executed) link->bytes -= request_size(link, given_up) - request_size(link, place);
+    bool lost = link->gave_up;
     link->tries = link->refusals = 0;
     link->gone_back = false;
     link->gave_up = true;
-    return request;
+    return lost;
 }
 
-/* Error 02 or 03: give the request that is given up, if this was once too often. */
-static ul_request *note_refusal(ul_link *link, double now)
+/* Error 02 or 03: once too often gives the request up. Whether the gateway is gone. */
+static bool note_refusal(ul_link *link, double now, ul_request *given_up)
 {
-    ul_request *given_up = NULL;
+    bool lost = false;
     if (link->oldest != link->next && link->oldest == link->executed && !link->refused) {
         link->refused = true;
-        if (++link->refusals == MOST_REFUSALS) given_up = give_up(link);
+        if (++link->refusals == MOST_REFUSALS) lost = give_up(link, given_up);
     }
     go_back(link, now);
-    return given_up;
+    return lost;
 }
 
 /* When `note_time` must be called; posted writes alone have no answer to wait for. */
@@ -214,11 +219,10 @@ static bool has_deadline(ul_link *link, double *deadline)
     return true;
 }
 
-/* Go back where it is time to; say whether the gateway is gone. */
-static bool note_time(ul_link *link, double now, ul_request **given_up)
+/* Go back where it is time to; once too often gives the request up. Whether the gateway is gone. */
+static bool note_time(ul_link *link, double now, ul_request *given_up)
 {
     double deadline;
-    *given_up = NULL;
     if (!has_deadline(link, &deadline) || now < deadline) return false;
     bool lost = false;
     link->tries++;
@@ -228,10 +232,7 @@ static bool note_time(ul_link *link, double now, ul_request **given_up)
         lost = ++link->silent_tries > MOST_SILENT_TRIES;
     } else {
         link->silent_tries = 0;
-        if (link->tries > MOST_TRIES) {
-            lost = link->gave_up;
-            *given_up = give_up(link);
-        }
+        if (link->tries > MOST_TRIES) lost = give_up(link, given_up);
     }
     link->heard = link->gone_back = false;
     go_back(link, now);
