@@ -121,11 +121,17 @@ static void end_with_test(void *context)
 
 static ul_status connect_to(const char *url, double timeout)
 {
-    static const ul_transport TEST = {NULL, send_to_test, receive_from_test, wait_for_test, time_of_test,
-                                      end_with_test};
-    if (strcmp(url, "test")) return ul_connect(&the_link, url, timeout);
+    ul_transport test = {
+        .send = send_to_test,
+        .receive = receive_from_test,
+        .wait = wait_for_test,
+        .now = time_of_test,
+        .close = end_with_test,
+    };
+    if (strncmp(url, "test:", 5)) return ul_connect(&the_link, url, timeout);
     is_open = true;
-    return ul_open(&the_link, &TEST, -1, timeout);
+    test.shortest_timeout = strtod(url + 5, NULL);
+    return ul_open(&the_link, &test, -1, timeout);
 }
 
 static void called_back(void *context, const ul_sample *sample)

@@ -105,7 +105,7 @@ class Driven:
 
 
 class Simulated(Driven):
-    """The same on simulated time, connected to a gateway of the test: ``connect test 5``.
+    """The same on simulated time, connected to a gateway of the test by ``connect test: 5``.
 
     Args:
         program: `driver.c`.
@@ -115,7 +115,7 @@ class Simulated(Driven):
 
     def __init__(self, program: Path, gateway: Callable[[bytes, float], bytes], latency: float = 0.001) -> None:
         super().__init__(program)
-        self._gateway, self._latency = gateway, latency
+        self._gateway, self.latency = gateway, latency
         self._under_way: deque[tuple[float, bytes]] = deque()
         self.now = 0.0
 
@@ -132,7 +132,7 @@ class Simulated(Driven):
     def _wait(self, seconds: float, sent: bytes) -> bytes:
         answer = self._gateway(sent, self.now)
         if answer:
-            self._under_way.append((self.now + self._latency, answer))
+            self._under_way.append((self.now + self.latency, answer))
         until = self.now + seconds
         if self._under_way and self._under_way[0][0] <= until:
             self.now, arrived = self._under_way.popleft()

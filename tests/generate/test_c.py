@@ -423,6 +423,7 @@ DAMAGED_ANSWER = b"w0000\n"
         (REFUSAL, "2 {} at 0x10: the gateway does not know the command"),
         (DAMAGED_ANSWER, "35 {} at 0x10: every try was damaged on the way; the request is perhaps executed"),
     ],
+    ids=["refused", "damaged"],
 )
 @pytest.mark.parametrize(
     ("command", "name"), [("read 10", "read"), ("wblock 10 1 2 3", "block write"), ("rblock 10 3", "block read")]
@@ -431,24 +432,37 @@ def test_what_is_given_up_is_its_own_error_and_a_gateway_that_refuses_even_the_f
     driver: Path, answer: bytes, first: str, command: str, name: str
 ) -> None:
     with Simulated(driver, Babbling(answer)) as client:
-        client.words("connect test 5")
+        client.words("connect test: 5")
         assert client(command) == first.format(name)
         assert client("write 20 1") == f"{LOST}write at 0x20: the link was lost; the request is perhaps executed"
         assert client("read 21").startswith(f"{LOST_NOT_EXECUTED}read at 0x21: ")
         client("close")
 
 
-@pytest.mark.parametrize("answer", [REFUSAL, DAMAGED_ANSWER])
+@pytest.mark.parametrize("answer", [REFUSAL, DAMAGED_ANSWER], ids=["refused", "damaged"])
 def test_what_is_under_way_when_its_call_fails_is_ended_with_it(driver: Path, answer: bytes) -> None:
     with Simulated(driver, Babbling(answer)) as client:
-        client.words("connect test 5")
+        client.words("connect test: 5")
         for value in range(10):
             client.words(f"post 10 {value}")
         assert client("rmany 10 11 12").startswith(LOST)
         client("close")
-        client.words("connect test 5")
+        client.words("connect test: 5")
         assert client("subscribe 0 100 - 10 11 12").startswith(("2 ", UNANSWERED))
         assert client("close").startswith(LOST)
+
+
+@pytest.mark.parametrize(("url", "repeats"), [("test:", False), ("test:0.002", True)])
+def test_an_answer_is_waited_for_as_long_as_a_usb_chip_may_keep_it_unless_the_medium_knows_better(
+    driver: Path, url: str, repeats: bool
+) -> None:
+    with Simulated(driver, VirtualGateway().receive, latency=0.0005) as client:
+        client.words(f"connect {url} 5")
+        for _ in range(50):
+            client.words("read 10")
+        client.latency = 0.016
+        client.words("read 10")
+        assert (client.words("statistics")[3] > 0) == repeats
 
 
 def test_a_gateway_without_flow_control_gets_no_more_than_its_fifo_holds(client: Driven) -> None:
@@ -551,7 +565,7 @@ def test_callbacks_get_each_sample_and_may_use_the_link(client: Driven) -> None:
 
 def test_a_callback_may_close_the_link_and_its_medium_is_not_used_again(driver: Path) -> None:
     with Simulated(driver, VirtualGateway().receive) as client:
-        client.words("connect test 5")
+        client.words("connect test: 5")
         client.words("subscribe 0 0 z 10")
         client.words("publish 0")
         client.words("publish 0")

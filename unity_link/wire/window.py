@@ -43,20 +43,20 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Generic, NamedTuple, TypeVar
 
+from unity_link.wire.constants import (
+    FENCE_DELAY,
+    FEWEST_IN_FLIGHT,
+    FIRST_TIMEOUT,
+    LONGEST_TIMEOUT,
+    MEASUREMENT_PAUSE,
+    MOST_REFUSALS,
+    MOST_SILENT_TRIES,
+    MOST_TRIES,
+    SHORTEST_TIMEOUT,
+)
+
 if TYPE_CHECKING:
     from collections.abc import Iterator
-
-MOST_SILENT_TRIES = 8
-MOST_TRIES = 32
-MOST_REFUSALS = 3
-FEWEST_IN_FLIGHT = 8
-SHORTEST_TIMEOUT = 0.025
-"""An answer may stay in a USB chip until its latency timer ends: 16 ms by default, whatever the last round trip was."""
-LONGEST_TIMEOUT = 2.0
-FIRST_TIMEOUT = 0.25
-FENCE_DELAY = 0.001
-MEASUREMENT_PAUSE = 0.001
-"""Seconds between two measurements of the round trip: one a window is enough, and fast reads are left alone."""
 
 
 class Run:

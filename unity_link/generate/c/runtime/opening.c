@@ -133,6 +133,7 @@ ul_status ul_open(ul_link *link, const ul_transport *transport, int node, double
 {
     memset(link, 0, sizeof *link);
     link->transport = *transport;
+    if (!(transport->shortest_timeout > 0)) link->transport.shortest_timeout = SHORTEST_TIMEOUT;
     link->node = node;
     link->posts = UL_BATCH;
     opening opens = {.link = link, .until = now_of(link) + timeout};

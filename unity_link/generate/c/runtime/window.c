@@ -13,9 +13,6 @@
  * damaged frame costs all those behind it. The time out is RFC 6298's; what was sent twice is not timed.
  */
 
-static const double FIRST_TIMEOUT = 0.25, SHORTEST_TIMEOUT = 0.010, LONGEST_TIMEOUT = 2.0;
-static const double MEASUREMENT_PAUSE = 0.001;
-enum { MOST_SILENT_TRIES = 8, MOST_TRIES = 32, MOST_REFUSALS = 3, FEWEST_IN_FLIGHT = 8 };
 static const ul_request FENCE = {.command = "h"};
 
 static uint32_t distance(const ul_link *link, uint32_t id)
@@ -53,7 +50,7 @@ static void measure(ul_link *link, double round_trip)
         link->round_trip -= error / 8;
     }
     link->timeout = link->round_trip + 4 * link->variation;
-    if (link->timeout < SHORTEST_TIMEOUT) link->timeout = SHORTEST_TIMEOUT;
+    if (link->timeout < link->transport.shortest_timeout) link->timeout = link->transport.shortest_timeout;
     if (link->timeout > LONGEST_TIMEOUT) link->timeout = LONGEST_TIMEOUT;
 }
 
