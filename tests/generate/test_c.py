@@ -9,11 +9,12 @@ from itertools import pairwise
 from typing import TYPE_CHECKING
 
 import pytest
-from hypothesis import Phase, given, settings
+from hypothesis import Phase, example, given, settings
 
+from generate.awkward_names import GROUPS_BY_KEYWORDS, INTERFACE_AS_A_PARAMETER, awkward_specs
 from generate.every_kind import WORD_BITS, bad_values, every_kind, written
 from generate.peers import MEDIA, Fault, FaultyLine, Medium, damage, double, lose, replace, serve, simulate
-from generate.programs import CPP, HERE, SANITIZED, C, Driven, Simulated, compiled, generated, linked, output
+from generate.programs import CPP, HERE, SANITIZED, C, Driven, Simulated, checked, compiled, generated, linked, output
 from spec_examples import FIGURE_1, specs
 from unity_link.generate.c.layout import Layout
 from unity_link.spec import KindName, compile_text
@@ -128,6 +129,20 @@ def test_any_spec_makes_code_that_compiles(tmp_path_factory: pytest.TempPathFact
     compiled(C, [own], directory, "-O0")
     (directory / "program.cc").write_text(f'#include "{header.name}"\n')
     compiled(CPP, [directory / "program.cc"], directory, "-O0")
+
+
+@settings(max_examples=4, phases=[Phase.explicit, Phase.reuse, Phase.generate])
+@given(awkward_specs())
+@example(GROUPS_BY_KEYWORDS)
+@example(INTERFACE_AS_A_PARAMETER)
+def test_any_names_make_code_that_compiles(tmp_path_factory: pytest.TempPathFactory, text: str) -> None:
+    directory = tmp_path_factory.mktemp("names")
+    files = generated("cpp", compile_text(text), directory)
+    own, header = files[3], files[0]
+    assert len({path.name.lower() for path in files}) == len(files)
+    (directory / "program.cc").write_text(f'#include "{header.name}"\n')
+    checked(C, own, directory)
+    checked(CPP, directory / "program.cc", directory)
 
 
 def test_ten_thousand_signals_are_generated(tmp_path: Path) -> None:
