@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import re
 import socket
+from collections import Counter
 from itertools import pairwise
 from typing import TYPE_CHECKING
 
@@ -21,7 +22,7 @@ from unity_link.spec import KindName, compile_text
 from unity_link.spec.printer import print_file
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.build import build_gateway
-from unity_link.virtual.faults import Failing
+from unity_link.virtual.faults import Failing, Noise, NoisyLine
 from unity_link.wire.crc import Crc
 from unity_link.wire.frames import Framing
 from unity_link.wire.gateway_info import Feature
@@ -126,9 +127,9 @@ def test_any_spec_makes_code_that_compiles(tmp_path_factory: pytest.TempPathFact
     spec = compile_text(print_file(file))
     files = generated("cpp", spec, directory)
     own, header = files[3], files[0]
-    compiled(C, [own], directory, "-O0")
+    compiled(C, [own], directory, "-fsyntax-only")
     (directory / "program.cc").write_text(f'#include "{header.name}"\n')
-    compiled(CPP, [directory / "program.cc"], directory, "-O0")
+    compiled(CPP, [directory / "program.cc"], directory, "-fsyntax-only")
 
 
 @settings(max_examples=4, phases=[Phase.explicit, Phase.reuse, Phase.generate])
@@ -478,6 +479,51 @@ def test_an_answer_is_waited_for_as_long_as_a_usb_chip_may_keep_it_unless_the_me
         client.latency = 0.016
         client.words("read 10")
         assert (client.words("statistics")[3] > 0) == repeats
+
+
+class Faulty:
+    """A gateway of which the answers that a pattern finds are damaged, so many times each."""
+
+    def __init__(self, pattern: bytes, times: int) -> None:
+        self._gateway, self._pattern, self._times = VirtualGateway(), re.compile(pattern), times
+        self._damaged: Counter[bytes] = Counter()
+
+    def __call__(self, data: bytes, now: float) -> bytes:
+        """Take bytes at a time, and give what arrives."""
+        answers = self._gateway.receive(data, now).splitlines(keepends=True)
+        return b"".join(self._fate(answer) for answer in answers)
+
+    def _fate(self, answer: bytes) -> bytes:
+        if not self._pattern.match(answer) or self._damaged[answer] == self._times:
+            return answer
+        self._damaged[answer] += 1
+        return answer[:-2] + bytes([answer[-2] ^ 1]) + answer[-1:]
+
+
+@pytest.mark.parametrize("times", [1, 2])
+def test_a_damaged_answer_is_asked_for_again_at_once_and_so_is_its_repetition(driver: Path, times: int) -> None:
+    with Simulated(driver, Faulty(b"r.[05A]", times)) as client:
+        client.words("connect test: 5")
+        for _ in range(100):
+            client.words("read 10")
+        requests, _, repetitions, timeouts, damaged, _ = client.words("statistics")
+        assert (requests, timeouts, damaged) == (100, 0, repetitions)
+        assert repetitions >= 18 * times
+        assert client.words("rmany " + "10 " * 300) == [0] * 300
+        assert client.words("statistics")[3] == 0
+
+
+def test_a_line_that_loses_costs_no_doubled_time_outs(driver: Path) -> None:
+    line = NoisyLine(VirtualGateway(), Noise(1, loss=0.001, flip=0.001), Noise(2, loss=0.001, flip=0.001))
+    with Simulated(driver, line.receive) as client:
+        client.words("connect test: 30")
+        for turn in range(20):
+            client.words("wmany " + " ".join(f"{index:X} {index + turn:X}" for index in range(250)))
+            assert client.words("rmany " + " ".join(f"{index:X}" for index in range(250))) == [
+                index + turn for index in range(250)
+            ]
+        assert client.words("statistics")[2] > 100
+        assert client.now < 10
 
 
 def test_a_gateway_without_flow_control_gets_no_more_than_its_fifo_holds(client: Driven) -> None:

@@ -248,7 +248,7 @@ static void take_nameless_error(ul_link *link, text code, double now)
 {
     uint64_t number;
     if (!take_number(&code, 2, &number)) return;
-    if (number == UL_DAMAGED || number == UL_TOO_LONG || number == UL_RECEIVE_OVERFLOW) go_back(link, now);
+    if (number == UL_DAMAGED || number == UL_TOO_LONG || number == UL_RECEIVE_OVERFLOW) note_loss(link, now);
     if (number == UL_UNKNOWN_COMMAND || number == UL_MALFORMED) {
         ul_request given_up = {.batch = NULL};
         if (note_refusal(link, now, &given_up)) lose(link);
@@ -262,6 +262,7 @@ static void take_line(ul_link *link, text line)
     if (line.size == 0) return;
     if (!take_check(link, &line)) {
         link->statistics.damaged++;
+        note_loss(link, now);
         return;
     }
     if (!take_prefix(link, &line) || line.size < 2) return;
