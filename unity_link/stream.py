@@ -9,7 +9,7 @@ from __future__ import annotations
 import asyncio
 from typing import TYPE_CHECKING, Protocol, cast
 
-from unity_link.wire.window import QUICK_TIMEOUT, SHORTEST_TIMEOUT
+from unity_link.wire.constants import QUICK_TIMEOUT, SHORTEST_TIMEOUT
 
 if TYPE_CHECKING:
     from collections.abc import Callable

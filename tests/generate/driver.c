@@ -55,6 +55,85 @@ static void finish(ul_status status, const uint64_t *some, size_t count)
     fflush(stdout);
 }
 
+/* A medium of which the test has the clock and the other end. To wait is to print `~`, how long at most, and what was
+ * sent; the test answers with the time that it is then, and what has arrived. */
+
+static char sent[1 << 16], arrived[1 << 16];
+static size_t sent_size, arrived_size;
+static double the_time;
+static bool is_open;
+
+/* Nobody uses a medium that is closed. */
+static void use(void *context)
+{
+    (void)context;
+    if (!is_open) abort();
+}
+
+static ptrdiff_t send_to_test(void *context, const void *bytes, size_t size)
+{
+    use(context);
+    if (size > sizeof sent - sent_size) size = sizeof sent - sent_size;
+    memcpy(sent + sent_size, bytes, size);
+    sent_size += size;
+    return (ptrdiff_t)size;
+}
+
+static ptrdiff_t receive_from_test(void *context, void *bytes, size_t size)
+{
+    use(context);
+    if (size > arrived_size) size = arrived_size;
+    memcpy(bytes, arrived, size);
+    memmove(arrived, arrived + size, arrived_size -= size);
+    return (ptrdiff_t)size;
+}
+
+static void wait_for_test(void *context, bool sending, double seconds)
+{
+    static char answer[1 << 17];
+    (void)sending;
+    use(context);
+    printf("~ %a ", seconds);
+    for (size_t index = 0; index < sent_size; index++) printf("%02X", (unsigned char)sent[index]);
+    printf("\n");
+    fflush(stdout);
+    sent_size = 0;
+    if (fgets(answer, sizeof answer, stdin) == NULL) exit(1);
+    char *at;
+    unsigned byte;
+    the_time = strtod(answer, &at);
+    for (at++; sscanf(at, "%2x", &byte) == 1 && arrived_size < sizeof arrived; at += 2)
+        arrived[arrived_size++] = (char)byte;
+}
+
+static double time_of_test(void *context)
+{
+    use(context);
+    return the_time;
+}
+
+static void end_with_test(void *context)
+{
+    use(context);
+    is_open = false;
+    sent_size = arrived_size = 0;
+}
+
+static ul_status connect_to(const char *url, double timeout)
+{
+    ul_transport test = {
+        .send = send_to_test,
+        .receive = receive_from_test,
+        .wait = wait_for_test,
+        .now = time_of_test,
+        .close = end_with_test,
+    };
+    if (strncmp(url, "test:", 5)) return ul_connect(&the_link, url, timeout);
+    is_open = true;
+    test.shortest_timeout = strtod(url + 5, NULL);
+    return ul_open(&the_link, &test, -1, timeout);
+}
+
 static void called_back(void *context, const ul_sample *sample)
 {
     uint64_t *last = context;
@@ -62,6 +141,12 @@ static void called_back(void *context, const ul_sample *sample)
     if (calls < CALLED) called[calls++] = sample->sequence;
     /* A callback may use the link. */
     ul_post(&the_link, 0x7F, sample->sequence);
+}
+
+static void close_link(void *context, const ul_sample *sample)
+{
+    (void)context, (void)sample;
+    ul_close(&the_link);
 }
 
 static void subscribe(void)
@@ -77,6 +162,7 @@ static void subscribe(void)
     one->trigger = strchr(flags, 'e') != NULL;
     one->immediate = strchr(flags, 'i') != NULL;
     if (strchr(flags, 'b') != NULL) one->callback = called_back;
+    if (strchr(flags, 'z') != NULL) one->callback = close_link;
     one->context = &last;
     one->count = (unsigned)next_numbers();
     for (unsigned index = 0; index < one->count; index++) addresses[number][index] = (uint32_t)words[index];
@@ -159,7 +245,7 @@ static void do_command(const char *command)
 {
     if (!strcmp(command, "connect")) {
         const char *url = next_text();
-        finish(ul_connect(&the_link, url, strtod(next_text(), NULL)), NULL, 0);
+        finish(connect_to(url, strtod(next_text(), NULL)), NULL, 0);
     } else if (strchr("rw", *command) != NULL && (strstr(command, "block") || strstr(command, "queue"))) {
         do_words(command);
     } else if (strstr(command, "many") != NULL) {

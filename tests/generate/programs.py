@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
+import math
 import subprocess
+from collections import deque
 from pathlib import Path
 from typing import TYPE_CHECKING, Self
 
 from unity_link.generate import generate, write
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Callable, Sequence
     from types import TracebackType
 
     from unity_link.spec import Spec
@@ -21,6 +23,8 @@ SANITIZED = ("-g", "-fsanitize=address,undefined", "-fno-sanitize-recover=all")
 HERE = Path(__file__).parent
 PATIENCE = 120
 """Seconds after which a program hangs: for a loaded machine, and never reached."""
+SIMULATED_PATIENCE = 600
+"""The same on simulated time."""
 
 
 def generated(target: str, spec: Spec, directory: Path) -> list[Path]:
@@ -36,6 +40,12 @@ def compiled(compiler: Sequence[str], sources: Sequence[Path], directory: Path, 
         _run([*compiler, *STRICT, *options, f"-I{directory}", "-c", str(source), "-o", str(made)])
         objects.append(made)
     return objects
+
+
+def checked(compiler: Sequence[str], source: Path, directory: Path) -> None:
+    """Have a compiler look at a source, which takes a fraction of the time."""
+    warnings = ("-pedantic", "-Wall", "-Wextra", "-Werror")
+    _run([*compiler, *warnings, f"-I{directory}", "-fsyntax-only", str(source)])
 
 
 def linked(compiler: Sequence[str], objects: Sequence[Path], program: Path, *options: str) -> Path:
@@ -98,3 +108,41 @@ class Driven:
         status, *numbers = self(command).split()
         assert status == "0", f"{command} gives {status} {' '.join(numbers)}"
         return [int(number) for number in numbers]
+
+
+class Simulated(Driven):
+    """The same on simulated time, connected to a gateway of the test by ``connect test: 5``.
+
+    Args:
+        program: `driver.c`.
+        gateway: takes bytes and the time, and gives the bytes that arrive after `latency`.
+        latency: seconds until what the gateway answers arrives.
+    """
+
+    def __init__(self, program: Path, gateway: Callable[[bytes, float], bytes], latency: float = 0.001) -> None:
+        super().__init__(program)
+        self._gateway, self.latency = gateway, latency
+        self._under_way: deque[tuple[float, bytes]] = deque()
+        self.now = 0.0
+
+    def answer(self) -> str:
+        """Give the answer to a command, and let time pass until it comes."""
+        give_up = self.now + SIMULATED_PATIENCE
+        while (line := super().answer()).startswith("~"):
+            assert self.now < give_up, "the client does not end"
+            _, seconds, *sent = line.split()
+            arrived = self._wait(float.fromhex(seconds), bytes.fromhex("".join(sent)))
+            self.send(f"{self.now.hex()} {arrived.hex()}")
+        return line
+
+    def _wait(self, seconds: float, sent: bytes) -> bytes:
+        answer = self._gateway(sent, self.now)
+        if answer:
+            self._under_way.append((self.now + self.latency, answer))
+        until = self.now + seconds
+        if self._under_way and self._under_way[0][0] <= until:
+            self.now, arrived = self._under_way.popleft()
+            return arrived
+        # A clock of which the steps are lost in the rounding would stand still.
+        self.now = max(until, math.nextafter(self.now, math.inf))
+        return b""

@@ -5,22 +5,24 @@ from __future__ import annotations
 import math
 import re
 import socket
+from collections import Counter
 from itertools import pairwise
 from typing import TYPE_CHECKING
 
 import pytest
-from hypothesis import Phase, given, settings
+from hypothesis import Phase, example, given, settings
 
+from generate.awkward_names import GROUPS_BY_KEYWORDS, INTERFACE_AS_A_PARAMETER, awkward_specs
 from generate.every_kind import WORD_BITS, bad_values, every_kind, written
 from generate.peers import MEDIA, Fault, FaultyLine, Medium, damage, double, lose, replace, serve, simulate
-from generate.programs import CPP, HERE, SANITIZED, C, Driven, compiled, generated, linked, output
+from generate.programs import CPP, HERE, SANITIZED, C, Driven, Simulated, checked, compiled, generated, linked, output
 from spec_examples import FIGURE_1, specs
 from unity_link.generate.c.layout import Layout
 from unity_link.spec import KindName, compile_text
 from unity_link.spec.printer import print_file
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.build import build_gateway
-from unity_link.virtual.faults import Failing
+from unity_link.virtual.faults import Failing, Noise, NoisyLine
 from unity_link.wire.crc import Crc
 from unity_link.wire.frames import Framing
 from unity_link.wire.gateway_info import Feature
@@ -125,9 +127,23 @@ def test_any_spec_makes_code_that_compiles(tmp_path_factory: pytest.TempPathFact
     spec = compile_text(print_file(file))
     files = generated("cpp", spec, directory)
     own, header = files[3], files[0]
-    compiled(C, [own], directory, "-O0")
+    compiled(C, [own], directory, "-fsyntax-only")
     (directory / "program.cc").write_text(f'#include "{header.name}"\n')
-    compiled(CPP, [directory / "program.cc"], directory, "-O0")
+    compiled(CPP, [directory / "program.cc"], directory, "-fsyntax-only")
+
+
+@settings(max_examples=4, phases=[Phase.explicit, Phase.reuse, Phase.generate])
+@given(awkward_specs())
+@example(GROUPS_BY_KEYWORDS)
+@example(INTERFACE_AS_A_PARAMETER)
+def test_any_names_make_code_that_compiles(tmp_path_factory: pytest.TempPathFactory, text: str) -> None:
+    directory = tmp_path_factory.mktemp("names")
+    files = generated("cpp", compile_text(text), directory)
+    own, header = files[3], files[0]
+    assert len({path.name.lower() for path in files}) == len(files)
+    (directory / "program.cc").write_text(f'#include "{header.name}"\n')
+    checked(C, own, directory)
+    checked(CPP, directory / "program.cc", directory)
 
 
 def test_ten_thousand_signals_are_generated(tmp_path: Path) -> None:
@@ -400,6 +416,118 @@ def test_a_request_that_the_gateway_never_understands_is_given_up_and_those_behi
         assert line.count("^h00") == 1
 
 
+class Babbling:
+    """A gateway that opens a session, and answers everything else with the same."""
+
+    def __init__(self, answer: bytes) -> None:
+        self._gateway, self._answer = VirtualGateway(), answer
+        self.stops = False
+
+    def __call__(self, data: bytes, now: float) -> bytes:
+        """Take bytes at a time, and give what is answered."""
+        frames = [frame for frame in re.split(rb"(?<=[\r\n])", data) if frame.strip()]
+        return b"".join(self._answer if frame[0] in b"ghirw" else self._gateway.receive(frame, now) for frame in frames)
+
+
+REFUSAL = Framing(Crc()).checked(b"X02")
+DAMAGED_ANSWER = b"w0000\n"
+
+
+@pytest.mark.parametrize(
+    ("answer", "first"),
+    [
+        (REFUSAL, "2 {} at 0x10: the gateway does not know the command"),
+        (DAMAGED_ANSWER, "35 {} at 0x10: every try was damaged on the way; the request is perhaps executed"),
+    ],
+    ids=["refused", "damaged"],
+)
+@pytest.mark.parametrize(
+    ("command", "name"), [("read 10", "read"), ("wblock 10 1 2 3", "block write"), ("rblock 10 3", "block read")]
+)
+def test_what_is_given_up_is_its_own_error_and_a_gateway_that_refuses_even_the_fence_is_gone(
+    driver: Path, answer: bytes, first: str, command: str, name: str
+) -> None:
+    with Simulated(driver, Babbling(answer)) as client:
+        client.words("connect test: 5")
+        assert client(command) == first.format(name)
+        assert client("write 20 1") == f"{LOST}write at 0x20: the link was lost; the request is perhaps executed"
+        assert client("read 21").startswith(f"{LOST_NOT_EXECUTED}read at 0x21: ")
+        client("close")
+
+
+@pytest.mark.parametrize("answer", [REFUSAL, DAMAGED_ANSWER], ids=["refused", "damaged"])
+def test_what_is_under_way_when_its_call_fails_is_ended_with_it(driver: Path, answer: bytes) -> None:
+    with Simulated(driver, Babbling(answer)) as client:
+        client.words("connect test: 5")
+        for value in range(10):
+            client.words(f"post 10 {value}")
+        assert client("rmany 10 11 12").startswith(LOST)
+        client("close")
+        client.words("connect test: 5")
+        assert client("subscribe 0 100 - 10 11 12").startswith(("2 ", UNANSWERED))
+        assert client("close").startswith(LOST)
+
+
+@pytest.mark.parametrize(("url", "repeats"), [("test:", False), ("test:0.002", True)])
+def test_an_answer_is_waited_for_as_long_as_a_usb_chip_may_keep_it_unless_the_medium_knows_better(
+    driver: Path, url: str, repeats: bool
+) -> None:
+    with Simulated(driver, VirtualGateway().receive, latency=0.0005) as client:
+        client.words(f"connect {url} 5")
+        for _ in range(50):
+            client.words("read 10")
+        client.latency = 0.016
+        client.words("read 10")
+        assert (client.words("statistics")[3] > 0) == repeats
+
+
+class Faulty:
+    """A gateway of which the answers that a pattern finds are damaged, so many times each."""
+
+    def __init__(self, pattern: bytes, times: int) -> None:
+        self._gateway, self._pattern, self._times = VirtualGateway(), re.compile(pattern), times
+        self._damaged: Counter[bytes] = Counter()
+
+    def __call__(self, data: bytes, now: float) -> bytes:
+        """Take bytes at a time, and give what arrives."""
+        answers = self._gateway.receive(data, now).splitlines(keepends=True)
+        return b"".join(self._fate(answer) for answer in answers)
+
+    def _fate(self, answer: bytes) -> bytes:
+        if not self._pattern.match(answer) or self._damaged[answer] == self._times:
+            return answer
+        self._damaged[answer] += 1
+        return answer[:-2] + bytes([answer[-2] ^ 1]) + answer[-1:]
+
+
+@pytest.mark.parametrize("times", [1, 2])
+def test_a_damaged_answer_is_asked_for_again_at_once_and_so_is_its_repetition(driver: Path, times: int) -> None:
+    with Simulated(driver, Faulty(b"r.[05A]", times)) as client:
+        client.words("connect test: 5")
+        for _ in range(100):
+            client.words("read 10")
+        requests, _, repetitions, timeouts, damaged, _ = client.words("statistics")
+        assert (requests, timeouts, damaged) == (100, 0, repetitions)
+        assert repetitions >= 18 * times
+        assert client.words("rmany " + "10 " * 300) == [0] * 300
+        assert client.words("statistics")[3] == 0
+
+
+def test_what_a_line_loses_under_many_requests_is_found_without_a_time_out(driver: Path) -> None:
+    line = NoisyLine(VirtualGateway(), Noise(1, loss=0.001, flip=0.001), Noise(2, loss=0.001, flip=0.001))
+    with Simulated(driver, line.receive) as client:
+        client.words("connect test: 30")
+        for turn in range(20):
+            client.words("wmany " + " ".join(f"{index:X} {index + turn:X}" for index in range(250)))
+            assert client.words("rmany " + " ".join(f"{index:X}" for index in range(250))) == [
+                index + turn for index in range(250)
+            ]
+        _, _, _, timeouts, damaged, _ = client.words("statistics")
+        assert damaged > 100
+        assert timeouts == 0
+        assert client.now < 1
+
+
 def test_a_gateway_without_flow_control_gets_no_more_than_its_fifo_holds(client: Driven) -> None:
     built = {"features": Feature(0x7F) & ~Feature.FLOW_CONTROL, "receive_fifo_bytes": 64}
     with serve(build_gateway(configuration=built, bytes_per_second=20_000)) as url:
@@ -496,6 +624,19 @@ def test_callbacks_get_each_sample_and_may_use_the_link(client: Driven) -> None:
         client.words("publish 0")
         assert client.words("poll 0.05") == [3]
         assert client("next 1 5").startswith("0 0 0 ")
+
+
+def test_a_callback_may_close_the_link_and_its_medium_is_not_used_again(driver: Path) -> None:
+    with Simulated(driver, VirtualGateway().receive) as client:
+        client.words("connect test: 5")
+        client.words("subscribe 0 0 z 10")
+        client.words("publish 0")
+        client.words("publish 0")
+        assert client("poll 1").startswith(LOST)
+        assert client("next 0 1").startswith("0 1 ")
+        assert client("next 0 1").startswith(LOST)
+        assert client("read 0").startswith(LOST_NOT_EXECUTED)
+        client.words("close")
 
 
 def test_samples_on_change_come_only_with_one(client: Driven) -> None:

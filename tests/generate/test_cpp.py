@@ -10,11 +10,13 @@ from typing import TYPE_CHECKING
 import pytest
 
 from generate.every_kind import WORD_BITS, every_kind, written
-from generate.peers import MEDIA, FaultyLine, Medium, lose, simulate
+from generate.peers import MEDIA, FaultyLine, Medium, lose, replace, simulate
 from generate.programs import CPP, SANITIZED, C, compiled, generated, linked, output
 from spec_examples import FIGURE_1
 from unity_link.generate import generate
 from unity_link.spec import KindName, compile_text
+from unity_link.wire.crc import Crc
+from unity_link.wire.frames import Framing
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -296,6 +298,27 @@ def test_what_a_lost_answer_means_is_known(runtime: list[Path]) -> None:
             assert line.count("^rq04") == 2
 
 
+def test_a_gateway_that_understands_nothing_is_one_error_and_then_gone(runtime: list[Path]) -> None:
+    body = """
+    std::uint64_t word = 0;
+    {
+        unity_link::Batch batch{link};
+        batch.read(0x10, &word);
+        THROWS(UnsupportedError, batch.finish());
+        CHECK(last == "read at 0x10: the gateway does not know the command");
+    }
+    THROWS(LinkLostError, link.write_block(0x10, {1, 2}));
+    CHECK(last == "block write at 0x10: the link was lost; the request is perhaps executed");
+    THROWS(LinkLostError, link.read(0x11));
+    """
+    unknown = Framing(Crc()).checked(b"J")
+    with (
+        simulate("tcp") as gateway,
+        FaultyLine(gateway, "tcp", requests=[replace("^[g-z]", unknown, 10**6)]) as line,
+    ):
+        output(program(body, runtime), line.url)
+
+
 def test_an_unanswered_call_says_what_is_known_of_it(runtime: list[Path]) -> None:
     body = """
     std::cout << "ready" << std::endl;
@@ -363,15 +386,16 @@ def test_groups_come_by_callback_and_one_by_one(medium: Medium, runtime: list[Pa
         output(program(body, runtime), url)
 
 
-def test_a_callback_may_end_its_own_subscription(runtime: list[Path]) -> None:
+def test_a_callback_may_end_its_own_subscription_and_then_throw(runtime: list[Path]) -> None:
     body = """
     std::unique_ptr<unity_link::Subscription> once;
     int calls = 0;
     once = std::make_unique<unity_link::Subscription>(link, std::vector<std::uint32_t>{0x61}, unity_link::Schedule{},
-        [&](const unity_link::Sample &) { calls++; once.reset(); });
+        [&](const unity_link::Sample &) { calls++; once.reset(); throw std::runtime_error("mine"); });
     once->publish();
     once->publish();
-    link.poll(0s);
+    try { link.poll(0s); CHECK(!"it throws"); } catch (const std::runtime_error &error) { last = error.what(); }
+    CHECK(last == "mine");
     link.poll(0s);
     CHECK(calls == 1);
     """

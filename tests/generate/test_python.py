@@ -215,3 +215,9 @@ def test_a_class_says_what_its_declaration_says_and_an_attribute_what_its_place(
 @pytest.mark.parametrize("text", ["", "plain", 'ends in "', "back \\ slash", 'three """ quotes', "two\n\nlines"])
 def test_any_text_is_a_docstring(text: str) -> None:
     assert eval(docstring(text, 0)).strip() == text.strip()
+
+
+@pytest.mark.parametrize("name", ["string", "asyncio", "lambda", "unity_link"])
+def test_the_module_hides_none_that_its_program_imports(name: str) -> None:
+    (made,) = generate("python", compile_text(f"public {name}() {{ @a = 1: READ(); }}"))
+    assert made.name == f"{name}_.py"

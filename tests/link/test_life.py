@@ -36,10 +36,10 @@ from unity_link.drivers import parse_url
 from unity_link.virtual.faults import Failing, Noise, NoisyLine
 from unity_link.virtual.line import SlowLine
 from unity_link.virtual.transport import GatewayTransport
+from unity_link.wire.constants import MOST_TRIES
 from unity_link.wire.crc import Crc
 from unity_link.wire.frames import Framing
 from unity_link.wire.gateway_info import Feature
-from unity_link.wire.window import MOST_TRIES
 from valve import Valve, cut
 
 if TYPE_CHECKING:

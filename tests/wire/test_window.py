@@ -13,7 +13,7 @@ from hypothesis import settings
 from hypothesis import strategies as st
 from hypothesis.stateful import RuleBasedStateMachine, invariant, precondition, rule
 
-from unity_link.wire import window as module
+from unity_link.wire import constants as module
 from unity_link.wire.window import Run, Unanswered, Window
 
 RING = 256

@@ -22,7 +22,7 @@ import serial
 from serial_asyncio_fast import SerialTransport
 
 from unity_link.errors import ArgumentError, ConnectError
-from unity_link.wire.window import QUICK_TIMEOUT
+from unity_link.wire.constants import QUICK_TIMEOUT
 
 if TYPE_CHECKING:
     from unity_link.drivers import DriverUrl

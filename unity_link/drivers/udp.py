@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING, Any
 
 from unity_link.drivers.tcp import address
 from unity_link.errors import ConnectError
+from unity_link.wire.constants import QUICK_TIMEOUT
 from unity_link.wire.frames import datagrams
-from unity_link.wire.window import QUICK_TIMEOUT
 
 if TYPE_CHECKING:
     from unity_link.drivers import DriverUrl

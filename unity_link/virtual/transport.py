@@ -13,7 +13,7 @@ import asyncio
 from typing import TYPE_CHECKING
 
 from unity_link.virtual.pump import MOST_BYTES, Pump
-from unity_link.wire.window import QUICK_TIMEOUT
+from unity_link.wire.constants import QUICK_TIMEOUT
 
 if TYPE_CHECKING:
     from unity_link.virtual.gateway import Gateway

@@ -4,5 +4,6 @@
 - `gateway_info`: what a gateway says of itself (`Q`), from which all widths follow
 - `frames`: what stands between two line ends
 - `messages`: what it means, for any widths
+- `constants`: how long and how often a host tries
 - `window`: exactly once, in order
 """

@@ -50,30 +50,23 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Generic, NamedTuple, TypeVar
 
+from unity_link.wire.constants import (
+    FENCE_DELAY,
+    FEWEST_IN_FLIGHT,
+    FEWEST_SILENT_TRIES,
+    FIRST_TIMEOUT,
+    LONGEST_SILENCE,
+    LONGEST_TIMEOUT,
+    MEASUREMENT_PAUSE,
+    MOST_QUICK_SIGNS,
+    MOST_REFUSALS,
+    MOST_TRIES,
+    SHORTEST_TIMEOUT,
+    SLOWER_SIGNS,
+)
+
 if TYPE_CHECKING:
     from collections.abc import Iterator
-
-MOST_QUICK_SIGNS = 6
-"""How often signs are followed at the pace of a round trip that is next to nothing."""
-SLOWER_SIGNS = 0.001
-"""Seconds that a round trip counts as, at least, after so many."""
-LONGEST_SILENCE = 5.0
-"""Seconds without anything that can be about a request, and with one under way, after which the link is lost."""
-FEWEST_SILENT_TRIES = 3
-"""Time outs in silence before the link is lost, however long one takes."""
-MOST_TRIES = 32
-MOST_REFUSALS = 3
-FEWEST_IN_FLIGHT = 8
-SHORTEST_TIMEOUT = 0.025
-"""Seconds, for media that do not say better: an answer may stay in a USB chip until its latency timer ends, 16 ms by
-default, whatever the last round trip was."""
-QUICK_TIMEOUT = 0.003
-"""The same for media that hand everything on at once: sockets, pseudo-terminals, gateways of this process."""
-LONGEST_TIMEOUT = 2.0
-FIRST_TIMEOUT = 0.25
-FENCE_DELAY = 0.001
-MEASUREMENT_PAUSE = 0.001
-"""Seconds between two measurements of the round trip: one a window is enough, and fast reads are left alone."""
 
 
 class Run:

@@ -16,6 +16,7 @@ from unity_link.generate import GeneratedFile
 from unity_link.generate.c.layout import Layout
 from unity_link.generate.c.names import comment, number, string
 from unity_link.generate.c.signals import decoding, describe, examples, initializer, schedule
+from unity_link.wire.constants import TABLE
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
@@ -44,4 +45,4 @@ def files(interface: Interface, templates: Templates) -> Iterator[GeneratedFile]
     yield GeneratedFile(f"{layout.prefix}.h", templates.render("interface.h", examples=examples(layout), **values))
     yield GeneratedFile(f"{layout.prefix}.c", templates.render("interface.c", initializer=body, **values))
     for name in RUNTIME:
-        yield GeneratedFile(name, templates.render(name))
+        yield GeneratedFile(name, templates.render(name, constants=TABLE))

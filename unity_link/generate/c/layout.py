@@ -12,7 +12,8 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, NamedTuple
 
 from unity_link.errors import UnsupportedError
-from unity_link.generate.c.names import GLOBAL, RESERVED, Names
+from unity_link.generate.c.names import Names
+from unity_link.generate.c.reserved import is_global, is_interface
 from unity_link.spec.kinds import KindName
 from unity_link.spec.model import Component, ComponentArray
 
@@ -23,6 +24,9 @@ if TYPE_CHECKING:
     from unity_link.spec.model import Group, Interface, Module, Signal
 
 MOST_GROUP_WORDS = 255
+_OF_ENUMERATIONS = ("", "_signal", "_name", "_get", "_set", "_post")
+_OF_GROUPS = ("", "_subscription", "_read", "_write", "_subscribe", "_next", "_decode")
+"""What is named after an enumeration and a group."""
 _INT_MAX = 0x7FFF_FFFF
 
 
@@ -188,11 +192,21 @@ class Layout:
 
     def __init__(self, interface: Interface) -> None:
         self.interface = interface
-        self.prefix = Names(GLOBAL).take(interface.name)
-        self._globals = Names(GLOBAL)
-        self._globals.take(self.prefix)
+        self.prefix = Names(is_reserved=is_interface).take(interface.name)
+        self._guards = (f"{self.prefix}_H".upper(), f"{self.prefix}_HPP".upper())
+        named = [group for group in interface.groups if group.signals]
+        self._member_names = {component.path: self._names_in(component) for component in interface.root.walk()}
+        self._group_members = {group.name: self._names_of(group) for group in named}
+        # A group is a member of the robot in C++.
+        in_root = Names([*self._guards, *self._member_names[interface.root.path].values()])
+        self.group_names = {group.name: in_root.take(group.name) for group in named}
+        # In C++ a type that has the name of a member is no type any more.
+        scopes = (*self._member_names.values(), *self._group_members.values(), self.group_names)
+        members = {name for names in scopes for name in names.values()}
+        self.class_name = Names([self.prefix, *members], is_global).take(_capitalized(self.prefix))
+        self._shorts = Names([self.class_name, *members], is_global)
+        self._globals = Names([self.prefix, *self._guards, *members], is_global)
         self.root_type = self._global("signals")
-        self._shorts = Names([*GLOBAL, *self._member_names()])
         self.enumerations = {one.name: self._enumeration(one) for one in interface.enumerations}
         self.value_types: dict[str, ValueType] = {}
         """By the paths of the signals."""
@@ -205,36 +219,47 @@ class Layout:
         """Expressions of C by paths."""
         self.root = self._part_type(interface.root)
         self._express(interface.root, self.prefix)
-        self.groups = tuple(self._group(group) for group in interface.groups if group.signals)
+        self.groups = tuple(self._group(group) for group in named)
 
     def _global(self, name: str) -> str:
         return self._globals.take(f"{self.prefix}_{name}")
 
     def _short(self, name: str) -> str:
         """Give a name of a type in C++."""
-        return self._shorts.take("".join(part[:1].upper() + part[1:] for part in name.split("_")) or "_")
+        return self._shorts.take(_capitalized(name))
 
-    def _member_names(self) -> Iterator[str]:
-        """Give all names that types in C++ must not hide."""
-        yield from (module.name for module in self.interface.modules if module.name is not None)
-        for component in self.interface.root.walk():
-            yield component.name
-            yield from (part.name for part in (*component.signals, *component.parts))
+    # Names of members
+
+    def _names_in(self, component: Component) -> dict[str, str]:
+        names = Names(self._guards)
+        members = [one.name for one in (*component.signals, *component.parts)]
+        return {name: names.take(name) for name in [*members, *self.modules_of(component)]}
+
+    def _names_of(self, group: Group) -> dict[str, str]:
+        # Its structure in C++ has functions of its own.
+        names = Names([*self._guards, "decode", "of"])
+        return {path: names.take(path) for path in group.signals}
 
     # Types of values
 
     def _enumeration(self, enumeration: Enumeration) -> EnumerationType:
         widths = [one.width for one in self.interface.signals.values() if one.kind.enumeration == enumeration]
         # An enumerator would hide the constant of the interface.
-        names, shorts = Names(), Names([*RESERVED, self.prefix])
-        name = self._global(enumeration.name)
+        shorts = Names([*self._guards, self.prefix])
+        name = self._globals.take(f"{self.prefix}_{enumeration.name}", _OF_ENUMERATIONS)
         return EnumerationType(
             name,
             self._short(enumeration.name),
-            self._global(f"{enumeration.name}_signal"),
+            f"{name}_signal",
             32 if max(widths) <= 32 else 64,
             tuple(
-                Constant(names.take(f"{name}_{one.name}".upper()), shorts.take(one.name), one.name, one.value, one.doc)
+                Constant(
+                    self._globals.take(f"{name}_{one.name}".upper()),
+                    shorts.take(one.name),
+                    one.name,
+                    one.value,
+                    one.doc,
+                )
                 for one in enumeration.values
             ),
             enumeration.doc,
@@ -275,9 +300,7 @@ class Layout:
 
     def member_names(self, component: Component) -> dict[str, str]:
         """Give the identifiers of the members of a component by their names."""
-        names = Names()
-        members = [one.name for one in (*component.signals, *component.parts)]
-        return {name: names.take(name) for name in [*members, *self.modules_of(component)]}
+        return self._member_names[component.path]
 
     def _part_type(self, component: Component) -> PartType:
         names = self.member_names(component)
@@ -307,7 +330,7 @@ class Layout:
             for signal in component.signals
         )
         name = self.root_type if is_root else self._global(component.type)
-        short = "Robot" if is_root else self._short(component.type)
+        short = self.class_name if is_root else self._short(component.type)
         return PartType(name, short, component.type_doc or component.doc, signals, parts, modules)
 
     def _varies(self, component_type: str, name: str) -> bool:
@@ -339,7 +362,7 @@ class Layout:
     # Groups
 
     def _group(self, group: Group) -> GroupType:
-        names = Names()
+        names = self._group_members[group.name]
         addresses: list[int] = []
         members, reads = [], []
         for path in group.signals:
@@ -350,15 +373,18 @@ class Layout:
                 addresses += signal.addresses
                 reads.append(self.expressions[path])
             where = f"words + {place}" if place else "words"
-            members.append(GroupMember(names.take(path), self.value_types[path], signal, self.expressions[path], where))
+            members.append(GroupMember(names[path], self.value_types[path], signal, self.expressions[path], where))
         if len(addresses) > MOST_GROUP_WORDS:
             raise UnsupportedError(f"group {group.name} needs {len(addresses)} words, at most {MOST_GROUP_WORDS} fit")
-        name = self._globals.take(f"{self.prefix}_{group.name}")
-        self._globals.take(f"{name}_subscription")
+        name = self._globals.take(f"{self.prefix}_{group.name}", _OF_GROUPS)
         short = self._short(group.name)
         return GroupType(
             name, short, self._short(f"{short}_group"), group, tuple(members), tuple(addresses), tuple(reads)
         )
+
+
+def _capitalized(name: str) -> str:
+    return "".join(part[:1].upper() + part[1:] for part in name.split("_")) or "_"
 
 
 def _column(members: Sequence[SignalMember | PartMember | GroupMember]) -> int:

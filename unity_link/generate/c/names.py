@@ -1,7 +1,8 @@
 """Names of a spec as identifiers of C and C++, and texts as comments and strings.
 
-Both languages share the identifiers, for a C++ program includes the C header. A name that one of them keeps for itself
-gets a ``_`` behind it: `class` becomes `class_`.
+Both languages share the identifiers, for a C++ program includes the C header. All of them come from `Names`, one for
+each scope: a name that a language, a library or the generated code has for itself (`reserved`) gets a ``_`` behind it:
+`class` becomes `class_`.
 """
 
 from __future__ import annotations
@@ -9,53 +10,39 @@ from __future__ import annotations
 import re
 from typing import TYPE_CHECKING
 
-if TYPE_CHECKING:
-    from collections.abc import Iterable
+from unity_link.generate.c.reserved import is_word
 
-_C = """
-    auto break case char const continue default do double else enum extern float for goto if inline int long register
-    restrict return short signed sizeof static struct switch typedef union unsigned void volatile while
-"""
-_CPP = """
-    alignas alignof and and_eq asm bitand bitor bool catch char8_t char16_t char32_t class co_await co_return co_yield
-    compl concept const_cast consteval constexpr constinit decltype delete dynamic_cast explicit export false friend
-    mutable namespace new noexcept not not_eq nullptr operator or or_eq private protected public reinterpret_cast
-    requires static_assert static_cast template this thread_local throw true try typeid typename using virtual wchar_t
-    xor xor_eq
-"""
-_MACROS = """
-    assert complex errno i386 imaginary linux major minor noreturn offsetof setjmp stderr stdin
-    stdout unix va_arg
-"""
-"""Names without capitals that headers of C and POSIX define as macros, which may stand before ours."""
-_GLOBAL = """
-    abort abs accept access alarm atoi bind brk calloc clock close connect div dup environ exit fork free getenv index
-    kill labs link listen log main malloc open pause pipe poll pow printf rand read realloc recv remove rename rint
-    round select send shutdown signal sin sleep socket sqrt stat std stime strcpy sync system time times truncate
-    unity_link unlink wait write y0 y1 yn j0 j1 jn
-"""
-"""Functions and variables whose names an interface cannot have."""
-_OURS = "place std the_link unity_link"
-"""What the members of generated classes must leave visible."""
-RESERVED = frozenset(f"{_C}{_CPP}{_MACROS}{_OURS}".split())
-GLOBAL = RESERVED | frozenset(_GLOBAL.split())
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterable
 
 
 class Names:
-    """The names of one scope, each given once."""
+    """The names of one scope, each given once.
 
-    def __init__(self, reserved: Iterable[str] = RESERVED) -> None:
-        self._taken = set(reserved)
+    Args:
+        taken: identifiers that are in the scope already.
+        is_reserved: whether an identifier cannot be had at all.
+    """
 
-    def take(self, name: str) -> str:
-        """Give an identifier for a name, and keep it from being given again."""
+    def __init__(self, taken: Iterable[str] = (), is_reserved: Callable[[str], bool] = is_word) -> None:
+        self._taken = set(taken)
+        self._is_reserved = is_reserved
+
+    def take(self, name: str, endings: Iterable[str] = ("",)) -> str:
+        """Return an identifier for a name, and keep it from being given again.
+
+        With endings, the identifier has all of them free: those of the functions that are named after a type.
+        """
         identifier = re.sub(r"\W+", "_", name, flags=re.ASCII).strip("_") or "_"
         if identifier[0].isdigit():
             identifier = f"n{identifier}"
-        while identifier in self._taken:
+        while any(self._has(f"{identifier}{ending}") for ending in endings):
             identifier += "_"
-        self._taken.add(identifier)
+        self._taken.update(f"{identifier}{ending}" for ending in endings)
         return identifier
+
+    def _has(self, identifier: str) -> bool:
+        return identifier in self._taken or self._is_reserved(identifier)
 
 
 def string(text: str) -> str:

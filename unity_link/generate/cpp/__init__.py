@@ -12,7 +12,7 @@ from unity_link.generate import GeneratedFile, Templates
 from unity_link.generate.c import FILTERS as C_FILTERS
 from unity_link.generate.c import files as c_files
 from unity_link.generate.c.layout import Layout
-from unity_link.generate.c.names import Names, comment
+from unity_link.generate.c.names import comment
 from unity_link.generate.c.signals import describe
 
 if TYPE_CHECKING:
@@ -28,13 +28,11 @@ _SIGNALS = {"READ": "Readable", "WRITE": "Writable", "READWRITE": "ReadWritable"
 def files(interface: Interface, templates: Templates) -> Iterator[GeneratedFile]:
     """Make the headers of an interface, and the files in C below them."""
     layout = Layout(interface)
-    robot = class_name(layout)
-    names = Names([*layout.member_names(interface.root).values(), robot])
-    groups = [(names.take(group.group.name), group) for group in layout.groups]
+    groups = [(layout.group_names[group.group.name], group) for group in layout.groups]
     text = templates.render(
         "interface.hpp",
         layout=layout,
-        robot=robot,
+        robot=layout.class_name,
         variable=_variable(layout),
         groups=groups,
         root_initializers=[
@@ -46,12 +44,6 @@ def files(interface: Interface, templates: Templates) -> Iterator[GeneratedFile]
     yield GeneratedFile(f"{layout.prefix}.hpp", text)
     yield GeneratedFile("unity_link.hpp", templates.render("unity_link.hpp"))
     yield from c_files(interface, templates.of("c", C_FILTERS))
-
-
-def class_name(layout: Layout) -> str:
-    """Give the name of the class of an interface; that in C keeps its own."""
-    prefix = layout.prefix
-    return Names([prefix]).take("".join(part[:1].upper() + part[1:] for part in prefix.split("_")) or "_")
 
 
 def declarations(part: PartType) -> list[str]:
@@ -110,7 +102,7 @@ def _examples(layout: Layout, groups: list[tuple[str, GroupType]]) -> Iterator[s
     first = next((one for one in signals if one.access.reads), None)
     if first is not None:
         value = layout.value_types[first.path]
-        kind = f"{class_name(layout)}::{value.cpp}" if value.is_enumeration else value.cpp
+        kind = f"{layout.class_name}::{value.cpp}" if value.is_enumeration else value.cpp
         yield f"{kind} value = {_expression(layout, first.path)}.get()"
     written = next((one for one in signals if one.access.writes), None)
     if written is not None:

@@ -20,6 +20,7 @@ from unity_link.errors import UnsupportedError
 from unity_link.generate import GeneratedFile
 from unity_link.generate.matlab.names import MEMBERS, identifiers
 from unity_link.spec import ComponentArray
+from unity_link.wire.constants import TABLE
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -76,7 +77,8 @@ def files(interface: Interface, templates: Templates) -> Iterator[GeneratedFile]
     )
     yield GeneratedFile(f"{name}.m", text)
     for template in sorted(_RUNTIME.glob("*.jinja")):
-        yield GeneratedFile(f"+{PACKAGE}/{template.stem}", templates.render(f"runtime/{template.stem}"))
+        text = templates.render(f"runtime/{template.stem}", constants=TABLE)
+        yield GeneratedFile(f"+{PACKAGE}/{template.stem}", text)
 
 
 def _members(part: Component) -> list[str]:

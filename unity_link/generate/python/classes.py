@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import enum
 import keyword
+import sys
 from typing import TYPE_CHECKING, NamedTuple
 
 from unity_link.data.loading import class_name
@@ -24,6 +25,7 @@ IMPORTED = ("ClassVar", "Component", "IntEnum", "Link", "Mapping", "Robot")
 """Names that the module has for itself, beside those of proxies and hardware modules."""
 
 
+_IMPORTED_PACKAGES = {"anyio", "jinja2", "lark", "msgspec", "numpy", "unity_link"}
 _SHOWN = 4
 """Addresses of a signal that its doc string names."""
 
@@ -71,8 +73,9 @@ class Described(NamedTuple):
 
 
 def module_name(interface: Interface) -> str:
-    """Give the name of the module of an interface."""
-    return interface.name + ("_" if keyword.iskeyword(interface.name) else "")
+    """Return the name of the module of an interface: none that hides a module which the program needs."""
+    is_taken = keyword.iskeyword(interface.name) or interface.name in sys.stdlib_module_names | _IMPORTED_PACKAGES
+    return interface.name + "_" * is_taken
 
 
 def describe(interface: Interface) -> Described:

@@ -38,9 +38,10 @@ static bool is_lost(ul_status status)
     return status == UL_LOST || status == UL_LOST_EXECUTED || status == UL_LOST_NOT_EXECUTED;
 }
 
-/* Put the end of a request into its batch. */
-static void settle(ul_batch *batch, const ul_request *request, ul_status status)
+/* Put the end of a request into its batch, if it has one. Nothing of the caller's is touched for it any more. */
+static void settle(const ul_request *request, ul_status status)
 {
+    ul_batch *batch = request->batch;
     if (batch == NULL) return;
     if (batch->pending > 0) batch->pending--;
     if (status == UL_OK) {
@@ -73,13 +74,22 @@ static void lose(ul_link *link)
     for (uint32_t id = link->oldest; id != link->next; id = (id + 1) & link->ring_mask) {
         ul_request *request = slot_of(link, id);
         bool executed = distance(link, id) < distance(link, link->executed);
-        if (request->waiting && !request->given_up)
-            settle(request->batch, request, executed ? UL_LOST_EXECUTED : UL_LOST);
+        if (request->waiting) settle(request, executed ? UL_LOST_EXECUTED : UL_LOST);
         request->waiting = false;
     }
     link->oldest = link->executed = link->next;
     link->unfenced = 0;
     link->bytes = 0;
+}
+
+/* End the link. From here on its transport is the caller's again, and not used any more. */
+static void shut(ul_link *link)
+{
+    lose(link);
+    link->open = false;
+    link->subscriptions = NULL;
+    link->transport.close(link->transport.context);
+    link->transport = (ul_transport){.context = NULL};
 }
 
 /* Sending */
@@ -114,8 +124,7 @@ static void send_request(ul_link *link, const ul_request *request, uint32_t id)
 
 static void send_fence(ul_link *link)
 {
-    ul_request fence = {.command = "h"};
-    send_request(link, &fence, number_request(link, &fence, now_of(link)));
+    send_request(link, &FENCE, number_request(link, &FENCE, now_of(link)));
     link->statistics.requests++;
 }
 
@@ -140,10 +149,10 @@ static void turn(ul_link *link, double until)
     if (has_deadline(link, &deadline) && deadline < until) until = deadline;
     if (until > now) link->transport.wait(link->transport.context, false, until - now);
     receive_bytes(link);
-    ul_request *given_up;
+    ul_request given_up = {.batch = NULL};
     bool had_to = link->wants_repetition;
     if (note_time(link, now_of(link), &given_up)) lose(link);
-    if (given_up != NULL) settle(given_up->batch, given_up, UL_UNANSWERED);
+    settle(&given_up, UL_UNANSWERED);
     if (link->gone || !link->wants_repetition) return;
     if (!had_to) link->statistics.timeouts++;
     repeat(link);
@@ -183,7 +192,7 @@ static void start(ul_link *link, ul_batch *batch, ul_request request)
     }
     if (batch != NULL) batch->pending++;
     if (!link->open || link->gone) {
-        settle(batch, &request, UL_LOST_NOT_EXECUTED);
+        settle(&request, UL_LOST_NOT_EXECUTED);
         return;
     }
     link->statistics.requests++;
@@ -202,7 +211,7 @@ static void note_error(ul_link *link, ul_request *request, text code, uint32_t i
     }
     /* An answer that is lost for good, but that nobody wanted, is as good as one. */
     if (number == UL_ANSWER_LOST && request->target == NULL) number = UL_OK;
-    if (!request->given_up) settle(request->batch, request, (ul_status)number);
+    settle(request, (ul_status)number);
     link->statistics.responses++;
     note_answer(link, id, now);
 }
@@ -225,9 +234,8 @@ static void take_response(ul_link *link, text body, double now)
     ul_request *request = find(link, (uint32_t)id);
     if (request != NULL && strcmp(command, "x") == 0) {
         note_error(link, request, fields, (uint32_t)id, now);
-    } else if (request != NULL && strcmp(command, request->given_up ? "h" : request->command) == 0
-               && take_answer(link, request, fields)) {
-        if (!request->given_up) settle(request->batch, request, UL_OK);
+    } else if (request != NULL && strcmp(command, request->command) == 0 && take_answer(link, request, fields)) {
+        settle(request, UL_OK);
         link->statistics.responses++;
         note_answer(link, (uint32_t)id, now);
     } else {
@@ -240,10 +248,11 @@ static void take_nameless_error(ul_link *link, text code, double now)
 {
     uint64_t number;
     if (!take_number(&code, 2, &number)) return;
-    if (number == UL_DAMAGED || number == UL_TOO_LONG || number == UL_RECEIVE_OVERFLOW) go_back(link, now);
+    if (number == UL_DAMAGED || number == UL_TOO_LONG || number == UL_RECEIVE_OVERFLOW) note_loss(link, now);
     if (number == UL_UNKNOWN_COMMAND || number == UL_MALFORMED) {
-        ul_request *given_up = note_refusal(link, now);
-        if (given_up != NULL) settle(given_up->batch, given_up, (ul_status)number);
+        ul_request given_up = {.batch = NULL};
+        if (note_refusal(link, now, &given_up)) lose(link);
+        settle(&given_up, (ul_status)number);
     }
 }
 
@@ -253,6 +262,7 @@ static void take_line(ul_link *link, text line)
     if (line.size == 0) return;
     if (!take_check(link, &line)) {
         link->statistics.damaged++;
+        note_loss(link, now);
         return;
     }
     if (!take_prefix(link, &line) || line.size < 2) return;

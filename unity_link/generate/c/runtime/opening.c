@@ -133,11 +133,12 @@ ul_status ul_open(ul_link *link, const ul_transport *transport, int node, double
 {
     memset(link, 0, sizeof *link);
     link->transport = *transport;
+    if (!(transport->shortest_timeout > 0)) link->transport.shortest_timeout = SHORTEST_TIMEOUT;
     link->node = node;
     link->posts = UL_BATCH;
-    if (node > 0xFE) return fail(link, UL_BAD_ARGUMENT, "node", "0 to 254 was expected");
     opening opens = {.link = link, .until = now_of(link) + timeout};
-    ul_status status = learn(&opens);
+    ul_status status =
+        node > 0xFE ? fail(link, UL_BAD_ARGUMENT, "node", "0 to 254 was expected") : learn(&opens);
     if (status == UL_OK) {
         const char *session = link->info.id_digits == 2 ? "K00" : "K000";
         double asked = opens.until;
@@ -149,10 +150,7 @@ ul_status ul_open(ul_link *link, const ul_transport *transport, int node, double
         else status = fail(link, UL_NO_CONNECTION, "", "the gateway does not answer any more");
     }
     link->open = status == UL_OK;
-    if (!link->open) {
-        link->gone = true;
-        transport->close(transport->context);
-    }
+    if (!link->open) shut(link);
     return status;
 }
 

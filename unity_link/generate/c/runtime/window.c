@@ -8,14 +8,16 @@
  *                   oldest                  executed                 next
  *
  * A response to ID k, and `n k`, say that all before k were executed. Posted writes have no answer: they are done when
- * `executed` passes them. To *go back* is to send all that is not answered again, from `oldest` on, once for each
- * `oldest`; if that is lost too, the time out finds it. While the line loses, fewer requests are kept in flight, as one
- * damaged frame costs all those behind it. The time out is RFC 6298's; what was sent twice is not timed.
+ * `executed` passes them. To *go back* is to send all that is not answered again, from `oldest` on. While the line loses,
+ * fewer requests are kept in flight, as one damaged frame costs all those behind it.
+ *
+ * A loss brings many signs. After going back, no further one counts as long as it must still be about what was sent
+ * before: for the least round trip seen, and twice as long each time; a later one says that the repetition was lost,
+ * too. What brings no sign, the time out finds. That is RFC 6298's; what was sent twice is not timed, and progress after
+ * a sign undoes the doubling.
  */
 
-static const double FIRST_TIMEOUT = 0.25, SHORTEST_TIMEOUT = 0.010, LONGEST_TIMEOUT = 2.0;
-static const double MEASUREMENT_PAUSE = 0.001;
-enum { MOST_SILENT_TRIES = 8, MOST_TRIES = 32, MOST_REFUSALS = 3, FEWEST_IN_FLIGHT = 8 };
+static const ul_request FENCE = {.command = "h"};
 
 static uint32_t distance(const ul_link *link, uint32_t id)
 {
@@ -44,16 +46,17 @@ static void measure(ul_link *link, double round_trip)
 {
     if (!link->knows_round_trip) {
         link->knows_round_trip = true;
-        link->round_trip = round_trip;
+        link->round_trip = link->least_round_trip = link->sign_pause = round_trip;
         link->variation = round_trip / 2;
     } else {
         double error = link->round_trip - round_trip;
         link->variation += ((error < 0 ? -error : error) - link->variation) / 4;
         link->round_trip -= error / 8;
     }
-    link->timeout = link->round_trip + 4 * link->variation;
-    if (link->timeout < SHORTEST_TIMEOUT) link->timeout = SHORTEST_TIMEOUT;
-    if (link->timeout > LONGEST_TIMEOUT) link->timeout = LONGEST_TIMEOUT;
+    if (round_trip < link->least_round_trip) link->least_round_trip = round_trip;
+    double timeout = link->round_trip + 4 * link->variation;
+    if (timeout < link->transport.shortest_timeout) timeout = link->transport.shortest_timeout;
+    link->measured_timeout = link->timeout = timeout < LONGEST_TIMEOUT ? timeout : LONGEST_TIMEOUT;
 }
 
 static void start_window(ul_link *link, double byte_time, double round_trip)
@@ -115,13 +118,21 @@ static bool needs_fence(const ul_link *link)
 
 static void go_back(ul_link *link, double now)
 {
-    if (link->oldest == link->next || link->gone_back) return;
+    if (link->oldest == link->next) return;
+    link->next_sign = now + link->sign_pause;
+    link->sign_pause = 2 * link->sign_pause < LONGEST_TIMEOUT ? 2 * link->sign_pause : LONGEST_TIMEOUT;
     link->gone_back = true;
-    link->refused = link->is_timed = false;
+    link->waited = link->refused = link->is_timed = false;
     unsigned fewest = FEWEST_IN_FLIGHT < link->most_in_flight ? FEWEST_IN_FLIGHT : link->most_in_flight;
     link->allowed = link->allowed / 2 > fewest ? link->allowed / 2 : fewest;
     link->wants_repetition = true;
     link->since = now;
+}
+
+/* A sign of loss, which may be one of the loss before. */
+static void note_loss(ul_link *link, double now)
+{
+    if (!link->wants_repetition && (!link->gone_back || now >= link->next_sign)) go_back(link, now);
 }
 
 /* Move `executed` up to an ID: posted writes before it are done. */
@@ -141,6 +152,9 @@ static void note_news(ul_link *link, double now)
     while (link->oldest != link->executed && !slot_of(link, link->oldest)->waiting)
         link->oldest = (link->oldest + 1) & link->ring_mask;
     if (link->oldest != before) {
+        /* Where the time had run out, it may be a late answer to what was sent before. */
+        if (!link->waited) link->timeout = link->measured_timeout;
+        link->sign_pause = link->least_round_trip;
         link->gone_back = link->refused = link->gave_up = false;
         link->refusals = 0;
     }
@@ -166,7 +180,7 @@ static void note_answer(ul_link *link, uint32_t id, double now)
     if (distance(link, after) > distance(link, link->executed)) confirm(link, after);
     request->waiting = false;
     note_news(link, now);
-    if (link->oldest != link->executed) go_back(link, now);
+    if (link->oldest != link->executed) note_loss(link, now);
 }
 
 /* `n`: the gateway expects this ID, so a request was lost. */
@@ -177,31 +191,35 @@ static void note_gap(ul_link *link, uint32_t expected, double now)
         confirm(link, expected);
         note_news(link, now);
     }
-    go_back(link, now);
+    note_loss(link, now);
 }
 
-/* The oldest request cannot be had: from now on it is an `h`, for those behind it build on its ID. */
-static ul_request *give_up(ul_link *link)
+/* The oldest request cannot be had. An `h` takes its place, for those behind it build on its ID; what it was is put
+ * where its end can be told. Whether the gateway is gone: where not even the `h` can be had. */
+static bool give_up(ul_link *link, ul_request *given_up)
 {
-    ul_request *request = slot_of(link, link->oldest);
-    request->given_up = true;
-    request->posted = false;
+    ul_request *place = slot_of(link, link->oldest);
+    *given_up = *place;
+    *place = FENCE;
+    place->waiting = true;
+    if (link->oldest == link->executed) link->bytes -= request_size(link, given_up) - request_size(link, place);
+    bool lost = link->gave_up;
     link->tries = link->refusals = 0;
     link->gone_back = false;
     link->gave_up = true;
-    return request;
+    return lost;
 }
 
-/* Error 02 or 03: give the request that is given up, if this was once too often. */
-static ul_request *note_refusal(ul_link *link, double now)
+/* Error 02 or 03: once too often gives the request up. Whether the gateway is gone. */
+static bool note_refusal(ul_link *link, double now, ul_request *given_up)
 {
-    ul_request *given_up = NULL;
+    bool lost = false;
     if (link->oldest != link->next && link->oldest == link->executed && !link->refused) {
         link->refused = true;
-        if (++link->refusals == MOST_REFUSALS) given_up = give_up(link);
+        if (++link->refusals == MOST_REFUSALS) lost = give_up(link, given_up);
     }
-    go_back(link, now);
-    return given_up;
+    note_loss(link, now);
+    return lost;
 }
 
 /* When `note_time` must be called; posted writes alone have no answer to wait for. */
@@ -214,11 +232,10 @@ static bool has_deadline(ul_link *link, double *deadline)
     return true;
 }
 
-/* Go back where it is time to; say whether the gateway is gone. */
-static bool note_time(ul_link *link, double now, ul_request **given_up)
+/* Go back where it is time to; once too often gives the request up. Whether the gateway is gone. */
+static bool note_time(ul_link *link, double now, ul_request *given_up)
 {
     double deadline;
-    *given_up = NULL;
     if (!has_deadline(link, &deadline) || now < deadline) return false;
     bool lost = false;
     link->tries++;
@@ -228,12 +245,10 @@ static bool note_time(ul_link *link, double now, ul_request **given_up)
         lost = ++link->silent_tries > MOST_SILENT_TRIES;
     } else {
         link->silent_tries = 0;
-        if (link->tries > MOST_TRIES) {
-            lost = link->gave_up;
-            *given_up = give_up(link);
-        }
+        if (link->tries > MOST_TRIES) lost = give_up(link, given_up);
     }
-    link->heard = link->gone_back = false;
+    link->heard = false;
     go_back(link, now);
+    link->waited = true;
     return lost;
 }

@@ -186,12 +186,12 @@ static size_t reply_size(const ul_link *link, const ul_request *request)
         + words * link->data_digits + link->crc_digits + 1;
 }
 
-/* Write the frame of a request with its ID; of one that is given up, that of `h`. */
+/* Write the frame of a request with its ID. */
 static char *put_request(const ul_link *link, char *at, const ul_request *request, uint32_t id)
 {
-    const char *command = request->given_up ? "h" : request->command, *start = at;
-    const shape *is = shape_of(command);
-    at = put_number(put_text(put_prefix(link, at), command), link->info.id_digits, id);
+    const char *start = at;
+    const shape *is = shape_of(request->command);
+    at = put_number(put_text(put_prefix(link, at), request->command), link->info.id_digits, id);
     if (is->address) at = put_number(at, link->address_digits, request->address);
     if (has_number(is)) at = put_number(at, 2, request->address);
     if (is->count) at = put_number(at, 2, request->count);
@@ -212,7 +212,7 @@ static char *put_request(const ul_link *link, char *at, const ul_request *reques
 /* Take the words of an answer, behind its ID; false where it is not the answer to the request. */
 static bool take_answer(const ul_link *link, const ul_request *request, text fields)
 {
-    const shape *is = shape_of(request->given_up ? "h" : request->command);
+    const shape *is = shape_of(request->command);
     size_t words = is->reads_word ? 1 : is->reads_words ? request->count : 0;
     if (fields.size != words * link->data_digits) return false;
     text all = fields;

@@ -159,10 +159,7 @@ ul_status ul_close(ul_link *link)
 {
     if (!link->open) return UL_OK;
     ul_status status = link->gone ? take_posts(link, UL_OK) : ul_fence(link);
-    lose(link);
-    link->open = false;
-    link->subscriptions = NULL;
-    link->transport.close(link->transport.context);
+    shut(link);
     return status;
 }
 

@@ -1,0 +1,62 @@
+"""Specs of which the names are in the way of C and C++: taken by the languages, by libraries, or by generated code."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from hypothesis import strategies as st
+
+from unity_link.generate.c.reserved import GLOBALS, INTERFACES, WORDS
+from unity_link.spec import KindName
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+BEGINNINGS = ("Robot", "X", "_x", "size", "uint64", "ul", "ul_link", "unity_link", "x", "xY", "x_", "x_Y", "x_y")
+ENDINGS = ("H", "HPP", "decode", "get", "name", "next", "post", "read", "set", "signals", "subscribe", "t", "write")
+MADE = [*BEGINNINGS, *ENDINGS, *(f"{beginning}_{ending}" for beginning in BEGINNINGS for ending in ENDINGS)]
+OTHERS = ["INT_MAX", "M_PI", "SIGNAL", "UL_WINDOW", "legs_2", "link_", "of", "uint64_t", "unity_link_posix"]
+NO_NAMES = {"enum", "group", "import", "public", *(kind.value for kind in KindName)}
+
+GROUPS_BY_KEYWORDS = """\
+public robot() { @a = 1: signed READ(PUBLISH(class)); @b = 2: READWRITE(PUBLISH(new)); @NULL = 3: READWRITE(); }
+group class(1, 10);
+group new(2, 10);
+"""
+INTERFACE_AS_A_PARAMETER = """\
+enum mode { off, NULL }
+public values() { @a = 1: signed READWRITE(PUBLISH(words)); @b = 2: mode READWRITE(PUBLISH(words)); }
+group words(1, 10);
+"""
+
+
+def names() -> st.SearchStrategy[str]:
+    """Return a strategy for names, most of them such as generated code has."""
+    libraries = sorted({*WORDS, *GLOBALS, *INTERFACES} - NO_NAMES)
+    return st.one_of(st.sampled_from(sorted({*MADE, *OTHERS} - NO_NAMES)), st.sampled_from(libraries))
+
+
+@st.composite
+def awkward_specs(draw: st.DrawFn) -> str:
+    """Draw a spec that has each kind of declaration twice, each by a name of its own."""
+    given = iter(draw(st.lists(names(), min_size=38, max_size=38, unique_by=str.lower)))
+    modes, parts, groups = ([next(given), next(given)] for _ in range(3))
+    kinds = ["", "float", *modes]
+    return "\n".join(
+        [
+            *(f"enum {mode} {{ {next(given)}, {next(given)}, {next(given)} }}" for mode in modes),
+            *(f"group {group}({number}, 10);" for number, group in enumerate(groups)),
+            f"public {next(given)}() {{ GATEWAY(ADDRESS_BITS=12);",
+            *_signals(given, kinds, [f"PUBLISH({group})" for group in groups]),
+            *(f"{next(given)}[2]: {part}() @({0x40 * (place + 1)} + 16 * i);" for place, part in enumerate(parts)),
+            "}",
+            *(f"{part}(): @(base) {{ {' '.join(_signals(given, kinds[1:], ['', f'GROUP({group})']))} }}"
+              for part, group in zip(parts, groups, strict=True)),
+        ]
+    )  # fmt: skip
+
+
+def _signals(given: Iterator[str], kinds: list[str], groups: list[str]) -> list[str]:
+    pairs = [(kind, group) for kind in kinds for group in groups]
+    place = "base + " if "" in groups else ""
+    return [f"@{next(given)} = {place}{2 * at}: {kind} READWRITE({group});" for at, (kind, group) in enumerate(pairs)]
