@@ -1,34 +1,43 @@
-"""Run seeds of the simulation: ``python -m simulation FIRST [COUNT]``."""
+"""Run seeds of the simulation: ``python -m simulation FIRST [COUNT]``, from the directory of the tests.
+
+A world that fails is told as a story, and the program ends with 1. The last lines are what was injected.
+"""
 
 from __future__ import annotations
 
+import argparse
 import sys
-import time
 from collections import Counter
 
-from simulation.world import run_seed
+from simulation.report import Report
+from simulation.story import shrink, tell
+from simulation.world import KNOWN, run_seed
 
 
-def main() -> None:
-    first = int(sys.argv[1])
-    count = int(sys.argv[2]) if len(sys.argv) > 2 else 1
-    began = time.process_time()
-    kinds = Counter()
-    reqs = []
-    sess = []
-    faults = []
-    for seed in range(first, first + count):
-        o = run_seed(seed)
-        reqs.append(o.requests); sess.append(o.sessions); faults.append(sum(o.injected.values()))
-        if o.error:
-            kinds[o.error.kind] += 1
-            if count==1:
-                for t in o.trace:
-                    if t[2]!="carry" or "-v" in sys.argv: print(f"{t[0]:.6f}",*t[1:])
-            if kinds[o.error.kind] <= 3: print(seed, str(o.error)[:300])
-    spent = time.process_time() - began
-    import statistics as s
-    print(kinds, f"{spent/count*1e3:.1f} ms", "median requests", s.median(reqs), "sessions", s.median(sess), "faults", s.median(faults))
+def main() -> int:
+    """Run the seeds that the command line names."""
+    parser = argparse.ArgumentParser(prog="python -m simulation", description="Run worlds of the simulation.")
+    parser.add_argument("first", type=int, help="the first seed")
+    parser.add_argument("count", type=int, nargs="?", default=1, help="how many seeds")
+    parser.add_argument("--stories", type=int, default=3, help="most failures that are told in full")
+    parser.add_argument("--json", action="store_true", help="print the report for programs")
+    parser.add_argument("--trace", action="store_true", help="print all that happens")
+    options = parser.parse_args()
+    report, kinds = Report(), Counter[str]()
+    for seed in range(options.first, options.first + options.count):
+        outcome = run_seed(seed, KNOWN)
+        report.add(outcome)
+        if options.trace:
+            print(*(f"{when:.6f} {what}" for when, *what in outcome.trace), sep="\n")
+        if outcome.error is not None:
+            kinds[outcome.error.kind] += 1
+            if sum(kinds.values()) <= options.stories:
+                print(tell(outcome, shrink(outcome, KNOWN)), flush=True)
+            else:
+                print(f"seed {seed}: {outcome.error}"[:300], flush=True)
+    print(report.json() if options.json else report.text(kinds))
+    return 1 if kinds else 0
 
 
-main()
+if __name__ == "__main__":
+    sys.exit(main())

@@ -215,7 +215,10 @@ class End(asyncio.Transport):
     def _plan(self, after: float) -> None:
         if self._buffer and not self._planned:
             self._planned = True
-            self._loop.call_later(after, self._deliver)
+            if after:
+                self._loop.call_later(after, self._deliver)
+            else:
+                self._loop.call_soon(self._deliver)
 
     def _deliver(self) -> None:
         self._planned = False

@@ -186,7 +186,7 @@ class Tap:
 class Ask:
     """One call of a program, from its beginning to its end."""
 
-    __slots__ = ("after", "answer", "asked", "error", "kind", "link", "number", "told", "words")
+    __slots__ = ("after", "answer", "asked", "cancelled", "error", "kind", "link", "number", "told", "words")
 
     def __init__(self, link: LinkLog, number: int, kind: str, words: Sequence[tuple[int, int]], asked: float) -> None:
         self.link = link
@@ -200,6 +200,8 @@ class Ask:
         self.error: BaseException | None = None
         self.answer: Any = None
         self.after: dict[int, int] | None = None
+        """What the program itself wrote last before, by address."""
+        self.cancelled = False
 
     def __str__(self) -> str:
         words = ", ".join(f"{word:#x}" for _, word in self.words[:3])

@@ -54,7 +54,7 @@ class Program:
         link = await self._connect(life)
         self.links.append(link)
         log = LinkLog(
-            self.name,
+            f"{self.name} link {len(self.links)}",
             self._tap.recorder,
             shared=".server" in self._plan.line,
             block_words=link.gateway.block_words,
@@ -122,6 +122,7 @@ class Program:
         try:
             answer = await coroutine
         except asyncio.CancelledError:
+            ask.cancelled = True
             self._note("cancelled", ask.number)
             raise
         except UnityLinkError as error:

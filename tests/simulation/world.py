@@ -119,7 +119,7 @@ class World:
         Oracle(self._without).judge([tap.recorder for tap in taps], logs)
 
     async def _give_up(self, tasks: list[asyncio.Task[None]], logs: list[LinkLog]) -> None:
-        waiting = [str(ask) for log in logs for ask in log.asks if ask.told is None]
+        waiting = [str(ask) for log in logs for ask in log.asks if ask.told is None and not ask.cancelled]
         for task in asyncio.all_tasks():
             if task is not asyncio.current_task():
                 task.cancel()
