@@ -193,17 +193,17 @@ class Draw:
         draw = self._random
         if draw.random() < 0.1:
             return []
+        kinds = _SOCKET_FAULTS if line.rpartition(".")[2].startswith("server") else _FAULTS
         faults = []
         for back in (False, True):
             place = 0
             for _ in range(draw.choice((0, 1, 2, 4, 8))):
                 place += int(draw.expovariate(1 / 250)) + (_SPACING if faults and faults[-1].back == back else 0)
-                faults.append(self._fault(line, place, back=back, most=1000 if crc_bits == LONG_CRC else 1))
+                faults.append(self._fault(line, draw.choice(kinds), place, back=back, most=1000 if crc_bits == LONG_CRC else 1))
         return faults
 
-    def _fault(self, line: str, at: int, *, back: bool, most: int) -> Fault:
+    def _fault(self, line: str, kind: str, at: int, *, back: bool, most: int) -> Fault:
         draw = self._random
-        kind = draw.choice(("lose", "lose", "flip", "flip", "double", "stall", "cut", "mute"))
         if kind == "lose":
             return Fault(line, back, at, kind, min(most, draw.choice((1, 1, 1, 2, 30))))
         if kind == "flip":
@@ -236,7 +236,7 @@ class Draw:
         for _ in range(draw.choice((1, 1, 1, 2))):
             tasks = []
             for _ in range(draw.choice((1, 2, 2, 3))):
-                size = draw.choice((3, 6, 10, 16)) // (1 if programs < 4 else 2)
+                size = draw.choice((3, 6, 10, 14)) // (1 if programs < 3 else 2)
                 tasks.append(tuple(self._step(info) for _ in range(size + 1)))
             close_after = draw.uniform(0.01, 0.5) if draw.random() < 0.2 else None
             lives.append(Life(draw.random() < 0.8, tuple(tasks), close_after))
@@ -247,7 +247,7 @@ class Draw:
         if kind == "listen":
             return self._listen(info)
         if kind == "burst":
-            return Step("burst", (tuple(self._call() for _ in range(self._random.choice((4, 8, 20)))),))
+            return Step("burst", (tuple(self._call() for _ in range(self._random.choice((4, 8, 16)))),))
         if kind == "cancel":
             return Step("cancel", (self._random.choice((0.0, 1e-4, 1e-3, 0.01)), (self._call(),)))
         if kind == "sleep":
@@ -323,7 +323,7 @@ class Draw:
         return Step("post_many", (addresses, tuple(self._next(address) for address in addresses)))
 
     def _many(self) -> int:
-        return self._random.choice((3, 20, 40, 80))
+        return self._random.choice((3, 12, 40, 40))
 
     def _listen(self, info: GatewayInfo) -> Step:
         draw = self._random
@@ -349,10 +349,14 @@ class Draw:
             arguments["overflow"] = draw.choice(("drop_oldest", "drop_oldest", "fail"))
         pace = draw.choice((0.0, 0.0, 0.0, 0.03))
         publishes = draw.choice((1, 3, 12)) if kind == "asked" else draw.choice((0, 0, 0, 2))
+        publishes = 0 if kind == "changed" else publishes
         seconds = draw.choice((0.02, 0.1, 0.3))
         return Step("listen", (addresses, tuple(sorted(arguments.items())), seconds, pace, publishes, draw.random() < 0.2))
 
 
+_FAULTS = ("lose", "lose", "flip", "flip", "double", "stall", "cut", "mute")
+_SOCKET_FAULTS = ("stall", "stall", "cut")
+"""What a socket does, which is all that is between a server and its clients."""
 _CALL_ODDS = {
     "read": 20,
     "write": 20,

@@ -35,10 +35,19 @@ class Program:
         trace: takes what happens.
     """
 
-    def __init__(self, name: str, plan: ProgramPlan, tap: Tap, logs: list[LinkLog], trace: list[Any]) -> None:
+    def __init__(
+        self,
+        name: str,
+        plan: ProgramPlan,
+        tap: Tap,
+        logs: list[LinkLog],
+        trace: list[Any],
+        without: frozenset[str] = frozenset(),
+    ) -> None:
         self.name = name
         self.links: list[Link] = []
         self._plan = plan
+        self._without = without
         self._tap = tap
         self._logs = logs
         self._trace = trace
@@ -61,22 +70,23 @@ class Program:
         )
         self._logs.append(log)
         self._mine = {}
-        leaving = None
+        leaving, lost = None, False
         try:
             async with link:
                 tasks = [self._loop.create_task(self._task(link, log, steps)) for steps in life.tasks]
-                if life.close_after is not None:
+                if life.close_after is not None and tasks:
                     await asyncio.wait(tasks, timeout=life.close_after)
                     await link.aclose()
                 for task in tasks:
                     await task
                 leaving = log.ask("exit", (), self._loop.time())
+                lost = not life.reconnect and not link.connected and "exits of lost links" in self._without
         except UnityLinkError as error:
             if leaving is None:
                 raise
             self._fail(log, leaving, error)
         else:
-            if leaving is not None and life.close_after is None:
+            if leaving is not None and life.close_after is None and not lost:
                 leaving.told = self._loop.time()
 
     async def _connect(self, life: Life) -> Link:
