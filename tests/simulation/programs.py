@@ -66,6 +66,7 @@ class Program:
             f"{self.name} link {len(self.links)}",
             self._tap.recorder,
             shared=".server" in self._plan.line,
+            reconnect=life.reconnect,
             block_words=link.gateway.block_words,
         )
         self._logs.append(log)
@@ -79,12 +80,12 @@ class Program:
                     await link.aclose()
                 for task in tasks:
                     await task
-                leaving = log.ask("exit", (), self._loop.time())
-                lost = not life.reconnect and not link.connected and "exits of lost links" in self._without
+                if "fences that are cancelled" not in self._without or not log.fence_cancelled:
+                    leaving = log.ask("exit", (), self._loop.time())
+                lost = log.ended(link) and "exits of lost links" in self._without
         except UnityLinkError as error:
-            if leaving is None:
-                raise
-            self._fail(log, leaving, error)
+            if leaving is not None:
+                self._fail(log, leaving, error, ended=lost)
         else:
             if leaving is not None and life.close_after is None and not lost:
                 leaving.told = self._loop.time()
@@ -133,18 +134,19 @@ class Program:
             answer = await coroutine
         except asyncio.CancelledError:
             ask.cancelled = True
+            log.fence_cancelled |= ask.kind == "fence"
             self._note("cancelled", ask.number)
             raise
         except UnityLinkError as error:
-            self._fail(log, ask, error)
+            self._fail(log, ask, error, ended=log.ended(link))
         else:
             ask.told = self._loop.time()
             if answer is not None:
                 ask.answer = [answer] if isinstance(answer, int) else answer.tolist()
             self._note("told", ask.number, ask.answer)
 
-    def _fail(self, log: LinkLog, ask: Ask, error: UnityLinkError) -> None:
-        ask.told, ask.error = self._loop.time(), error
+    def _fail(self, log: LinkLog, ask: Ask, error: UnityLinkError, *, ended: bool) -> None:
+        ask.told, ask.error, ask.ended = self._loop.time(), error, ended
         self._note("failed", ask.number, repr(error))
         if ask.kind in ("fence", "exit"):
             notes = "".join(getattr(error, "__notes__", ()))
@@ -199,10 +201,11 @@ class Program:
         subscription = link.subscribe(list(addresses), callback=callback, **keywords)
         listening.rate = subscription.rate_hz
         self._note("subscribe", addresses, arguments)
+        asking: list[asyncio.Task[None]] = []
         try:
             async with subscription:
                 log.listenings.append(listening)
-                asking = [self._loop.create_task(self._publish(subscription, pace)) for _ in range(publishes)]
+                asking += [self._loop.create_task(self._publish(subscription, pace)) for _ in range(publishes)]
                 with contextlib.suppress(TimeoutError):
                     async with asyncio.timeout(seconds):
                         if by_callback:
@@ -210,8 +213,6 @@ class Program:
                         async for sample in subscription:
                             listening.samples.append(sample)
                             await asyncio.sleep(pace)
-                for task in asking:
-                    await task
             if not by_callback:
                 async for sample in subscription:
                     listening.samples.append(sample)
@@ -220,6 +221,9 @@ class Program:
             self._note("no samples", repr(error))
         else:
             self._note("samples", addresses, len(listening.samples), listening.lost)
+        for task in asking:
+            await task
+        listening.asked_while_set_up = bool(publishes and link.statistics.reconnections)
 
     async def _publish(self, subscription: unity_link.Subscription, pace: float) -> None:
         await asyncio.sleep(pace)

@@ -23,6 +23,8 @@ from unity_link.virtual.serving import serve_tcp
 KNOWN = frozenset({
     "fences behind batches",
     "exits of lost links",
+    "fences that are cancelled",
+    "samples that are asked for while a group is set up",
 })
 """Features of worlds that today's code has known defects in."""
 CALM_AFTER = 10.0
