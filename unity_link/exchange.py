@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from unity_link.errors import LinkLostError, Outcome, UnansweredError, UnityLinkError, UnsupportedError
-from unity_link.requests import Message, Request, Rows, Source, Unawaited, gateway_error
+from unity_link.requests import Message, OfSession, Request, Rows, Source, Unawaited, gateway_error
 from unity_link.wire.frames import FrameError
 from unity_link.wire.window import Window
 
@@ -93,8 +93,16 @@ class Exchange:
     def suspend(self, reason: str) -> None:
         """End a session, keeping what is known not to be executed for the next one; all else raises."""
         self._stop()
-        again = self._end_sent(LinkLostError(reason), keep=True)
-        self._waiting.extendleft(reversed(again))
+        error = LinkLostError(reason)
+        again = self._end_sent(error, keep=True)
+        waiting = [*again, *self._waiting]
+        self._waiting.clear()
+        for source in waiting:
+            if isinstance(source, OfSession):
+                # What sets a new session up waits for it, and there is none before it has ended.
+                source.fail(error.about(Outcome.NOT_EXECUTED))
+            else:
+                self._waiting.append(source)
 
     def end(self, error: LinkLostError) -> None:
         """End for good: every call that waits raises."""

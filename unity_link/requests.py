@@ -284,6 +284,12 @@ class Posted(Request):
             self.future.set_exception(error)
 
 
+class OfSession(Request):
+    """A request that has a meaning in the session alone in which it was made, and ends with it, sent or not."""
+
+    __slots__ = ()
+
+
 class Unawaited(Request):
     """A request of the link itself that nobody waits for, and that a call's cancellation leaves as it is."""
 

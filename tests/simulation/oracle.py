@@ -518,10 +518,11 @@ class Oracle:
 
 def _most_likely(places: list[tuple[int, int]], life: int, number: int, lost: int) -> tuple[int, int]:
     """Return which of several samples with the same words one is: if there is one, that with as many lost before it."""
-    same_life = [place for place in places if place[0] == life]
-    if same_life:
-        return (life, number + 1 + lost) if (life, number + 1 + lost) in same_life else min(same_life)
-    return next((place for place in places if place[1] == lost), places[0])
+    if (life, number + 1 + lost) in places:
+        return life, number + 1 + lost
+    if life < 0:
+        return next((place for place in places if place[1] == lost), places[0])
+    return min((place for place in places if place[0] > life), default=min(places))
 
 
 def recorder_digits(listening: Listening) -> int:

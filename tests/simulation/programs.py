@@ -11,7 +11,7 @@ import unity_link
 from simulation.oracle import Listening, LinkLog, WorldError
 from simulation.plan import FAILING
 from unity_link import ConnectError, Link, Reconnect, SamplesLostError, UnityLinkError, UnsupportedError
-from unity_link.errors import LinkLostError, UnansweredError
+from unity_link.errors import LinkClosedError, UnansweredError
 
 if TYPE_CHECKING:
     from collections.abc import Coroutine
@@ -146,7 +146,8 @@ class Program:
             self._note("told", ask.number, ask.answer)
 
     def _fail(self, log: LinkLog, ask: Ask, error: UnityLinkError, *, ended: bool) -> None:
-        ask.told, ask.error, ask.ended = self._loop.time(), error, ended
+        ask.told, ask.error = self._loop.time(), error
+        ask.ended = ended or isinstance(error, LinkClosedError)
         self._note("failed", ask.number, repr(error))
         if ask.kind in ("fence", "exit"):
             notes = "".join(getattr(error, "__notes__", ()))

@@ -16,7 +16,7 @@ from unity_link.bridges.serve.groups import Slots
 from unity_link.bridges.serve.turns import Turns
 from unity_link.connection import Connection, Reconnect
 from unity_link.errors import ArgumentError, ConnectError, GatewayError, LinkLostError, UnansweredError
-from unity_link.requests import Request
+from unity_link.requests import OfSession, Request
 from unity_link.wire.gateway_info import Feature
 from unity_link.wire.messages import Codec
 
@@ -160,7 +160,7 @@ class SharedLink(Connection):
         self._say(f"the gateway answers: {self.gateway.data_bits} data bits, {self.gateway.address_bits} address bits")
 
     async def _ask(self, command: str, fields: bytes) -> None:
-        request = Request(self._codec, command, fields, 0, self.loop)
+        request = OfSession(self._codec, command, fields, 0, self.loop)
         self._exchange.submit(request)
         try:
             await request.future
