@@ -35,7 +35,9 @@ def main() -> int:
                 print(tell(outcome, shrink(outcome, KNOWN)), flush=True)
             else:
                 print(f"seed {seed}: {outcome.error}"[:300], flush=True)
-    print(report.json() if options.json else report.text(kinds))
+    for kind, number in kinds.most_common():
+        print(f"{number:7} {kind}")
+    print(report.json() if options.json else report.text())
     return 1 if kinds else 0
 
 

@@ -231,7 +231,10 @@ class LinkLog:
         """Whether there is a server between."""
         self.reconnect = reconnect
         self.block_words = block_words
-        self.fence_cancelled = False
+        self.fence_failed = False
+        """Whether a fence was cancelled or ended in an error of its own."""
+        self.refused = False
+        """Whether the link gave up reconnecting, because a server had no group left for its subscriptions."""
         self.asks: list[Ask] = []
         self.listenings: list[Listening] = []
         self.post_failures: list[tuple[float, int]] = []
@@ -239,7 +242,7 @@ class LinkLog:
 
     def ended(self, link: Link) -> bool:
         """Return whether there will be no session any more."""
-        return not self.reconnect and not link.connected
+        return self.refused or (not self.reconnect and not link.connected)
 
     def ask(self, kind: str, words: Sequence[tuple[int, int]], now: float) -> Ask:
         """Note a call."""
@@ -450,12 +453,14 @@ class Oracle:
             if instant < last - _SLACK:
                 raise WorldError("samples in another order", where)
             self._judge_instant(listening, words, instant, where)
+            # Words that stand still for a while do not tell which of several samples they are.
+            sure = counted and (len(places) == 1 or listening.addresses[0] not in BURSTS)
             new_life, new_number = _most_likely(places, life, number, sample.lost)
             if new_life == life:
                 due = new_number - number - 1
-                if counted and sample.lost != due and (due < 0x100 or not _ambiguous(sample.lost, due, listening)):
+                if sure and sample.lost != due and (due < 0x100 or not _ambiguous(sample.lost, due, listening)):
                     raise WorldError("lost samples counted wrong", f"{where}: lost {sample.lost}, {due} are missing")
-            elif counted and life < 0 and sample.lost != new_number and not listening.link.shared:
+            elif sure and life < 0 and sample.lost != new_number and not listening.link.shared:
                 raise WorldError(
                     "lost samples counted wrong", f"{where}: lost {sample.lost}, {new_number} were due before it"
                 )

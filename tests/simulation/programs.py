@@ -80,7 +80,7 @@ class Program:
                     await link.aclose()
                 for task in tasks:
                     await task
-                if "fences that are cancelled" not in self._without or not log.fence_cancelled:
+                if "fences that fail" not in self._without or not log.fence_failed:
                     leaving = log.ask("exit", (), self._loop.time())
                 lost = log.ended(link) and "exits of lost links" in self._without
         except UnityLinkError as error:
@@ -134,7 +134,7 @@ class Program:
             answer = await coroutine
         except asyncio.CancelledError:
             ask.cancelled = True
-            log.fence_cancelled |= ask.kind == "fence"
+            log.fence_failed |= ask.kind == "fence"
             self._note("cancelled", ask.number)
             raise
         except UnityLinkError as error:
@@ -147,7 +147,9 @@ class Program:
 
     def _fail(self, log: LinkLog, ask: Ask, error: UnityLinkError, *, ended: bool) -> None:
         ask.told, ask.error = self._loop.time(), error
-        ask.ended = ended or isinstance(error, LinkClosedError)
+        log.refused |= "the reconnection failed" in str(error)
+        log.fence_failed |= str(error).startswith("fence")
+        ask.ended = ended or log.refused or isinstance(error, LinkClosedError)
         self._note("failed", ask.number, repr(error))
         if ask.kind in ("fence", "exit"):
             notes = "".join(getattr(error, "__notes__", ()))

@@ -6,7 +6,7 @@ import json
 import statistics
 import time
 from collections import Counter
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from simulation.world import Outcome
@@ -36,17 +36,27 @@ class Report:
         """Return the report for `Report.of`."""
         return json.dumps({"worlds": self.worlds, "injected": self.injected, "failed": self.failed})
 
+    @classmethod
+    def of(cls, parts: list[dict[str, Any]]) -> Report:
+        """Return one report of several."""
+        report = cls()
+        for part in parts:
+            report.injected += Counter(part["injected"])
+            report.failed += part["failed"]
+            for name, values in part["worlds"].items():
+                report.worlds[name] += values
+        return report
+
     def medians(self) -> dict[str, float]:
         """Return the median of each figure of a world."""
         return {name: statistics.median(values) for name, values in self.worlds.items()}
 
-    def text(self, kinds: Counter[str]) -> str:
+    def text(self) -> str:
         """Return the report for people."""
         count = len(self.worlds["requests"])
         spent = time.process_time() - self._began
         most = max(self.injected.values(), default=1)
         lines = [f"{count} worlds, {len(self.failed)} failed, {1000 * spent / count:.1f} ms of processor time each"]
-        lines += [f"{number:7} {kind}" for kind, number in kinds.most_common()]
         lines.append("the median world has " + ", ".join(f"{value:g} {name}" for name, value in self.medians().items()))
         lines += [
             f"{kind:>8} {number:7} {'#' * round(50 * number / most)}" for kind, number in self.injected.most_common()

@@ -23,7 +23,7 @@ from unity_link.virtual.serving import serve_tcp
 KNOWN = frozenset({
     "fences behind batches",
     "exits of lost links",
-    "fences that are cancelled",
+    "fences that fail",
     "samples that are asked for while a group is set up",
 })
 """Features of worlds that today's code has known defects in."""
