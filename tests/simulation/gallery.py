@@ -14,12 +14,15 @@ import numpy as np
 
 from simulation.world import KNOWN
 from unity_link import exchange, link, requests, stream, subscription
-from unity_link.bridges.serve import client, conversation, groups as served_groups, requests as served_requests, shared
-from unity_link.errors import GatewayError, LinkLostError, Outcome, UnansweredError
+from unity_link.bridges.serve import client, shared
+from unity_link.bridges.serve import groups as served_groups
+from unity_link.bridges.serve import requests as served_requests
+from unity_link.errors import LinkLostError, Outcome
 from unity_link.exchange import FEWEST_PUBLISHES, PublishRows
 from unity_link.requests import Request
-from unity_link.virtual import bus, gateway as model, groups as model_groups, transport
-from unity_link.wire import messages, reception, window
+from unity_link.virtual import bus, transport
+from unity_link.virtual import groups as model_groups
+from unity_link.wire import reception, window
 from unity_link.wire.messages import COMMANDS, Repetition
 from unity_link.wire.reception import Place
 
@@ -45,7 +48,9 @@ class Bug(NamedTuple):
 BUGS: list[Bug] = []
 
 
-def bug(name: str, *features: str) -> Callable[[Callable[[pytest.MonkeyPatch], None]], Callable[[pytest.MonkeyPatch], None]]:
+def bug(
+    name: str, *features: str
+) -> Callable[[Callable[[pytest.MonkeyPatch], None]], Callable[[pytest.MonkeyPatch], None]]:
     """Put a function that puts a bug back into the gallery."""
 
     def keep(put_back: Callable[[pytest.MonkeyPatch], None]) -> Callable[[pytest.MonkeyPatch], None]:
@@ -168,7 +173,10 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(exchange.Exchange, "suspend", suspend)
 
 
-@bug("a group that is set up again counts samples by its old number", "samples that are asked for while a group is set up")
+@bug(
+    "a group that is set up again counts samples by its old number",
+    "samples that are asked for while a group is set up",
+)
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
     set_up = subscription.Groups._set_up
 
@@ -176,6 +184,39 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
         await set_up(self, group, held)
 
     monkeypatch.setattr(subscription.Groups, "_set_up", twice)
+
+
+def _nothing(_: pytest.MonkeyPatch) -> None:
+    """Put nothing back: it is there."""
+
+
+# These are of the protocol, version 01, or not mended yet: the worlds that show them are left out by `KNOWN`.
+BUGS += [
+    Bug("a reset behind an open line", _nothing, frozenset({"resets behind open lines"})),
+]
+
+
+@bug("the time of samples goes back where the gateway was reset", "time over a reset")
+def _(monkeypatch: pytest.MonkeyPatch) -> None:
+    start = subscription.Groups.start
+
+    def anew(self: Any, codec: Any) -> None:
+        start(self, codec)
+        self.clock = subscription.GatewayClock(codec.info.clock_hz)
+
+    monkeypatch.setattr(subscription.Groups, "start", anew)
+
+
+@bug("a batch of reads ends at its first error", "reads behind an error")
+def _(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(requests.BatchSource, "unwanted", lambda self: self._batch.future.done())
+    monkeypatch.setattr(requests.BatchRun, "unwanted", lambda self: self.given_up or self._batch.future.done())
+    monkeypatch.setattr(requests.Batch, "fail", _fail_at_once)
+
+
+def _fail_at_once(self: Any, error: Any) -> None:
+    if not self.future.done():
+        self.future.set_exception(error)
 
 
 # The window and the requests: what the host does
@@ -212,9 +253,7 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
 
 @bug("requests that were under way are said not to be executed")
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
-    known = SimpleNamespace(
-        UNKNOWN=Outcome.NOT_EXECUTED, EXECUTED=Outcome.EXECUTED, NOT_EXECUTED=Outcome.NOT_EXECUTED
-    )
+    known = SimpleNamespace(UNKNOWN=Outcome.NOT_EXECUTED, EXECUTED=Outcome.EXECUTED, NOT_EXECUTED=Outcome.NOT_EXECUTED)
     monkeypatch.setattr(exchange, "Outcome", known)
 
 
@@ -265,7 +304,9 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
     out_of_sequence = window.Window.out_of_sequence
     monkeypatch.setattr(
-        window.Window, "out_of_sequence", lambda self, expected, now: out_of_sequence(self, expected + 1 & self._mask, now)
+        window.Window,
+        "out_of_sequence",
+        lambda self, expected, now: out_of_sequence(self, expected + 1 & self._mask, now),
     )
 
 
@@ -354,7 +395,6 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
         self._error = self._error or error
 
     monkeypatch.setattr(subscription.Subscription, "fail", fail)
-    monkeypatch.setattr(exchange.Exchange, "publishes", {}, raising=False)
 
 
 # The gateway's side
@@ -463,7 +503,9 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
         """Leave the publishes to whoever had them."""
 
     monkeypatch.setattr(served_groups.Slots, "silence", silence)
-    monkeypatch.setattr(served_groups.Slots, "listen", lambda self, slot: self._publishes.setdefault(slot.text, slot.group.receive))
+    monkeypatch.setattr(
+        served_groups.Slots, "listen", lambda self, slot: self._publishes.setdefault(slot.text, slot.group.receive)
+    )
 
 
 @bug("a server goes on with the gateway's number of samples")

@@ -1,7 +1,7 @@
 """The line between a host and what it connects to: bytes that are late, in pieces, lost, damaged or doubled, and cut.
 
-A `Network` connects by name. The last part of a host name is who listens, the whole of it is the line: the program that
-opens ``tcp://p3.server0:1`` and the one that opens ``tcp://p4.server0:1`` reach the same server over lines of their own.
+A `Network` connects by name. The last part of a host name is who listens, the whole of it is the line: a program that
+opens ``tcp://p3.server0:1`` and one that opens ``tcp://p4.server0:1`` reach the same server over lines of their own.
 A line outlives its connections: its two `Course`s count the bytes that were ever carried, and a fault is bound to one
 byte of them. So a story has the same faults in the same places however it is cut short.
 """
@@ -171,8 +171,7 @@ class End(asyncio.Transport):
             return
         self._buffer += data
         waiting = len(self._buffer)
-        if waiting > self.course.most_waiting:
-            self.course.most_waiting = waiting
+        self.course.most_waiting = max(self.course.most_waiting, waiting)
         if waiting > self._high and not self._paused:
             self._paused = True
             self._protocol.pause_writing()

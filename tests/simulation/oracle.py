@@ -10,9 +10,9 @@ from __future__ import annotations
 from collections import defaultdict
 from typing import TYPE_CHECKING, Any
 
-from simulation.plan import ADDRESS_SHIFT, BURST, BURSTS, FAILING, FIRST_VALUE, LIVE, QUEUE_OUT
-from unity_link import BusError, BusTimeoutError, OutOfRangeError, SamplesLostError, UnsupportedError
-from unity_link.errors import AnswerLostError, LinkLostError, Outcome, UnansweredError, UnityLinkError
+from simulation.plan import ADDRESS_SHIFT, BURST, BURSTS, FAILING, LIVE, QUEUE_OUT
+from unity_link import BusError, BusTimeoutError
+from unity_link.errors import AnswerLostError, Outcome, UnansweredError
 from unity_link.virtual.bus import AccessError
 from unity_link.wire.messages import ErrorCode
 
@@ -25,6 +25,11 @@ if TYPE_CHECKING:
 _COUNT = (1 << ADDRESS_SHIFT) - 1
 _SLACK = 1e-6
 """Seconds by which two instants that are the same may differ."""
+
+
+MOST_WAITING = 131_072
+"""Bytes that may wait at one end of a connection: what a transport takes before it asks to pause, and what is told
+then."""
 
 
 class WorldError(AssertionError):
@@ -146,7 +151,7 @@ class Tap:
         self.wake: Callable[[], None] = lambda: None
         self.recorder = Recorder(trace, name)
         self.published = Published()
-        gateway.wake = lambda: self.wake()
+        gateway.wake = self._pass_on_wake
         gateway.attach(self.recorder, range(1 << self.info.address_bits))
         self._after_id = 2 + self.info.id_digits
         self._check = self.info.crc_bits // 4
@@ -164,6 +169,9 @@ class Tap:
     @property
     def next_due(self) -> float | None:
         return self.gateway.next_due
+
+    def _pass_on_wake(self) -> None:
+        self.wake()
 
     def overflow(self) -> None:
         self.gateway.overflow()
@@ -254,7 +262,9 @@ class LinkLog:
 class Listening:
     """What one subscription delivered."""
 
-    def __init__(self, link: LinkLog, published: Published, addresses: tuple[int, ...], arguments: dict[str, Any]) -> None:
+    def __init__(
+        self, link: LinkLog, published: Published, addresses: tuple[int, ...], arguments: dict[str, Any]
+    ) -> None:
         self.link = link
         self.published = published
         self.addresses = addresses
@@ -310,6 +320,8 @@ class Oracle:
                 self._judge_once(ask, address, word)
         elif error is None and ask.answer is not None:
             self._judge_read(ask)
+        if ask.kind == "read_many" and isinstance(error, BusError) and "reads behind an error" not in self._without:
+            self._judge_others(ask)
         if ask.kind == "write_masked":
             self._judge_old_word(ask)
 
@@ -371,6 +383,14 @@ class Oracle:
                 self._judge_after(ask, address, word, mine)
 
     @staticmethod
+    def _judge_others(ask: Ask) -> None:
+        """Check that a batch of reads goes on behind one that failed."""
+        assert ask.told is not None
+        for address, _ in ask.words:
+            if address not in LIVE and not any(ask.asked - _SLACK <= when for when in ask.link.recorder.reads[address]):
+                raise WorldError("a read of a batch left out", f"{ask}: {address:#x}")
+
+    @staticmethod
     def _judge_after(ask: Ask, address: int, word: int, mine: int) -> None:
         """Check that a read gives nothing older than what its own program wrote before it."""
         recorder = ask.link.recorder
@@ -389,7 +409,7 @@ class Oracle:
     # Order
 
     def _judge_order(self, log: LinkLog) -> None:
-        """Check that the writes of a link were executed in the order of the calls, each block's and batch's in theirs."""
+        """Check that writes were executed in the order of the calls, and those of each call in their order."""
         places, last, before = log.recorder.places, -1, None
         for ask in log.asks:
             if ask.kind not in _WRITES:
@@ -433,7 +453,7 @@ class Oracle:
     def _judge_listening(self, listening: Listening) -> None:
         recorder = listening.link.recorder
         digits = -(-recorder_digits(listening) // 1)
-        life, number, last = -1, -1, -1.0
+        life, number, last, time = -1, -1, -1.0, -1.0
         counted = not listening.asked_while_set_up or "samples that are asked for while a group is set up" not in (
             self._without
         )
@@ -441,7 +461,9 @@ class Oracle:
         for position, sample in enumerate(listening.samples):
             words = [int(word) for word in sample.values]
             text = b"".join(b"%0*X" % (digits, word) for word in words)
-            where = f"{listening.link.name} subscription to {[f'{a:#x}' for a in listening.addresses]}, sample {position}"
+            where = (
+                f"{listening.link.name} subscription to {[f'{a:#x}' for a in listening.addresses]}, sample {position}"
+            )
             if [word >> ADDRESS_SHIFT for word in words] != list(listening.addresses):
                 raise WorldError("a sample of another group", f"{where}: {[f'{word:#x}' for word in words]}")
             places = [
@@ -455,6 +477,7 @@ class Oracle:
             self._judge_instant(listening, words, instant, where)
             # Words that stand still for a while do not tell which of several samples they are.
             sure = counted and (len(places) == 1 or listening.addresses[0] not in BURSTS)
+            time = self._judge_time(sample, time, where)
             new_life, new_number = _most_likely(places, life, number, sample.lost)
             if new_life == life:
                 due = new_number - number - 1
@@ -471,6 +494,14 @@ class Oracle:
                 "lost samples counted wrong",
                 f"{listening.link.name}: lost is {listening.lost}, its samples say {lost_before}",
             )
+
+    def _judge_time(self, sample: Sample, before: float, where: str) -> float:
+        """Check that the time of samples does not go back."""
+        if sample.time is None or "time over a reset" in self._without:
+            return before
+        if sample.time < before - _SLACK:
+            raise WorldError("time that goes back", f"{where}: {sample.time}, and {before} before it")
+        return sample.time
 
     @staticmethod
     def _judge_instant(listening: Listening, words: list[int], instant: float, where: str) -> None:
@@ -489,7 +520,9 @@ class Oracle:
 
     @staticmethod
     def _judge_nothing_else(recorders: Sequence[Recorder], logs: Sequence[LinkLog]) -> None:
-        asked = {(id(log.recorder), word) for log in logs for ask in log.asks if ask.kind in _WRITES for _, word in ask.words}
+        asked = {
+            (id(log.recorder), word) for log in logs for ask in log.asks if ask.kind in _WRITES for _, word in ask.words
+        }
         for recorder in recorders:
             for word in recorder.places:
                 if (id(recorder), word) not in asked:

@@ -84,7 +84,8 @@ class Mishap(NamedTuple):
     at: float
     whom: str
     kind: str
-    """``reset``: it is reset, and its connections are cut; ``away``: it also can't be reached for a time."""
+    """``reset``: it is reset, and its connections are cut; ``away``: it also can't be reached for a time; ``reset in
+    place``: its connections stay, which version 01 of the protocol does not notice."""
     seconds: float
 
 
@@ -103,7 +104,11 @@ class Plan(NamedTuple):
     def requests(self) -> int:
         """Return how many requests the programs make, at least."""
         return sum(
-            step.requests() for program in self.programs for life in program.lives for task in life.tasks for step in task
+            step.requests()
+            for program in self.programs
+            for life in program.lives
+            for task in life.tasks
+            for step in task
         )
 
 
@@ -139,20 +144,18 @@ class Draw:
         # At least one program for each, and more only at a server: a gateway has one host.
         listeners += [f"server{place}" for place in range(len(servers))]
         if servers:
-            for _ in range(draw.choice((0, 1, 1, 2, 2, 3, 5))):
-                listeners.append(f"server{draw.randrange(len(servers))}")
-        elif count == 1 and draw.random() < 0.5:
-            listeners = listeners * 1
+            more = draw.choice((0, 1, 1, 2, 2, 3, 5))
+            listeners += [f"server{draw.randrange(len(servers))}" for _ in range(more)]
         for number, listener in enumerate(listeners[:8]):
             line = f"p{number}.{listener}"
             lines.append(self._line(line))
             place = servers[int(listener[-1])] if listener.startswith("server") else int(listener[-1])
             programs.append(self._program(line, gateways[place].info, len(listeners)))
-        faults = [fault for line in lines for fault in self._faults(line.name, self._crc_bits(line.name, gateways, servers))]
+        faults = [
+            fault for line in lines for fault in self._faults(line.name, self._crc_bits(line.name, gateways, servers))
+        ]
         mishaps = self._mishaps(count, len(servers))
-        return Plan(
-            self._seed, gateways, servers, tuple(lines), tuple(programs), tuple(faults), tuple(mishaps)
-        )
+        return Plan(self._seed, gateways, servers, tuple(lines), tuple(programs), tuple(faults), tuple(mishaps))
 
     # The world
 
@@ -199,7 +202,9 @@ class Draw:
             place = 0
             for _ in range(draw.choice((0, 1, 2, 4, 8))):
                 place += int(draw.expovariate(1 / 250)) + (_SPACING if faults and faults[-1].back == back else 0)
-                faults.append(self._fault(line, draw.choice(kinds), place, back=back, most=1000 if crc_bits == LONG_CRC else 1))
+                faults.append(
+                    self._fault(line, draw.choice(kinds), place, back=back, most=1000 if crc_bits == LONG_CRC else 1)
+                )
         return faults
 
     def _fault(self, line: str, kind: str, at: int, *, back: bool, most: int) -> Fault:
@@ -222,10 +227,14 @@ class Draw:
         for number in range(gateways):
             for _ in range(draw.choice((0, 0, 1, 1, 2))):
                 kind = draw.choice(("reset", "reset", "away"))
+                if kind == "reset" and "resets behind open lines" not in self._without:
+                    kind = "reset in place"
                 mishaps.append(Mishap(draw.uniform(0.005, 0.6), f"gateway{number}", kind, draw.choice((0.1, 0.6, 3.0))))
-        for number in range(servers):
-            if draw.random() < 0.2:
-                mishaps.append(Mishap(draw.uniform(0.01, 0.6), f"server{number}", "away", draw.choice((0.1, 0.6))))
+        mishaps += [
+            Mishap(draw.uniform(0.01, 0.6), f"server{number}", "away", draw.choice((0.1, 0.6)))
+            for number in range(servers)
+            if draw.random() < 0.2
+        ]
         return mishaps
 
     # The programs
@@ -351,7 +360,9 @@ class Draw:
         publishes = draw.choice((1, 3, 12)) if kind == "asked" else draw.choice((0, 0, 0, 2))
         publishes = 0 if kind == "changed" else publishes
         seconds = draw.choice((0.02, 0.1, 0.3))
-        return Step("listen", (addresses, tuple(sorted(arguments.items())), seconds, pace, publishes, draw.random() < 0.2))
+        return Step(
+            "listen", (addresses, tuple(sorted(arguments.items())), seconds, pace, publishes, draw.random() < 0.2)
+        )
 
 
 _FAULTS = ("lose", "lose", "flip", "flip", "double", "stall", "cut", "mute")

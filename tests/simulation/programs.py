@@ -8,13 +8,12 @@ import re
 from typing import TYPE_CHECKING, Any
 
 import unity_link
-from simulation.oracle import Listening, LinkLog, WorldError
-from simulation.plan import FAILING
+from simulation.oracle import LinkLog, Listening, WorldError
 from unity_link import ConnectError, Link, Reconnect, SamplesLostError, UnityLinkError, UnsupportedError
 from unity_link.errors import LinkClosedError, UnansweredError
 
 if TYPE_CHECKING:
-    from collections.abc import Coroutine
+    from collections.abc import Callable
 
     from simulation.oracle import Ask, Tap
     from simulation.plan import Life, ProgramPlan, Step
@@ -22,6 +21,27 @@ if TYPE_CHECKING:
 _MORE = re.compile(r"(\d+) more posted writes failed")
 PAUSES = Reconnect(first_pause=0.02, longest_pause=1.0)
 CONNECT_TRIES = 40
+
+
+_WORDS: dict[str, Callable[..., Any]] = {
+    "read": lambda address: ((address, 0),),
+    "write": lambda address, word: ((address, word),),
+    "write_masked": lambda address, word, _: ((address, word),),
+    "post": lambda address, word: ((address, word),),
+    "read_block": lambda first, count: tuple((first + place, 0) for place in range(count)),
+    "write_block": lambda first, words: tuple((first + place, word) for place, word in enumerate(words)),
+    "read_queue": lambda address, count: ((address, 0),) * count,
+    "write_queue": lambda address, words: tuple((address, word) for word in words),
+    "read_many": lambda addresses: tuple((address, 0) for address in addresses),
+    "write_many": lambda addresses, words: tuple(zip(addresses, words, strict=True)),
+    "post_many": lambda addresses, words: tuple(zip(addresses, words, strict=True)),
+}
+
+
+def words_of(step: Step) -> tuple[tuple[int, int], ...]:
+    """Return the addresses that a call is about, each with the word that is written, or 0."""
+    words: tuple[tuple[int, int], ...] = _WORDS[step.kind](*step.args) if step.kind in _WORDS else ()
+    return words
 
 
 class Program:
@@ -126,8 +146,8 @@ class Program:
     # Calls
 
     async def _call(self, link: Link, log: LinkLog, step: Step) -> None:
-        words, coroutine = self._prepare(link, step)
-        ask = log.ask(step.kind, words, self._loop.time())
+        coroutine = getattr(link, step.kind)(*step.args)
+        ask = log.ask(step.kind, words_of(step), self._loop.time())
         self._remember(ask)
         self._note("ask", ask.number, step.kind, step.args)
         try:
@@ -162,28 +182,6 @@ class Program:
             self._mine[ask.words[0][0]] = ask.words[0][1]
         elif ask.kind == "read":
             ask.after = dict(self._mine)
-
-    def _prepare(self, link: Link, step: Step) -> tuple[tuple[tuple[int, int], ...], Coroutine[Any, Any, Any]]:
-        """Return the words that a call is about, and the call."""
-        kind, args = step.kind, step.args
-        call = getattr(link, kind)(*args)
-        if kind in ("read", "fence", "send_immediate"):
-            return tuple((address, 0) for address in args if kind == "read"), call
-        if kind in ("write", "post"):
-            return (args,), call
-        if kind == "write_masked":
-            return ((args[0], args[1]),), call
-        if kind == "read_block":
-            return tuple((args[0] + place, 0) for place in range(args[1])), call
-        if kind == "read_queue":
-            return ((args[0], 0),) * args[1], call
-        if kind == "write_block":
-            return tuple((args[0] + place, word) for place, word in enumerate(args[1])), call
-        if kind == "write_queue":
-            return tuple((args[0], word) for word in args[1]), call
-        if kind == "read_many":
-            return tuple((address, 0) for address in args[0]), call
-        return tuple(zip(args[0], args[1], strict=True)), call
 
     # Subscriptions
 
@@ -220,7 +218,13 @@ class Program:
                 async for sample in subscription:
                     listening.samples.append(sample)
             listening.lost = subscription.lost
-        except (UnsupportedError, SamplesLostError, UnansweredError, unity_link.OutOfRangeError, unity_link.BusTimeoutError) as error:
+        except (
+            UnsupportedError,
+            SamplesLostError,
+            UnansweredError,
+            unity_link.OutOfRangeError,
+            unity_link.BusTimeoutError,
+        ) as error:
             self._note("no samples", repr(error))
         else:
             self._note("samples", addresses, len(listening.samples), listening.lost)

@@ -11,21 +11,27 @@ from typing import Any
 
 from simulation.clock import SimulatedLoop
 from simulation.medium import Network
-from simulation.oracle import LinkLog, Oracle, Tap, WorldError
-from simulation.plan import Draw, Mishap, Plan
+from simulation.oracle import MOST_WAITING, LinkLog, Oracle, Tap, WorldError
+from simulation.plan import Draw, GatewayPlan, Mishap, Plan
 from simulation.programs import Program
-from unity_link.bridges.serve import serve
+from unity_link.bridges.serve import Server, serve
+from unity_link.errors import UnityLinkError
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.line import SlowLine
 from unity_link.virtual.modelled_time import DeadlockError
 from unity_link.virtual.serving import serve_tcp
 
-KNOWN = frozenset({
-    "fences behind batches",
-    "exits of lost links",
-    "fences that fail",
-    "samples that are asked for while a group is set up",
-})
+KNOWN = frozenset(
+    {
+        "fences behind batches",
+        "exits of lost links",
+        "fences that fail",
+        "reads behind an error",
+        "resets behind open lines",
+        "samples that are asked for while a group is set up",
+        "time over a reset",
+    }
+)
 """Features of worlds that today's code has known defects in."""
 CALM_AFTER = 10.0
 """Seconds after which nothing goes wrong any more."""
@@ -59,6 +65,9 @@ class World:
         self._plan = plan
         self._without = without
         self._trace = self.outcome.trace
+        self._taps: list[Tap] = []
+        self._programs: list[Program] = []
+        self._logs: list[LinkLog] = []
         self._faults: list[str] = []
         """What raised where nothing waits for it."""
 
@@ -72,11 +81,7 @@ class World:
         loop.network = self._network
         try:
             loop.run_until_complete(self._live(loop))
-            left = asyncio.all_tasks(loop)
-            if left:
-                raise WorldError("a task that does not end", str(left))
-            if self._faults:
-                raise WorldError("an error in a callback", self._faults[0])
+            self._look_for_what_is_left(loop)
         except WorldError as error:
             self.outcome.error = error
         except DeadlockError as error:
@@ -87,59 +92,87 @@ class World:
             loop.close()
         return self.outcome
 
+    def _look_for_what_is_left(self, loop: SimulatedLoop) -> None:
+        left = asyncio.all_tasks(loop)
+        if left:
+            raise WorldError("a task that does not end", str(left))
+        if self._faults:
+            raise WorldError("an error that nothing waits for", self._faults[0])
+
     async def _live(self, loop: SimulatedLoop) -> None:
-        plan, logs = self._plan, list[LinkLog]()
+        plan = self._plan
         async with contextlib.AsyncExitStack() as stack:
-            taps = []
             for number, gateway in enumerate(plan.gateways):
-                bare = VirtualGateway(gateway.info)
-                tap = Tap(bare, self._trace, f"gateway{number}")
-                taps.append(tap)
-                served: Any = tap if gateway.bytes_per_second is None else SlowLine(tap, gateway.bytes_per_second)  # type: ignore[arg-type]
-                await stack.enter_async_context(serve_tcp(served, 1, f"gateway{number}"))
-                for at in gateway.triggers:
-                    loop.call_at(at, lambda bare=bare: bare.trigger(loop.time()))
+                await stack.enter_async_context(self._gateway(loop, number, gateway))
             for place, number in enumerate(plan.servers):
                 url = f"tcp://server{place}.gateway{number}:1"
-                await stack.enter_async_context(serve(url, tcp=1, host=f"server{place}"))
+                server = await stack.enter_async_context(serve(url, tcp=1, host=f"server{place}"))
+                stack.callback(loop.create_task(self._watch(place, server)).cancel)
             for mishap in plan.mishaps:
-                loop.call_at(mishap.at, self._befall, mishap, taps)
+                loop.call_at(mishap.at, self._befall, mishap)
             loop.call_at(CALM_AFTER, self._network.calm)
-            programs = []
-            for program in plan.programs:
-                listener = program.line.rpartition(".")[2]
-                number = int(listener[-1])
-                tap = taps[plan.servers[number] if listener.startswith("server") else number]
-                programs.append(Program(program.line.partition(".")[0], program, tap, logs, self._trace, self._without))
-            tasks = [loop.create_task(program.run()) for program in programs]
-            self._links = [program.links for program in programs]
-            self._taps = taps
-            if tasks:
-                _, pending = await asyncio.wait(tasks, timeout=SETTLED_AFTER)
-                if pending:
-                    await self._give_up(tasks, logs)
-                for task in tasks:
-                    error = task.exception()
-                    if error is not None:
-                        raise error if isinstance(error, WorldError) else WorldError("an exception", repr(error))
-        self._logs = logs
-        Oracle(self._without).judge([tap.recorder for tap in taps], logs)
+            await self._run_programs(loop)
+        for course in self._network.courses.values():
+            if course.most_waiting > MOST_WAITING:
+                raise WorldError("a buffer that grows", f"{course.most_waiting} bytes waited in {course.name}")
+        Oracle(self._without).judge([tap.recorder for tap in self._taps], self._logs)
 
-    async def _give_up(self, tasks: list[asyncio.Task[None]], logs: list[LinkLog]) -> None:
-        waiting = [str(ask) for log in logs for ask in log.asks if ask.told is None and not ask.cancelled]
+    async def _watch(self, place: int, server: Server) -> None:
+        try:
+            await server.wait()
+        except UnityLinkError as error:
+            self._faults.append(f"server{place} ended: {error}")
+
+    def _gateway(
+        self, loop: SimulatedLoop, number: int, plan: GatewayPlan
+    ) -> contextlib.AbstractAsyncContextManager[str]:
+        bare = VirtualGateway(plan.info)
+        tap = Tap(bare, self._trace, f"gateway{number}")
+        self._taps.append(tap)
+        for at in plan.triggers:
+            loop.call_at(at, lambda: bare.trigger(loop.time()))
+        rate = plan.bytes_per_second
+        return serve_tcp(tap if rate is None else SlowLine(tap, rate), 1, f"gateway{number}")
+
+    async def _run_programs(self, loop: SimulatedLoop) -> None:
+        plan = self._plan
+        for program in plan.programs:
+            name, _, listener = program.line.partition(".")
+            number = int(listener[-1])
+            tap = self._taps[plan.servers[number] if listener.startswith("server") else number]
+            self._programs.append(Program(name, program, tap, self._logs, self._trace, self._without))
+        tasks = [loop.create_task(program.run()) for program in self._programs]
+        _, pending = await asyncio.wait(tasks, timeout=SETTLED_AFTER)
+        if self._faults:
+            raise WorldError("an error that nothing waits for", self._faults[0])
+        if pending:
+            await self._give_up(tasks)
+        for task in tasks:
+            error = task.exception()
+            if error is not None:
+                raise error if isinstance(error, WorldError) else WorldError("an exception", repr(error))
+
+    async def _give_up(self, tasks: list[asyncio.Task[None]]) -> None:
+        waiting = [
+            str(ask)
+            for log in self._logs
+            for ask in log.asks
+            if ask.told is None and not ask.cancelled and ask.kind != "exit"
+        ]
         for task in asyncio.all_tasks():
             if task is not asyncio.current_task():
                 task.cancel()
         await asyncio.wait(tasks, timeout=10)
         raise WorldError("a program that waits for ever", "; ".join(waiting[:3]) or "no call")
 
-    def _befall(self, mishap: Mishap, taps: list[Tap]) -> None:
+    def _befall(self, mishap: Mishap) -> None:
         self._trace.append((asyncio.get_running_loop().time(), mishap.whom, "mishap", mishap.kind))
         self.outcome.injected[mishap.kind] += 1
         network = self._network
-        network.cut(mishap.whom)
+        if mishap.kind != "reset in place":
+            network.cut(mishap.whom)
         if mishap.whom.startswith("gateway"):
-            taps[int(mishap.whom[-1])].gateway.reset()
+            self._taps[int(mishap.whom[-1])].gateway.reset()
         if mishap.kind == "away":
             network.away.add(mishap.whom)
             network.loop.call_later(mishap.seconds, network.away.discard, mishap.whom)
@@ -149,7 +182,7 @@ class World:
         for entry in self._trace:
             if entry[2] == "fault":
                 outcome.injected[entry[3].partition(" ")[0]] += 1
-        outcome.requests = sum(link.statistics.requests for links in self._links for link in links)
+        outcome.requests = sum(link.statistics.requests for program in self._programs for link in program.links)
         outcome.sessions = sum(max(0, count - 1) for count in self._network.connections.values())
 
 
