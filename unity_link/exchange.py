@@ -93,16 +93,12 @@ class Exchange:
     def suspend(self, reason: str) -> None:
         """End a session, keeping what is known not to be executed for the next one; all else raises."""
         self._stop()
-        error = LinkLostError(reason)
-        again = self._end_sent(error, keep=True)
-        waiting = [*again, *self._waiting]
-        self._waiting.clear()
-        for source in waiting:
-            if isinstance(source, OfSession):
-                # What sets a new session up waits for it, and there is none before it has ended.
-                source.fail(error.about(Outcome.NOT_EXECUTED))
-            else:
-                self._waiting.append(source)
+        again = self._end_sent(LinkLostError(reason), keep=True)
+        self._waiting.extendleft(reversed(again))
+        for source in [source for source in self._waiting if isinstance(source, OfSession)]:
+            # What sets a new session up waits for it, and no other begins before that has ended.
+            self._waiting.remove(source)
+            source.fail(LinkLostError(reason, Outcome.NOT_EXECUTED))
 
     def end(self, error: LinkLostError) -> None:
         """End for good: every call that waits raises."""
