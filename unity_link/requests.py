@@ -219,9 +219,14 @@ class Request(Message):
         if not self.future.done():
             self.future.set_exception(error)
 
+    @property
+    def of_session(self) -> bool:
+        """Whether it ends with its session, sent or not."""
+        return False
+
     def again(self, offset: int, count: int) -> Source | None:  # noqa: ARG002
-        """Give the request itself where it changes nothing."""
-        if self.command not in REPEATABLE:
+        """Return the request itself where it changes nothing."""
+        if self.of_session or self.command not in REPEATABLE:
             return None
         self.frame = b""
         return self
@@ -284,6 +289,17 @@ class Posted(Request):
             self.future.set_exception(error)
 
 
+class OfSession(Request):
+    """A request that has a meaning in the session alone in which it was made."""
+
+    __slots__ = ()
+
+    @property
+    def of_session(self) -> bool:
+        """Return True."""
+        return True
+
+
 class Fence(Request):
     """An ``h`` that is not sent before all that was asked for earlier.
 
@@ -301,9 +317,10 @@ class Fence(Request):
         self.earlier: list[Source] = []
         """Sources of several turns that were asked for before."""
 
-    def again(self, offset: int, count: int) -> Source | None:
-        """Return the fence itself, or nothing where it ends with its session."""
-        return None if self._leaving else super().again(offset, count)
+    @property
+    def of_session(self) -> bool:
+        """Whether it ends with its session."""
+        return self._leaving
 
 
 class Unawaited(Request):

@@ -24,7 +24,7 @@ from unity_link.errors import (
     UnsupportedError,
 )
 from unity_link.exchange import PublishRows
-from unity_link.requests import Request, Unawaited
+from unity_link.requests import OfSession, Request, Unawaited
 from unity_link.wire.messages import Codec, GroupFlag, Words, parse_rows, parse_words
 
 if TYPE_CHECKING:
@@ -226,15 +226,17 @@ class Groups:
             return
         schedule = subscription.schedule
         addresses = np.array(schedule.addresses, np.uint64)
-        await self._submit("GS", group, int(schedule.flags), schedule.divisor, len(addresses), addresses)
+        await self._submit(
+            "GS", group, int(schedule.flags), schedule.divisor, len(addresses), addresses, kind=OfSession
+        )
         if self._held.get(group) is subscription:
             subscription.restart()
             self._exchange.publishes[b"%02X" % group] = subscription.receive
             self._exchange.publish_rows[b"P%02X" % group] = PublishRows(subscription.length, subscription.receive_rows)
-            await self._submit("GN", group)
+            await self._submit("GN", group, kind=OfSession)
 
-    def _submit(self, command: str, *values: Any) -> asyncio.Future[None]:
-        request = self._request(Request, command, *values)
+    def _submit(self, command: str, *values: Any, kind: type[Request] = Request) -> asyncio.Future[None]:
+        request = self._request(kind, command, *values)
         self._exchange.submit(request)
         return request.future
 

@@ -17,7 +17,7 @@ from unity_link.bridges.serve.groups import Slots
 from unity_link.bridges.serve.turns import Turns
 from unity_link.connection import Connection, Reconnect
 from unity_link.errors import ArgumentError, ConnectError, LinkLostError, UnansweredError, UnityLinkError
-from unity_link.requests import Request
+from unity_link.requests import OfSession
 from unity_link.wire.gateway_info import Feature
 from unity_link.wire.messages import Codec
 
@@ -161,7 +161,7 @@ class SharedLink(Connection):
 
     def _submit(self, command: str, fields: bytes) -> asyncio.Future[None]:
         """Have a request of the server's own done."""
-        request = Request(self._codec, command, fields, 0, self.loop)
+        request = OfSession(self._codec, command, fields, 0, self.loop)
         self._exchange.submit(request)
         return request.future
 

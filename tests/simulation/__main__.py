@@ -1,0 +1,52 @@
+"""Run seeds of the simulation: ``python -m simulation FIRST [COUNT]``, from the directory of the tests.
+
+A world that fails is told as a story, and the program ends with 1. The last lines are what was injected. `KNOWN` of
+`simulation.world` names what is left out of the worlds.
+"""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from collections import Counter
+
+from simulation.report import Report
+from simulation.story import shrink, tell
+from simulation.world import KNOWN, run_seed
+
+
+def say(*lines: str) -> None:
+    """Write lines at once."""
+    sys.stdout.writelines(f"{line}\n" for line in lines)
+    sys.stdout.flush()
+
+
+def main() -> int:
+    """Run the seeds that the command line names."""
+    parser = argparse.ArgumentParser(prog="python -m simulation", description="Run worlds of the simulation.")
+    parser.add_argument("first", type=int, help="the first seed")
+    parser.add_argument("count", type=int, nargs="?", default=1, help="how many seeds")
+    parser.add_argument("--stories", type=int, default=3, help="most failures that are told in full")
+    parser.add_argument("--json", action="store_true", help="print the report for programs")
+    parser.add_argument("--trace", action="store_true", help="print all that happens")
+    options = parser.parse_args()
+    report, kinds = Report(), Counter[str]()
+    for seed in range(options.first, options.first + options.count):
+        outcome = run_seed(seed, KNOWN)
+        report.add(outcome)
+        if options.trace:
+            say(*(f"{when:.6f} {what}" for when, *what in outcome.trace))
+        if outcome.error is not None:
+            kinds[outcome.error.kind] += 1
+            if sum(kinds.values()) <= options.stories:
+                say(tell(outcome, shrink(outcome, KNOWN)))
+            else:
+                say(f"seed {seed}: {outcome.error}"[:300])
+    for kind, number in kinds.most_common():
+        say(f"{number:7} {kind}")
+    say(report.json() if options.json else report.text())
+    return 1 if kinds else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

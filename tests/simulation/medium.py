@@ -1,0 +1,328 @@
+"""The line between a host and what it connects to: bytes that are late, in pieces, lost, damaged or doubled, and cut.
+
+A `Network` connects by name. The last part of a host name is who listens, the whole of it is the line: a program that
+opens ``tcp://p3.server0:1`` and one that opens ``tcp://p4.server0:1`` reach the same server over lines of their own.
+A line outlives its connections: its two `Course`s count the bytes that were ever carried, and a fault is bound to one
+byte of them. So a story has the same faults in the same places however it is cut short.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import errno
+import socket
+from collections import Counter
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Sequence
+
+HIGH, LOW = 65_536, 16_384
+"""Bytes that wait in a connection at which its writer is told to pause, and may go on."""
+NEVER = 1 << 62
+
+
+class Fault(NamedTuple):
+    """What happens to a line at one of its bytes."""
+
+    line: str
+    back: bool
+    """Whether it is on the way from the gateway to the host."""
+    at: int
+    """Number of the byte, counted since the world began."""
+    kind: str
+    """``lose``, ``flip``, ``double``, ``stall`` or ``cut``."""
+    amount: float
+    """Bytes that are lost or doubled; the bits that are inverted; seconds for a stall, or until the cut is noticed."""
+
+
+class Line(NamedTuple):
+    """A line as it is when nothing goes wrong."""
+
+    name: str
+    latency: float
+    """Seconds that a byte takes."""
+    piece: int
+    """Most bytes that arrive in one read."""
+
+
+class Course:
+    """One direction of a line."""
+
+    def __init__(self, name: str, faults: Sequence[Fault], trace: list[Any]) -> None:
+        self.name = name
+        self.position = 0
+        self.fired = 0
+        self.most_waiting = 0
+        """Most bytes that ever waited to be carried."""
+        self._faults = sorted(faults, key=lambda fault: -fault.at)
+        self._losing = 0
+        self._next = self._faults[-1].at if self._faults else NEVER
+        self._trace = trace
+
+    def calm(self) -> None:
+        """Let nothing go wrong any more."""
+        self._faults.clear()
+        self._next, self._losing = NEVER, 0
+
+    def carry(self, data: bytes, now: float) -> tuple[bytes, bytes, Fault | None]:
+        """Return what arrives of `data`, what has not been carried yet, and the fault that stopped it."""
+        if self.position + len(data) <= self._next and not self._losing:
+            self.position += len(data)
+            return data, b"", None
+        return self._spoil(data, now)
+
+    def _spoil(self, data: bytes, now: float) -> tuple[bytes, bytes, Fault | None]:
+        arrived = bytearray()
+        place = 0
+        while place < len(data):
+            if self._losing:
+                lost = min(self._losing, len(data) - place)
+                self._losing -= lost
+                place += lost
+                self.position += lost
+                continue
+            sound = min(len(data) - place, self._next - self.position)
+            arrived += data[place : place + sound]
+            place += sound
+            self.position += sound
+            if self.position < self._next or place == len(data):
+                break
+            fault = self._pop(now)
+            if fault.kind == "lose":
+                self._losing = int(fault.amount)
+            elif fault.kind == "flip":
+                arrived.append(data[place] ^ int(fault.amount))
+                place += 1
+                self.position += 1
+            elif fault.kind == "double":
+                arrived += data[place : place + int(fault.amount)]
+            else:
+                return bytes(arrived), data[place:], fault
+        return bytes(arrived), b"", None
+
+    def _pop(self, now: float) -> Fault:
+        fault = self._faults.pop()
+        self._next = max(self.position, self._faults[-1].at) if self._faults else NEVER
+        self.fired += 1
+        self._trace.append((now, self.name, "fault", f"{fault.kind} {fault.amount:g} at byte {self.position}"))
+        return fault
+
+
+class _Socket:
+    """What drivers ask of a socket."""
+
+    family = socket.AF_UNIX
+
+    def __init__(self, port: int) -> None:
+        self._port = port
+
+    def getsockname(self) -> tuple[str, int]:
+        return "simulated", self._port
+
+    def setsockopt(self, *_: int) -> None:
+        """Do nothing: there is no socket."""
+
+
+class End(asyncio.Transport):
+    """What one side of a connection writes to, and the other is fed from."""
+
+    def __init__(self, network: Network, protocol: asyncio.BaseProtocol, line: Line, course: Course) -> None:
+        super().__init__({"socket": _Socket(0)})
+        self.peer: End
+        self.course = course
+        self._network = network
+        self._loop = network.loop
+        self._protocol: Any = protocol
+        self._line = line
+        self._buffer = bytearray()
+        self._high = HIGH
+        self._planned = self._paused = self._closing = self._dead = self._ending = False
+        self._reading = True
+
+    def set_write_buffer_limits(self, high: int | None = None, low: int | None = None) -> None:
+        self._high = HIGH if high is None else high
+
+    def get_write_buffer_size(self) -> int:
+        return len(self._buffer)
+
+    def set_protocol(self, protocol: asyncio.BaseProtocol) -> None:
+        self._protocol = protocol
+
+    def get_protocol(self) -> asyncio.BaseProtocol:
+        protocol: asyncio.BaseProtocol = self._protocol
+        return protocol
+
+    def is_closing(self) -> bool:
+        return self._closing
+
+    def is_reading(self) -> bool:
+        return self._reading and not self._closing
+
+    def pause_reading(self) -> None:
+        self._reading = False
+
+    def resume_reading(self) -> None:
+        self._reading = True
+        self.peer._plan(0.0)
+
+    def write(self, data: bytes | bytearray | memoryview) -> None:
+        if self._closing:
+            return
+        self._buffer += data
+        waiting = len(self._buffer)
+        self.course.most_waiting = max(self.course.most_waiting, waiting)
+        if waiting > self._high and not self._paused:
+            self._paused = True
+            self._protocol.pause_writing()
+        self._plan(self._line.latency)
+
+    def write_eof(self) -> None:
+        """Do nothing: who hears the end of what is said hangs up anyway."""
+
+    def close(self) -> None:
+        """Carry what was written, and end."""
+        self._ending = self._closing = True
+        if not self._buffer:
+            self.abort()
+
+    def abort(self) -> None:
+        """End at once; the other side hears of it when a byte would have come there."""
+        self._closing = True
+        self._end(0.0)
+        self.peer._end(self._line.latency)
+
+    def cut(self, noticed_after: float) -> None:
+        """End both sides, this one at once and the other later, as where a machine does not see that a cable is out."""
+        self._closing = self.peer._closing = True
+        self._end(0.0)
+        self.peer._buffer.clear()
+        self.peer._end(noticed_after)
+
+    def _end(self, after: float) -> None:
+        if self._dead:
+            return
+        self._dead = True
+        self._buffer.clear()
+        self._loop.call_later(after, self._lose)
+
+    def _lose(self) -> None:
+        self._closing = True
+        self._network.open.pop(self, None)
+        self._protocol.connection_lost(None)
+
+    def _plan(self, after: float) -> None:
+        if self._buffer and not self._planned:
+            self._planned = True
+            if after:
+                self._loop.call_later(after, self._deliver)
+            else:
+                self._loop.call_soon(self._deliver)
+
+    def _deliver(self) -> None:
+        self._planned = False
+        peer = self.peer
+        if self._dead or not peer._reading or not self._buffer:
+            return
+        piece = self._line.piece
+        data = bytes(self._buffer[:piece])
+        del self._buffer[:piece]
+        now = self._loop.time()
+        arrived, rest, fault = self.course.carry(data, now)
+        self._buffer[:0] = rest
+        if arrived and not peer._dead:
+            self._network.trace.append((now, self.course.name, "carry", arrived))
+            peer._protocol.data_received(arrived)
+        if fault is not None and fault.kind == "cut":
+            self.cut(fault.amount)
+            return
+        if self._paused and len(self._buffer) <= LOW and not self._dead:
+            self._paused = False
+            self._protocol.resume_writing()
+        self._plan(fault.amount if fault is not None else 0.0)
+        if self._ending and not self._buffer:
+            self.abort()
+
+
+class _Listener:
+    """What `asyncio.Server` is to those who listen."""
+
+    def __init__(self, network: Network, host: str, port: int) -> None:
+        self._network = network
+        self._place = host, port
+        self.sockets = [_Socket(port)]
+
+    def close(self) -> None:
+        self._network.listeners.pop(self._place, None)
+
+    async def wait_closed(self) -> None:
+        """Do nothing: nothing is left."""
+
+
+class Network:
+    """All lines of a world.
+
+    Args:
+        loop: whose time counts.
+        lines: by their names.
+        faults: of all lines.
+        trace: takes what happens.
+    """
+
+    def __init__(
+        self, loop: asyncio.AbstractEventLoop, lines: Sequence[Line], faults: Sequence[Fault], trace: list[Any]
+    ) -> None:
+        self.loop = loop
+        self.trace = trace
+        self.listeners: dict[tuple[str, int], Callable[[], asyncio.BaseProtocol]] = {}
+        self.away: set[str] = set()
+        """Those who listen and can't be reached now."""
+        self.open: dict[End, str] = {}
+        """Ends of connections at those who listen, and who it is."""
+        self.connections: Counter[str] = Counter()
+        """Connections that were made on each line."""
+        self._lines = {line.name: line for line in lines}
+        self.courses = {
+            (line.name, back): Course(
+                f"{line.name}{'<' if back else '>'}",
+                [fault for fault in faults if fault.line == line.name and fault.back == back],
+                trace,
+            )
+            for line in lines
+            for back in (False, True)
+        }
+
+    def listen(self, factory: Callable[[], asyncio.BaseProtocol], host: str, port: int) -> _Listener:
+        """Wait for connections."""
+        self.listeners[host, port] = factory
+        return _Listener(self, host, port)
+
+    async def connect(
+        self, factory: Callable[[], asyncio.BaseProtocol], host: str, port: int
+    ) -> tuple[End, asyncio.BaseProtocol]:
+        """Connect to who listens."""
+        line, name = self._lines[host], host.rpartition(".")[2]
+        await asyncio.sleep(2 * line.latency)
+        listener = self.listeners.get((name, port))
+        if listener is None or name in self.away:
+            raise ConnectionRefusedError(errno.ECONNREFUSED, "Connection refused")
+        near, far = factory(), listener()
+        here = End(self, near, line, self.courses[host, False])
+        there = End(self, far, line, self.courses[host, True])
+        here.peer, there.peer = there, here
+        self.open[there] = name
+        self.connections[host] += 1
+        self.trace.append((self.loop.time(), host, "connect", self.connections[host]))
+        far.connection_made(there)
+        near.connection_made(here)
+        return here, near
+
+    def cut(self, name: str) -> None:
+        """Cut all connections to one who listens."""
+        for end in [end for end, listener in self.open.items() if listener == name]:
+            end.cut(0.0)
+
+    def calm(self) -> None:
+        """Let nothing go wrong any more."""
+        for course in self.courses.values():
+            course.calm()

@@ -1,0 +1,588 @@
+"""The oracle: what each gateway executed and published, what each program asked and was told, and whether they agree.
+
+Each word that is written is written once in a world, and says its address; each word that is read says its address,
+too, and either which write it comes from, or at which instant it was read. So a wrong address, an old value, a write
+that was executed twice or not at all, and a sample of another group are all to be seen from the values alone.
+"""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from typing import TYPE_CHECKING, Any
+
+from simulation.plan import ADDRESS_SHIFT, BURST, BURSTS, FAILING, LIVE, QUEUE_OUT
+from unity_link import BusError, BusTimeoutError
+from unity_link.errors import AnswerLostError, Outcome, UnansweredError
+from unity_link.virtual.bus import AccessError
+from unity_link.wire.messages import ErrorCode
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, MutableMapping, Sequence
+
+    from unity_link import Link, Sample
+    from unity_link.virtual.gateway import BareGateway
+
+_COUNT = (1 << ADDRESS_SHIFT) - 1
+_SLACK = 1e-6
+"""Seconds by which two instants that are the same may differ."""
+
+
+MOST_WAITING = 131_072
+"""Bytes that may wait at one end of a connection: what a transport takes before it asks to pause, and what is told
+then."""
+
+
+class WorldError(AssertionError):
+    """What the oracle found. `kind` is the rule that was broken."""
+
+    def __init__(self, kind: str, text: str) -> None:
+        super().__init__(f"{kind}: {text}")
+        self.kind = kind
+
+
+# What the gateways did
+
+
+class Recorder:
+    """The device behind all addresses of a gateway: it keeps every access with its instant.
+
+    Args:
+        trace: takes what happens.
+        name: of the gateway.
+    """
+
+    def __init__(self, trace: list[Any], name: str) -> None:
+        self.name = name
+        self.writes: list[tuple[float, int, int]] = []
+        """Instant, address and word of each write, also of those that failed."""
+        self.places: dict[int, list[int]] = defaultdict(list)
+        """Where in `writes` each word stands."""
+        self.history: dict[int, list[tuple[float, int]]] = {}
+        """For each address since when it had which word."""
+        self.instants: list[float] = []
+        """When the words that name instants were read."""
+        self.popped: dict[int, list[float]] = defaultdict(list)
+        """For each queue when its words were taken."""
+        self.reads: dict[int, list[float]] = defaultdict(list)
+        """When each other address was read."""
+        self._trace = trace
+        self._words: dict[int, int] = {}
+        self._numbers: dict[tuple[int, float], int] = {}
+
+    def read(self, offset: int, now: float) -> int:
+        """Return the word of an address."""
+        if offset in LIVE or offset in BURSTS:
+            return offset << ADDRESS_SHIFT | self._number(offset, now)
+        if offset in QUEUE_OUT:
+            taken = self.popped[offset]
+            taken.append(now)
+            return offset << ADDRESS_SHIFT | len(taken)
+        self.reads[offset].append(now)
+        if offset in FAILING:
+            raise AccessError(ErrorCode.BUS_ERROR)
+        return self._words.get(offset, offset << ADDRESS_SHIFT)
+
+    def _number(self, offset: int, now: float) -> int:
+        """Return the number of an access to a word that names it; no two to the same word have the same."""
+        if offset in BURSTS:
+            if (turn := int(now / BURST)) + offset & 1:
+                now = turn * BURST
+            if (offset, now) in self._numbers:
+                return self._numbers[offset, now]
+            self._numbers[offset, now] = len(self.instants)
+        self.instants.append(now)
+        return len(self.instants) - 1
+
+    def write(self, offset: int, value: int, now: float) -> None:
+        """Take a word."""
+        self._trace.append((now, self.name, "write", offset, value))
+        self.places[value].append(len(self.writes))
+        self.writes.append((now, offset, value))
+        if offset in FAILING:
+            raise AccessError(ErrorCode.BUS_ERROR)
+        self._words[offset] = value
+        self.history.setdefault(offset, [(-1.0, offset << ADDRESS_SHIFT)]).append((now, value))
+
+    def had(self, address: int, word: int, since: float, until: float) -> bool:
+        """Return whether an address held a word at some instant from `since` to `until`."""
+        history = self.history.get(address, ((-1.0, address << ADDRESS_SHIFT),))
+        for place, (written, value) in enumerate(history):
+            if value == word and written <= until + _SLACK:
+                return place + 1 == len(history) or history[place + 1][0] >= since - _SLACK
+        return False
+
+
+class Published:
+    """What one gateway published, as it left the gateway.
+
+    The gateway numbers its samples with two digits; here they are numbered on since the group was set up, its `life`.
+    """
+
+    def __init__(self) -> None:
+        self.samples: dict[bytes, list[tuple[int, int]]] = defaultdict(list)
+        """By the digits of its words: the life of the group, the number in it."""
+        self._lives = 0
+        self._groups: dict[bytes, tuple[int, int]] = {}
+        self._set_up: set[bytes] = set()
+
+    def set_up(self, group: bytes) -> None:
+        """Note that a group may have been set up anew."""
+        self._set_up.add(group)
+
+    def publish(self, group: bytes, sequence: int, text: bytes) -> None:
+        """Note a sample; before its words there may be 8 digits of a timestamp."""
+        life, last = self._groups.get(group, (-1, -1))
+        step = sequence - last & 0xFF or 0x100
+        if life < 0 or (group in self._set_up and step != 1):
+            life, last, step = self._lives, -1, sequence + 1
+            self._lives += 1
+        self._set_up.discard(group)
+        self._groups[group] = place = life, last + step
+        self.samples[text].append(place)
+        self.samples[text[8:]].append(place)
+
+
+class Tap:
+    """Stands before a gateway and sees what goes in and out."""
+
+    def __init__(self, gateway: BareGateway, trace: list[Any], name: str) -> None:
+        self.gateway = gateway
+        self.info = gateway.info
+        self.wake: Callable[[], None] = lambda: None
+        self.recorder = Recorder(trace, name)
+        self.published = Published()
+        gateway.wake = self._pass_on_wake
+        gateway.attach(self.recorder, range(1 << self.info.address_bits))
+        self._after_id = 2 + self.info.id_digits
+        self._check = self.info.crc_bits // 4
+        self._before = b""
+        """The last bytes that came in, for a frame that comes in several reads."""
+
+    @property
+    def memory(self) -> MutableMapping[int, int]:
+        return self.gateway.memory
+
+    @property
+    def waiting(self) -> int:
+        return self.gateway.waiting
+
+    @property
+    def next_due(self) -> float | None:
+        return self.gateway.next_due
+
+    def _pass_on_wake(self) -> None:
+        self.wake()
+
+    def overflow(self) -> None:
+        self.gateway.overflow()
+
+    def receive(self, data: bytes, now: float) -> bytes:
+        before = len(self._before)
+        seen = self._before + data
+        place = seen.find(b"gs")
+        while place >= 0:
+            group = place + self._after_id
+            if before < group + 2 <= len(seen):
+                self.published.set_up(seen[group : group + 2])
+            place = seen.find(b"gs", group)
+        self._before = seen[-self._after_id - 1 :]
+        return self._note(self.gateway.receive(data, now))
+
+    def advance(self, now: float, room: int | None = None) -> bytes:
+        return self._note(self.gateway.advance(now, room))
+
+    def _note(self, data: bytes) -> bytes:
+        if b"P" in data:
+            for line in data.split(b"\n"):
+                if line[:1] == b"P":
+                    self.published.publish(line[1:3], int(line[3:5], 16), line[5 : -self._check])
+        return data
+
+
+# What the programs asked
+
+
+class Ask:
+    """One call of a program, from its beginning to its end."""
+
+    __slots__ = ("after", "answer", "asked", "cancelled", "ended", "error", "kind", "link", "number", "told", "words")
+
+    def __init__(self, link: LinkLog, number: int, kind: str, words: Sequence[tuple[int, int]], asked: float) -> None:
+        self.link = link
+        self.number = number
+        self.kind = kind
+        self.words = words
+        """Address and word of each write, address and count of what is read."""
+        self.asked = asked
+        self.told: float | None = None
+        """When it ended; None while it has not."""
+        self.error: BaseException | None = None
+        self.answer: Any = None
+        self.after: dict[int, int] | None = None
+        """What the program itself wrote last before, by address."""
+        self.cancelled = False
+        self.ended = False
+        """Whether the link had ended when it failed."""
+
+    def __str__(self) -> str:
+        words = ", ".join(f"{word:#x}" for _, word in self.words[:3])
+        return f"{self.link.name} call {self.number}, {self.kind} {words} at {self.asked:.6f}"
+
+
+class LinkLog:
+    """All calls on one link, in their order."""
+
+    def __init__(self, name: str, recorder: Recorder, *, shared: bool, reconnect: bool, block_words: int) -> None:
+        self.name = name
+        self.recorder = recorder
+        self.shared = shared
+        """Whether there is a server between."""
+        self.reconnect = reconnect
+        self.block_words = block_words
+        self.fence_failed = False
+        """Whether a fence was cancelled or ended in an error of its own."""
+        self.refused = False
+        """Whether the link gave up reconnecting, because a server had no group left for its subscriptions."""
+        self.asks: list[Ask] = []
+        self.listenings: list[Listening] = []
+        self.post_failures: list[tuple[float, int]] = []
+        """When how many errors of posted writes were reported."""
+
+    def ended(self, link: Link) -> bool:
+        """Return whether there will be no session any more."""
+        return self.refused or (not self.reconnect and not link.connected)
+
+    def ask(self, kind: str, words: Sequence[tuple[int, int]], now: float) -> Ask:
+        """Note a call."""
+        ask = Ask(self, len(self.asks), kind, words, now)
+        self.asks.append(ask)
+        return ask
+
+
+class Listening:
+    """What one subscription delivered."""
+
+    def __init__(
+        self, link: LinkLog, published: Published, addresses: tuple[int, ...], arguments: dict[str, Any]
+    ) -> None:
+        self.link = link
+        self.published = published
+        self.addresses = addresses
+        self.arguments = arguments
+        self.samples: list[Sample] = []
+        self.lost: int | None = None
+        """What the subscription counted, if it was read to its end."""
+        self.rate: float | None = None
+        self.asked_while_set_up = False
+        """Whether samples were asked for while the group may have been set up anew."""
+
+
+# Whether they agree
+
+_WRITES = frozenset({"write", "write_masked", "write_block", "write_queue", "write_many", "post", "post_many"})
+_POSTED = frozenset({"post", "post_many"})
+_SINGLE = frozenset({"write", "write_masked", "post"})
+_BLOCKS = frozenset({"write_block", "write_queue"})
+
+
+class Oracle:
+    """Judges a world that has ended.
+
+    Args:
+        without: features of worlds that are left out, see `world.KNOWN`.
+    """
+
+    def __init__(self, without: frozenset[str]) -> None:
+        self._without = without
+
+    def judge(self, recorders: Sequence[Recorder], logs: Sequence[LinkLog]) -> None:
+        """Raise `WorldError` where a rule was broken."""
+        for log in logs:
+            for ask in log.asks:
+                self._judge_call(ask)
+            self._judge_order(log)
+            self._judge_posted(log)
+            for listening in log.listenings:
+                self._judge_listening(listening)
+        self._judge_nothing_else(recorders, logs)
+        self._judge_queues(recorders, logs)
+
+    # Calls
+
+    def _judge_call(self, ask: Ask) -> None:
+        error = ask.error
+        if error is not None and not self._expected(ask, error):
+            raise WorldError("an unexpected error", f"{ask} raised {error!r}")
+        if ask.kind in _WRITES:
+            if ask.kind not in _POSTED:
+                self._judge_write(ask)
+            for address, word in ask.words:
+                self._judge_once(ask, address, word)
+        elif error is None and ask.answer is not None:
+            self._judge_read(ask)
+        if ask.kind == "read_many" and isinstance(error, BusError) and "reads behind an error" not in self._without:
+            self._judge_others(ask)
+        if ask.kind == "write_masked":
+            self._judge_old_word(ask)
+
+    @staticmethod
+    def _expected(ask: Ask, error: BaseException) -> bool:
+        if isinstance(error, UnansweredError):
+            return True
+        if isinstance(error, AnswerLostError):
+            return ask.kind in ("read_queue", "write_masked")
+        if isinstance(error, BusError):
+            return any(address in FAILING for address, _ in ask.words) or ask.kind in ("fence", "exit")
+        return isinstance(error, BusTimeoutError) and ask.link.shared
+
+    def _judge_once(self, ask: Ask, address: int, word: int) -> None:
+        places = ask.link.recorder.places.get(word, ())
+        if len(places) > 1:
+            raise WorldError("a write executed more than once", f"{ask}: {word:#x} {len(places)} times")
+        for place in places:
+            if ask.link.recorder.writes[place][1] != address:
+                raise WorldError("a write to another address", f"{ask}: {word:#x}")
+
+    def _judge_write(self, ask: Ask) -> None:
+        """Compare what a write was told with what was executed."""
+        recorder, error = ask.link.recorder, ask.error
+        executed = [recorder.places.get(word) for _, word in ask.words]
+        must, must_not = _known(ask, error)
+        if must and not all(executed):
+            missing = next(word for (_, word), places in zip(ask.words, executed, strict=True) if not places)
+            raise WorldError("a write acknowledged and not executed", f"{ask}: {missing:#x} ({error!r})")
+        if must_not and any(executed):
+            raise WorldError("a write executed that was said not to be", f"{ask} ({error!r})")
+        if must and ask.told is not None:
+            for places in executed:
+                when = recorder.writes[places[0]][0] if places else ask.asked
+                if not ask.asked - _SLACK <= when <= ask.told + _SLACK:
+                    raise WorldError("a write executed outside its call", f"{ask}: at {when}, told at {ask.told}")
+
+    def _judge_read(self, ask: Ask) -> None:
+        """Check that each word that was read was there while it was asked for."""
+        assert ask.told is not None
+        recorder = ask.link.recorder
+        for (address, _), answer in zip(ask.words, ask.answer, strict=True):
+            word = int(answer)
+            if word >> ADDRESS_SHIFT != address:
+                raise WorldError("an answer of another address", f"{ask} of {address:#x} gave {word:#x}")
+            number = word & _COUNT
+            if address in QUEUE_OUT:
+                taken = recorder.popped[address]
+                good = number <= len(taken) and ask.asked - _SLACK <= taken[number - 1] <= ask.told + _SLACK
+            elif address in LIVE:
+                good = number < len(recorder.instants) and (
+                    ask.asked - _SLACK <= recorder.instants[number] <= ask.told + _SLACK
+                )
+            else:
+                good = recorder.had(address, word, ask.asked, ask.told)
+            if not good:
+                raise WorldError("an answer from another time", f"{ask} of {address:#x} gave {word:#x} at {ask.told}")
+            if ask.after and (mine := ask.after.get(address)) is not None:
+                self._judge_after(ask, address, word, mine)
+
+    @staticmethod
+    def _judge_others(ask: Ask) -> None:
+        """Check that a batch of reads goes on behind one that failed."""
+        assert ask.told is not None
+        for address, _ in ask.words:
+            if address not in LIVE and not any(ask.asked - _SLACK <= when for when in ask.link.recorder.reads[address]):
+                raise WorldError("a read of a batch left out", f"{ask}: {address:#x}")
+
+    @staticmethod
+    def _judge_after(ask: Ask, address: int, word: int, mine: int) -> None:
+        """Check that a read gives nothing older than what its own program wrote before it."""
+        recorder = ask.link.recorder
+        if mine in recorder.places and address in recorder.history:
+            words = [value for _, value in recorder.history[address]]
+            if mine in words and word in words and words.index(word) < words.index(mine):
+                raise WorldError("a read that overtook a write", f"{ask} gave {word:#x}, {mine:#x} was written before")
+
+    @staticmethod
+    def _judge_old_word(ask: Ask) -> None:
+        (address, word), recorder = ask.words[0], ask.link.recorder
+        values = [value for _, value in recorder.history.get(address, ())]
+        if ask.answer and word in values and values[values.index(word) - 1] != ask.answer[0]:
+            raise WorldError("a masked write that gave another old word", f"{ask}: {ask.answer[0]:#x}")
+
+    # Order
+
+    def _judge_order(self, log: LinkLog) -> None:
+        """Check that writes were executed in the order of the calls, and those of each call in their order."""
+        places, last, before = log.recorder.places, -1, None
+        for ask in log.asks:
+            if ask.kind not in _WRITES:
+                continue
+            executed = [places[word][0] for _, word in ask.words if places.get(word)]
+            if executed != sorted(executed):
+                raise WorldError("the writes of a call in another order", str(ask))
+            single = ask.kind in _SINGLE or (ask.kind in _BLOCKS and len(ask.words) <= log.block_words)
+            if single and executed:
+                if executed[0] < last:
+                    raise WorldError("writes in another order", f"{ask} was executed before {before}")
+                last, before = executed[-1], ask
+
+    def _judge_posted(self, log: LinkLog) -> None:
+        """Check that a fence tells of each posted write before it that was not executed."""
+        posted = [ask for ask in log.asks if ask.kind in _POSTED and ask.error is None and ask.told is not None]
+        recorder = log.recorder
+        for fence in log.asks:
+            if fence.kind not in ("fence", "exit") or fence.told is None:
+                continue
+            if fence.ended or (fence.error is not None and str(fence.error).startswith("fence")):
+                # It says nothing of what was posted.
+                continue
+            missing = 0
+            for ask in posted:
+                if ask.number > fence.number:
+                    break
+                if "fences behind batches" in self._without and not (ask.told and ask.told < fence.asked):
+                    continue
+                when = [recorder.places.get(word) for _, word in ask.words]
+                missing += not all(places and recorder.writes[places[0]][0] <= fence.told + _SLACK for places in when)
+            reported = sum(count for when, count in log.post_failures if when <= fence.told)
+            if missing > reported:
+                raise WorldError(
+                    "a posted write lost",
+                    f"{fence} was told at {fence.told}: {missing} calls are missing, {reported} were reported",
+                )
+
+    # Samples
+
+    def _judge_listening(self, listening: Listening) -> None:
+        recorder = listening.link.recorder
+        digits = -(-recorder_digits(listening) // 1)
+        life, number, last, time = -1, -1, -1.0, -1.0
+        counted = not listening.asked_while_set_up or "samples that are asked for while a group is set up" not in (
+            self._without
+        )
+        lost_before = 0
+        for position, sample in enumerate(listening.samples):
+            words = [int(word) for word in sample.values]
+            text = b"".join(b"%0*X" % (digits, word) for word in words)
+            where = (
+                f"{listening.link.name} subscription to {[f'{a:#x}' for a in listening.addresses]}, sample {position}"
+            )
+            if [word >> ADDRESS_SHIFT for word in words] != list(listening.addresses):
+                raise WorldError("a sample of another group", f"{where}: {[f'{word:#x}' for word in words]}")
+            places = [
+                place for place in listening.published.samples.get(text, ()) if place[0] != life or place[1] > number
+            ]
+            if not places:
+                raise WorldError("a sample that was not published", f"{where}: {text!r}")
+            instant = recorder.instants[words[0] & _COUNT]
+            if instant < last - _SLACK:
+                raise WorldError("samples in another order", where)
+            self._judge_instant(listening, words, instant, where)
+            # Words that stand still for a while do not tell which of several samples they are.
+            sure = counted and (len(places) == 1 or listening.addresses[0] not in BURSTS)
+            time = self._judge_time(sample, time, where)
+            new_life, new_number = _most_likely(places, life, number, sample.lost)
+            if new_life == life:
+                due = new_number - number - 1
+                if sure and sample.lost != due and (due < 0x100 or not _ambiguous(sample.lost, due, listening)):
+                    raise WorldError("lost samples counted wrong", f"{where}: lost {sample.lost}, {due} are missing")
+            elif sure and life < 0 and sample.lost != new_number and not listening.link.shared:
+                raise WorldError(
+                    "lost samples counted wrong", f"{where}: lost {sample.lost}, {new_number} were due before it"
+                )
+            lost_before += sample.lost
+            life, number, last = new_life, new_number, instant
+        if listening.lost is not None and listening.lost != lost_before:
+            raise WorldError(
+                "lost samples counted wrong",
+                f"{listening.link.name}: lost is {listening.lost}, its samples say {lost_before}",
+            )
+
+    def _judge_time(self, sample: Sample, before: float, where: str) -> float:
+        """Check that the time of samples does not go back."""
+        if sample.time is None or "time over a reset" in self._without:
+            return before
+        if sample.time < before - _SLACK:
+            raise WorldError("time that goes back", f"{where}: {sample.time}, and {before} before it")
+        return sample.time
+
+    @staticmethod
+    def _judge_instant(listening: Listening, words: list[int], instant: float, where: str) -> None:
+        recorder = listening.link.recorder
+        for address, word in zip(listening.addresses, words, strict=True):
+            if address in LIVE or address in BURSTS:
+                good = recorder.instants[word & _COUNT] == instant
+            elif listening.addresses[0] in LIVE:
+                good = recorder.had(address, word, instant, instant)
+            else:
+                good = True
+            if not good:
+                raise WorldError("a sample of several instants", f"{where}: {word:#x}")
+
+    # All together
+
+    @staticmethod
+    def _judge_nothing_else(recorders: Sequence[Recorder], logs: Sequence[LinkLog]) -> None:
+        asked = {
+            (id(log.recorder), word) for log in logs for ask in log.asks if ask.kind in _WRITES for _, word in ask.words
+        }
+        for recorder in recorders:
+            for word in recorder.places:
+                if (id(recorder), word) not in asked:
+                    raise WorldError("a write that was not asked for", f"{recorder.name}: {word:#x}")
+
+    @staticmethod
+    def _judge_queues(recorders: Sequence[Recorder], logs: Sequence[LinkLog]) -> None:
+        for recorder in recorders:
+            delivered: dict[int, int] = defaultdict(int)
+            perhaps: dict[int, int] = defaultdict(int)
+            for log in logs:
+                if log.recorder is not recorder:
+                    continue
+                for ask in log.asks:
+                    if ask.kind != "read_queue":
+                        continue
+                    address, count = ask.words[0][0], len(ask.words)
+                    must, must_not = _known(ask, ask.error)
+                    if must:
+                        delivered[address] += count
+                    elif not must_not:
+                        perhaps[address] += count
+            for address, taken in recorder.popped.items():
+                if not delivered[address] <= len(taken) <= delivered[address] + perhaps[address]:
+                    raise WorldError(
+                        "queue reads executed more or less often than asked",
+                        f"{recorder.name} {address:#x}: {len(taken)} words taken, {delivered[address]} asked for and "
+                        f"{perhaps[address]} perhaps",
+                    )
+
+
+def _most_likely(places: list[tuple[int, int]], life: int, number: int, lost: int) -> tuple[int, int]:
+    """Return which of several samples with the same words one is: if there is one, that with as many lost before it."""
+    if (life, number + 1 + lost) in places:
+        return life, number + 1 + lost
+    if life < 0:
+        return next((place for place in places if place[1] == lost), places[0])
+    return min((place for place in places if place[0] > life), default=min(places))
+
+
+def recorder_digits(listening: Listening) -> int:
+    """Return the hex digits of a word."""
+    digits: int = listening.arguments["digits"]
+    return digits
+
+
+def _ambiguous(lost: int, due: int, listening: Listening) -> bool:
+    """Return whether a count is right but for whole turns of a number of two digits, where no clock tells them."""
+    counted = listening.rate is not None and not listening.arguments["on_change"] and listening.arguments["timestamps"]
+    return not counted and (due - lost) % 0x100 == 0
+
+
+def _known(ask: Ask, error: BaseException | None) -> tuple[bool, bool]:
+    """Return whether a call is said to be executed, whole, and whether it is said not to be."""
+    if ask.told is None:
+        return False, False
+    if error is None or isinstance(error, AnswerLostError):
+        return error is None or len(ask.words) <= ask.link.block_words, False
+    if isinstance(error, UnansweredError):
+        return error.outcome is Outcome.EXECUTED and not ask.link.shared, error.outcome is Outcome.NOT_EXECUTED
+    if isinstance(error, BusError):
+        return len(ask.words) == 1, False
+    return False, False

@@ -1,0 +1,388 @@
+"""What a seed chooses: the gateways, servers, lines, programs and faults of a world, before any of it runs.
+
+Nothing is drawn later. A plan can be cut short in any place, and what is left of it does the same as before; that is
+how `story` finds the shortest one that still fails.
+"""
+
+from __future__ import annotations
+
+import random
+from typing import Any, NamedTuple
+
+from simulation.medium import Fault, Line
+from unity_link.wire.gateway_info import Feature, GatewayInfo
+
+# The addresses behind every gateway, by what is there.
+PLAIN = range(0x40)
+"""Words that keep what is written."""
+MASKED = range(0x40, 0x50)
+"""The same, for masked writes."""
+QUEUE_IN = range(0x50, 0x58)
+"""Queues that are written."""
+QUEUE_OUT = range(0x58, 0x60)
+"""Queues that are read: each read takes the next number."""
+LIVE = range(0x60, 0x80)
+"""Words that name the instant of the access."""
+BURSTS = range(0x80, 0x90)
+"""The same, but they change in turns: those of odd addresses while those of even ones stand still."""
+FAILING = range(0xE0, 0xE8)
+"""Every access ends in a bus error."""
+BURST = 0.05
+"""Seconds of such a turn."""
+
+ADDRESS_SHIFT = 24
+FIRST_VALUE = 16
+"""Words below are there from the beginning, or count by themselves."""
+LONG_CRC = 32
+"""Bits of a CRC that finds whatever the line does; a short one finds one fault in a frame."""
+
+
+class GatewayPlan(NamedTuple):
+    """One gateway."""
+
+    info: GatewayInfo
+    bytes_per_second: float | None
+    """Rate of the line, with the FIFOs at its end; None for one without limit."""
+    triggers: tuple[float, ...]
+    """When its external trigger rises."""
+
+
+class Step(NamedTuple):
+    """One thing that a task of a program does."""
+
+    kind: str
+    args: tuple[Any, ...] = ()
+
+    def requests(self) -> int:
+        """Return how many requests it makes, at least."""
+        if self.kind in ("burst", "cancel"):
+            return sum(step.requests() for step in self.args[-1])
+        if self.kind in ("read_many", "write_many", "post_many"):
+            return len(self.args[0])
+        return 0 if self.kind == "sleep" else 1
+
+
+class Life(NamedTuple):
+    """A link of a program from its opening to its end."""
+
+    reconnect: bool
+    tasks: tuple[tuple[Step, ...], ...]
+    close_after: float | None
+    """Seconds after which it is closed, whatever is under way; None: when all is done."""
+
+
+class ProgramPlan(NamedTuple):
+    """One program."""
+
+    line: str
+    lives: tuple[Life, ...]
+
+
+class Mishap(NamedTuple):
+    """What befalls a gateway or a server at an instant, whatever is on its lines."""
+
+    at: float
+    whom: str
+    kind: str
+    """``reset``: it is reset, and its connections are cut; ``away``: it also can't be reached for a time; ``reset in
+    place``: its connections stay, which version 01 of the protocol does not notice."""
+    seconds: float
+
+
+class Plan(NamedTuple):
+    """A whole world."""
+
+    seed: int
+    gateways: tuple[GatewayPlan, ...]
+    servers: tuple[int, ...]
+    """The gateway of each server."""
+    lines: tuple[Line, ...]
+    programs: tuple[ProgramPlan, ...]
+    faults: tuple[Fault, ...]
+    mishaps: tuple[Mishap, ...]
+
+    def requests(self) -> int:
+        """Return how many requests the programs make, at least."""
+        return sum(
+            step.requests()
+            for program in self.programs
+            for life in program.lives
+            for task in life.tasks
+            for step in task
+        )
+
+
+_POLYNOMIALS = {8: 0x07, 16: 0x1021, 32: 0x04C11DB7}
+_SPACING = 1_500
+"""Bytes between two faults of a direction, so that a frame with a short CRC is hit once at most."""
+
+
+class Draw:
+    """Draws a plan from a seed.
+
+    Args:
+        seed: chooses everything.
+        without: features of worlds that are left out, see `world.KNOWN`.
+    """
+
+    def __init__(self, seed: int, without: frozenset[str] = frozenset()) -> None:
+        self._random = random.Random(seed)
+        self._seed = seed
+        self._without = without
+        self._value = FIRST_VALUE
+        self._listened: set[tuple[str, tuple[int, ...]]] = set()
+
+    def plan(self) -> Plan:
+        """Return the plan."""
+        draw = self._random
+        count = draw.choice((1, 1, 1, 2, 2, 3))
+        gateways = tuple(self._gateway() for _ in range(count))
+        servers = tuple(number for number in range(count) if draw.random() < 0.4)
+        lines = [self._line(f"server{place}.gateway{gateway}") for place, gateway in enumerate(servers)]
+        programs = []
+        listeners = [f"gateway{number}" for number in range(count) if number not in servers]
+        # At least one program for each, and more only at a server: a gateway has one host.
+        listeners += [f"server{place}" for place in range(len(servers))]
+        if servers:
+            more = draw.choice((0, 1, 1, 2, 2, 3, 5))
+            listeners += [f"server{draw.randrange(len(servers))}" for _ in range(more)]
+        for number, listener in enumerate(listeners[:8]):
+            line = f"p{number}.{listener}"
+            lines.append(self._line(line))
+            place = servers[int(listener[-1])] if listener.startswith("server") else int(listener[-1])
+            programs.append(self._program(line, gateways[place].info, len(listeners)))
+        faults = [
+            fault for line in lines for fault in self._faults(line.name, self._crc_bits(line.name, gateways, servers))
+        ]
+        mishaps = self._mishaps(count, len(servers))
+        return Plan(self._seed, gateways, servers, tuple(lines), tuple(programs), tuple(faults), tuple(mishaps))
+
+    # The world
+
+    def _gateway(self) -> GatewayPlan:
+        draw = self._random
+        crc_bits = draw.choice((8, 16, 32))
+        features = GatewayInfo().features
+        slow = draw.random() < 0.15
+        fifo = draw.choice((64, 256))
+        if slow and draw.random() < 0.6:
+            features &= ~Feature.FLOW_CONTROL
+        info = GatewayInfo(
+            data_bits=draw.choice((32, 32, 36)),
+            id_digits=2 if draw.random() < 0.93 else 3,
+            crc_bits=crc_bits,
+            crc_polynomial=_POLYNOMIALS[crc_bits],
+            block_words=draw.choice((4, 255, 255)),
+            groups=draw.choice((2, 3, 4, 16)),
+            group_words=16,
+            base_frequency_millihertz=draw.choice((200_000, 200_000, 1_000_000)),
+            receive_fifo_bytes=fifo,
+            transmit_fifo_bytes=fifo,
+            features=features,
+        )
+        triggers = tuple(sorted(draw.uniform(0, 3) for _ in range(draw.choice((0, 0, 5, 20)))))
+        return GatewayPlan(info, draw.choice((50_000.0, 200_000.0)) if slow else None, triggers)
+
+    def _line(self, name: str) -> Line:
+        draw = self._random
+        return Line(name, draw.choice((0.0, 2e-5, 2e-4, 1e-3, 5e-3)), draw.choice((1 << 16, 1 << 16, 1 << 16, 64, 13)))
+
+    @staticmethod
+    def _crc_bits(line: str, gateways: tuple[GatewayPlan, ...], servers: tuple[int, ...]) -> int:
+        listener, number = line.rpartition(".")[2][:-1], int(line[-1])
+        return gateways[servers[number] if listener == "server" else number].info.crc_bits
+
+    def _faults(self, line: str, crc_bits: int) -> list[Fault]:
+        draw = self._random
+        if draw.random() < 0.1:
+            return []
+        kinds = _SOCKET_FAULTS if line.rpartition(".")[2].startswith("server") else _FAULTS
+        faults = []
+        for back in (False, True):
+            place = 0
+            for _ in range(draw.choice((0, 1, 2, 4, 8))):
+                place += int(draw.expovariate(1 / 250)) + (_SPACING if faults and faults[-1].back == back else 0)
+                faults.append(
+                    self._fault(line, draw.choice(kinds), place, back=back, most=1000 if crc_bits == LONG_CRC else 1)
+                )
+        return faults
+
+    def _fault(self, line: str, kind: str, at: int, *, back: bool, most: int) -> Fault:
+        draw = self._random
+        if kind == "lose":
+            return Fault(line, back, at, kind, min(most, draw.choice((1, 1, 1, 2, 30))))
+        if kind == "flip":
+            return Fault(line, back, at, kind, 1 << draw.randrange(8))
+        if kind == "double":
+            return Fault(line, back, at, kind, min(most, draw.choice((1, 1, 2, 40))))
+        if kind == "stall":
+            return Fault(line, back, at, kind, draw.choice((0.005, 0.05, 0.3)))
+        if kind == "mute":
+            return Fault(line, back, at, "lose", min(most, draw.choice((100, 300, 1000))))
+        return Fault(line, back, at, kind, draw.choice((0.0, 0.0, 0.001, 0.05)))
+
+    def _mishaps(self, gateways: int, servers: int) -> list[Mishap]:
+        draw = self._random
+        mishaps = []
+        for number in range(gateways):
+            for _ in range(draw.choice((0, 0, 1, 1, 2))):
+                kind = draw.choice(("reset", "reset", "away"))
+                if kind == "reset" and "resets behind open lines" not in self._without:
+                    kind = "reset in place"
+                mishaps.append(Mishap(draw.uniform(0.005, 0.6), f"gateway{number}", kind, draw.choice((0.1, 0.6, 3.0))))
+        mishaps += [
+            Mishap(draw.uniform(0.01, 0.6), f"server{number}", "away", draw.choice((0.1, 0.6)))
+            for number in range(servers)
+            if draw.random() < 0.2
+        ]
+        return mishaps
+
+    # The programs
+
+    def _program(self, line: str, info: GatewayInfo, programs: int) -> ProgramPlan:
+        draw = self._random
+        lives = []
+        for _ in range(draw.choice((1, 1, 1, 2))):
+            tasks = []
+            for _ in range(draw.choice((1, 2, 2, 3))):
+                size = draw.choice((3, 6, 10, 14)) // (1 if programs < 3 else 2)
+                tasks.append(tuple(self._step(info) for _ in range(size + 1)))
+            close_after = draw.uniform(0.01, 0.5) if draw.random() < 0.2 else None
+            lives.append(Life(draw.random() < 0.8, tuple(tasks), close_after))
+        return ProgramPlan(line, tuple(lives))
+
+    def _step(self, info: GatewayInfo) -> Step:
+        kind = self._random.choices(_STEPS, _STEP_WEIGHTS)[0]
+        if kind == "listen":
+            return self._listen(info)
+        if kind == "burst":
+            return Step("burst", (tuple(self._call() for _ in range(self._random.choice((4, 8, 16)))),))
+        if kind == "cancel":
+            return Step("cancel", (self._random.choice((0.0, 1e-4, 1e-3, 0.01)), (self._call(),)))
+        if kind == "sleep":
+            return Step("sleep", (self._random.choice((0.0, 0.001, 0.02, 0.1)),))
+        return self._call()
+
+    def _call(self) -> Step:
+        kind = self._random.choices(_CALLS, _CALL_WEIGHTS)[0]
+        step: Step = getattr(self, f"_{kind}")()
+        return step
+
+    def _next(self, address: int) -> int:
+        self._value += 1
+        return address << ADDRESS_SHIFT | self._value
+
+    def _plain(self) -> int:
+        draw = self._random
+        roll = draw.random()
+        if roll < 0.7:
+            return draw.choice(PLAIN)
+        return draw.choice(LIVE) if roll < 0.95 else draw.choice(FAILING)
+
+    def _target(self) -> int:
+        draw = self._random
+        return draw.choice(PLAIN) if draw.random() < 0.95 else draw.choice(FAILING)
+
+    def _read(self) -> Step:
+        return Step("read", (self._plain(),))
+
+    def _write(self) -> Step:
+        address = self._target()
+        return Step("write", (address, self._next(address)))
+
+    def _write_masked(self) -> Step:
+        address = self._random.choice(MASKED)
+        return Step("write_masked", (address, self._next(address), (1 << ADDRESS_SHIFT) - 1))
+
+    def _post(self) -> Step:
+        address = self._target()
+        return Step("post", (address, self._next(address)))
+
+    def _fence(self) -> Step:
+        return Step("fence")
+
+    def _send_immediate(self) -> Step:
+        return Step("send_immediate", (self._random.choice(("off", "always", "adaptive")),))
+
+    def _read_block(self) -> Step:
+        count = self._random.choice((1, 2, 5, 20))
+        return Step("read_block", (self._random.randrange(0x40 - count), count))
+
+    def _write_block(self) -> Step:
+        count = self._random.choice((1, 2, 5, 20))
+        first = self._random.randrange(0x40 - count)
+        return Step("write_block", (first, tuple(self._next(first + place) for place in range(count))))
+
+    def _read_queue(self) -> Step:
+        return Step("read_queue", (self._random.choice(QUEUE_OUT), self._random.choice((1, 2, 5))))
+
+    def _write_queue(self) -> Step:
+        address = self._random.choice(QUEUE_IN)
+        return Step("write_queue", (address, tuple(self._next(address) for _ in range(self._random.choice((1, 2, 5))))))
+
+    def _read_many(self) -> Step:
+        return Step("read_many", (tuple(self._plain() for _ in range(self._many())),))
+
+    def _write_many(self) -> Step:
+        addresses = tuple(self._target() for _ in range(self._many()))
+        return Step("write_many", (addresses, tuple(self._next(address) for address in addresses)))
+
+    def _post_many(self) -> Step:
+        addresses = tuple(self._target() for _ in range(self._many()))
+        return Step("post_many", (addresses, tuple(self._next(address) for address in addresses)))
+
+    def _many(self) -> int:
+        return self._random.choice((3, 12, 40, 40))
+
+    def _listen(self, info: GatewayInfo) -> Step:
+        draw = self._random
+        kind = draw.choice(("periodic", "periodic", "periodic", "asked", "changed", "triggered"))
+        while True:
+            # Words that change in turns are taken from those of the same turn.
+            pool = BURSTS[draw.randrange(2) :: 2] if kind == "changed" else LIVE
+            addresses = tuple(draw.sample(pool, draw.choice((1, 1, 2)))) + tuple(
+                draw.sample(PLAIN, draw.choice((0, 0, 1, 3)))
+            )
+            if (kind, addresses) not in self._listened:
+                break
+        self._listened.add((kind, addresses))
+        base = info.base_frequency_hz
+        arguments: dict[str, Any] = {}
+        if kind in ("periodic", "changed"):
+            arguments["divisor"] = draw.choice((1, 2, 5)) if base <= 200 or kind == "changed" else draw.choice((5, 20))
+        arguments["on_change"] = kind == "changed"
+        arguments["trigger"] = kind == "triggered"
+        arguments["timestamps"] = draw.random() < 0.6
+        if draw.random() < 0.3:
+            arguments["buffer"] = draw.choice((1, 4, 16))
+            arguments["overflow"] = draw.choice(("drop_oldest", "drop_oldest", "fail"))
+        pace = draw.choice((0.0, 0.0, 0.0, 0.03))
+        publishes = draw.choice((1, 3, 12)) if kind == "asked" else draw.choice((0, 0, 0, 2))
+        publishes = 0 if kind == "changed" else publishes
+        seconds = draw.choice((0.02, 0.1, 0.3))
+        return Step(
+            "listen", (addresses, tuple(sorted(arguments.items())), seconds, pace, publishes, draw.random() < 0.2)
+        )
+
+
+_FAULTS = ("lose", "lose", "flip", "flip", "double", "stall", "cut", "mute")
+_SOCKET_FAULTS = ("stall", "stall", "cut")
+"""What a socket does, which is all that is between a server and its clients."""
+_CALL_ODDS = {
+    "read": 20,
+    "write": 20,
+    "write_masked": 4,
+    "post": 12,
+    "fence": 4,
+    "send_immediate": 1,
+    "read_block": 6,
+    "write_block": 6,
+    "read_queue": 4,
+    "write_queue": 4,
+    "read_many": 4,
+    "write_many": 4,
+    "post_many": 3,
+}
+_STEP_ODDS = {"call": 60, "burst": 12, "cancel": 8, "sleep": 8, "listen": 12}
+_CALLS, _CALL_WEIGHTS = list(_CALL_ODDS), list(_CALL_ODDS.values())
+_STEPS, _STEP_WEIGHTS = list(_STEP_ODDS), list(_STEP_ODDS.values())

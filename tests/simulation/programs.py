@@ -1,0 +1,243 @@
+"""Programs: what a plan's steps do on the public face of a link, each call noted for the oracle."""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+import re
+from typing import TYPE_CHECKING, Any
+
+import unity_link
+from simulation.oracle import LinkLog, Listening, WorldError
+from unity_link import ConnectError, Link, Reconnect, SamplesLostError, UnityLinkError, UnsupportedError
+from unity_link.errors import LinkClosedError, UnansweredError
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from simulation.oracle import Ask, Tap
+    from simulation.plan import Life, ProgramPlan, Step
+
+_MORE = re.compile(r"(\d+) more posted writes failed")
+PAUSES = Reconnect(first_pause=0.02, longest_pause=1.0)
+CONNECT_TRIES = 40
+
+
+_WORDS: dict[str, Callable[..., Any]] = {
+    "read": lambda address: ((address, 0),),
+    "write": lambda address, word: ((address, word),),
+    "write_masked": lambda address, word, _: ((address, word),),
+    "post": lambda address, word: ((address, word),),
+    "read_block": lambda first, count: tuple((first + place, 0) for place in range(count)),
+    "write_block": lambda first, words: tuple((first + place, word) for place, word in enumerate(words)),
+    "read_queue": lambda address, count: ((address, 0),) * count,
+    "write_queue": lambda address, words: tuple((address, word) for word in words),
+    "read_many": lambda addresses: tuple((address, 0) for address in addresses),
+    "write_many": lambda addresses, words: tuple(zip(addresses, words, strict=True)),
+    "post_many": lambda addresses, words: tuple(zip(addresses, words, strict=True)),
+}
+
+
+def words_of(step: Step) -> tuple[tuple[int, int], ...]:
+    """Return the addresses that a call is about, each with the word that is written, or 0."""
+    words: tuple[tuple[int, int], ...] = _WORDS[step.kind](*step.args) if step.kind in _WORDS else ()
+    return words
+
+
+class Program:
+    """One program.
+
+    Args:
+        name: in stories.
+        plan: what it does.
+        tap: before its gateway.
+        logs: takes what it asks.
+        trace: takes what happens.
+    """
+
+    def __init__(
+        self,
+        name: str,
+        plan: ProgramPlan,
+        tap: Tap,
+        logs: list[LinkLog],
+        trace: list[Any],
+        without: frozenset[str] = frozenset(),
+    ) -> None:
+        self.name = name
+        self.links: list[Link] = []
+        self._plan = plan
+        self._without = without
+        self._tap = tap
+        self._logs = logs
+        self._trace = trace
+        self._loop = asyncio.get_running_loop()
+        self._mine: dict[int, int] = {}
+
+    async def run(self) -> None:
+        """Live all lives."""
+        for life in self._plan.lives:
+            await self._live(life)
+
+    async def _live(self, life: Life) -> None:
+        link = await self._connect(life)
+        self.links.append(link)
+        log = LinkLog(
+            f"{self.name} link {len(self.links)}",
+            self._tap.recorder,
+            shared=".server" in self._plan.line,
+            reconnect=life.reconnect,
+            block_words=link.gateway.block_words,
+        )
+        self._logs.append(log)
+        self._mine = {}
+        leaving, lost = None, False
+        try:
+            async with link:
+                tasks = [self._loop.create_task(self._task(link, log, steps)) for steps in life.tasks]
+                if life.close_after is not None and tasks:
+                    await asyncio.wait(tasks, timeout=life.close_after)
+                    await link.aclose()
+                for task in tasks:
+                    await task
+                if "fences that fail" not in self._without or not log.fence_failed:
+                    leaving = log.ask("exit", (), self._loop.time())
+                lost = log.ended(link) and "exits of lost links" in self._without
+        except UnityLinkError as error:
+            if leaving is not None:
+                self._fail(log, leaving, error, ended=lost)
+        else:
+            if leaving is not None and life.close_after is None and not lost:
+                leaving.told = self._loop.time()
+
+    async def _connect(self, life: Life) -> Link:
+        for _ in range(CONNECT_TRIES):
+            try:
+                return await unity_link.connect(
+                    f"tcp://{self._plan.line}:1", timeout=3, reconnect=PAUSES if life.reconnect else False
+                )
+            except ConnectError as error:
+                self._note("not connected", str(error))
+                await asyncio.sleep(0.25)
+        raise WorldError("no connection", f"{self.name} was refused {CONNECT_TRIES} times")
+
+    async def _task(self, link: Link, log: LinkLog, steps: tuple[Step, ...]) -> None:
+        for step in steps:
+            await self._step(link, log, step)
+
+    async def _step(self, link: Link, log: LinkLog, step: Step) -> None:
+        if step.kind == "sleep":
+            await asyncio.sleep(step.args[0])
+        elif step.kind == "burst":
+            tasks = [self._loop.create_task(self._call(link, log, inner)) for inner in step.args[0]]
+            for task in tasks:
+                await task
+        elif step.kind == "cancel":
+            task = self._loop.create_task(self._call(link, log, step.args[1][0]))
+            await asyncio.sleep(step.args[0])
+            task.cancel()
+            with contextlib.suppress(asyncio.CancelledError):
+                await task
+        elif step.kind == "listen":
+            await self._listen(link, log, *step.args)
+        else:
+            await self._call(link, log, step)
+
+    # Calls
+
+    async def _call(self, link: Link, log: LinkLog, step: Step) -> None:
+        coroutine = getattr(link, step.kind)(*step.args)
+        ask = log.ask(step.kind, words_of(step), self._loop.time())
+        self._remember(ask)
+        self._note("ask", ask.number, step.kind, step.args)
+        try:
+            answer = await coroutine
+        except asyncio.CancelledError:
+            ask.cancelled = True
+            log.fence_failed |= ask.kind == "fence"
+            self._note("cancelled", ask.number)
+            raise
+        except UnityLinkError as error:
+            self._fail(log, ask, error, ended=log.ended(link))
+        else:
+            ask.told = self._loop.time()
+            if answer is not None:
+                ask.answer = [answer] if isinstance(answer, int) else answer.tolist()
+            self._note("told", ask.number, ask.answer)
+
+    def _fail(self, log: LinkLog, ask: Ask, error: UnityLinkError, *, ended: bool) -> None:
+        ask.told, ask.error = self._loop.time(), error
+        log.refused |= "the reconnection failed" in str(error)
+        log.fence_failed |= str(error).startswith("fence")
+        ask.ended = ended or log.refused or isinstance(error, LinkClosedError)
+        self._note("failed", ask.number, repr(error))
+        if ask.kind in ("fence", "exit"):
+            notes = "".join(getattr(error, "__notes__", ()))
+            more = _MORE.search(notes)
+            log.post_failures.append((ask.told, 1 + (int(more[1]) if more else 0)))
+
+    def _remember(self, ask: Ask) -> None:
+        """Note what this program wrote last, for its later reads."""
+        if ask.kind == "write":
+            self._mine[ask.words[0][0]] = ask.words[0][1]
+        elif ask.kind == "read":
+            ask.after = dict(self._mine)
+
+    # Subscriptions
+
+    async def _listen(
+        self,
+        link: Link,
+        log: LinkLog,
+        addresses: tuple[int, ...],
+        arguments: tuple[tuple[str, Any], ...],
+        seconds: float,
+        pace: float,
+        publishes: int,
+        by_callback: bool,
+    ) -> None:
+        keywords = dict(arguments)
+        listening = Listening(log, self._tap.published, addresses, keywords | {"digits": link.gateway.data_digits})
+        callback = listening.samples.append if by_callback else None
+        subscription = link.subscribe(list(addresses), callback=callback, **keywords)
+        listening.rate = subscription.rate_hz
+        self._note("subscribe", addresses, arguments)
+        asking: list[asyncio.Task[None]] = []
+        try:
+            async with subscription:
+                log.listenings.append(listening)
+                asking += [self._loop.create_task(self._publish(subscription, pace)) for _ in range(publishes)]
+                with contextlib.suppress(TimeoutError):
+                    async with asyncio.timeout(seconds):
+                        if by_callback:
+                            await asyncio.sleep(seconds + 1)
+                        async for sample in subscription:
+                            listening.samples.append(sample)
+                            await asyncio.sleep(pace)
+            if not by_callback:
+                async for sample in subscription:
+                    listening.samples.append(sample)
+            listening.lost = subscription.lost
+        except (
+            UnsupportedError,
+            SamplesLostError,
+            UnansweredError,
+            unity_link.OutOfRangeError,
+            unity_link.BusTimeoutError,
+        ) as error:
+            self._note("no samples", repr(error))
+        else:
+            self._note("samples", addresses, len(listening.samples), listening.lost)
+        for task in asking:
+            await task
+        listening.asked_while_set_up = bool(publishes and link.statistics.reconnections)
+
+    async def _publish(self, subscription: unity_link.Subscription, pace: float) -> None:
+        await asyncio.sleep(pace)
+        try:
+            await subscription.publish()
+        except UnityLinkError as error:
+            self._note("not published", repr(error))
+
+    def _note(self, *what: Any) -> None:
+        self._trace.append((self._loop.time(), self.name, *what))

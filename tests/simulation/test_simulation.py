@@ -1,0 +1,83 @@
+"""Thousands of worlds, each from one seed, and the proof that they repeat and that they can fail."""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from simulation.gallery import BUGS, Bug
+from simulation.report import Report
+from simulation.story import shrink, tell
+from simulation.world import run_seed
+
+SEEDS = 3_000
+"""Seeds in each run of the suite."""
+CAMPAIGN_SEEDS = 2_000
+"""Seeds within which each known bug must be found."""
+TESTS = Path(__file__).parents[1]
+
+
+def run_python(*arguments: str) -> subprocess.Popen[str]:
+    """Start Python beside this process, on the same sources and without measuring what it covers."""
+    environment = {name: value for name, value in os.environ.items() if not name.startswith("COV")}
+    environment["PYTHONPATH"] = os.pathsep.join([str(TESTS.parent), str(TESTS)])
+    return subprocess.Popen([sys.executable, *arguments], stdout=subprocess.PIPE, text=True, env=environment)
+
+
+@pytest.mark.slow
+def test_no_world_breaks_a_rule_and_the_worlds_are_eventful() -> None:
+    processes = os.cpu_count() or 1
+    size = -(-SEEDS // processes)
+    runs = [
+        run_python("-m", "simulation", str(place * size), str(size), "--json", "--stories", "1")
+        for place in range(processes)
+    ]
+    texts = [run.communicate()[0] for run in runs]
+    assert not any(run.returncode for run in runs), "\n".join(texts)
+    report = Report.of([json.loads(text.splitlines()[-1]) for text in texts])
+    print(report.text())  # noqa: T201  (the histogram of what was injected)
+    medians = report.medians()
+    assert medians["requests"] >= 200
+    assert medians["programs"] >= 2
+    assert medians["faults"] >= 3
+    assert medians["sessions"] >= 1
+
+
+def test_a_seed_repeats_its_world_to_the_byte_also_in_another_process() -> None:
+    script = "import sys; from simulation.world import run_seed; print(*(run_seed(seed).digest for seed in range(8)))"
+    digests = [run_seed(seed).digest for seed in range(8)]
+    assert digests == [run_seed(seed).digest for seed in range(8)]
+    assert len(set(digests)) == 8
+    for run in [run_python("-c", script) for _ in range(2)]:
+        assert run.communicate()[0].split() == digests
+
+
+def test_a_failure_is_told_by_its_seed_and_by_a_shorter_world(monkeypatch: pytest.MonkeyPatch) -> None:
+    bug = next(bug for bug in BUGS if bug.name == "a repetition is executed again")
+    bug.put_back(monkeypatch)
+    failed = next(outcome for seed in range(200) if (outcome := run_seed(seed, bug.without())).error)
+    shortest = shrink(failed, bug.without())
+    assert shortest.error is not None
+    assert failed.error is not None
+    assert shortest.error.kind == failed.error.kind
+    assert shortest.plan.requests() < failed.plan.requests()
+    story = tell(failed, shortest)
+    assert story.startswith(f"seed {failed.plan.seed}: ")
+    assert "write" in story
+
+
+@pytest.mark.campaign
+@pytest.mark.parametrize("bug", BUGS, ids=lambda bug: bug.name)
+def test_a_known_bug_that_is_put_back_is_found(bug: Bug, monkeypatch: pytest.MonkeyPatch) -> None:
+    bug.put_back(monkeypatch)
+    for seed in range(CAMPAIGN_SEEDS):
+        outcome = run_seed(seed, bug.without())
+        if outcome.error is not None:
+            print(f"{bug.name}: found by seed {seed}: {outcome.error}")  # noqa: T201
+            return
+    pytest.fail(f"{bug.name} was not found within {CAMPAIGN_SEEDS} seeds")

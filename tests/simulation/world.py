@@ -1,0 +1,196 @@
+"""A world: a plan that is run on simulated time, and judged."""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+import hashlib
+import random
+from collections import Counter
+from typing import Any
+
+from simulation.clock import SimulatedLoop
+from simulation.medium import Network
+from simulation.oracle import MOST_WAITING, LinkLog, Oracle, Tap, WorldError
+from simulation.plan import Draw, GatewayPlan, Mishap, Plan
+from simulation.programs import Program
+from unity_link.bridges.serve import Server, serve
+from unity_link.errors import UnityLinkError
+from unity_link.virtual import VirtualGateway
+from unity_link.virtual.line import SlowLine
+from unity_link.virtual.modelled_time import DeadlockError
+from unity_link.virtual.serving import serve_tcp
+
+KNOWN = frozenset(
+    {
+        "fences behind batches",
+        "exits of lost links",
+        "fences that fail",
+        "reads behind an error",
+        "resets behind open lines",
+        "samples that are asked for while a group is set up",
+        "time over a reset",
+    }
+)
+"""Features of worlds that today's code has known defects in."""
+CALM_AFTER = 10.0
+"""Seconds after which nothing goes wrong any more."""
+SETTLED_AFTER = 90.0
+"""Seconds after which everything must have come to its end."""
+
+
+class Outcome:
+    """What became of a world."""
+
+    def __init__(self, plan: Plan) -> None:
+        self.plan = plan
+        self.trace: list[Any] = []
+        self.error: WorldError | None = None
+        self.injected: Counter[str] = Counter()
+        self.requests = 0
+        self.sessions = 0
+        self.seconds = 0.0
+
+    @property
+    def digest(self) -> str:
+        """Return a hash of all that happened."""
+        return hashlib.blake2b(repr(self.trace).encode(), digest_size=16).hexdigest()
+
+
+class World:
+    """One run of a plan."""
+
+    def __init__(self, plan: Plan, without: frozenset[str] = KNOWN) -> None:
+        self.outcome = Outcome(plan)
+        self._plan = plan
+        self._without = without
+        self._trace = self.outcome.trace
+        self._taps: list[Tap] = []
+        self._programs: list[Program] = []
+        self._logs: list[LinkLog] = []
+        self._faults: list[str] = []
+        """What raised where nothing waits for it."""
+
+    def run(self) -> Outcome:
+        """Run, and judge."""
+        # The pauses of reconnections are drawn from the module's generator.
+        random.seed(self._plan.seed)
+        loop = SimulatedLoop()
+        loop.set_exception_handler(lambda _, context: self._faults.append(_describe(context)))
+        self._network = Network(loop, self._plan.lines, self._plan.faults, self._trace)
+        loop.network = self._network
+        try:
+            loop.run_until_complete(self._live(loop))
+            self._look_for_what_is_left(loop)
+        except WorldError as error:
+            self.outcome.error = error
+        except DeadlockError as error:
+            self.outcome.error = WorldError("everything waits", str(error))
+        finally:
+            self.outcome.seconds = loop.time()
+            self._count()
+            loop.close()
+        return self.outcome
+
+    def _look_for_what_is_left(self, loop: SimulatedLoop) -> None:
+        left = asyncio.all_tasks(loop)
+        if left:
+            raise WorldError("a task that does not end", str(left))
+        if self._faults:
+            raise WorldError("an error that nothing waits for", self._faults[0])
+
+    async def _live(self, loop: SimulatedLoop) -> None:
+        plan = self._plan
+        async with contextlib.AsyncExitStack() as stack:
+            for number, gateway in enumerate(plan.gateways):
+                await stack.enter_async_context(self._gateway(loop, number, gateway))
+            for place, number in enumerate(plan.servers):
+                url = f"tcp://server{place}.gateway{number}:1"
+                server = await stack.enter_async_context(serve(url, tcp=1, host=f"server{place}"))
+                stack.callback(loop.create_task(self._watch(place, server)).cancel)
+            for mishap in plan.mishaps:
+                loop.call_at(mishap.at, self._befall, mishap)
+            loop.call_at(CALM_AFTER, self._network.calm)
+            await self._run_programs(loop)
+        for course in self._network.courses.values():
+            if course.most_waiting > MOST_WAITING:
+                raise WorldError("a buffer that grows", f"{course.most_waiting} bytes waited in {course.name}")
+        Oracle(self._without).judge([tap.recorder for tap in self._taps], self._logs)
+
+    async def _watch(self, place: int, server: Server) -> None:
+        try:
+            await server.wait()
+        except UnityLinkError as error:
+            self._faults.append(f"server{place} ended: {error}")
+
+    def _gateway(
+        self, loop: SimulatedLoop, number: int, plan: GatewayPlan
+    ) -> contextlib.AbstractAsyncContextManager[str]:
+        bare = VirtualGateway(plan.info)
+        tap = Tap(bare, self._trace, f"gateway{number}")
+        self._taps.append(tap)
+        for at in plan.triggers:
+            loop.call_at(at, lambda: bare.trigger(loop.time()))
+        rate = plan.bytes_per_second
+        return serve_tcp(tap if rate is None else SlowLine(tap, rate), 1, f"gateway{number}")
+
+    async def _run_programs(self, loop: SimulatedLoop) -> None:
+        plan = self._plan
+        for program in plan.programs:
+            name, _, listener = program.line.partition(".")
+            number = int(listener[-1])
+            tap = self._taps[plan.servers[number] if listener.startswith("server") else number]
+            self._programs.append(Program(name, program, tap, self._logs, self._trace, self._without))
+        tasks = [loop.create_task(program.run()) for program in self._programs]
+        _, pending = await asyncio.wait(tasks, timeout=SETTLED_AFTER)
+        if self._faults:
+            raise WorldError("an error that nothing waits for", self._faults[0])
+        if pending:
+            await self._give_up(tasks)
+        for task in tasks:
+            error = task.exception()
+            if error is not None:
+                raise error if isinstance(error, WorldError) else WorldError("an exception", repr(error))
+
+    async def _give_up(self, tasks: list[asyncio.Task[None]]) -> None:
+        waiting = [
+            str(ask)
+            for log in self._logs
+            for ask in log.asks
+            if ask.told is None and not ask.cancelled and ask.kind != "exit"
+        ]
+        for task in asyncio.all_tasks():
+            if task is not asyncio.current_task():
+                task.cancel()
+        await asyncio.wait(tasks, timeout=10)
+        raise WorldError("a program that waits for ever", "; ".join(waiting[:3]) or "no call")
+
+    def _befall(self, mishap: Mishap) -> None:
+        self._trace.append((asyncio.get_running_loop().time(), mishap.whom, "mishap", mishap.kind))
+        self.outcome.injected[mishap.kind] += 1
+        network = self._network
+        if mishap.kind != "reset in place":
+            network.cut(mishap.whom)
+        if mishap.whom.startswith("gateway"):
+            self._taps[int(mishap.whom[-1])].gateway.reset()
+        if mishap.kind == "away":
+            network.away.add(mishap.whom)
+            network.loop.call_later(mishap.seconds, network.away.discard, mishap.whom)
+
+    def _count(self) -> None:
+        outcome = self.outcome
+        for entry in self._trace:
+            if entry[2] == "fault":
+                outcome.injected[entry[3].partition(" ")[0]] += 1
+        outcome.requests = sum(link.statistics.requests for program in self._programs for link in program.links)
+        outcome.sessions = sum(max(0, count - 1) for count in self._network.connections.values())
+
+
+def _describe(context: dict[str, Any]) -> str:
+    error = context.get("exception")
+    return f"{context.get('message')}: {error!r}"
+
+
+def run_seed(seed: int, without: frozenset[str] = KNOWN) -> Outcome:
+    """Draw the plan of a seed and run it."""
+    return World(Draw(seed, without).plan(), without).run()
