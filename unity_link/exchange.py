@@ -99,10 +99,10 @@ class Exchange:
         self._stop()
         again = self._end_sent(LinkLostError(reason), keep=True)
         self._waiting.extendleft(reversed(again))
-        for source in [source for source in self._waiting if isinstance(source, Request) and source.of_session]:
+        for request in [source for source in self._waiting if isinstance(source, Request) and source.of_session]:
             # What sets a new session up waits for it, and no other begins before that has ended.
-            self._waiting.remove(source)
-            source.fail(LinkLostError(reason, Outcome.NOT_EXECUTED))
+            self._waiting.remove(request)
+            request.fail(LinkLostError(reason, Outcome.NOT_EXECUTED))
         earlier: list[Source] = []
         for source in self._waiting:
             if isinstance(source, Fence):

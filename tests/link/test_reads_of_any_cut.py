@@ -32,7 +32,7 @@ class Burst(NamedTuple):
     """Frames of one kind, side by side."""
 
     kind: str
-    count: int
+    length: int
 
 
 GROUPS = {"first": 0, "missing": 0, "second": 1, "other node": 0, "wrong length": 0, "damaged": 1, "foreign": FOREIGN}
@@ -111,7 +111,7 @@ def test_any_mixture_of_frames_cut_anywhere_is_what_it_is_line_by_line(
     node: int | None, arriving: list[Burst], cuts: list[int]
 ) -> None:
     speaker = Speaker(node)
-    lines = [speaker.frame(burst.kind) for burst in arriving for _ in range(burst.count)]
+    lines = [speaker.frame(burst.kind) for burst in arriving for _ in range(burst.length)]
     expected = run_simulated(heard(lines, node))
     assert run_simulated(heard(pieces_of(b"".join(lines), cuts), node)) == expected
 

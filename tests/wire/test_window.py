@@ -370,6 +370,7 @@ def test_the_repetition_sends_no_more_than_the_smaller_window_holds_and_goes_on_
 def test_the_repetition_goes_on_to_a_request_that_has_an_answer() -> None:
     window: Window[Named] = Window(RING, round_trip=0.01)
     sent(window, *["p"] * 30, "a", "b")
+    again = ""
     for now in (0.0, 1.0, 3.0, 7.0):
         window.damaged(now)
         again = repeated(window)

@@ -79,7 +79,7 @@ class PortTransport(SerialTransport):
         super().__init__(loop, protocol, port)
         self._descriptor = port.fileno()
         if os.major(os.fstat(self._descriptor).st_rdev) in _PSEUDO_TERMINALS:
-            self._extra["shortest_timeout"] = QUICK_TIMEOUT
+            self._extra["shortest_timeout"] = QUICK_TIMEOUT  # type: ignore[attr-defined]  # asyncio tells it by this
 
     def _read_ready(self) -> None:
         try:

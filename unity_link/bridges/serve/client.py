@@ -57,7 +57,7 @@ class Client(asyncio.Protocol):
         """Join those who share the link."""
         # No check by class: the transports of uvloop are of none of asyncio's.
         self._transport = cast("asyncio.Transport", transport)
-        transport.set_write_buffer_limits(high=MOST_UNSENT)
+        self._transport.set_write_buffer_limits(high=MOST_UNSENT)
         self._shared.join(self)
 
     def data_received(self, data: bytes) -> None:
