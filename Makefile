@@ -19,7 +19,7 @@ PYTEST_ARGS ?=
 # Tests run in so many processes side by side, each file in one of them; 0 for none beside pytest's own.
 PYTEST_PROCESSES ?= auto
 
-.PHONY: help venv demo test lint format bench bench-ros bench-live table1 docs lock upgrade clean
+.PHONY: help venv demo test campaign lint format bench bench-ros bench-live table1 docs lock upgrade clean
 
 help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z0-9-]+:.*## / { printf "  make %-10s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
@@ -31,6 +31,10 @@ demo: $(CORE) ## the virtual robot: read, write and subscribe, ten seconds, no h
 
 test: $(ALL) ## the test suite, with coverage
 	@$(BIN)/python -m pytest --numprocesses $(PYTEST_PROCESSES) --dist loadfile --cov --cov-report=term $(PYTEST_ARGS)
+
+# Its tests are few and long, so that each goes to the process that is free.
+campaign: $(ALL) ## the searches at length, which `make test` leaves out
+	@$(BIN)/python -m pytest --numprocesses $(PYTEST_PROCESSES) --dist worksteal -m campaign $(PYTEST_ARGS)
 
 lint: $(ALL) ## formatting, ruff, types, direction of the imports
 	@$(BIN)/ruff format --check .
