@@ -112,6 +112,7 @@ class Sink:
         self._clk, self._data, self._valid, self._ready = clk, data, valid, ready
         self.pause = pause
         self.received: list[int | tuple[int, ...]] = []
+        self._wanted = 0
         self._came = Event()
         self._rng = rng or random.Random(2)
         self._task = cocotb.start_soon(self._run())
@@ -133,20 +134,22 @@ class Sink:
             await RisingEdge(self._clk)
             if offered and self._valid.value == 1:
                 self.received.append(self._entry())
-                self._came.set()
+                if len(self.received) == self._wanted:
+                    self._came.set()
 
     def _entry(self) -> int | tuple[int, ...]:
         if isinstance(self._data, tuple):
             return tuple(int(signal.value) for signal in self._data)
         return int(self._data.value)
 
-    async def wait_for(self, count: int, most_us: int = 2000) -> list[int | tuple[int, ...]]:
+    async def wait_for(self, count: int, most_us: int = 10_000) -> list[int | tuple[int, ...]]:
         """Wait until `count` entries were received and return them.
 
         Raises:
-            AssertionError: if one has not come `most_us` after the one before it.
+            AssertionError: if they have not come within `most_us` of the simulation.
         """
-        while len(self.received) < count:
+        if len(self.received) < count:
+            self._wanted = count
             self._came.clear()
             try:
                 await with_timeout(self._came.wait(), most_us, "us")

@@ -91,7 +91,8 @@ async def both_directions_share_the_bus(dut: SimHandleBase) -> None:
         for core_pause in (0.0, 0.5):
             chip = await _prepare(dut, no_rxf, no_txe)
             sink = _sink(dut, core_pause)
-            down, up = _data(600), _data(600, 12)
+            # More than a turn.
+            down, up = _data(300), _data(300, 12)
             chip.to_gateware.extend(down)
             await _source(dut, core_pause).send(up)
             assert await sink.wait_for(len(down)) == [(byte, 0) for byte in down]

@@ -12,7 +12,7 @@ SOURCES = [Path(__file__).resolve().parent / "unity_link_bench.vhd"]
 
 RUNS = [(1_500, 1, 0.0, False), (1_500, 2, 0.2, True)]
 # In parts, so that several processors share them.
-LONG = [*((4_000, seed, 0.0, False) for seed in (3, 4, 5, 6)), (4_000, 7, 0.2, True)]
+LONG = [*((4_000, seed, 0.0, False) for seed in (1, 3, 4, 5)), (4_000, 2, 0.2, True)]
 
 
 @pytest.mark.parametrize(
