@@ -25,7 +25,8 @@ GATEWARE = Path(__file__).resolve().parent.parent
 _BUILD = GATEWARE / "build" / "bench"
 _STD = "--std=08"
 # cocotb has pytest explain assertions; pytest's plugins have no business in a simulation, and take two seconds to load.
-_INSIDE = {"PYTHONWARNINGS": "error", "PYTEST_DISABLE_PLUGIN_AUTOLOAD": "1"}
+# Nor has coverage: it would double the time, to measure benches and what the model's own tests measure.
+_INSIDE = {"PYTHONWARNINGS": "error", "PYTEST_DISABLE_PLUGIN_AUTOLOAD": "1", "COVERAGE_PROCESS_CONFIG": ""}
 _SOURCE_WARNING = r"^.*:\d+:\d+:warning:.*$"
 _PICOSECONDS = {"fs": 0.001, "ps": 1, "ns": 10**3, "us": 10**6, "ms": 10**9, "s": 10**12}
 

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 
 import cocotb
 from cocotb.clock import Clock
-from cocotb.triggers import ClockCycles, RisingEdge
+from cocotb.triggers import ClockCycles, Event, RisingEdge, SimTimeoutError, with_timeout
 from cocotb.utils import get_sim_time
 
 if TYPE_CHECKING:
@@ -78,12 +78,16 @@ class Source:
     async def send(self, entries: Iterable[int]) -> None:
         """Offer each entry until it is taken; returns when the last one was."""
         for entry in entries:
+            paused = 0
             while self._rng.random() < self.pause:
-                await RisingEdge(self._clk)
+                paused += 1
+            if paused:
+                await ClockCycles(self._clk, paused)
             self._data.value = entry
             self._valid.value = 1
             await RisingEdge(self._clk)
             while self._ready.value != 1:
+                await RisingEdge(self._ready)
                 await RisingEdge(self._clk)
             self._valid.value = 0
 
@@ -108,6 +112,8 @@ class Sink:
         self._clk, self._data, self._valid, self._ready = clk, data, valid, ready
         self.pause = pause
         self.received: list[int | tuple[int, ...]] = []
+        self._wanted = 0
+        self._came = Event()
         self._rng = rng or random.Random(2)
         self._task = cocotb.start_soon(self._run())
 
@@ -116,26 +122,37 @@ class Sink:
         self._task.cancel()
 
     async def _run(self) -> None:
+        offered = None
         while True:
-            offered = self._rng.random() >= self.pause
-            self._ready.value = int(offered)
+            offers = not self.pause or self._rng.random() >= self.pause
+            # What happens in no cycle takes no time of the simulation: nothing is written or looked at in vain.
+            if offers is not offered:
+                offered = offers
+                self._ready.value = int(offers)
+            if not self.pause and self._valid.value != 1:
+                await RisingEdge(self._valid)
             await RisingEdge(self._clk)
             if offered and self._valid.value == 1:
                 self.received.append(self._entry())
+                if len(self.received) == self._wanted:
+                    self._came.set()
 
     def _entry(self) -> int | tuple[int, ...]:
         if isinstance(self._data, tuple):
             return tuple(int(signal.value) for signal in self._data)
         return int(self._data.value)
 
-    async def wait_for(self, count: int, most_cycles: int = 100_000) -> list[int | tuple[int, ...]]:
+    async def wait_for(self, count: int, most_us: int = 10_000) -> list[int | tuple[int, ...]]:
         """Wait until `count` entries were received and return them.
 
         Raises:
-            AssertionError: if they have not come within `most_cycles` cycles.
+            AssertionError: if they have not come within `most_us` of the simulation.
         """
-        for _ in range(most_cycles):
-            if len(self.received) >= count:
-                return self.received
-            await RisingEdge(self._clk)
-        raise AssertionError(f"{len(self.received)} entries received in {most_cycles} cycles, expected {count}")
+        if len(self.received) < count:
+            self._wanted = count
+            self._came.clear()
+            try:
+                await with_timeout(self._came.wait(), most_us, "us")
+            except SimTimeoutError as error:
+                raise AssertionError(f"{len(self.received)} entries received, expected {count}") from error
+        return self.received

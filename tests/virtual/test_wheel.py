@@ -28,7 +28,16 @@ def test_an_installed_wheel_compiles_and_opens_the_gateware(tmp_path: Path) -> N
     (wheel,) = tmp_path.glob("*.whl")
     site = tmp_path / "site"
     run(*PIP, "install", "--no-deps", "--no-index", "--target", site, wheel)
-    environment = {**os.environ, "PYTHONPATH": str(site), "XDG_CACHE_HOME": str(tmp_path / "cache")}
+    # For a single read, what is compiled at once is better than what runs fast.
+    compiler = tmp_path / "compiler"
+    compiler.write_text('#!/bin/sh\nexec c++ "$@" -O0\n')
+    compiler.chmod(0o755)
+    environment = {
+        **os.environ,
+        "PYTHONPATH": str(site),
+        "XDG_CACHE_HOME": str(tmp_path / "cache"),
+        "CXX": str(compiler),
+    }
     installed = run(sys.executable, "-c", WHERE, env=environment, cwd=tmp_path)
     assert Path(installed).is_relative_to(site)
     answer = run(sys.executable, "-c", READ, "read", "rtl:scara", "0x94", env=environment, cwd=tmp_path)

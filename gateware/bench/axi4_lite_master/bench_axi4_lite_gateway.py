@@ -27,7 +27,7 @@ class _Gateway:
         """Send a checked request, whose answer must be the checked frame of `expected`."""
         self._sink.received.clear()
         await self._source.send(checked(body))
-        assert bytes(await self._sink.wait_for(len(checked(expected)), 20_000)) == checked(expected), body
+        assert bytes(await self._sink.wait_for(len(checked(expected)))) == checked(expected), body
 
 
 async def _begin(dut: SimHandleBase, pause: float) -> _Gateway:

@@ -86,8 +86,10 @@ class Ring:
 
     async def _run(self, dut: SimHandleBase, word: SimHandleBase, pop: SimHandleBase) -> None:
         at_port = filled = 0
+        shown: int | None = None
         while True:
-            word.value = at_port
+            if at_port != shown:
+                shown = word.value = at_port
             # What is in the ring is told of once it is complete, so some cycles after its first word.
             filled = filled + 1 if self.words else 0
             if self._available:
@@ -146,8 +148,11 @@ class Writer:
 
     async def bodies(self, count: int) -> list[tuple[bytes, int, int]]:
         """Wait for so many bodies; gives each with plain and mark, which count beside its last character."""
+        whole = seen = 0
         for _ in range(30_000):
-            if sum(entry[1] for entry in self.sink.received) >= count:
+            whole += sum(entry[1] for entry in self.sink.received[seen:])
+            seen = len(self.sink.received)
+            if whole >= count:
                 break
             await RisingEdge(self.dut.clk)
         bodies, body = [], bytearray()

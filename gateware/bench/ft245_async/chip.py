@@ -22,6 +22,7 @@ if TYPE_CHECKING:
 T1, T2, T3, T4 = (1, 14), 49, (1, 14), 30
 T6, T7, T8, T9, T10 = (1, 14), 49, 5, 5, 30
 SIWU_WIDTH = 250
+_UNDEFINED = LogicArray("XXXXXXXX")
 
 
 class AsyncChip:
@@ -42,7 +43,7 @@ class AsyncChip:
         self._read_ended = -1e9
         dut.rxf_n.value = 1
         dut.txe_n.value = 1
-        dut.data_in.value = LogicArray("XXXXXXXX")
+        dut.data_in.value = _UNDEFINED
         self._tasks = [
             cocotb.start_soon(coroutine)
             for coroutine in (
@@ -82,7 +83,7 @@ class AsyncChip:
             await RisingEdge(dut.rd_n)
             self._read_ended = get_sim_time("ns")
             _least("T4: RD# low", self._read_ended - fell, T4 + self._skew)
-            dut.data_in.value = LogicArray("XXXXXXXX")
+            dut.data_in.value = _UNDEFINED
             await Timer(self._rng.randint(*T1) + self._rng.randint(0, self._skew), unit="ns")
             dut.rxf_n.value = 1
             await self._pause(T2)

@@ -24,6 +24,7 @@ PERIOD_PS = 16_667
 SETUP_PS = 7_500
 OUTPUT_PS = 9_000
 SIWU_PS = 250_000
+_UNDEFINED = LogicArray("XXXXXXXX")
 
 
 class SyncChip:
@@ -32,6 +33,7 @@ class SyncChip:
     def __init__(self, dut: SimHandleBase, *, no_rxf: float = 0.0, no_txe: float = 0.0, seed: int = 1) -> None:
         """Take the entity, and the probabilities that a flag stays away in a cycle."""
         self._dut = dut
+        self._pins = {name: getattr(dut, name) for name in ("rd_n", "wr_n", "oe_n", "siwu_n", "data_oe")}
         self._rng = random.Random(seed)
         self.no_rxf, self.no_txe = no_rxf, no_txe
         self.running = True
@@ -54,10 +56,11 @@ class SyncChip:
             task.cancel()
 
     async def _watch(self, name: str) -> None:
+        pin, reset = getattr(self._dut, name), self._dut.rst
         while True:
-            await getattr(self._dut, name).value_change
+            await pin.value_change
             # A reset takes the strobes away at once; the chip then knows nothing of a cycle.
-            if self._dut.rst.value == 0:
+            if reset.value == 0:
                 self._changed[name] = get_sim_time("ps")
 
     async def _run(self) -> None:
@@ -85,7 +88,7 @@ class SyncChip:
 
             dut.clkout.value = 1
             await Timer(1, unit="ps")  # the least hold time that a simulation knows
-            dut.data_in.value = LogicArray("XXXXXXXX")
+            dut.data_in.value = _UNDEFINED
             delay = self._rng.randrange(2, OUTPUT_PS)
             await Timer(delay - 1, unit="ps")
             dut.rxf_n.value, dut.txe_n.value = rxf_n, txe_n
@@ -118,6 +121,6 @@ class SyncChip:
             self._siwu_fell = None
 
     def _bit(self, name: str) -> int:
-        value = getattr(self._dut, name).value
+        value = self._pins[name].value
         # Before the first reset has reached the chip's side nothing is defined.
         return int(value) if value.is_resolvable else {"data_oe": 0}.get(name, 1)

@@ -118,9 +118,10 @@ def _expected(data: bytes) -> list[tuple[int, int]]:
 @cocotb.test
 async def bytes_arrive_at_any_baud_error_of_two_percent(dut: SimHandleBase) -> None:
     line = await _prepare(dut)
-    for error in (0.0, -0.02, 0.02, -0.01, 0.01):
+    # All values where it is hardest, some between.
+    for error, count in ((0.0, 256), (-0.02, 256), (0.02, 256), (-0.01, 40), (0.01, 40)):
         sink = _sink(dut)
-        data = _bytes(line)
+        data = _bytes(line)[:count]
         await line.some_time()
         await line.send(data, error=error)
         await ClockCycles(dut.clk, round(2 * line.ratio) + 10)

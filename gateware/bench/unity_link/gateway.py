@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 import cocotb
-from cocotb.triggers import RisingEdge
+from cocotb.triggers import ClockCycles, RisingEdge
 
 from gateware.bench.streams import start
 from unity_link.wire.crc import Crc
@@ -120,12 +120,11 @@ class Gateway:
         """Wait until everything was sent and nothing has come for so many cycles."""
         self._quiet = 0
         while self._quiet < cycles or self._next < len(self._waiting):
-            await RisingEdge(self.dut.clk)
+            await ClockCycles(self.dut.clk, max(1, cycles - self._quiet, len(self._waiting) - self._next))
 
     async def cycles(self, count: int) -> None:
         """Let clock cycles pass."""
-        for _ in range(count):
-            await RisingEdge(self.dut.clk)
+        await ClockCycles(self.dut.clk, count)
 
     def forget(self) -> None:
         """Send nothing of what waits but the byte that is being offered."""

@@ -1,4 +1,4 @@
-"""The shared vectors on the gateware, with and without back-pressure."""
+"""The shared vectors on the gateware under back-pressure, and without it: but for the default's, in a campaign."""
 
 from __future__ import annotations
 
@@ -39,8 +39,14 @@ def generics_of(configuration: dict[str, Any], node: int | None) -> dict[str, ob
     }
 
 
-@pytest.mark.parametrize("pause", [0.0, 0.3])
-@pytest.mark.parametrize("path", sorted(VECTORS.glob("*.ndjson")), ids=lambda path: path.stem)
+RUNS = [
+    pytest.param(path, pause, marks=[pytest.mark.campaign] if path.stem != "default" and not pause else [])
+    for path in sorted(VECTORS.glob("*.ndjson"))
+    for pause in (0.0, 0.3)
+]
+
+
+@pytest.mark.parametrize(("path", "pause"), RUNS, ids=lambda value: getattr(value, "stem", None))
 def test_the_gateware_answers_the_shared_vectors(path: Path, pause: float) -> None:
     with path.open() as lines:
         header = json.loads(lines.readline())
