@@ -2,9 +2,9 @@
 
 The gateway itself is quick; what takes time is the line. A response enters the transmit FIFO as fast as the line
 empties it, and the gateway looks at the next request when the last byte of the response is in. Meanwhile samples wait
-in the gateway, and requests gather in the receive FIFO. Where there is no flow control, bytes that find it full are lost (error 09); else they wait.
-Bytes given to `receive` arrive at once, which is the worst that a line can do to the FIFO; a frame of the gateway
-arrives at the host when the line has carried its last byte.
+in the gateway, and requests gather in the receive FIFO. Where there is no flow control, bytes that find it full are
+lost (error 09); else they wait. Bytes given to `receive` arrive at once, which is the worst that a line can do to the
+FIFO; a frame of the gateway arrives at the host when the line has carried its last byte.
 """
 
 from __future__ import annotations

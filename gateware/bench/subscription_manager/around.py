@@ -61,9 +61,9 @@ class Around:
         dut = self.dut
         for name in ("trigger", "group_request", "group_operation", "group_number", "group_flags", "group_divisor"):
             getattr(dut, name).value = 0
-        for name in ("epoch", "group_count", "list_write", "list_index", "list_address", "access_granted", "access_done"):
+        for name in ("group_count", "list_write", "list_index", "list_address", "access_granted", "access_done"):
             getattr(dut, name).value = 0
-        dut.access_failure.value = dut.access_read_data.value = 0
+        dut.access_failure.value = dut.access_read_data.value = dut.epoch.value = 0
         dut.ring_room.value = self.room
         await start(dut.clk, dut.rst)
         cocotb.start_soon(self._run())
