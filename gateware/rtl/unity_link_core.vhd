@@ -217,6 +217,7 @@ architecture rtl of unity_link_core is
   signal group_done       : std_logic;
   signal list_write       : std_logic;
   signal list_index       : std_logic_vector(7 downto 0);
+  signal epoch            : std_logic;
   signal sample_available : std_logic;
   signal sample_word      : std_logic_vector(sample_width - 1 downto 0);
   signal sample_pop       : std_logic;
@@ -487,6 +488,7 @@ begin
       group_done           => group_done,
       list_write           => list_write,
       list_index           => list_index,
+      epoch                => epoch,
       answer_valid         => answer_valid,
       answer_taken         => answer_taken,
       answer_message       => answer_message,
@@ -592,6 +594,7 @@ begin
         list_write       => list_write,
         list_index       => list_index,
         list_address     => memory_word(address_bits - 1 downto 0),
+        epoch            => epoch,
         access_request   => sample,
         access_more      => sample_more,
         access_address   => sample_address,
@@ -668,6 +671,7 @@ begin
       sample_available   => sample_available,
       sample_word        => sample_word,
       sample_pop         => sample_pop,
+      epoch              => epoch,
       out_data           => writer_data,
       out_valid          => writer_valid,
       out_ready          => writer_ready,

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from typing import NamedTuple
 
 import pytest
@@ -10,9 +11,12 @@ from hypothesis import strategies as st
 
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.faults import Failing
+from unity_link.wire.crc import Crc
 from unity_link.wire.gateway_info import Feature, GatewayInfo
 
 PERIODIC, TRIGGER, STAMPED, ON_CHANGE, PLAIN = 1, 2, 8, 16, 32
+WORDS_WAITING = 512
+"""That samples wait in, where groups have up to 255 addresses."""
 
 
 class Clocked:
@@ -50,6 +54,10 @@ def sequences(data: bytes) -> list[int]:
 
 def send(gateway: VirtualGateway, *bodies: str, now: float = 0.0) -> bytes:
     return gateway.receive("".join(body + "\r" for body in bodies).encode(), now)
+
+
+def checked(body: bytes) -> bytes:
+    return body + Crc().text(body) + b"\n"
 
 
 def setting(group: int, flags: int, divisor: int, *addresses: int) -> str:
@@ -166,40 +174,102 @@ def test_on_change_publishes_the_first_sample_and_then_changes_only() -> None:
     assert sequences(send(gateway, "GN00", now=0.003_001) + gateway.advance(0.004_001)) == [4]
 
 
-def test_a_sample_without_room_counts_and_is_gone() -> None:
+def test_samples_without_room_wait_and_leave_in_their_order() -> None:
     gateway = VirtualGateway()
     send(gateway, setting(0, PERIODIC, 1, 0x10), "GN00")
     assert sequences(gateway.advance(0.000_051, room=0)) == []
-    assert sequences(gateway.advance(0.000_071)) == [5, 6]
     # Room for one byte is room for a sample: it is sent as the line takes it.
-    assert sequences(gateway.advance(0.000_111, room=17)) == [7, 8]
-    assert sequences(gateway.advance(0.000_121)) == [11]
-    assert gateway.groups.overruns == 5 + 2
+    assert sequences(gateway.advance(0.000_061, room=18)) == [0, 1]
+    assert gateway.next_due == pytest.approx(0.000_07)
+    assert sequences(gateway.advance(0.000_081)) == [2, 3, 4, 5, 6, 7]
+    assert gateway.groups.overruns == 0
+
+
+def test_a_sample_for_which_nothing_is_left_where_samples_wait_counts_and_is_gone() -> None:
+    gateway = VirtualGateway()
+    # Of 257 words of the ring, and of 2: beside one of the first there is room for 127 of the others.
+    send(gateway, setting(0, PERIODIC | STAMPED, 1000, *range(255)), setting(1, PERIODIC, 1, 0x10), "GN00", "GN01")
+    gateway.advance(0.000_001)
+    assert gateway.advance(0.030_001, room=0) == b""
+    left = samples(gateway.advance(0.030_001))
+    assert [sample.sequence for sample in left if sample.group == 0] == [0]
+    assert [sample.sequence for sample in left if sample.group == 1] == [number % 256 for number in range(127)]
+    assert gateway.groups.overruns == (3 - 1) + (3000 - 127)
+    assert sequences(gateway.advance(0.030_011)) == [3, 3000 % 256]
+
+
+def test_samples_that_wait_are_asked_for_although_none_is_due() -> None:
+    gateway = VirtualGateway()
+    send(gateway, setting(0, TRIGGER, 1, 0x10), "GN00")
+    gateway.trigger(0.001)
+    gateway.advance(0.002, room=0)
+    assert gateway.next_due == pytest.approx(0.003)
+    assert sequences(gateway.advance(0.003)) == [0]
+    assert gateway.next_due is None
+
+
+def test_samples_that_wait_take_turns_with_responses() -> None:
+    gateway = VirtualGateway()
+    send(gateway, setting(0, PERIODIC, 1, 0x10), "GN00")
+    gateway.advance(0.000_031, room=0)
+    answers = send(gateway, "W1005", "H", "WS1005", now=0.000_031) + gateway.receive(checked(b"H") * 2, 0.000_031)
+    assert re.findall(rb"^[G-Z]+", answers, re.MULTILINE) == [b"W", b"P", b"H", b"P", b"H", b"P", b"H"]
+    # One that is asked for comes behind those that wait.
+    gateway.advance(0.000_051, room=0)
+    assert sequences(send(gateway, "GP00", now=0.000_051)) == [3]
+    assert sequences(gateway.advance(0.000_052)) == [4, 5]
+
+
+@pytest.mark.parametrize("ending", ["GX00", setting(0, PERIODIC, 1, 0x20), "K00", "gx0000"])
+def test_what_waits_leaves_before_the_response_to_what_ends_samples(ending: str) -> None:
+    gateway = VirtualGateway()
+    send(gateway, setting(0, PERIODIC, 1, 0x10), setting(1, PERIODIC, 2, 0x10), "GN00", "GN01")
+    gateway.advance(0.000_101, room=0)
+    answers = send(gateway, ending, "H", now=0.000_101)
+    assert len(samples(answers)) == 15
+    assert re.findall(rb"^[G-Zg-z]+", answers, re.MULTILINE)[15:] == [ending[:2].rstrip("0").encode(), b"H"]
+
+
+def test_a_reset_forgets_the_samples_that_wait() -> None:
+    gateway = VirtualGateway()
+    send(gateway, setting(0, PERIODIC, 1, 0x10), "GN00")
+    gateway.advance(0.001, room=0)
+    gateway.reset()
+    assert (gateway.next_due, gateway.advance(0.002)) == (None, b"")
 
 
 def test_years_without_room_are_counted_at_once() -> None:
     gateway = VirtualGateway()
     send(gateway, setting(0, PERIODIC, 3, 0x10), "GN00")
     gateway.advance(1e8, room=0)
-    assert gateway.groups.overruns == (10**13 - 1) // 3 + 1
+    waiting = len(samples(gateway.advance(1e8)))
+    assert waiting == WORDS_WAITING / 2
+    assert gateway.groups.overruns == (10**13 - 1) // 3 + 1 - waiting
 
 
 def test_overruns_of_a_group_on_change_count_uncompared_and_keep_the_last_sample() -> None:
     gateway = VirtualGateway()
-    send(gateway, setting(0, PERIODIC | ON_CHANGE, 1, 0x10), "GN00")
+    send(gateway, setting(0, PERIODIC | ON_CHANGE, 1, 0x10), setting(1, TRIGGER, 1, *range(255)), "GN00", "GN01")
     gateway.advance(0.000_011)
+    # Two samples of 256 words leave no room.
+    gateway.trigger(0.000_012)
+    gateway.trigger(0.000_013)
     gateway.advance(0.000_041, room=0)
-    assert sequences(gateway.advance(0.000_051)) == []
+    assert 0 not in [sample.group for sample in samples(gateway.advance(0.000_051))]
     gateway.memory[0x10] = 1
     assert sequences(gateway.advance(0.000_061)) == [4]
 
 
-def test_a_trigger_without_room_is_an_overrun() -> None:
+def test_a_trigger_or_a_request_without_room_is_an_overrun() -> None:
     gateway = VirtualGateway()
-    send(gateway, setting(0, TRIGGER, 1, 0x10), "GN00")
-    gateway.trigger(0.001)
-    assert gateway.advance(0.002, room=0) == b""
-    assert sequences(send(gateway, "GP00", now=0.002)) == [1]
+    send(gateway, setting(0, TRIGGER, 1, 0x10), setting(1, PERIODIC, 100, *range(255)), "GN00", "GN01")
+    # Two samples of 256 words leave no room.
+    gateway.trigger(0.001_5)
+    assert gateway.advance(0.001_6, room=0) == b""
+    assert [sample.group for sample in samples(send(gateway, "GP00", now=0.001_6))] == [1]
+    assert gateway.groups.overruns == 2
+    gateway.advance(0.001_6)
+    assert sequences(send(gateway, "GP00", now=0.001_6)) == [2]
 
 
 def test_a_sample_whose_bus_read_fails_is_not_sent_and_counts() -> None:

@@ -45,8 +45,6 @@ class Commands:
         self._last_word = (1 << info.data_bits) - 1
         self.send_immediate = ADAPTIVE
         """Send-immediate mode of responses; it changes nothing here, as nothing here waits for a full packet."""
-        self.published = b""
-        """Frames that `GP` published, for the gateway to send."""
         self.run: dict[str, Callable[..., Reads]] = {
             "R": self._read,
             "RM": self._read_block,
@@ -68,7 +66,6 @@ class Commands:
     def reset(self) -> None:
         """Go back to the state after power-up, as far as it is kept here."""
         self.send_immediate = ADAPTIVE
-        self.published = b""
 
     def _check(self, address: int, *words: int) -> None:
         if address > self._last_address or any(word > self._last_word for word in words):
@@ -137,7 +134,7 @@ class Commands:
 
     def _publish_group(self, now: float, number: int) -> Reads:
         self._check_group(number)
-        self.published += self._groups.publish_now(number, now)
+        self._groups.publish_now(number, now)
         return None
 
     def _set_send_immediate(self, _: float, mode: int) -> Reads:

@@ -9,11 +9,13 @@ that of protocol section 2: each step below either answers or hands on to the ne
 way, `_quick_read` and `_quick_write`, which gives exactly what the long way would, or gives up before anything changes.
 
 The model answers at once and takes as many bytes as it is given. What a line and its FIFOs do to that is modelled in
-front of it: `unity_link.virtual.line` and `unity_link.virtual.faults`.
+front of it: `unity_link.virtual.line` and `unity_link.virtual.faults`. What these have no room for are samples alone:
+they wait here, and while some do, they take turns with the responses, as in the gateware.
 """
 
 from __future__ import annotations
 
+import math
 import re
 from typing import TYPE_CHECKING, Protocol
 
@@ -64,8 +66,8 @@ class Gateway(Protocol):
 
         Args:
             now: the time in seconds; it never goes back.
-            room: how many bytes the medium can take. Responses are never cut, but a sample is published only while
-                fewer bytes were sent, and is otherwise an overrun. None for no limit.
+            room: how many bytes the medium can take. Responses are never cut, but a sample is sent only while fewer
+                bytes were sent. It waits otherwise, and where too many do, it is an overrun. None for no limit.
         """
 
 
@@ -112,6 +114,7 @@ class VirtualGateway:
         self._codec = Codec(self.info, node)
         self._framing = self._codec.framing
         self.groups = Groups(self.info, self.bus, self._frame)
+        self._waiting = self.groups.ring.waiting
         self._commands = Commands(self.info, self.bus, self.groups)
         self._reception = Reception(self._codec)
         self._most_kept = self._reception.longest + len(self._framing.prefix) + 1
@@ -164,12 +167,12 @@ class VirtualGateway:
 
     @property
     def flush_wanted(self) -> bool:
-        """Whether a sample was sent that is to be flushed (group flag bit 2); whoever flushes clears it."""
-        return self.groups.flush_wanted
+        """Whether a sample was sent that is to be flushed (group flag bit 2); the one who flushes clears it."""
+        return self.groups.ring.flush_wanted
 
     @flush_wanted.setter
     def flush_wanted(self, wanted: bool) -> None:
-        self.groups.flush_wanted = wanted
+        self.groups.ring.flush_wanted = wanted
 
     @property
     def waiting(self) -> int:
@@ -178,13 +181,13 @@ class VirtualGateway:
 
     @property
     def next_due(self) -> float | None:
-        """When a sample is due next."""
+        """When a sample is due next, or one that waits is to be asked for."""
         return self.groups.next_due
 
     def advance(self, now: float, room: int | None = None) -> bytes:
-        """Let time pass up to `now` (seconds), and give the publishes that became due, as far as there is `room`."""
+        """Let time pass up to `now` (seconds), and return the samples that leave, as far as there is `room`."""
         self.groups.clock.start(now)
-        return self.groups.advance(now, room)
+        return self.groups.advance(now, math.inf if room is None else room)
 
     def trigger(self, now: float) -> None:
         """Give a rising edge to the external trigger; the publishes come out of the next call."""
@@ -195,8 +198,9 @@ class VirtualGateway:
     # Frames
 
     def receive(self, data: bytes, now: float) -> bytes:
-        """Take bytes at the time `now` (seconds), and give what is sent at once."""
-        replies = [self.advance(now)]
+        """Take bytes at the time `now` (seconds), and return what is sent at once."""
+        # What waits was told that there is no room, by `advance`.
+        replies = [self.advance(now, 0 if self._waiting else None)]
         lines = (self._tail + data).split(b"\n")
         tail = lines.pop()
         if self._bytes_lost or b"\r" in data:
@@ -212,6 +216,7 @@ class VirtualGateway:
 
     def _take_checked(self, lines: list[bytes], now: float, replies: list[bytes]) -> None:
         """Take frames that all end in LF."""
+        waiting = self._waiting
         read_size, write_size, posted_size = self._quick_sizes
         for line in lines:
             size = len(line)
@@ -225,19 +230,28 @@ class VirtualGateway:
             if reply is None:
                 reply = self._answer(line, now, plain=False)
             replies.append(reply)
+            if waiting and reply:
+                replies.append(self._turn_of_a_sample())
 
     def _take_any(self, data: bytes, now: float, replies: list[bytes]) -> bytes:
-        """Take frames with any ends; gives what follows the last end."""
+        """Take frames with any ends; return what follows the last end."""
         pieces = _ENDS.split(data)
         for line, end in zip(pieces[:-1:2], pieces[1::2], strict=True):
-            replies.append(self._answer(line, now, plain=end == b"\r"))
+            reply = self._answer(line, now, plain=end == b"\r")
+            replies.append(reply)
+            if self._waiting and reply:
+                replies.append(self._turn_of_a_sample())
         return pieces[-1]
+
+    def _turn_of_a_sample(self) -> bytes:
+        self.groups.ring.send_one()
+        return self.groups.ring.take()
 
     def _frame(self, body: bytes, plain: bool) -> bytes:  # noqa: FBT001  (the form of a frame, everywhere)
         return self._framing.plain_reply(body) if plain else self._framing.checked(body)
 
     def _answer(self, line: bytes, now: float, *, plain: bool) -> bytes:
-        """Give the reply to what stood before an end, and publishes that it asked for."""
+        """Return the reply to what stood before an end, behind the samples that come before it."""
         bytes_lost, self._bytes_lost = self._bytes_lost, False
         prefix, muted = b"", False
         if self._node is not None:
@@ -249,10 +263,10 @@ class VirtualGateway:
         if not line and not bytes_lost:
             return b""
         body = self._body(prefix, line, now, plain=plain, bytes_lost=bytes_lost)
-        published, self._commands.published = self._commands.published, b""
+        samples = self.groups.ring.take()
         if not body or muted:
-            return published
-        return published + self._frame(body, plain)
+            return samples
+        return samples + self._frame(body, plain)
 
     def _body(self, prefix: bytes, line: bytes, now: float, *, plain: bool, bytes_lost: bool) -> bytes:
         """Give the body of the reply."""

@@ -2,17 +2,19 @@
 
 Time runs in base ticks: tick k is at k / base frequency after the gateway's start, and a periodic group is due at whole
 multiples of its divisor after its first tick. A sample is read and stamped at the instant at which it is due, however
-late the caller comes to fetch it. A due sample for which there is no room is an overrun: it counts in the group's
-sequence number and is otherwise forgotten.
+late the caller comes to fetch it. It leaves, or waits in the ring of `unity_link.virtual.sample_ring`; one for which
+there is no room in that either is an overrun: it counts in the group's sequence number and is otherwise forgotten.
 """
 
 from __future__ import annotations
 
+import math
 from collections import deque
 from heapq import heapify, heapreplace
 from typing import TYPE_CHECKING
 
 from unity_link.virtual.bus import AccessError, Bus
+from unity_link.virtual.sample_ring import SampleRing
 from unity_link.wire.messages import GroupFlag
 
 if TYPE_CHECKING:
@@ -24,6 +26,8 @@ _TIMESTAMP_MASK = 0xFFFFFFFF
 _SEQUENCE_MASK = 0xFF
 _SLACK_TICKS = 1e-3
 """A float of seconds may lie this much of a clock tick below the tick that it stands for."""
+_PAUSE = 0.001
+"""Seconds between two questions for room while samples wait."""
 
 
 class Clock:
@@ -71,12 +75,14 @@ class Clock:
 class Group:
     """Settings and state of one group."""
 
-    __slots__ = ("addresses", "divisor", "due", "flags", "form", "last", "running", "sequence")
+    __slots__ = ("addresses", "divisor", "due", "flags", "form", "last", "running", "sequence", "words")
 
     def __init__(self, flags: int, divisor: int, addresses: list[int], form: bytes) -> None:
         self.flags = GroupFlag(flags)
         self.divisor = divisor
         self.addresses = addresses
+        self.words = SampleRing.words_of(len(addresses), stamped=GroupFlag.TIMESTAMP in self.flags)
+        """What a sample takes in the ring."""
         self.form = form
         """%-format of the body: sequence, timestamp if there is one, words."""
         self.sequence = 0
@@ -100,8 +106,7 @@ class Groups:
         self.clock = Clock(info)
         self.overruns = 0
         """Samples that were due and had no room, all groups together."""
-        self.flush_wanted = False
-        """A sample of a group with flag bit 2 was published; cleared by whoever flushes."""
+        self.ring = SampleRing(info.group_words)
         self._word_form = b"%%0%dX" % info.data_digits
         self._bus = bus
         self._frame = frame
@@ -109,20 +114,23 @@ class Groups:
         self._schedule: list[tuple[int, int]] = []
         """Heap of next tick and number of every periodic group that runs."""
         self._triggers: deque[float] = deque()
+        self._advanced_to = 0.0
 
     def reset(self) -> None:
         """Forget all groups."""
         self._groups.clear()
         self._triggers.clear()
         self._schedule.clear()
+        self.ring.reset()
         self.clock.restart()
 
     def is_set(self, number: int) -> bool:
-        """Say whether a group was set since the reset."""
+        """Whether a group was set since the reset."""
         return number in self._groups
 
     def set(self, number: int, flags: int, divisor: int, addresses: list[int]) -> None:
-        """Store the settings of a group, which stops and begins at sequence 0."""
+        """Store the settings of a group, which stops and begins at sequence 0; what waits leaves first."""
+        self.ring.send_all()
         stamp = b"%08X" if flags & GroupFlag.TIMESTAMP else b""
         form = b"P%02X%%02X%b%b" % (number, stamp, self._word_form * len(addresses))
         self._groups[number] = Group(flags, divisor, addresses, form)
@@ -137,12 +145,14 @@ class Groups:
         self._reschedule()
 
     def stop(self, number: int) -> None:
-        """Stop a group."""
+        """Stop a group; what waits leaves first."""
+        self.ring.send_all()
         self._groups[number].running = False
         self._reschedule()
 
     def stop_all(self) -> None:
-        """Stop all groups, which keep settings and sequences."""
+        """Stop all groups, which keep settings and sequences; what waits leaves first."""
+        self.ring.send_all()
         for group in self._groups.values():
             group.running = False
         self._schedule.clear()
@@ -161,95 +171,86 @@ class Groups:
 
     @property
     def next_due(self) -> float | None:
-        """When `advance` has something to do next."""
-        periodic = self.clock.time_of(self._schedule[0][0]) if self._schedule else None
-        if self._triggers and (periodic is None or self._triggers[0] < periodic):
-            return self._triggers[0]
-        return periodic
+        """When `advance` has something to do next; while samples wait, also every `_PAUSE`."""
+        due = self.clock.time_of(self._schedule[0][0]) if self._schedule else math.inf
+        if self._triggers:
+            due = min(due, self._triggers[0])
+        if self.ring.waiting:
+            due = min(due, self._advanced_to + _PAUSE)
+        return None if due == math.inf else due
 
-    def publish_now(self, number: int, now: float) -> bytes:
+    def publish_now(self, number: int, now: float) -> None:
         """Publish a group once, running or not, changed or not."""
-        return self._publish(self._groups[number], now, self.clock.stamp_at(now), unchanged=True)
+        group = self._groups[number]
+        if self.ring.takes(group.words):
+            self._publish(group, now, self.clock.stamp_at(now), unchanged=True)
+        else:
+            self._count_overruns(group, 1)
 
-    def advance(self, now: float, room: int | None) -> bytes:
-        """Publish what is due up to `now`.
+    def advance(self, now: float, room: float) -> bytes:
+        """Publish what is due up to `now`, and return the frames that leave.
 
         Args:
             now: the time in seconds.
-            room: a sample is accepted as long as this many bytes are more than those sent; None for no limit.
+            room: a sample leaves as long as fewer bytes have left.
         """
-        frames: list[bytes] = []
+        self._advanced_to = now
+        self.ring.open(room)
         while self._triggers and self._triggers[0] <= now:
             edge = self._triggers.popleft()
-            room = self._advance_periodic(edge, room, frames)
-            room = self._advance_triggered(edge, room, frames)
-        self._advance_periodic(now, room, frames)
-        return b"".join(frames)
+            self._advance_periodic(edge)
+            self._advance_triggered(edge)
+        self._advance_periodic(now)
+        return self.ring.take()
 
-    def _advance_periodic(self, now: float, room: int | None, frames: list[bytes]) -> int | None:
+    def _advance_periodic(self, now: float) -> None:
         schedule, groups, time_of, stamp_of = self._schedule, self._groups, self.clock.time_of, self.clock.stamp_of
+        takes = self.ring.takes
         while schedule:
             tick, number = schedule[0]
             instant = time_of(tick)
             if instant > now:
                 break
-            if room is not None and room <= 0:
-                self._skip(now)
-                break
             group = groups[number]
-            group.due = tick + group.divisor
+            missed = 0 if takes(group.words) else self._count_missed(group, tick, now)
+            group.due = tick + (missed or 1) * group.divisor
             heapreplace(schedule, (group.due, number))
-            frame = self._publish(group, instant, stamp_of(tick))
-            if frame:
-                frames.append(frame)
-                if room is not None:
-                    room -= len(frame)
-        return room
+            if not missed:
+                self._publish(group, instant, stamp_of(tick))
 
-    def _advance_triggered(self, edge: float, room: int | None, frames: list[bytes]) -> int | None:
+    def _advance_triggered(self, edge: float) -> None:
         stamp = self.clock.stamp_at(edge)
         for _, group in sorted(self._groups.items()):
             if not (group.running and group.flags & GroupFlag.TRIGGER):
                 continue
-            if room is not None and room <= 0:
+            if self.ring.takes(group.words):
+                self._publish(group, edge, stamp)
+            else:
                 self._count_overruns(group, 1)
-                continue
-            frame = self._publish(group, edge, stamp)
-            frames.append(frame)
-            if room is not None:
-                room -= len(frame)
-        return room
 
-    def _skip(self, now: float) -> None:
-        """Count everything periodic up to `now` as overruns, at no cost for each."""
-        tick = self.clock.tick_before(now)
-        for due, number in self._schedule:
-            if due <= tick:
-                group = self._groups[number]
-                missed = (tick - due) // group.divisor + 1
-                group.due = due + missed * group.divisor
-                self._count_overruns(group, missed)
-        self._reschedule()
+    def _count_missed(self, group: Group, tick: int, now: float) -> int:
+        """Count what is due from `tick` up to `now`, when there will be no more room than now, and return how many."""
+        missed = (self.clock.tick_before(now) - tick) // group.divisor + 1
+        self._count_overruns(group, missed)
+        return missed
 
     def _count_overruns(self, group: Group, count: int) -> None:
         group.sequence = group.sequence + count & _SEQUENCE_MASK
         self.overruns += count
 
-    def _publish(self, group: Group, instant: float, stamp: int, *, unchanged: bool = False) -> bytes:
-        """Give the frame of a due sample; nothing where the bus fails, or no change is found and one is wanted."""
+    def _publish(self, group: Group, instant: float, stamp: int, *, unchanged: bool = False) -> None:
+        """Take a due sample; none comes of it where the bus fails, or no change is found and one is wanted."""
         sequence = group.sequence
         try:
             words = self._bus.read_words(group.addresses, instant)
         except AccessError:
             group.sequence = sequence + 1 & _SEQUENCE_MASK
-            return b""
+            return
         flags = group.flags._value_
         if flags & 16:
             if words == group.last and not unchanged:
-                return b""
+                return
             group.last = words
         group.sequence = sequence + 1 & _SEQUENCE_MASK
-        if flags & 4:
-            self.flush_wanted = True
         body = group.form % ((sequence, stamp, *words) if flags & 8 else (sequence, *words))
-        return self._frame(body, flags & 32 != 0)
+        self.ring.put(self._frame(body, flags & 32 != 0), group.words, immediate=flags & 4 != 0)

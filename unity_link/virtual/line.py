@@ -1,10 +1,10 @@
 """A line of limited rate, with the FIFOs at the gateway's end of it.
 
 The gateway itself is quick; what takes time is the line. A response enters the transmit FIFO as fast as the line
-empties it, and the gateway looks at the next request when the last byte of the response is in. Meanwhile requests
-gather in the receive FIFO. Where there is no flow control, bytes that find it full are lost (error 09); else they wait.
-Bytes given to `receive` arrive at once, which is the worst that a line can do to the FIFO; a frame of the gateway
-arrives at the host when the line has carried its last byte.
+empties it, and the gateway looks at the next request when the last byte of the response is in. Meanwhile samples wait
+in the gateway, and requests gather in the receive FIFO. Where there is no flow control, bytes that find it full are
+lost (error 09); else they wait. Bytes given to `receive` arrive at once, which is the worst that a line can do to the
+FIFO; a frame of the gateway arrives at the host when the line has carried its last byte.
 """
 
 from __future__ import annotations
@@ -111,7 +111,8 @@ class SlowLine:
 
     def _step(self, now: float, room: int | None) -> None:
         free = 0
-        if now >= self._free_at:
+        # Requests that waited go first: the gateway lets samples take turns with its responses.
+        if now >= self._free_at and not self._fifo:
             free = max(1, self.info.transmit_fifo_bytes - int(max(0.0, self._sent_at - now) * self._rate))
         published = self._gateway.advance(now, free if room is None else min(free, room))
         self._occupy(published, now)

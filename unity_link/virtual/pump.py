@@ -3,8 +3,8 @@
 A sample belongs to the instant at which it is due, not to the one at which the loop comes to it. So the pump steps from
 one due instant to the next, as far as the loop's time has come. It never does more in one go than `MOST_BYTES` or
 `MOST_STEPS`, or for longer than `MOST_TURN`, so that the loop stays alive; a gateway that is asked for more samples
-than this machine can make runs late, and what is later than `MOST_LAG` is counted as overruns, as is all that becomes
-due while the medium is blocked.
+than this machine can make runs late. What is later than `MOST_LAG`, or becomes due while the medium is blocked, waits
+in the gateway as far as there is room, and is otherwise counted as overruns.
 
 Where a turn takes so long that the next instant is past when it ends, the pump rests for `REST` before it goes on: many
 samples in one turn of the loop cost little more than one, and a turn for each would take all of the loop's time.

@@ -42,6 +42,7 @@ class Sample:
     stamp: int | None = None
     plain: int = 0
     immediate: int = 0
+    epoch: int = 0
 
 
 @dataclass
@@ -118,7 +119,7 @@ class Writer:
         top = len(self.dut.sample_word)
         flags = (sample.stamp is not None) << 2 | sample.plain << 1 | sample.immediate
         words = 1 + (sample.stamp is not None) + len(sample.words)
-        header = sample.group << 24 | sample.sequence << 16 | words << 7 | flags << 4
+        header = sample.group << 24 | sample.sequence << 16 | words << 7 | flags << 4 | sample.epoch << 3
         self.samples.words.append(header << top - 32)
         if sample.stamp is not None:
             self.samples.words.append(sample.stamp << top - 32)
@@ -176,6 +177,7 @@ async def _begin(dut: SimHandleBase) -> Writer:
         getattr(dut, f"answer_{name}").value = 0
     for name in ("answer_words", "answer_valid", "response_word", "sample_available", "sample_word", "out_ready"):
         getattr(dut, name).value = 0
+    dut.epoch.value = 0
     await start(dut.clk, dut.rst)
     return Writer(dut)
 
@@ -274,6 +276,30 @@ async def answers_and_samples_take_turns(dut: SimHandleBase) -> None:
     for _ in range(10):
         await writer.answer(Answer("H"))
     assert "".join(body[:1].decode() for body, _, _ in await writer.bodies(20)) == "PH" * 10
+
+
+@cocotb.test
+async def the_answer_that_ends_an_epoch_comes_behind_all_its_samples(dut: SimHandleBase) -> None:
+    writer = await _begin(dut)
+    rng = random.Random(10)
+    for epoch in (1, 0, 1):
+        before = [replace(_random_sample(writer.widths, rng), epoch=1 - epoch) for _ in range(6)]
+        after = [replace(_random_sample(writer.widths, rng), epoch=epoch) for _ in range(3)]
+        dut.epoch.value = 1 - epoch
+        for sample in before:
+            writer.put_sample(sample)
+        while dut.busy.value == 0:
+            await RisingEdge(dut.clk)
+        dut.epoch.value = epoch
+        for sample in after:
+            writer.put_sample(sample)
+        await writer.answer(Answer("H"))
+        await writer.answer(Answer("H"))
+        bodies = await writer.bodies(11)
+        assert "".join(body[:1].decode() for body, _, _ in bodies) == "PPPPPPHPHPP"
+        samples = [body for body in bodies if body[0][:1] == b"P"]
+        assert samples == [writer.expected(sample) for sample in (*before, *after)]
+        await ClockCycles(dut.clk, 3)
 
 
 @cocotb.test

@@ -133,6 +133,24 @@ async def what_is_not_well_formed_is_answered_without_its_id_and_not_counted(dut
 
 
 @cocotb.test
+async def what_ends_samples_begins_an_epoch_if_it_is_answered(dut: SimHandleBase) -> None:
+    around = await _begin(dut, slow=0.3)
+    around.is_set = {3}
+    epoch = 0
+    for command in ("GS", "GN", "GX", "GP", "GX", "K", "K", "H", "GS"):
+        for silent in (True, False):
+            number = 0 if command == "K" else None
+            await around.execute(Request(command, number, group=3, count=2, words=[1, 2], silent=silent))
+            epoch ^= command in ("GS", "GX", "K") and not silent
+            assert dut.epoch.value == epoch, command
+    # What is refused, or was executed before, ends nothing.
+    await around.execute(Request("GX", group=4))
+    await around.execute(Request("GS", group=3, out_of_range=True))
+    await around.execute(Request("GX", 0xFF, group=3))
+    assert dut.epoch.value == epoch
+
+
+@cocotb.test
 async def groups_are_set_with_their_addresses_and_asked_for_by_number(dut: SimHandleBase) -> None:
     around = await _begin(dut)
     await around.execute(Request("GN", group=3))

@@ -31,6 +31,7 @@ class Sample(NamedTuple):
     words: list[int]
     plain: bool
     immediate: bool
+    epoch: int
     cycle: int
     """In which its first word was granted on the bus."""
 
@@ -62,7 +63,7 @@ class Around:
             getattr(dut, name).value = 0
         for name in ("group_count", "list_write", "list_index", "list_address", "access_granted", "access_done"):
             getattr(dut, name).value = 0
-        dut.access_failure.value = dut.access_read_data.value = 0
+        dut.access_failure.value = dut.access_read_data.value = dut.epoch.value = 0
         dut.ring_room.value = self.room
         await start(dut.clk, dut.rst)
         cocotb.start_soon(self._run())
@@ -159,4 +160,4 @@ class Around:
         stamp = rest.pop(0) >> top - 32 if header >> 6 & 1 else None
         words = [word >> top - self._digit_bits for word in rest]
         flags = bool(header >> 5 & 1), bool(header >> 4 & 1)
-        return Sample(header >> 24, header >> 16 & 0xFF, stamp, words, *flags, self._begun)
+        return Sample(header >> 24, header >> 16 & 0xFF, stamp, words, *flags, header >> 3 & 1, self._begun)

@@ -46,6 +46,17 @@ async def a_published_sample_has_what_its_group_was_set_to(dut: SimHandleBase) -
 
 
 @cocotb.test
+async def a_sample_says_in_which_epoch_it_was_taken(dut: SimHandleBase) -> None:
+    around = await _begin(dut)
+    await around.set(0, 0, [5])
+    for epoch in (0, 1, 1, 0):
+        dut.epoch.value = epoch
+        await around.operate("publish", 0)
+        (sample,) = await around.take(2)
+        assert sample.epoch == epoch
+
+
+@cocotb.test
 async def the_largest_group_is_read_whole(dut: SimHandleBase) -> None:
     around = await _begin(dut)
     last, most = int(dut.groups.value) - 1, int(dut.group_words.value)

@@ -2,11 +2,12 @@
 --
 -- A body is a walk: letters, then the head (ID or address), the pair (a number of two digits), the words. A sample is
 -- letter and words alone, because its number, sequence and timestamp stand before its words in the sample ring, which
--- is laid out as they are sent. Where both wait, answers and samples take turns.
+-- is laid out as they are sent. Where both wait, answers and samples take turns; but a sample of another epoch than the
+-- present one goes first, because the answer is that of the request which ended it.
 --
 -- The first word of a sample, from the top: group (8 bits), sequence (8), words of the sample in the ring, this one
--- included (9), a timestamp follows, plain frame, send immediately. All words of both rings are aligned to the top,
--- where their digits are taken.
+-- included (9), a timestamp follows, plain frame, send immediately, epoch. All words of both rings are aligned to the
+-- top, where their digits are taken.
 
 library ieee;
   use ieee.std_logic_1164.all;
@@ -48,6 +49,8 @@ entity frame_writer is
     sample_available : in    std_logic;
     sample_word      : in    std_logic_vector(maximum(4 * digits_of(data_bits), 32) - 1 downto 0);
     sample_pop       : out   std_logic;
+    -- In which samples are taken at present.
+    epoch : in    std_logic;
     -- Bodies, to the datalink layer.
     out_data  : out   std_logic_vector(7 downto 0);
     out_valid : out   std_logic;
@@ -96,13 +99,14 @@ architecture rtl of frame_writer is
     out_mark   : flush_mark_t;
   end record registers_t;
 
-  signal r           : registers_t;
-  signal advance     : std_logic;
-  signal take_answer : std_logic;
-  signal take_sample : std_logic;
-  signal load_word   : std_logic;
-  signal sample_kept : std_logic_vector(word_bits - 1 downto 0);
-  signal top         : std_logic_vector(31 downto 0);
+  signal r            : registers_t;
+  signal advance      : std_logic;
+  signal sample_first : std_logic;
+  signal take_answer  : std_logic;
+  signal take_sample  : std_logic;
+  signal load_word    : std_logic;
+  signal sample_kept  : std_logic_vector(word_bits - 1 downto 0);
+  signal top          : std_logic_vector(31 downto 0);
 
   -- The letters of each message, as the five low bits of their codes; the second is 0 where there is none.
   subtype letter_t is std_logic_vector(4 downto 0);
@@ -225,11 +229,11 @@ begin
 
   advance <= not r.out_valid or out_ready;
   -- Turns: an answer after a sample, a sample after an answer.
-  take_answer <= to_std_logic(r.state = state_idle) and advance and answer_valid and
-                 (r.from_sample or not sample_available);
-  take_sample <= to_std_logic(r.state = state_idle) and advance and sample_available and
-                 not (r.from_sample and answer_valid);
-  top         <= sample_kept(word_bits - 1 downto word_bits - 32);
+  sample_first <= sample_available and (not r.from_sample or (top(3) xor epoch));
+  take_answer  <= to_std_logic(r.state = state_idle) and advance and answer_valid and not sample_first;
+  take_sample  <= to_std_logic(r.state = state_idle) and advance and sample_available and
+                  (sample_first or not answer_valid);
+  top          <= sample_kept(word_bits - 1 downto word_bits - 32);
 
   answer_taken <= take_answer;
   response_pop <= load_word and not r.from_sample;

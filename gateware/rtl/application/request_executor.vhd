@@ -6,6 +6,10 @@
 -- What is read goes to the response ring before the answer begins, because an error further on makes the answer that
 -- error alone. The words of a block to write, and the mask of WK, stand in the request memory, whose read port follows
 -- `memory_index` one cycle later; a single word comes straight from the decoder.
+--
+-- GX, GS and K each begin an epoch, of which the subscription manager makes a note in each sample: the frame writer
+-- sends all samples of the epoch before first, and then the answer. A request that is not answered begins none, so that
+-- two epochs can be told from each other by one bit.
 
 library ieee;
   use ieee.std_logic_1164.all;
@@ -71,6 +75,7 @@ entity request_executor is
     -- Write port of the manager's list of addresses; what is written is the request memory's word.
     list_write : out   std_logic;
     list_index : out   std_logic_vector(7 downto 0);
+    epoch      : out   std_logic;
     -- Answer, to the frame writer; it stands until taken.
     answer_valid       : out   std_logic;
     answer_taken       : in    std_logic;
@@ -122,6 +127,7 @@ architecture rtl of request_executor is
     operation      : group_operation_t;
     list_write     : std_logic;
     list_index     : unsigned(7 downto 0);
+    epoch          : std_logic;
     -- Its answer, where that is no plain acknowledgement.
     error        : error_t;
     out_of_order : std_logic;
@@ -149,6 +155,7 @@ architecture rtl of request_executor is
     operation      => group_stop,
     list_write     => '0',
     list_index     => (others => '0'),
+    epoch          => '0',
     error          => error_none,
     out_of_order   => '0'
   );
@@ -160,6 +167,14 @@ architecture rtl of request_executor is
     return distance(distance'high);
 
   end function half_ring;
+
+  -- No sample that was taken before may come after the answer.
+  function ends_samples (operation : group_operation_t) return std_logic is
+  begin
+
+    return to_std_logic(operation /= group_start and operation /= group_publish);
+
+  end function ends_samples;
 
   signal r           : registers_t;
   signal is_write    : std_logic;
@@ -202,6 +217,7 @@ begin
   group_operation <= r.operation;
   list_write      <= r.list_write;
   list_index      <= std_logic_vector(r.list_index);
+  epoch           <= r.epoch;
 
   answer : process (all) is
 
@@ -493,6 +509,7 @@ begin
         when state_group =>
           if group_done = '1' then
             v.state := state_answer;
+            v.epoch := r.epoch xor (ends_samples(r.operation) and not r.silent);
           end if;
 
         when state_answer =>

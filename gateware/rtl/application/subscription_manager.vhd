@@ -9,6 +9,8 @@
 -- two halves for each group: the new sample is written into the one that is not valid, which becomes the valid one only
 -- if the sample is accepted, so a sample that fails half-way changes nothing.
 --
+-- Each sample says in which epoch it was taken, for the frame writer.
+--
 -- A group of number g has the places g * slot to g * slot + n - 1 in the memory of addresses and in each half of that.
 
 library ieee;
@@ -52,6 +54,7 @@ entity subscription_manager is
     list_write   : in    std_logic;
     list_index   : in    std_logic_vector(7 downto 0);
     list_address : in    std_logic_vector(address_bits - 1 downto 0);
+    epoch        : in    std_logic;
     -- Bus master.
     access_request   : out   std_logic;
     access_more      : out   std_logic;
@@ -426,7 +429,7 @@ begin
   write_header  <= to_std_logic(state = state_prepare) and wants and enough_room;
   write_stamp   <= access_granted and to_std_logic(asked = 0) and flags(flag_timestamp);
   header        <= std_logic_vector(number_byte & own_sequence & total) & flags(flag_timestamp) & flags(flag_plain) &
-                   flags(flag_immediate) & "0000";
+                   flags(flag_immediate) & epoch & "000";
   ring_write    <= write_header or write_stamp or word_done;
   ring_data     <= aligned(header, 32) when write_header = '1' else
                    aligned(std_logic_vector(stamp), 32) when write_stamp = '1' else

@@ -78,7 +78,7 @@ class GatewayBoard:
         self._writing: tuple[float, bytes] | None = None
         self._wrote_last = False
         self._skipping = False
-        """Samples that become due have no room."""
+        """Samples have no room."""
         gateway.wake = lambda: None
 
     # Time
@@ -103,11 +103,13 @@ class GatewayBoard:
             self._reading = self._writing = None
             self.gateway.advance(now, room=0)
             return
+        requests_wait = bool(self._received)
         if self._reading is not None and self._reading[0] <= now:
             self._end_read(chip)
         if self._writing is not None and self._writing[0] <= now:
             self._end_write(chip)
-        self._publish(now)
+        # Requests that waited go first: the gateway lets samples take turns with its responses.
+        self._publish(now, most=0 if requests_wait else self.gateway.info.transmit_fifo_bytes)
         if self._received:
             self._answer(now)
         if self._pulses or self._pulse_when_idle:
@@ -121,19 +123,20 @@ class GatewayBoard:
         """Bytes that the receive FIFO takes."""
         return self.gateway.info.receive_fifo_bytes - len(self._received)
 
-    def _publish(self, now: float) -> None:
-        """Have samples taken that are due; those for which there is no room are overruns."""
-        gateway = self.gateway
-        room = gateway.info.transmit_fifo_bytes - len(self._sent)
-        if room <= 0:
+    def _publish(self, now: float, most: int) -> None:
+        """Have samples taken that are due; those beyond `most` bytes, or without room, wait in the gateway."""
+        gateway, size = self.gateway, self.gateway.info.transmit_fifo_bytes
+        if len(self._sent) >= size:
             self._skipping = True
             return
+        due = gateway.next_due
         if self._skipping:
             gateway.advance(now, room=0)
-            self._skipping = False
-        due = gateway.next_due
+            due = now
         if due is not None and due <= now:
+            room = min(most, size - len(self._sent))
             self._sent += gateway.advance(now, room)
+            self._skipping = room == 0 or len(self._sent) >= size
             immediate = self._sends_immediately
             if immediate is not None and immediate.flush_wanted:
                 immediate.flush_wanted = False
