@@ -197,7 +197,7 @@ class Draw:
         if draw.random() < 0.1:
             return []
         kinds = _SOCKET_FAULTS if line.rpartition(".")[2].startswith("server") else _FAULTS
-        faults = []
+        faults: list[Fault] = []
         for back in (False, True):
             place = 0
             for _ in range(draw.choice((0, 1, 2, 4, 8))):

@@ -7,7 +7,7 @@ import contextlib
 import hashlib
 import random
 from collections import Counter
-from typing import Any
+from typing import TYPE_CHECKING, Any, cast
 
 from simulation.clock import SimulatedLoop
 from simulation.medium import Network
@@ -20,6 +20,9 @@ from unity_link.virtual import VirtualGateway
 from unity_link.virtual.line import SlowLine
 from unity_link.virtual.modelled_time import DeadlockError
 from unity_link.virtual.serving import serve_tcp
+
+if TYPE_CHECKING:
+    from unity_link.virtual import BareGateway
 
 KNOWN = frozenset(
     {
@@ -132,7 +135,7 @@ class World:
         for at in plan.triggers:
             loop.call_at(at, lambda: bare.trigger(loop.time()))
         rate = plan.bytes_per_second
-        return serve_tcp(tap if rate is None else SlowLine(tap, rate), 1, f"gateway{number}")
+        return serve_tcp(tap if rate is None else SlowLine(cast("BareGateway", tap), rate), 1, f"gateway{number}")
 
     async def _run_programs(self, loop: SimulatedLoop) -> None:
         plan = self._plan
