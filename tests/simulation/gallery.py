@@ -21,7 +21,6 @@ from unity_link.errors import LinkLostError, Outcome
 from unity_link.exchange import FEWEST_PUBLISHES, PublishRows
 from unity_link.requests import Request
 from unity_link.virtual import bus, transport
-from unity_link.virtual import groups as model_groups
 from unity_link.wire import reception, window
 from unity_link.wire.messages import COMMANDS, Repetition
 from unity_link.wire.reception import Place
@@ -310,16 +309,6 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
     )
 
 
-@bug("an answer of any length is taken")
-def _(monkeypatch: pytest.MonkeyPatch) -> None:
-    def accept(self: Any, offset: int, body: bytes, position: int) -> bool:
-        if not self.future.done():
-            self.future.set_result(self.decode(body, position) if body[position:] else 0)
-        return True
-
-    monkeypatch.setattr(requests.WordRequest, "accept", accept)
-
-
 @bug("answers to a batch are put in one place too far")
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
     put = requests.Batch.put
@@ -389,14 +378,6 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(subscription.Subscription, "_keep", kept)
 
 
-@bug("a subscription that has ended wakes nobody")
-def _(monkeypatch: pytest.MonkeyPatch) -> None:
-    def fail(self: Any, error: Any) -> None:
-        self._error = self._error or error
-
-    monkeypatch.setattr(subscription.Subscription, "fail", fail)
-
-
 # The gateway's side
 
 
@@ -442,45 +423,19 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(bus.Bus, "read_words", read_words)
 
 
-@bug("a group that is started again begins at sequence 00")
-def _(monkeypatch: pytest.MonkeyPatch) -> None:
-    publish = model_groups.Groups._publish
-
-    def skipping(self: Any, group: Any, instant: float, stamp: int, *, unchanged: bool = False) -> bytes:
-        frame: bytes = publish(self, group, instant, stamp, unchanged=unchanged)
-        if group.sequence == 3:
-            group.sequence = 4
-        return frame
-
-    monkeypatch.setattr(model_groups.Groups, "_publish", skipping)
-
-
 @bug("the virtual gateway's transport drops what one turn cannot hold")
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(transport, "MOST_DELIVERED", 200)
+    monkeypatch.setattr(transport, "MOST_DELIVERED", 64)
     collect = transport.GatewayTransport._collect
 
     def dropping(self: Any, data: bytes) -> None:
         collect(self, data)
-        del self._to_protocol[400:]
+        del self._to_protocol[64:]
 
     monkeypatch.setattr(transport.GatewayTransport, "_collect", dropping)
 
 
 # The server
-
-
-@bug("a server answers its client out of order")
-def _(monkeypatch: pytest.MonkeyPatch) -> None:
-    answer = client.Client.answer
-
-    def at_once(self: Any, request: Any, body: bytes) -> None:
-        answer(self, request, body)
-        if request in self._pending and request.reply:
-            self._pending.remove(request)
-            self.write(request.reply)
-
-    monkeypatch.setattr(client.Client, "answer", at_once)
 
 
 @bug("a server sends writes again to a gateway that comes back")
@@ -508,11 +463,6 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
     )
 
 
-@bug("a server goes on with the gateway's number of samples")
-def _(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(served_groups.ClientGroup, "begin_anew", lambda self, missed=0.0: setattr(self, "_offset", 7))
-
-
 @bug("a server hands a client's requests on in turns of one too many")
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
     def answer(self: Any, offset: int, count: int, frames: bytes) -> None:
@@ -522,11 +472,17 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(served_requests.RelayedRows, "answer", answer)
 
 
-@bug("a server repeats a request that is under way")
+@bug("a server answers what it refuses before what is under way")
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
-    hand_on = client.Client.hand_on
+    monkeypatch.setattr(client.Client, "say", lambda self, frame: self.write(frame))
 
-    def forgetting(self: Any, relayed: Any, awaited: bytearray) -> None:
-        hand_on(self, relayed, bytearray(len(awaited)))
 
-    monkeypatch.setattr(client.Client, "hand_on", forgetting)
+@bug("a server takes a client's numbers for its own")
+def _(monkeypatch: pytest.MonkeyPatch) -> None:
+    begin_anew = served_groups.ClientGroup.begin_anew
+
+    def one_more(self: Any, seconds_missed: float = 0.0) -> None:
+        begin_anew(self, seconds_missed)
+        self._offset = self._offset + 1 & 0xFF
+
+    monkeypatch.setattr(served_groups.ClientGroup, "begin_anew", one_more)
