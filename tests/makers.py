@@ -48,6 +48,7 @@ def compiled(**fields: int) -> BareGateway:
 
 def with_failing(gateway: BareGateway) -> BareGateway:
     """Have every access of two addresses fail."""
+    gateway.detach([BUS_ERROR, BUS_TIMEOUT])
     gateway.attach(Failing(ErrorCode.BUS_ERROR), [BUS_ERROR])
     gateway.attach(Failing(ErrorCode.BUS_TIMEOUT), [BUS_TIMEOUT])
     return gateway
