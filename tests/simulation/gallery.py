@@ -77,7 +77,9 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(subscription.Groups, "_set_up", set_up)
 
 
-@bug("a client that leaves while groups are restored ends the server")
+@bug(
+    "a client that leaves while groups are restored ends the server", "clients that leave while a server sets up groups"
+)
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
     async def restore(self: Any) -> None:
         for slot in list(self.slots.held):
@@ -174,7 +176,7 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
 
 @bug(
     "a group that is set up again counts samples by its old number",
-    "samples that are asked for while a group is set up",
+    "counts of groups that are set up again",
 )
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
     set_up = subscription.Groups._set_up

@@ -273,8 +273,8 @@ class Listening:
         self.lost: int | None = None
         """What the subscription counted, if it was read to its end."""
         self.rate: float | None = None
-        self.asked_while_set_up = False
-        """Whether samples were asked for while the group may have been set up anew."""
+        self.set_up_again = False
+        """Whether the link was lost and came back meanwhile."""
 
 
 # Whether they agree
@@ -320,7 +320,12 @@ class Oracle:
                 self._judge_once(ask, address, word)
         elif error is None and ask.answer is not None:
             self._judge_read(ask)
-        if ask.kind == "read_many" and isinstance(error, BusError) and "reads behind an error" not in self._without:
+        if (
+            ask.kind == "read_many"
+            and isinstance(error, BusError)
+            and not ask.link.shared
+            and "reads behind an error" not in self._without
+        ):
             self._judge_others(ask)
         if ask.kind == "write_masked":
             self._judge_old_word(ask)
@@ -454,9 +459,7 @@ class Oracle:
         recorder = listening.link.recorder
         digits = -(-recorder_digits(listening) // 1)
         life, number, last, time = -1, -1, -1.0, -1.0
-        counted = not listening.asked_while_set_up or "samples that are asked for while a group is set up" not in (
-            self._without
-        )
+        counted = not listening.set_up_again or "counts of groups that are set up again" not in (self._without)
         lost_before = 0
         for position, sample in enumerate(listening.samples):
             words = [int(word) for word in sample.values]
@@ -477,7 +480,7 @@ class Oracle:
             self._judge_instant(listening, words, instant, where)
             # Words that stand still for a while do not tell which of several samples they are.
             sure = counted and (len(places) == 1 or listening.addresses[0] not in BURSTS)
-            time = self._judge_time(sample, time, where)
+            time = self._judge_time(listening, sample, time, where)
             new_life, new_number = _most_likely(places, life, number, sample.lost)
             if new_life == life:
                 due = new_number - number - 1
@@ -495,9 +498,10 @@ class Oracle:
                 f"{listening.link.name}: lost is {listening.lost}, its samples say {lost_before}",
             )
 
-    def _judge_time(self, sample: Sample, before: float, where: str) -> float:
+    def _judge_time(self, listening: Listening, sample: Sample, before: float, where: str) -> float:
         """Check that the time of samples does not go back."""
-        if sample.time is None or "time over a reset" in self._without:
+        feature = "time over a reset behind a server" if listening.link.shared else "time over a reset"
+        if sample.time is None or feature in self._without:
             return before
         if sample.time < before - _SLACK:
             raise WorldError("time that goes back", f"{where}: {sample.time}, and {before} before it")

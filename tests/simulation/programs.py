@@ -199,6 +199,7 @@ class Program:
         keywords = dict(arguments)
         listening = Listening(log, self._tap.published, addresses, keywords | {"digits": link.gateway.data_digits})
         callback = listening.samples.append if by_callback else None
+        reconnections = link.statistics.reconnections
         subscription = link.subscribe(list(addresses), callback=callback, **keywords)
         listening.rate = subscription.rate_hz
         self._note("subscribe", addresses, arguments)
@@ -230,7 +231,7 @@ class Program:
             self._note("samples", addresses, len(listening.samples), listening.lost)
         for task in asking:
             await task
-        listening.asked_while_set_up = bool(publishes and link.statistics.reconnections)
+        listening.set_up_again = link.statistics.reconnections != reconnections
 
     async def _publish(self, subscription: unity_link.Subscription, pace: float) -> None:
         await asyncio.sleep(pace)
