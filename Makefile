@@ -46,7 +46,7 @@ bench: $(ALL) ## measure, and write benchmarks/RESULTS.md
 	@$(BIN)/python -m benchmarks
 
 table1: $(ALL) ## the paper's experiment again, into benchmarks/TABLE1.md and plots; takes minutes
-	@$(BIN)/unity-link bench paper --output benchmarks
+	@$(BIN)/python -m benchmarks.paper --output benchmarks
 
 bench-ros: $(ALL) ## measure the bridges against their peers, and write benchmarks/BRIDGES.md
 	@$(BIN)/python -m benchmarks.bridges

@@ -23,8 +23,8 @@ from typing import TYPE_CHECKING, Any, Self, TypeVar
 
 from anyio.from_thread import start_blocking_portal
 
-from unity_link import link as asynchronous
 from unity_link.errors import LinkClosedError, Outcome
+from unity_link.link import link as asynchronous
 
 if TYPE_CHECKING:
     from collections.abc import Awaitable, Callable
@@ -32,17 +32,17 @@ if TYPE_CHECKING:
 
     from numpy.typing import ArrayLike
 
-    from unity_link.connection import Reconnect
-    from unity_link.subscription import Sample
-    from unity_link.subscription import Subscription as AsyncSubscription
-    from unity_link.virtual import Gateway
-    from unity_link.wire.gateway_info import GatewayInfo
-    from unity_link.wire.messages import Words
+    from unity_link.link.connection import Reconnect
+    from unity_link.link.subscription import Sample
+    from unity_link.link.subscription import Subscription as AsyncSubscription
+    from unity_link.protocol.configuration import GatewayInfo
+    from unity_link.protocol.messages import Words
+    from unity_link.transport import Medium
 
 T = TypeVar("T")
 
 
-def connect(target: str | Gateway, *, timeout: float = 5.0, reconnect: bool | Reconnect = False) -> Link:
+def connect(target: str | Medium, *, timeout: float = 5.0, reconnect: bool | Reconnect = False) -> Link:
     """Open a link; `unity_link.connect` says what the arguments are and what is raised.
 
     The link is open when this returns; use it in a ``with`` block, or call `Link.close`.
@@ -53,7 +53,7 @@ def connect(target: str | Gateway, *, timeout: float = 5.0, reconnect: bool | Re
 class Link:
     """A connection to one gateway; made by `connect`. `unity_link.Link` documents the methods of the same names."""
 
-    def __init__(self, target: str | Gateway, *, timeout: float, reconnect: bool | Reconnect) -> None:
+    def __init__(self, target: str | Medium, *, timeout: float, reconnect: bool | Reconnect) -> None:
         self._closed = False
         with ExitStack() as stack:
             self._portal = stack.enter_context(start_blocking_portal("asyncio"))

@@ -13,8 +13,8 @@ from unity_link.errors import ArgumentError
 if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
 
-    from unity_link.wire.gateway_info import GatewayInfo
-    from unity_link.wire.messages import ErrorCode
+    from unity_link.protocol.configuration import GatewayInfo
+    from unity_link.protocol.messages import ErrorCode
 
 
 class AccessError(Exception):

@@ -10,8 +10,8 @@ import numpy as np
 
 from unity_link.bridges.messages import Message, hex_to_words
 from unity_link.bridges.recording.files import GATEWAY, INTERFACE, RecordingError, check_extra
+from unity_link.protocol.configuration import GatewayInfo
 from unity_link.spec import Interface
-from unity_link.wire.gateway_info import GatewayInfo
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -20,8 +20,8 @@ if TYPE_CHECKING:
     from mcap.records import McapRecord
     from numpy.typing import NDArray
 
+    from unity_link.protocol.messages import Words
     from unity_link.spec import Signal
-    from unity_link.wire.messages import Words
 
 _AT_ONCE = 4096
 

@@ -8,13 +8,13 @@ from typing import TYPE_CHECKING
 import msgspec
 
 from unity_link.bridges.serve.client import Client
-from unity_link.drivers import DriverUrl
-from unity_link.link import Link
+from unity_link.link.link import Link
+from unity_link.transport import DriverUrl
 
 if TYPE_CHECKING:
     from unity_link.bridges.serve.shared import SharedLink
-    from unity_link.stream import Stream
-    from unity_link.virtual import Gateway
+    from unity_link.transport import Medium
+    from unity_link.transport.stream import Stream
 
 HIGH_WATER = 1 << 18
 
@@ -27,7 +27,7 @@ class OwnLink(Link):
         target: what that is a link to: messages name it.
     """
 
-    def __init__(self, shared: SharedLink, target: DriverUrl | Gateway) -> None:
+    def __init__(self, shared: SharedLink, target: DriverUrl | Medium) -> None:
         # A node's number is between the shared link and its gateway alone.
         super().__init__(
             msgspec.structs.replace(target, options={}) if isinstance(target, DriverUrl) else target, reconnect=None
