@@ -8,11 +8,11 @@ from typing import TYPE_CHECKING
 import pytest
 
 from simulated_time import ModelledTimeLoop, on_simulated_time
+from unity_link.transport.buffered import HIGH_WATER
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.line import SlowLine
 from unity_link.virtual.pump import MOST_LAG
 from unity_link.virtual.transport import (
-    HIGH_WATER,
     MOST_DELIVERED,
     MOST_TAKEN,
     MOST_UNDELIVERED,

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 from unity_link.bridges.ordered import Value, write_in_order
 from unity_link.bridges.telling import Faults
 from unity_link.errors import ArgumentError, UnityLinkError
-from unity_link.transport.ft232h.inbox import Inbox
+from unity_link.transport.inbox import Inbox
 
 if TYPE_CHECKING:
     from collections.abc import Callable

@@ -10,7 +10,6 @@ The threads of Zenoh and the event loop meet in an `Inbox`.
 
 from __future__ import annotations
 
-import asyncio
 import atexit
 import contextlib
 import importlib.util
@@ -21,9 +20,11 @@ from typing import TYPE_CHECKING, Any, Protocol
 import msgspec
 
 from unity_link.errors import ArgumentError, ConnectError
-from unity_link.transport.ft232h.inbox import Inbox
+from unity_link.transport.buffered import BufferedTransport
+from unity_link.transport.inbox import Inbox
 
 if TYPE_CHECKING:
+    import asyncio
     from collections.abc import Callable
 
     import zenoh
@@ -186,7 +187,7 @@ def _same(one: zenoh.Config, other: zenoh.Config, *keys: str) -> bool:
     return all(one.get_json(key) == other.get_json(key) for key in keys)
 
 
-class KeyTransport(asyncio.Transport):
+class KeyTransport(BufferedTransport):
     """A stream over two keys: what is written is published at one, and what is published at the other is read.
 
     Publications may be lost where the network is slower than the stream, and the loop never waits for it: the protocol
@@ -210,14 +211,10 @@ class KeyTransport(asyncio.Transport):
     ) -> None:
         import zenoh
 
-        super().__init__()
-        self._loop = asyncio.get_running_loop()
-        self._protocol: asyncio.Protocol = protocol
+        super().__init__(protocol)
         self._over = over
-        self._closing = False
         self._kept: list[bytes] = []
         self._kept_bytes = 0
-        self._reading = True
         self._inbox: Inbox[bytes] = Inbox(self._receive)
         give = self._inbox.give
         publisher = session.declare_publisher(
@@ -251,10 +248,6 @@ class KeyTransport(asyncio.Transport):
             self._kept.append(data)
             self._kept_bytes += len(data)
 
-    def pause_reading(self) -> None:
-        """Keep what comes until `resume_reading`."""
-        self._reading = False
-
     def resume_reading(self) -> None:
         """Read again."""
         self._reading = True
@@ -265,29 +258,12 @@ class KeyTransport(asyncio.Transport):
             kept, self._kept, self._kept_bytes = self._kept, [], 0
             self._protocol.data_received(b"".join(kept))
 
-    def is_reading(self) -> bool:
-        """Say whether what arrives is delivered."""
-        return self._reading and not self._closing
-
-    def set_protocol(self, protocol: asyncio.BaseProtocol) -> None:
-        """Deliver to another protocol."""
-        assert isinstance(protocol, asyncio.Protocol)
-        self._protocol = protocol
-
-    def get_protocol(self) -> asyncio.BaseProtocol:
-        """Give who is delivered to."""
-        return self._protocol
-
     def set_write_buffer_limits(self, high: int | None = None, low: int | None = None) -> None:
         """Do nothing: what is written is not kept."""
 
     def get_write_buffer_size(self) -> int:
-        """Give 0."""
+        """Return 0: what is written is not kept."""
         return 0
-
-    def is_closing(self) -> bool:
-        """Say whether it has ended."""
-        return self._closing
 
     def close(self) -> None:
         """End."""

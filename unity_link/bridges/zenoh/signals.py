@@ -27,7 +27,7 @@ from unity_link.bridges.zenoh.describing import describe
 from unity_link.bridges.zenoh.writing import Reader
 from unity_link.data import Group, Readable, Writable
 from unity_link.errors import ArgumentError, UnansweredError, UnityLinkError
-from unity_link.transport.ft232h.inbox import Inbox
+from unity_link.transport.inbox import Inbox
 
 if TYPE_CHECKING:
     from collections.abc import Awaitable, Callable

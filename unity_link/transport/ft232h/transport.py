@@ -6,36 +6,33 @@ and ``line_errors``, the number of packets with which the chip reported lost byt
 
 from __future__ import annotations
 
-import asyncio
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from unity_link.errors import ConnectError
+from unity_link.transport.buffered import BufferedTransport
 from unity_link.transport.ft232h.chip import ERROR_BITS, PACKET_SIZE, STATUS_SIZE, OpenChip, SendImmediate, explain, log
 
-HIGH_WATER, LOW_WATER = 65536, 16384
-"""Bytes to be written at which the protocol is asked to pause, and may go on."""
+if TYPE_CHECKING:
+    import asyncio
+
 MOST_STALLS = 3
 """Stalls without a byte in between that are cleared before the chip counts as broken."""
 
 
-class ChipTransport(asyncio.Transport):
+class ChipTransport(BufferedTransport):
     """A chip that a protocol reads from and writes to.
 
     Args:
-        loop: the protocol's.
-        protocol: who reads and writes.
+        protocol: reads and writes.
         chip: is closed at the end.
     """
 
-    def __init__(self, loop: asyncio.AbstractEventLoop, protocol: asyncio.Protocol, chip: OpenChip) -> None:
-        super().__init__()
-        self._loop = loop
-        self._protocol = protocol
+    def __init__(self, protocol: asyncio.Protocol, chip: OpenChip) -> None:
+        super().__init__(protocol)
         self._chip = chip
         self._status = StatusStripper()
         self._unwritten = 0
-        self._writing_paused = self._reading_paused = False
-        self._closing = self._aborted = False
+        self._aborted = False
         self._error: ConnectError | None = None
 
     def get_extra_info(self, name: str, default: Any = None) -> Any:
@@ -50,36 +47,8 @@ class ChipTransport(asyncio.Transport):
         await self._loop.run_in_executor(None, self._chip.tune, mode)
 
     def get_write_buffer_size(self) -> int:
-        """Give how many bytes are not written."""
+        """Return how many bytes are not written."""
         return self._unwritten
-
-    def get_write_buffer_limits(self) -> tuple[int, int]:
-        """Give the levels at which the protocol may write again, and must pause."""
-        return LOW_WATER, HIGH_WATER
-
-    def can_write_eof(self) -> bool:
-        """Say that a gateway knows no end of a stream."""
-        return False
-
-    def is_reading(self) -> bool:
-        """Say whether what arrives is delivered."""
-        return not self._reading_paused and not self._closing
-
-    def is_closing(self) -> bool:
-        """Say whether the end was asked for, or has come."""
-        return self._closing
-
-    # For the drivers
-
-    def _pause_writing_if_full(self) -> None:
-        if self._unwritten > HIGH_WATER and not self._writing_paused:
-            self._writing_paused = True
-            self._protocol.pause_writing()
-
-    def _resume_writing_if_calm(self) -> None:
-        if self._writing_paused and self._unwritten <= LOW_WATER:
-            self._writing_paused = False
-            self._protocol.resume_writing()
 
     def _note(self, error: Exception) -> None:
         """Keep why the chip is lost; the first error counts, and none of an end that was asked for."""

@@ -53,7 +53,7 @@ async def connect(url: DriverUrl, protocol: asyncio.Protocol) -> asyncio.Transpo
     loop = asyncio.get_running_loop()
     chip = await open_in_thread(url)
     try:
-        transport = OverlappedTransport(loop, protocol, chip, _open_usb(chip))
+        transport = OverlappedTransport(protocol, chip, _open_usb(chip))
     except BaseException:
         await loop.run_in_executor(None, chip.close)
         raise
@@ -116,10 +116,8 @@ def _os_error(error: Exception) -> Exception:
 class OverlappedTransport(ChipTransport):
     """A chip and its posted transfers. Everything happens in the loop."""
 
-    def __init__(
-        self, loop: asyncio.AbstractEventLoop, protocol: asyncio.Protocol, chip: OpenChip, usb: tuple[Any, Any]
-    ) -> None:
-        super().__init__(loop, protocol, chip)
+    def __init__(self, protocol: asyncio.Protocol, chip: OpenChip, usb: tuple[Any, Any]) -> None:
+        super().__init__(protocol, chip)
         self._context, self._handle = usb
         self._received: list[bytes] = []
         self._to_write: deque[bytes] = deque()
@@ -183,13 +181,9 @@ class OverlappedTransport(ChipTransport):
         self._post_writes()
         self._pause_writing_if_full()
 
-    def pause_reading(self) -> None:
-        """Post no more reads until `resume_reading`; what those that are posted bring is kept."""
-        self._reading_paused = True
-
     def resume_reading(self) -> None:
         """Post reads again."""
-        self._reading_paused = False
+        self._reading = True
         self._post_reads()
         self._loop.call_soon(self._deliver)
 
@@ -210,7 +204,7 @@ class OverlappedTransport(ChipTransport):
 
     def _post_reads(self) -> None:
         # While a closed transport still writes, the chip must not get stuck on what nobody reads.
-        wanted = not self._reading_paused and not self._aborted and (not self._closing or self._unwritten)
+        wanted = self._reading and not self._aborted and (not self._closing or self._unwritten)
         while self._idle_reads and wanted and IN_ENDPOINT not in self._clearing:
             transfer = self._idle_reads.pop(0)
             transfer.setBulk(IN_ENDPOINT, READ_SIZE, callback=self._end_read)
@@ -229,7 +223,7 @@ class OverlappedTransport(ChipTransport):
             self._take_failure(IN_ENDPOINT, status)
 
     def _deliver(self) -> None:
-        if self._received and not self._reading_paused and not self._closing:
+        if self._received and self._reading and not self._closing:
             data = b"".join(self._received)
             self._received.clear()
             self._protocol.data_received(data)

@@ -10,13 +10,13 @@ while the loop has not taken what it read, which the chip passes on to the gatew
 
 from __future__ import annotations
 
-import asyncio
 import errno
 import threading
 import time
 from collections import deque
 from typing import TYPE_CHECKING, Any
 
+from unity_link.transport.buffered import LOW_WATER
 from unity_link.transport.ft232h import chip as ft232h_chip
 from unity_link.transport.ft232h.chip import (
     IN_ENDPOINT,
@@ -27,9 +27,11 @@ from unity_link.transport.ft232h.chip import (
     open_in_thread,
     stuck,
 )
-from unity_link.transport.ft232h.transport import LOW_WATER, MOST_STALLS, ChipTransport
+from unity_link.transport.ft232h.transport import MOST_STALLS, ChipTransport
 
 if TYPE_CHECKING:
+    import asyncio
+
     from unity_link.transport import DriverUrl
 
 __all__ = ["OPTIONS", "connect"]
@@ -47,9 +49,8 @@ READ_SLACK_MS = 1000
 
 async def connect(url: DriverUrl, protocol: asyncio.Protocol) -> asyncio.Transport:
     """Open a chip."""
-    loop = asyncio.get_running_loop()
     chip = await open_in_thread(url)
-    transport = ThreadedTransport(loop, protocol, chip)
+    transport = ThreadedTransport(protocol, chip)
     protocol.connection_made(transport)
     transport.start()
     return transport
@@ -58,8 +59,8 @@ async def connect(url: DriverUrl, protocol: asyncio.Protocol) -> asyncio.Transpo
 class ThreadedTransport(ChipTransport):
     """A chip and its two threads."""
 
-    def __init__(self, loop: asyncio.AbstractEventLoop, protocol: asyncio.Protocol, chip: OpenChip) -> None:
-        super().__init__(loop, protocol, chip)
+    def __init__(self, protocol: asyncio.Protocol, chip: OpenChip) -> None:
+        super().__init__(protocol, chip)
         self._changed = threading.Condition()
         """Guards what both threads and the loop use: all below, bytes unwritten, and how it ends."""
         self._to_write: deque[bytes] = deque()
@@ -86,13 +87,9 @@ class ThreadedTransport(ChipTransport):
             self._changed.notify_all()
         self._pause_writing_if_full()
 
-    def pause_reading(self) -> None:
-        """Deliver nothing until `resume_reading`."""
-        self._reading_paused = True
-
     def resume_reading(self) -> None:
         """Deliver again."""
-        self._reading_paused = False
+        self._reading = True
         self._deliver()
 
     def close(self) -> None:
@@ -115,7 +112,7 @@ class ThreadedTransport(ChipTransport):
         """Give the protocol what was read."""
         with self._changed:
             self._delivery_planned = False
-            if self._closing or self._reading_paused or not self._unread:
+            if self._closing or not self._reading or not self._unread:
                 return
             data = b"".join(self._unread)
             self._unread.clear()
