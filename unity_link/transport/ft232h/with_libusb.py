@@ -26,6 +26,7 @@ from unity_link.transport.ft232h.chip import (
     OpenChip,
     explain,
     open_in_thread,
+    options_of,
     stuck,
 )
 from unity_link.transport.ft232h.transport import MOST_STALLS, ChipTransport
@@ -33,7 +34,7 @@ from unity_link.transport.ft232h.transport import MOST_STALLS, ChipTransport
 if TYPE_CHECKING:
     from unity_link.transport import DriverUrl
 
-__all__ = ["OPTIONS", "connect"]
+__all__ = ["OPTIONS", "connect", "options_of"]
 
 READ_SIZE = 8192
 """Bytes of one posted transfer. Large ones do not make a lone answer late: a short packet ends them. But a stream of

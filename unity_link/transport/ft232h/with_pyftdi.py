@@ -25,6 +25,7 @@ from unity_link.transport.ft232h.chip import (
     OpenChip,
     find_errno,
     open_in_thread,
+    options_of,
     stuck,
 )
 from unity_link.transport.ft232h.transport import MOST_STALLS, ChipTransport
@@ -34,7 +35,7 @@ if TYPE_CHECKING:
 
     from unity_link.transport import DriverUrl
 
-__all__ = ["OPTIONS", "connect"]
+__all__ = ["OPTIONS", "connect", "options_of"]
 
 READ_SIZE = 16384
 """Bytes of one read: the most that Linux moves in one piece."""
