@@ -278,7 +278,7 @@ async def test_what_waits_for_a_client_that_does_not_read_is_bounded() -> None:
             await asyncio.sleep(0.01)
         (client,) = shared.clients
         assert client._transport is not None
-        assert len(client._transport._buffer) < 2 * MOST_UNSENT + MOST_UNDER_WAY  # type: ignore[attr-defined]
+        assert client._transport.get_write_buffer_size() < 2 * MOST_UNSENT + MOST_UNDER_WAY
         assert client._under_way < MOST_UNDER_WAY + 4096
 
 
