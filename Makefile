@@ -19,7 +19,7 @@ PYTEST_ARGS ?=
 # Tests run in so many processes side by side, each file in one of them; 0 for none beside pytest's own.
 PYTEST_PROCESSES ?= auto
 
-.PHONY: help venv demo test campaign lint format bench bench-ros bench-live table1 docs lock upgrade clean
+.PHONY: help venv demo test campaign lint format bench bench-beside bench-ros bench-live table1 docs lock upgrade clean
 
 help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z0-9-]+:.*## / { printf "  make %-10s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
@@ -49,8 +49,13 @@ format: $(ALL) ## put the Python sources into the project's form
 bench: $(ALL) ## measure, and write benchmarks/RESULTS.md
 	@$(BIN)/python -m benchmarks
 
+# The revision that `make bench-beside` compares with.
+REVISION ?= a3abcb1
+bench-beside: $(ALL) ## measure this tree and REVISION in turn, and say what became slower
+	@$(BIN)/python -m benchmarks.beside $(REVISION)
+
 table1: $(ALL) ## the paper's experiment again, into benchmarks/TABLE1.md and plots; takes minutes
-	@$(BIN)/unity-link bench paper --output benchmarks
+	@$(BIN)/python -m benchmarks.paper --output benchmarks
 
 bench-ros: $(ALL) ## measure the bridges against their peers, and write benchmarks/BRIDGES.md
 	@$(BIN)/python -m benchmarks.bridges

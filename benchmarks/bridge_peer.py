@@ -110,7 +110,7 @@ def zenoh(what: str, seconds: float, rate: float) -> Count:
     import msgspec
     from zenoh import CongestionControl
 
-    from unity_link.drivers.zenoh_session import Network, close_session, open_session
+    from unity_link.transport.zenoh_session import Network, close_session, open_session
 
     session = open_session(Network())
     seen = [0]

@@ -17,9 +17,10 @@ from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any
 
 import unity_link
-from unity_link.drivers import ft232h, ft232h_async, parse_url
-from unity_link.drivers.ft232h_chip import IN_ENDPOINT, OUT_ENDPOINT, open_chip
-from unity_link.drivers.ft232h_transport import StatusStripper
+from unity_link.transport import parse_url
+from unity_link.transport.ft232h import with_libusb, with_pyftdi
+from unity_link.transport.ft232h.chip import IN_ENDPOINT, OUT_ENDPOINT, open_chip
+from unity_link.transport.ft232h.transport import StatusStripper
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.ft232h.board import GatewayBoard
 from unity_link.virtual.ft232h.bus import VirtualBus, VirtualFt232h
@@ -136,12 +137,12 @@ async def overruns(scheme: str) -> int:
 
 WAYS: dict[str, Any] = {
     "a hop for each transaction": hop,
-    "ftdi:// (two threads)": lambda: driver(ft232h),
-    "ftdi-async:// (posted transfers)": lambda: driver(ft232h_async),
+    "ftdi:// (two threads)": lambda: driver(with_pyftdi),
+    "ftdi-async:// (posted transfers)": lambda: driver(with_libusb),
 }
 STREAMS: dict[str, Any] = {
-    "ftdi:// (two threads)": lambda: stream(ft232h),
-    "ftdi-async:// (posted transfers)": lambda: stream(ft232h_async),
+    "ftdi:// (two threads)": lambda: stream(with_pyftdi),
+    "ftdi-async:// (posted transfers)": lambda: stream(with_libusb),
 }
 
 

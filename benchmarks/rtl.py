@@ -15,8 +15,8 @@ from rich.console import Console
 
 import unity_link
 from benchmarks.measure import seconds
+from unity_link.protocol.crc import Crc
 from unity_link.virtual.rtl import RtlGateway
-from unity_link.wire.crc import Crc
 
 if TYPE_CHECKING:
     from collections.abc import Callable

@@ -10,11 +10,11 @@ from typing import TYPE_CHECKING, Protocol
 
 import pytest
 
+from unity_link.protocol.configuration import Feature, GatewayInfo
+from unity_link.protocol.messages import ErrorCode
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.faults import Failing
 from unity_link.virtual.rtl import RtlGateway, choose
-from unity_link.wire.gateway_info import Feature, GatewayInfo
-from unity_link.wire.messages import ErrorCode
 
 if TYPE_CHECKING:
     from collections.abc import Collection, Sequence

@@ -9,10 +9,10 @@ import asyncio
 import os
 import sys
 
+from unity_link.protocol.configuration import GatewayInfo
+from unity_link.protocol.messages import ErrorCode
 from unity_link.virtual import AccessError, VirtualGateway
 from unity_link.virtual.serving import serve_unix
-from unity_link.wire.gateway_info import GatewayInfo
-from unity_link.wire.messages import ErrorCode
 
 SPEC = """
 group state(1, 1, TIMESTAMPS);

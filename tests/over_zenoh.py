@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING
 
 from sharing import ServedGateway
 from unity_link.bridges.zenoh.streams import Streams
-from unity_link.drivers import load_driver, parse_url
-from unity_link.drivers.zenoh_session import KeyTransport, Network, close_session, open_session
+from unity_link.transport import load_driver, parse_url
+from unity_link.transport.zenoh_session import KeyTransport, Network, close_session, open_session
 
 if TYPE_CHECKING:
     import asyncio
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 @contextmanager
 def zenoh_network() -> Iterator[Callable[[Gateway, asyncio.Protocol], Awaitable[asyncio.Transport]]]:
-    """Give what connects a protocol to a gateway over Zenoh, in place of `serving.connect_gateway`."""
+    """Give what connects a protocol to a gateway over Zenoh, in place of `Gateway.open`."""
     with socket.create_server(("127.0.0.1", 0)) as free:
         endpoint = f"tcp/127.0.0.1:{free.getsockname()[1]}"
     session = open_session(Network(listen=(endpoint,)))

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from unity_link.protocol.messages import ErrorCode
 from unity_link.virtual.bus import AccessError
-from unity_link.wire.messages import ErrorCode
 
 if TYPE_CHECKING:
     from unity_link.virtual import BareGateway

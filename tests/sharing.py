@@ -9,17 +9,19 @@ from typing import TYPE_CHECKING, Self
 import pipe
 from unity_link.bridges.serve.client import Client
 from unity_link.bridges.serve.shared import SharedLink
-from unity_link.drivers import DriverUrl
-from unity_link.link import Link
-from unity_link.virtual.serving import connect_gateway
+from unity_link.link.link import Link
+from unity_link.transport import DriverUrl
+from unity_link.virtual.gateway import Gateway
 
 if TYPE_CHECKING:
     from collections.abc import AsyncIterator, Callable
 
-    from unity_link.connection import Reconnect
-    from unity_link.stream import Stream
-    from unity_link.virtual import Gateway
+    from unity_link.link.connection import Reconnect
+    from unity_link.transport.stream import Stream
     from unity_link.virtual.faults import Noise
+
+open_directly = Gateway.open
+"""As it is, also while a test has put another way in its place."""
 
 
 class Terminal(asyncio.Protocol):
@@ -107,7 +109,8 @@ class ServedGateway(SharedLink):
 
     async def _connect_stream(self, stream: Stream) -> None:
         assert not isinstance(self._target, DriverUrl)
-        await connect_gateway(self._target, stream)
+        assert isinstance(self._target, Gateway)
+        await open_directly(self._target, stream)
 
     def leave(self, client: Client) -> None:
         super().leave(client)
@@ -115,7 +118,7 @@ class ServedGateway(SharedLink):
 
 
 async def connect_through_server(gateway: Gateway, protocol: asyncio.Protocol) -> asyncio.Transport:
-    """Connect a protocol to a gateway that is shared, in place of `unity_link.virtual.serving.connect_gateway`."""
+    """Connect a protocol to a gateway that is shared, in place of `Gateway.open`."""
     shared = ServedGateway(gateway, lambda _: None)
     shared.open_when_there()
     return pipe.connect(protocol, Client(shared))

@@ -13,11 +13,11 @@ from anyio.from_thread import start_blocking_portal
 
 import unity_link
 from unity_link import blocking
+from unity_link.protocol.messages import ErrorCode
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.faults import Failing
 from unity_link.virtual.line import SlowLine
 from unity_link.virtual.serving import serve_unix
-from unity_link.wire.messages import ErrorCode
 
 
 def test_words_blocks_and_batches_are_read_and_written() -> None:

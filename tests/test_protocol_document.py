@@ -5,10 +5,10 @@ import re
 import fastcrc
 import pytest
 
+from unity_link.protocol.configuration import GatewayInfo
+from unity_link.protocol.messages import ErrorCode
 from unity_link.virtual.faults import Failing
 from unity_link.virtual.gateway import VirtualGateway
-from unity_link.wire.gateway_info import GatewayInfo
-from unity_link.wire.messages import ErrorCode
 from worked_examples import DOCUMENT, Example, worked_examples
 
 EXAMPLES = worked_examples()

@@ -4,12 +4,15 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from unity_link.virtual.gateway import Gateway
+
 if TYPE_CHECKING:
+    from collections.abc import MutableMapping
+
     from unity_link import Link
-    from unity_link.virtual import Gateway
 
 
-class Valve:
+class Valve(Gateway):
     """Stands in front of a gateway and lets bytes through, or loses them.
 
     Args:
@@ -28,6 +31,18 @@ class Valve:
 
     def __getattr__(self, name: str) -> Any:
         return getattr(self.gateway, name)
+
+    @property
+    def memory(self) -> MutableMapping[int, int]:
+        return self.gateway.memory
+
+    @property
+    def next_due(self) -> float | None:
+        return self.gateway.next_due
+
+    @property
+    def waiting(self) -> int:
+        return self.gateway.waiting
 
     def receive(self, data: bytes, now: float) -> bytes:
         self.heard += data

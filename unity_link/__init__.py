@@ -17,7 +17,6 @@ With a spec of what stands behind the gateway, the same by names and in units::
 
 from typing import TYPE_CHECKING
 
-from unity_link.connection import Reconnect
 from unity_link.errors import (
     AnswerLostError,
     ArgumentError,
@@ -34,9 +33,11 @@ from unity_link.errors import (
     UnityLinkError,
     UnsupportedError,
 )
-from unity_link.link import Link, Statistics, connect
-from unity_link.subscription import Sample, Subscription
-from unity_link.wire.gateway_info import Feature, GatewayInfo
+from unity_link.link.connection import Reconnect
+from unity_link.link.link import Link, Statistics, connect
+from unity_link.link.subscription import Sample, Subscription
+from unity_link.protocol.configuration import Feature, GatewayInfo
+from unity_link.transport import register, register_stand_in
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -45,6 +46,10 @@ if TYPE_CHECKING:
     from unity_link.spec import Spec
 
 __version__ = "0.1.0"
+
+register("sim", "unity_link.virtual.schemes")
+register("rtl", "unity_link.virtual.schemes")
+register_stand_in("virtual", "unity_link.virtual.ft232h.stand_in")
 
 __all__ = [
     "AnswerLostError",

@@ -24,8 +24,8 @@ from collections import deque
 from concurrent.futures import CancelledError, Future
 from typing import TYPE_CHECKING, Any, Self, TypeVar
 
-from unity_link import link as asynchronous
 from unity_link.errors import ArgumentError, LinkClosedError, Outcome
+from unity_link.link import link as asynchronous
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Coroutine
@@ -33,17 +33,17 @@ if TYPE_CHECKING:
 
     from numpy.typing import ArrayLike
 
-    from unity_link.connection import Reconnect
-    from unity_link.subscription import Sample
-    from unity_link.subscription import Subscription as AsyncSubscription
-    from unity_link.virtual import Gateway
-    from unity_link.wire.gateway_info import GatewayInfo
-    from unity_link.wire.messages import Words
+    from unity_link.link.connection import Reconnect
+    from unity_link.link.subscription import Sample
+    from unity_link.link.subscription import Subscription as AsyncSubscription
+    from unity_link.protocol.configuration import GatewayInfo
+    from unity_link.protocol.messages import Words
+    from unity_link.transport import Medium
 
 T = TypeVar("T")
 
 
-def connect(target: str | Gateway, *, timeout: float = 5.0, reconnect: bool | Reconnect = False) -> Link:
+def connect(target: str | Medium, *, timeout: float = 5.0, reconnect: bool | Reconnect = False) -> Link:
     """Open a link; `unity_link.connect` says what the arguments are and what is raised.
 
     The link is open when this returns; use it in a ``with`` block, or call `Link.close`.
@@ -119,7 +119,7 @@ class Link:
     A link that is not closed is closed where nothing refers to it any more, and at the end of the program.
     """
 
-    def __init__(self, target: str | Gateway, *, timeout: float, reconnect: bool | Reconnect) -> None:
+    def __init__(self, target: str | Medium, *, timeout: float, reconnect: bool | Reconnect) -> None:
         self._thread = LoopThread()
 
         async def open_link() -> asynchronous.Link:

@@ -21,8 +21,8 @@ from gateware.tools.cache import GATEWARE, hash_of, vhdl_sources
 from gateware.tools.convert import ConversionError, to_verilog
 from gateware.tools.ghdl import ToolMissingError
 from gateware.tools.yowasp import run, version
+from unity_link.protocol.configuration import Feature, GatewayInfo
 from unity_link.virtual.rtl.configurations import heading
-from unity_link.wire.gateway_info import Feature, GatewayInfo
 
 TOP = "unity_link_fifo"
 GENERATED = GATEWARE.parent / "unity_link" / "virtual" / "rtl" / "generated"

@@ -17,9 +17,9 @@ from unity_link import GatewayInfo
 from unity_link.bridges.carrying import Carrier
 from unity_link.bridges.sampled import sampled_groups
 from unity_link.data import load
+from unity_link.protocol.messages import ErrorCode
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.faults import Failing
-from unity_link.wire.messages import ErrorCode
 
 if TYPE_CHECKING:
     from pathlib import Path

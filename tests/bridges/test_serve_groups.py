@@ -12,9 +12,9 @@ import pytest
 from sharing import PipedLink, Terminal, call, settle, sharing, until
 from simulated_time import on_simulated_time, run_simulated
 from unity_link import LinkLostError
+from unity_link.protocol.configuration import GatewayInfo
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.line import SlowLine
-from unity_link.wire.gateway_info import GatewayInfo
 from valve import Valve, cut
 
 if TYPE_CHECKING:

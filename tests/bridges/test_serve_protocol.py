@@ -10,10 +10,10 @@ import pytest
 
 from sharing import call, settle, sharing
 from simulated_time import on_simulated_time
+from unity_link.protocol.configuration import Feature, GatewayInfo
+from unity_link.protocol.messages import ErrorCode
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.faults import Failing
-from unity_link.wire.gateway_info import Feature, GatewayInfo
-from unity_link.wire.messages import ErrorCode
 from worked_examples import Example, worked_examples
 
 if TYPE_CHECKING:

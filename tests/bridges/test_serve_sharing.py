@@ -13,21 +13,21 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from recorded_bus import RecordedBus
-from sharing import PipedLink, call, settle, sharing, until
+from sharing import PipedLink, call, open_directly, settle, sharing, until
 from simulated_time import on_simulated_time, run_simulated
 from unity_link import AnswerLostError, BusTimeoutError, LinkLostError, OutOfRangeError, Reconnect
 from unity_link.bridges.serve.client import MOST_UNDER_WAY, MOST_UNSENT
 from unity_link.bridges.serve.shared import PATIENCE, SharedLink
+from unity_link.protocol.configuration import Feature, GatewayInfo
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.faults import Noise, NoisyLine
+from unity_link.virtual.gateway import Gateway
 from unity_link.virtual.line import SlowLine
-from unity_link.virtual.serving import connect_gateway
-from unity_link.wire.gateway_info import Feature, GatewayInfo
 from valve import Valve, cut
 
 if TYPE_CHECKING:
     from unity_link import Link
-    from unity_link.stream import Stream
+    from unity_link.transport.stream import Stream
 
 KILOHERTZ = 1_000_000
 """A base frequency at which simulated time is quick."""
@@ -278,7 +278,7 @@ async def test_what_waits_for_a_client_that_does_not_read_is_bounded() -> None:
             await asyncio.sleep(0.01)
         (client,) = shared.clients
         assert client._transport is not None
-        assert len(client._transport._buffer) < 2 * MOST_UNSENT + MOST_UNDER_WAY  # type: ignore[attr-defined]
+        assert client._transport.get_write_buffer_size() < 2 * MOST_UNSENT + MOST_UNDER_WAY
         assert client._under_way < MOST_UNDER_WAY + 4096
 
 
@@ -456,9 +456,9 @@ async def test_a_server_can_be_ended_at_the_moment_at_which_the_gateway_goes(mon
 
     async def connecting(gateway: Valve, stream: Stream) -> asyncio.Transport:
         streams.append(stream)
-        return await connect_gateway(gateway, stream)
+        return await open_directly(gateway, stream)
 
-    monkeypatch.setattr("unity_link.virtual.serving.connect_gateway", connecting)
+    monkeypatch.setattr(Gateway, "open", connecting)
     shared = SharedLink(valve, lambda _: None)
     shared.open_when_there()
     await asyncio.sleep(0.05)

@@ -22,7 +22,7 @@ import pytest
 import unity_link
 from bridge_programs import PATIENCE, PROGRAM, Noted, program, wait_for, wait_until
 from unity_link import ArgumentError, ConnectError, LinkLostError, blocking
-from unity_link.drivers.zenoh_session import Network, close_session, open_session
+from unity_link.transport.zenoh_session import Network, close_session, open_session
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -295,7 +295,7 @@ def test_a_client_that_is_killed_in_the_middle_of_a_query_has_written_each_value
 ) -> None:
     script = (
         "import sys\n"
-        "from unity_link.drivers.zenoh_session import Network, open_session\n"
+        "from unity_link.transport.zenoh_session import Network, open_session\n"
         "session = open_session(Network(connect=(sys.argv[1],)))\n"
         "for value in range(1_000_000):\n"
         "    list(session.get('robot/1/signals/target', payload=str(value)))\n"

@@ -14,7 +14,7 @@ import msgspec
 import pytest
 
 from unity_link import blocking
-from unity_link.drivers.zenoh_session import Network, close_session, open_session
+from unity_link.transport.zenoh_session import Network, close_session, open_session
 
 if TYPE_CHECKING:
     from collections.abc import Iterator

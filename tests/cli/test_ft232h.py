@@ -16,10 +16,10 @@ from typer.testing import CliRunner
 
 from unity_link.cli import ft232h
 from unity_link.errors import ConnectError
+from unity_link.transport.ft232h.eeprom_image import BLANK, build_eeprom, channel_type, strings
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.ft232h.board import GatewayBoard
 from unity_link.virtual.ft232h.bus import VirtualBus, VirtualFt232h
-from unity_link.virtual.ft232h.eeprom import BLANK, build_eeprom, channel_type, strings
 from unity_link.virtual.ft232h.pyusb_backend import installed
 
 if TYPE_CHECKING:

@@ -12,10 +12,10 @@ from anyio.from_thread import start_blocking_portal
 
 from counting_device import CountingDevice
 from terminal_window import GIVEN_BACK, Window, needs_tmux
+from unity_link.protocol.configuration import GatewayInfo
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.build import build_gateway
 from unity_link.virtual.serving import serve_unix
-from unity_link.wire.gateway_info import GatewayInfo
 
 if TYPE_CHECKING:
     from collections.abc import Iterator

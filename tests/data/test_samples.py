@@ -25,8 +25,8 @@ from unity_link import (
 )
 from unity_link.data import Batch, Group, GroupSubscription
 from unity_link.data.feed import Feed, Listener
+from unity_link.link.subscription import Sample
 from unity_link.spec import compile_text
-from unity_link.subscription import Sample
 from unity_link.virtual import VirtualGateway
 from valve import Valve
 

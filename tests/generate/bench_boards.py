@@ -1,7 +1,7 @@
 """Inside the simulator: whole generated boards by their pins, a UART, and a wire from the end of the chain to its top.
 
-The frames are made by `unity_link.wire`, the signals by the same spec, and nothing here knows the VHDL. There is one
-test for each board, as a board begins with a reset at power-up, which no pin repeats.
+The frames are made by `unity_link.protocol`, the signals by the same spec, and nothing here knows the VHDL. There is
+one test for each board, as a board begins with a reset at power-up, which no pin repeats.
 """
 
 from __future__ import annotations
@@ -14,8 +14,8 @@ from cocotb.clock import Clock
 from cocotb.triggers import ClockCycles, FallingEdge, Timer
 
 from unity_link.generate.vhdl import fingerprint
+from unity_link.protocol.crc import Crc
 from unity_link.spec import compile_file, compile_text
-from unity_link.wire.crc import Crc
 
 if TYPE_CHECKING:
     from unity_link.spec import Interface

@@ -18,15 +18,15 @@ from generate.peers import MEDIA, Fault, FaultyLine, Medium, damage, double, los
 from generate.programs import CPP, HERE, SANITIZED, C, Driven, Simulated, checked, compiled, generated, linked, output
 from spec_examples import FIGURE_1, specs
 from unity_link.generate.c.layout import Layout
+from unity_link.protocol.configuration import Feature
+from unity_link.protocol.crc import Crc
+from unity_link.protocol.frames import Framing
+from unity_link.protocol.messages import ErrorCode
 from unity_link.spec import KindName, compile_text
 from unity_link.spec.printer import print_file
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.build import build_gateway
 from unity_link.virtual.faults import Failing, Noise, NoisyLine
-from unity_link.wire.crc import Crc
-from unity_link.wire.frames import Framing
-from unity_link.wire.gateway_info import Feature
-from unity_link.wire.messages import ErrorCode
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator

@@ -14,9 +14,9 @@ from generate.peers import MEDIA, FaultyLine, Medium, lose, replace, simulate
 from generate.programs import CPP, SANITIZED, C, compiled, generated, linked, output
 from spec_examples import FIGURE_1
 from unity_link.generate import generate
+from unity_link.protocol.crc import Crc
+from unity_link.protocol.frames import Framing
 from unity_link.spec import KindName, compile_text
-from unity_link.wire.crc import Crc
-from unity_link.wire.frames import Framing
 
 if TYPE_CHECKING:
     from pathlib import Path

@@ -16,13 +16,13 @@ from generate.octave import Octave, doubles, numbers, words
 from generate.peers import MEDIA, FaultyLine, Medium, damage, lose, replace, simulate
 from recorded_bus import RecordedBus
 from spec_examples import FIGURE_1
+from unity_link.protocol.configuration import GatewayInfo
+from unity_link.protocol.crc import Crc
+from unity_link.protocol.frames import Framing
 from unity_link.spec import compile_file, compile_text
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.faults import Noise, NoisyLine
 from unity_link.virtual.serving import serve_tcp
-from unity_link.wire.crc import Crc
-from unity_link.wire.frames import Framing
-from unity_link.wire.gateway_info import GatewayInfo
 
 if TYPE_CHECKING:
     from collections.abc import Iterator

@@ -19,9 +19,9 @@ from unity_link.data import Group, read_interface
 from unity_link.generate import generate, write
 from unity_link.generate.python import docstring
 from unity_link.generate.python.model import model_text
+from unity_link.protocol.configuration import GatewayInfo
 from unity_link.spec import Access, Spec, compile_file, compile_text
 from unity_link.virtual import VirtualGateway
-from unity_link.wire.gateway_info import GatewayInfo
 
 if TYPE_CHECKING:
     from types import ModuleType

@@ -9,10 +9,10 @@ import unity_link
 from simulated_time import on_simulated_time
 from unity_link import ArgumentError, BusError, Feature, GatewayInfo, UnsupportedError
 from unity_link.hardware import Counter, Fifo, Gpio, Memory, Module, Pwm, Quadrature
+from unity_link.protocol.messages import ErrorCode
 from unity_link.spec import SpecError, compile_text
 from unity_link.spec.arguments import Shape, Slot
 from unity_link.virtual import AccessError, VirtualGateway
-from unity_link.wire.messages import ErrorCode
 
 
 class Queue:

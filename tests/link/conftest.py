@@ -17,10 +17,10 @@ import unity_link
 from makers import RTL, Maker, compiled, simulated, with_failing
 from over_zenoh import zenoh_network
 from sharing import connect_through_server
-from unity_link.drivers import load_driver, parse_url
+from unity_link.transport import load_driver, parse_url
+from unity_link.transport.ft232h.eeprom_image import build_eeprom
 from unity_link.virtual.ft232h.board import GatewayBoard
 from unity_link.virtual.ft232h.bus import VirtualBus, VirtualFt232h
-from unity_link.virtual.ft232h.eeprom import build_eeprom
 from unity_link.virtual.ft232h.pyusb_backend import installed
 
 if TYPE_CHECKING:
@@ -32,7 +32,7 @@ if TYPE_CHECKING:
 
 MAKERS: dict[str, Maker] = {"sim": simulated, "rtl": compiled}
 SCHEMES = ("ftdi", "ftdi-async")
-WAY = "unity_link.virtual.serving.connect_gateway"
+WAY = "unity_link.virtual.gateway.Gateway.open"
 """What connects a link to a gateway of this process."""
 
 

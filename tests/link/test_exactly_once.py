@@ -19,10 +19,10 @@ from makers import CRC_32, Maker
 from recorded_bus import RecordedBus
 from simulated_time import run_simulated
 from unity_link.errors import AnswerLostError
+from unity_link.protocol.configuration import Feature, GatewayInfo
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.faults import Noise, NoisyLine
 from unity_link.virtual.line import SlowLine
-from unity_link.wire.gateway_info import Feature, GatewayInfo
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Coroutine

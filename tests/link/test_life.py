@@ -31,15 +31,16 @@ from unity_link import (
     UnansweredError,
     UnsupportedError,
 )
-from unity_link.connection import Reconnect
-from unity_link.drivers import parse_url
+from unity_link.link.connection import Reconnect
+from unity_link.protocol.configuration import Feature
+from unity_link.protocol.constants import MOST_TRIES
+from unity_link.protocol.crc import Crc
+from unity_link.protocol.frames import Framing
+from unity_link.transport import parse_url
 from unity_link.virtual.faults import Failing, Noise, NoisyLine
+from unity_link.virtual.gateway import Gateway
 from unity_link.virtual.line import SlowLine
 from unity_link.virtual.transport import GatewayTransport
-from unity_link.wire.constants import MOST_TRIES
-from unity_link.wire.crc import Crc
-from unity_link.wire.frames import Framing
-from unity_link.wire.gateway_info import Feature
 from valve import Valve, cut
 
 if TYPE_CHECKING:
@@ -68,6 +69,7 @@ class Answering:
     next_due = None
     waiting = 0
     info = INFO
+    open = Gateway.open
 
     def __init__(self, answer: Callable[[bytes], bytes]) -> None:
         self.answer = answer

@@ -15,10 +15,10 @@ from recorded_bus import RecordedBus
 from scripted import Scripted
 from simulated_time import on_simulated_time
 from unity_link import ArgumentError, BusError, BusTimeoutError, LinkLostError, UnsupportedError
-from unity_link.connection import Reconnect
-from unity_link.wire.crc import Crc
-from unity_link.wire.frames import Framing
-from unity_link.wire.gateway_info import Feature
+from unity_link.link.connection import Reconnect
+from unity_link.protocol.configuration import Feature
+from unity_link.protocol.crc import Crc
+from unity_link.protocol.frames import Framing
 from valve import Valve, cut
 
 if TYPE_CHECKING:
@@ -353,7 +353,7 @@ WRONG: dict[str, Callable[[Link, Any], Awaitable[object]]] = {
     "read_queue": lambda link, wrong: link.read_queue(1, wrong),
     "write_block": lambda link, wrong: link.write_block(wrong, [1]),
     "write_queue": lambda link, wrong: link.write_queue(wrong, [1]),
-    "divisor": lambda link, wrong: link.subscribe([1], **{"divisor": wrong or ""}).__aenter__(),  # type: ignore[arg-type]
+    "divisor": lambda link, wrong: link.subscribe([1], divisor=wrong or "").__aenter__(),  # type: ignore[arg-type]
     "buffer": lambda link, wrong: link.subscribe([1], buffer=wrong).__aenter__(),
 }
 

@@ -14,9 +14,9 @@ import unity_link
 from makers import SLOW, Maker
 from scripted import Scripted
 from simulated_time import on_simulated_time, run_simulated
+from unity_link.protocol.crc import Crc
+from unity_link.protocol.frames import Framing
 from unity_link.virtual.build import build_gateway
-from unity_link.wire.crc import Crc
-from unity_link.wire.frames import Framing
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
@@ -100,7 +100,7 @@ def scripted_driver() -> Iterator[list[Scripted]]:
         return made[-1]
 
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr("unity_link.drivers.virtual.build_gateway", build)
+        patch.setattr("unity_link.virtual.schemes.build_gateway", build)
         yield made
 
 

@@ -10,8 +10,8 @@ from hypothesis import strategies as st
 
 import unity_link
 from simulated_time import run_simulated
+from unity_link.protocol.configuration import GatewayInfo
 from unity_link.virtual import VirtualGateway
-from unity_link.wire.gateway_info import GatewayInfo
 
 if TYPE_CHECKING:
     from unity_link import Link, Subscription

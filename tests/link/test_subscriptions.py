@@ -15,12 +15,12 @@ from counting_device import CountingDevice
 from makers import CRC_32, SLOW, Maker
 from simulated_time import on_simulated_time
 from unity_link import ArgumentError, Feature, LinkLostError, Sample, SamplesLostError, UnsupportedError
-from unity_link.subscription import GatewayClock
+from unity_link.link.subscription import GatewayClock
 from unity_link.virtual.faults import Noise, NoisyLine
+from unity_link.virtual.gateway import Gateway
 
 if TYPE_CHECKING:
     from unity_link import Link, Subscription
-    from unity_link.virtual import Gateway
 
 
 async def take(samples: Subscription, count: int) -> list[Sample]:
@@ -323,6 +323,8 @@ def test_a_sample_that_overtakes_another_goes_back_in_time() -> None:
 
 class Dropping:
     """A gateway that keeps chosen samples to itself."""
+
+    open = Gateway.open
 
     def __init__(self, gateway: Gateway) -> None:
         self.info, self.wake = gateway.info, gateway.wake

@@ -13,17 +13,18 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from simulation.world import KNOWN
-from unity_link import exchange, link, requests, stream, subscription
 from unity_link.bridges.serve import client, shared
 from unity_link.bridges.serve import groups as served_groups
 from unity_link.bridges.serve import requests as served_requests
 from unity_link.errors import LinkLostError, Outcome
-from unity_link.exchange import FEWEST_PUBLISHES, PublishRows
-from unity_link.requests import Request
+from unity_link.link import exchange, link, requests, subscription
+from unity_link.link.exchange import FEWEST_PUBLISHES, PublishRows
+from unity_link.link.requests import Request
+from unity_link.protocol import reception, window
+from unity_link.protocol.messages import COMMANDS, Repetition
+from unity_link.protocol.reception import Place
+from unity_link.transport import stream
 from unity_link.virtual import bus, transport
-from unity_link.wire import reception, window
-from unity_link.wire.messages import COMMANDS, Repetition
-from unity_link.wire.reception import Place
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -352,7 +353,7 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
     count_lost = subscription.Subscription._count_lost
 
     def counted(self: Any, sequence: int, at: float | None) -> int:
-        lost = count_lost(self, sequence, at)
+        lost: int = count_lost(self, sequence, at)
         return max(0, lost - 1)
 
     monkeypatch.setattr(subscription.Subscription, "_count_lost", counted)
@@ -481,10 +482,10 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
 
 @bug("a server takes a client's numbers for its own")
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
-    begin_anew = served_groups.ClientGroup.begin_anew
+    begin = served_groups.ClientGroup.begin
 
-    def one_more(self: Any, seconds_missed: float = 0.0) -> None:
-        begin_anew(self, seconds_missed)
+    def one_more(self: Any, settings: Any, seconds_missed: float) -> None:
+        begin(self, settings, seconds_missed)
         self._offset = self._offset + 1 & 0xFF
 
-    monkeypatch.setattr(served_groups.ClientGroup, "begin_anew", one_more)
+    monkeypatch.setattr(served_groups.ClientGroup, "begin", one_more)

@@ -13,8 +13,9 @@ from typing import TYPE_CHECKING, Any
 from simulation.plan import ADDRESS_SHIFT, BURST, BURSTS, FAILING, LIVE, QUEUE_OUT
 from unity_link import BusError, BusTimeoutError
 from unity_link.errors import AnswerLostError, Outcome, UnansweredError
+from unity_link.protocol.messages import ErrorCode
 from unity_link.virtual.bus import AccessError
-from unity_link.wire.messages import ErrorCode
+from unity_link.virtual.gateway import Gateway
 
 if TYPE_CHECKING:
     from collections.abc import Callable, MutableMapping, Sequence
@@ -144,6 +145,8 @@ class Published:
 
 class Tap:
     """Stands before a gateway and sees what goes in and out."""
+
+    open = Gateway.open
 
     def __init__(self, gateway: BareGateway, trace: list[Any], name: str) -> None:
         self.gateway = gateway

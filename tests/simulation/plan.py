@@ -10,7 +10,7 @@ import random
 from typing import Any, NamedTuple
 
 from simulation.medium import Fault, Line
-from unity_link.wire.gateway_info import Feature, GatewayInfo
+from unity_link.protocol.configuration import Feature, GatewayInfo
 
 # The addresses behind every gateway, by what is there.
 PLAIN = range(0x40)

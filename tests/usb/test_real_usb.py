@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
 
     from unity_link import Link
-    from unity_link.link import SendImmediate
+    from unity_link.link.link import SendImmediate
 
 VHCI = Path("/sys/devices/platform/vhci_hcd.0")
 pytestmark = [

@@ -16,10 +16,10 @@ import msgspec
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
 
+from unity_link.protocol.configuration import Feature, GatewayInfo
+from unity_link.protocol.messages import COMMANDS, Codec, ErrorCode
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.faults import Failing
-from unity_link.wire.gateway_info import Feature, GatewayInfo
-from unity_link.wire.messages import COMMANDS, Codec, ErrorCode
 
 if TYPE_CHECKING:
     from collections.abc import Iterator

@@ -10,10 +10,10 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from unity_link.errors import ArgumentError
+from unity_link.protocol.configuration import Feature, GatewayInfo
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.faults import Noise, NoisyLine
 from unity_link.virtual.line import SlowLine
-from unity_link.wire.gateway_info import Feature, GatewayInfo
 
 STREAM = bytes(range(256)) * 40
 

@@ -15,10 +15,10 @@ from hypothesis import strategies as st
 import unity_link
 from simulated_time import on_simulated_time
 from unity_link.errors import ArgumentError, BusError, UnsupportedError
+from unity_link.protocol.configuration import Feature, GatewayInfo
+from unity_link.protocol.messages import Codec, ErrorCode
 from unity_link.virtual import AccessError, VirtualGateway
 from unity_link.virtual.faults import Failing
-from unity_link.wire.gateway_info import Feature, GatewayInfo
-from unity_link.wire.messages import Codec, ErrorCode
 
 CODEC = Codec(GatewayInfo())
 RING = 256

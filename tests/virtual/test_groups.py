@@ -9,10 +9,10 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from unity_link.protocol.configuration import Feature, GatewayInfo
+from unity_link.protocol.crc import Crc
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.faults import Failing
-from unity_link.wire.crc import Crc
-from unity_link.wire.gateway_info import Feature, GatewayInfo
 
 PERIODIC, TRIGGER, STAMPED, ON_CHANGE, PLAIN = 1, 2, 8, 16, 32
 WORDS_WAITING = 512

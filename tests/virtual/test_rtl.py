@@ -13,10 +13,10 @@ from typing import TYPE_CHECKING
 import pytest
 
 from unity_link.errors import ArgumentError, ConnectError
+from unity_link.protocol.crc import Crc
+from unity_link.protocol.messages import ErrorCode
 from unity_link.virtual import AccessError
 from unity_link.virtual.rtl import RtlGateway, choose, compiling, configurations, library
-from unity_link.wire.crc import Crc
-from unity_link.wire.messages import ErrorCode
 
 if TYPE_CHECKING:
     from pathlib import Path

@@ -9,10 +9,10 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from unity_link.errors import ArgumentError
+from unity_link.protocol.configuration import GatewayInfo
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.scara import JOINTS, Scara
 from unity_link.virtual.servo import Joint, plan
-from unity_link.wire.gateway_info import GatewayInfo
 
 COMMANDS = st.lists(
     st.tuples(st.floats(0, 1.5), st.integers(-90_000, 90_000), st.sampled_from([0, 5_000, 50_000, 500_000])), max_size=5

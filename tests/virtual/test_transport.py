@@ -8,12 +8,11 @@ from typing import TYPE_CHECKING
 import pytest
 
 from simulated_time import ModelledTimeLoop, on_simulated_time
+from unity_link.transport.buffered import HIGH_WATER
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.line import SlowLine
 from unity_link.virtual.pump import MOST_LAG
-from unity_link.virtual.serving import connect_gateway
 from unity_link.virtual.transport import (
-    HIGH_WATER,
     MOST_DELIVERED,
     MOST_TAKEN,
     MOST_UNDELIVERED,
@@ -57,7 +56,7 @@ class Recorder(asyncio.Protocol):
 
 async def connected(gateway: Gateway) -> tuple[GatewayTransport, Recorder]:
     protocol = Recorder()
-    transport = await connect_gateway(gateway, protocol)
+    transport = await gateway.open(protocol)
     assert isinstance(transport, GatewayTransport)
     assert protocol.events == ["made"]
     return transport, protocol

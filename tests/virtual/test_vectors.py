@@ -11,10 +11,10 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from unity_link.protocol.configuration import Feature, GatewayInfo
+from unity_link.protocol.messages import ErrorCode
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.faults import Failing
-from unity_link.wire.gateway_info import Feature, GatewayInfo
-from unity_link.wire.messages import ErrorCode
 
 FOLDER = Path(__file__).resolve().parents[1] / "vectors"
 FILES = sorted(FOLDER.glob("*.ndjson"))

@@ -7,10 +7,10 @@ import math
 import pytest
 
 from unity_link.errors import ArgumentError
+from unity_link.protocol.configuration import GatewayInfo
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.bus import AccessError
 from unity_link.virtual.walker import COUNTS_PER_RADIAN, Walker
-from unity_link.wire.gateway_info import GatewayInfo
 
 LEG_6_TIBIA = 0x10 + 4 * 17
 

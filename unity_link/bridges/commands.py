@@ -12,14 +12,14 @@ from typing import TYPE_CHECKING, Any
 
 from unity_link.bridges.ordered import Value, write_in_order
 from unity_link.bridges.telling import Faults
-from unity_link.drivers.inbox import Inbox
 from unity_link.errors import ArgumentError, UnityLinkError
+from unity_link.transport.inbox import Inbox
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
     from unity_link.data import Writable
-    from unity_link.link import Link
+    from unity_link.link.link import Link
 
 MOST_WAITING = 4096
 """Values that wait for the link, beyond which who gives them waits, and so does who sent them."""

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from unity_link.data import Batch
-    from unity_link.link import Link
+    from unity_link.link.link import Link
 
 MOST_DRIFT = 200e-6
 """Seconds a second by which two quartzes may differ: twice what cheap ones do."""

@@ -22,8 +22,8 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from unity_link.data import Batch
+    from unity_link.protocol.messages import Words
     from unity_link.spec import Signal
-    from unity_link.wire.messages import Words
 
 _STEP = re.compile(r"([^.\[\]]+)|\[(\d+)\]")
 _TYPES = {"b": "boolean", "i": "integer", "u": "integer", "f": "number"}

@@ -7,14 +7,14 @@ from typing import TYPE_CHECKING
 
 from tenacity import AsyncRetrying, RetryCallState, retry_if_exception_type, wait_fixed
 
-from unity_link.drivers import parse_url, prepare
 from unity_link.errors import ConnectError
-from unity_link.link import connect
+from unity_link.link.link import connect
+from unity_link.transport import parse_url, prepare
 
 if TYPE_CHECKING:
     from collections.abc import AsyncIterator, Callable
 
-    from unity_link.link import Link
+    from unity_link.link.link import Link
 
 LOOK_EVERY = 1.0
 """Seconds between looks whether the gateway is there."""

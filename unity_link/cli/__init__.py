@@ -34,7 +34,6 @@ import typer
 import unity_link
 from unity_link.cli import (
     access,
-    bench,
     demo,
     export,
     ft232h,
@@ -100,17 +99,16 @@ export.add_to(app)
 ros.add_to(app)
 zenoh.add_to(app)
 ft232h.add_to(app)
-bench.add_to(app)
 
 
 _UNWRITABLE = {errno.EBADF, errno.EDQUOT, errno.EFBIG, errno.EIO, errno.ENOSPC, errno.EPIPE}
 """What a file, pipe or terminal says to a write that it cannot take."""
 
 
-def main() -> None:
+def main(program: typer.Typer = app) -> None:
     """Run a command line, and exit with its code."""
     _open_what_is_closed()
-    sys.exit(_run())
+    sys.exit(_run(program))
 
 
 def _open_what_is_closed() -> None:
@@ -120,12 +118,12 @@ def _open_what_is_closed() -> None:
             setattr(sys, name, Path(os.devnull).open("w"))  # noqa: SIM115  (it stays open to the end)
 
 
-def _run() -> int:
+def _run(program: typer.Typer) -> int:
     # A character that the terminal does not know, such as the µ of µs, is no reason to end.
     if isinstance(sys.stdout, io.TextIOWrapper):
         sys.stdout.reconfigure(errors="backslashreplace")
     try:
-        code: int | None = app(standalone_mode=False)
+        code: int | None = program(standalone_mode=False)
         sys.stdout.flush()
     except typer.TyperException as error:
         # Without any argument the help has been printed, and there is nothing to add.

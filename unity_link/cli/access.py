@@ -12,7 +12,7 @@ from unity_link.cli.running import run
 from unity_link.cli.words import Format, address_text, as_decimal, in_form, to_signed, to_word
 
 if TYPE_CHECKING:
-    from unity_link.wire.gateway_info import GatewayInfo
+    from unity_link.protocol.configuration import GatewayInfo
 
 
 def add_to(app: typer.Typer) -> None:
@@ -49,7 +49,7 @@ async def _read(
     json: bool,
     timeout: float,  # noqa: ASYNC109  (an option of the command)
 ) -> None:
-    from unity_link.link import connect
+    from unity_link.link.link import connect
 
     async with connect(url, timeout=timeout) as link:
         words = (await link.read_block(address, count)).tolist() if count != 1 else [await link.read(address)]
@@ -86,7 +86,7 @@ async def _write(
     json: bool,
     timeout: float,  # noqa: ASYNC109  (an option of the command)
 ) -> None:
-    from unity_link.link import connect
+    from unity_link.link.link import connect
 
     async with connect(url, timeout=timeout) as link:
         words = [to_word(value, link.gateway.data_bits) for value in values]

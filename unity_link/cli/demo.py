@@ -24,7 +24,7 @@ from unity_link.errors import first_error
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from unity_link.link import Link
+    from unity_link.link.link import Link
 
 RATE_HZ = 100
 FRAMES_PER_SECOND = 20
@@ -78,7 +78,7 @@ def demo(
 
 
 async def _demo(url: str, duration: float, *, json: bool) -> None:
-    from unity_link.link import connect
+    from unity_link.link.link import connect
 
     async with connect(url, timeout=DEFAULT_TIMEOUT) as link:
         show = Demo(url, link, duration)
@@ -250,7 +250,7 @@ class Demo:
                         helper.cancel()
 
     def _take(self, sample: object) -> None:
-        from unity_link.subscription import Sample
+        from unity_link.link.subscription import Sample
 
         assert isinstance(sample, Sample)
         self.history.append((self.elapsed, signed_words(sample.values, self.gateway.data_bits)))

@@ -10,9 +10,9 @@ from typing import TYPE_CHECKING, Any
 
 from unity_link.cli.info import feature_name
 from unity_link.cli.words import address_text, as_decimal, in_words
-from unity_link.wire.frames import CR, FrameError
-from unity_link.wire.gateway_info import GatewayInfo
-from unity_link.wire.messages import COMMANDS, Codec, GroupFlag, Request, RequestError, Response, parse_words
+from unity_link.protocol.configuration import GatewayInfo
+from unity_link.protocol.frames import CR, FrameError
+from unity_link.protocol.messages import COMMANDS, Codec, GroupFlag, Request, RequestError, Response, parse_words
 
 if TYPE_CHECKING:
     from collections.abc import Mapping

@@ -14,7 +14,7 @@ from unity_link.errors import ArgumentError
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
-    from unity_link.drivers.ft232h_chip import OpenChip
+    from unity_link.transport.ft232h.chip import OpenChip
 
 _SCHEMES = ("ftdi", "ftdi-async")
 ChipUrl = Annotated[
@@ -32,8 +32,8 @@ def add_to(app: typer.Typer) -> None:
 
 @contextmanager
 def _opened(url: str) -> Iterator[OpenChip]:
-    from unity_link.drivers import parse_url
-    from unity_link.drivers.ft232h_chip import open_chip
+    from unity_link.transport import parse_url
+    from unity_link.transport.ft232h.chip import open_chip
 
     parsed = parse_url(url)
     if parsed.scheme not in _SCHEMES:
@@ -56,7 +56,7 @@ def info(
         return
     import msgspec
 
-    from unity_link.drivers.ft232h_eeprom import read_info
+    from unity_link.transport.ft232h.eeprom import read_info
 
     with _opened(url) as chip:
         content = read_info(chip)
@@ -77,7 +77,7 @@ def info(
 
 
 def _list(*, json: bool) -> None:
-    from unity_link.drivers.ft232h_chip import list_chips
+    from unity_link.transport.ft232h.chip import list_chips
 
     chips = list_chips()
     for url, description in chips:
@@ -96,7 +96,7 @@ def configure(
     yes: Annotated[bool, typer.Option("--yes", help="Write without asking.")] = False,
 ) -> None:
     """Write into the chip's EEPROM what its pins are to be."""
-    from unity_link.drivers.ft232h_eeprom import read_info, write_channel_type
+    from unity_link.transport.ft232h.eeprom import read_info, write_channel_type
 
     kind: Literal["FIFO", "UART"] = "FIFO" if mode == "fifo" else "UART"
     with _opened(url) as chip:

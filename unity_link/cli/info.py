@@ -13,8 +13,8 @@ from unity_link.cli.running import run
 if TYPE_CHECKING:
     import typer
 
-    from unity_link.link import Link
-    from unity_link.wire.gateway_info import GatewayInfo
+    from unity_link.link.link import Link
+    from unity_link.protocol.configuration import GatewayInfo
 
 ROUND_TRIPS = 25
 """Fences that are measured: enough for a median, and quick on a slow serial line."""
@@ -31,7 +31,7 @@ def info(url: Url, *, json: Json = False, timeout: Timeout = DEFAULT_TIMEOUT) ->
 
 
 async def _info(url: str, *, json: bool, timeout: float) -> None:  # noqa: ASYNC109  (an option of the command)
-    from unity_link.link import connect
+    from unity_link.link.link import connect
 
     async with connect(url, timeout=timeout) as link:
         round_trip = await _round_trip(link)

@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     from unity_link.bridges.live import LivePage
     from unity_link.bridges.sampled import SampledGroup
     from unity_link.data import Robot
-    from unity_link.link import Link
+    from unity_link.link.link import Link
     from unity_link.spec import Spec
 
 PORT = 8421
@@ -148,7 +148,7 @@ async def _live(
         raise ConnectError(
             "the page needs a web server, which is not installed: pip install 'unity-link[live]'"
         ) from None
-    from unity_link.link import connect
+    from unity_link.link.link import connect
 
     async with contextlib.AsyncExitStack() as stack:
         link = await stack.enter_async_context(connect(url, timeout=timeout, reconnect=True))

@@ -76,7 +76,7 @@ async def _record(
 ) -> None:
     from unity_link.bridges.recording import Recorder
     from unity_link.data import load
-    from unity_link.link import connect
+    from unity_link.link.link import connect
 
     robot_type = load(spec, interface)
     async with connect(url, timeout=timeout, reconnect=True) as link:

@@ -14,7 +14,7 @@ from unity_link.cli.arguments import Url  # noqa: TC001  (typer reads it)
 from unity_link.cli.output import print_line, print_note
 from unity_link.cli.running import run
 from unity_link.errors import ArgumentError
-from unity_link.listening import LOOPBACK
+from unity_link.transport.listening import LOOPBACK
 
 _PANEL = "Where it is served (a Unix socket if nothing is said)"
 _DEFAULT_NAME = "unity-link.sock"

@@ -12,7 +12,7 @@ from unity_link.cli.arguments import number
 from unity_link.cli.output import print_line
 from unity_link.cli.running import run
 from unity_link.errors import ArgumentError
-from unity_link.listening import LOOPBACK
+from unity_link.transport.listening import LOOPBACK
 
 if TYPE_CHECKING:
     from contextlib import AbstractAsyncContextManager

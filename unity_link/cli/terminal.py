@@ -23,9 +23,9 @@ from unity_link.errors import ConnectError
 if TYPE_CHECKING:
     from collections.abc import AsyncIterator, Callable, Coroutine
 
-    from unity_link.drivers import DriverUrl
-    from unity_link.stream import Stream
-    from unity_link.wire.messages import Codec
+    from unity_link.protocol.messages import Codec
+    from unity_link.transport import DriverUrl
+    from unity_link.transport.stream import Stream
 
 HANDSHAKE_PATIENCE = 1.5
 """Seconds that the gateway may take to say what it is; after that the default build's widths are assumed."""
@@ -74,8 +74,8 @@ def terminal(
 
 
 async def _terminal(url: str, *, plain: bool, timeout: float) -> None:  # noqa: ASYNC109  (an option of the command)
-    from unity_link.drivers import parse_url
-    from unity_link.stream import Stream
+    from unity_link.transport import parse_url
+    from unity_link.transport.stream import Stream
 
     target = parse_url(url)
     stream = Stream()
@@ -92,10 +92,10 @@ async def _terminal(url: str, *, plain: bool, timeout: float) -> None:  # noqa: 
 
 
 async def _connect(target: DriverUrl, stream: Stream) -> Codec:
-    from unity_link.drivers import load_driver
-    from unity_link.handshake import Handshake
-    from unity_link.wire.gateway_info import GatewayInfo
-    from unity_link.wire.messages import Codec
+    from unity_link.link.handshake import Handshake
+    from unity_link.protocol.configuration import GatewayInfo
+    from unity_link.protocol.messages import Codec
+    from unity_link.transport import load_driver
 
     try:
         async with asyncio.timeout(DEFAULT_TIMEOUT):

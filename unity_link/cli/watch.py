@@ -21,8 +21,8 @@ from unity_link.errors import ArgumentError, GatewayError, LinkLostError, first_
 if TYPE_CHECKING:
     from collections.abc import AsyncIterator, Callable
 
-    from unity_link.link import Link
-    from unity_link.subscription import Sample, Subscription
+    from unity_link.link.link import Link
+    from unity_link.link.subscription import Sample, Subscription
 
 FRAMES_PER_SECOND = 15
 ASK_EVERY = 1.0
@@ -75,7 +75,7 @@ async def _watch(
     json: bool,
     timeout: float,  # noqa: ASYNC109  (an option of the command)
 ) -> None:
-    from unity_link.link import connect
+    from unity_link.link.link import connect
 
     async with (
         connect(url, timeout=timeout, reconnect=True) as link,

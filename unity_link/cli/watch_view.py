@@ -17,8 +17,8 @@ if TYPE_CHECKING:
 
     from rich.console import ConsoleDimensions
 
-    from unity_link.link import Link
-    from unity_link.subscription import Sample, Subscription
+    from unity_link.link.link import Link
+    from unity_link.link.subscription import Sample, Subscription
 
 WINDOW = 10.0
 """Seconds that a curve shows."""

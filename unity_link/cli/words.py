@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING
 from unity_link.errors import ArgumentError
 
 if TYPE_CHECKING:
-    from unity_link.wire.gateway_info import GatewayInfo
-    from unity_link.wire.messages import Words
+    from unity_link.protocol.configuration import GatewayInfo
+    from unity_link.protocol.messages import Words
 
 
 class Format(enum.StrEnum):

@@ -21,8 +21,8 @@ if TYPE_CHECKING:
 
     from unity_link.data.layout import Layout
     from unity_link.data.proxies import Proxy
-    from unity_link.subscription import Sample
-    from unity_link.wire.messages import Words
+    from unity_link.link.subscription import Sample
+    from unity_link.protocol.messages import Words
 
 T = TypeVar("T")
 

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from unity_link.data.batch import Batch
     from unity_link.data.layout import Layout
     from unity_link.data.sampling import GroupSubscription
-    from unity_link.subscription import Overflow
+    from unity_link.link.subscription import Overflow
 
 
 class Registration:

@@ -18,7 +18,7 @@ from unity_link.data.proxies import BUFFER, Proxy
 from unity_link.data.sampling import GroupSubscription, Poll
 from unity_link.data.writing import write_values
 from unity_link.errors import ArgumentError, UnsupportedError
-from unity_link.wire.gateway_info import Feature
+from unity_link.protocol.configuration import Feature
 
 if TYPE_CHECKING:
     from collections.abc import AsyncIterator, Callable, Sequence
@@ -28,9 +28,9 @@ if TYPE_CHECKING:
     from unity_link.data.batch import Batch, GroupSample
     from unity_link.data.robot import Component
     from unity_link.data.sampling import Source
-    from unity_link.link import Link
+    from unity_link.link.link import Link
+    from unity_link.link.subscription import Overflow
     from unity_link.spec import model
-    from unity_link.subscription import Overflow
 
 _LARGEST_DIVISOR = 0xFFFF
 

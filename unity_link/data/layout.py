@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from unity_link.data.proxies import Proxy
-    from unity_link.wire.messages import Words
+    from unity_link.protocol.messages import Words
 
 
 class Layout:

@@ -25,8 +25,8 @@ if TYPE_CHECKING:
     from unity_link.data.feed import Feed
     from unity_link.data.robot import Robot
     from unity_link.hardware import Bus
+    from unity_link.link.subscription import Overflow
     from unity_link.spec.model import Signal
-    from unity_link.subscription import Overflow
 
 T = TypeVar("T")
 

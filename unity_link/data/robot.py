@@ -26,7 +26,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator, Mapping
 
     from unity_link.hardware import Bus
-    from unity_link.link import Link
+    from unity_link.link.link import Link
     from unity_link.spec import model
     from unity_link.spec.kinds import Enumeration
 

@@ -15,7 +15,7 @@ import numpy as np
 
 from unity_link.data.batch import Batch
 from unity_link.errors import ArgumentError, GatewayError, SamplesLostError
-from unity_link.subscription import NOT_OPEN, Sample
+from unity_link.link.subscription import NOT_OPEN, Sample
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -23,8 +23,8 @@ if TYPE_CHECKING:
 
     from unity_link.data.batch import GroupSample
     from unity_link.data.layout import Layout
-    from unity_link.subscription import Overflow
-    from unity_link.wire.messages import Words
+    from unity_link.link.subscription import Overflow
+    from unity_link.protocol.messages import Words
 
 
 class Source(Protocol):

@@ -9,9 +9,9 @@ from typing import TYPE_CHECKING, Protocol, cast
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
-    from unity_link.link import Link
-    from unity_link.wire.gateway_info import GatewayInfo
-    from unity_link.wire.messages import Words
+    from unity_link.link.link import Link
+    from unity_link.protocol.configuration import GatewayInfo
+    from unity_link.protocol.messages import Words
 
 
 class Bus(Protocol):

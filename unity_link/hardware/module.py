@@ -19,9 +19,9 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
     from unity_link.hardware.bus import Bus
+    from unity_link.link.subscription import Sample, Subscription
+    from unity_link.protocol.messages import Words
     from unity_link.spec.arguments import Slot
-    from unity_link.subscription import Sample, Subscription
-    from unity_link.wire.messages import Words
 
 _KINDS: dict[str, type[Module]] = {}
 """The classes of modules by their words in a spec."""

@@ -46,7 +46,7 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
     from unity_link.hardware.bus import Bus
-    from unity_link.wire.messages import Words
+    from unity_link.protocol.messages import Words
 
 NODES = 16
 NODE_WORDS = 64

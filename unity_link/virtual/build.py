@@ -5,12 +5,12 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from unity_link.errors import ArgumentError, UnsupportedError
+from unity_link.protocol.configuration import Feature, GatewayInfo
 from unity_link.virtual.faults import Noise, NoisyLine
 from unity_link.virtual.gateway import BareGateway, Gateway, VirtualGateway
 from unity_link.virtual.line import SlowLine
 from unity_link.virtual.scara import Scara
 from unity_link.virtual.walker import Walker
-from unity_link.wire.gateway_info import Feature, GatewayInfo
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Mapping

@@ -11,12 +11,12 @@ import operator
 from typing import TYPE_CHECKING, Protocol
 
 from unity_link.errors import ArgumentError
-from unity_link.wire.messages import ErrorCode
+from unity_link.protocol.messages import ErrorCode
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
 
-    from unity_link.wire.gateway_info import GatewayInfo
+    from unity_link.protocol.configuration import GatewayInfo
 
 _LOG = logging.getLogger("unity_link.virtual")
 

@@ -8,13 +8,13 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any, TypeAlias
 
-from unity_link.wire.messages import ErrorCode
-from unity_link.wire.reception import group_fits
+from unity_link.protocol.messages import ErrorCode
+from unity_link.protocol.reception import group_fits
 
 if TYPE_CHECKING:
+    from unity_link.protocol.configuration import GatewayInfo
     from unity_link.virtual.bus import Bus
     from unity_link.virtual.groups import Groups
-    from unity_link.wire.gateway_info import GatewayInfo
 
 Reads: TypeAlias = int | Sequence[int] | None
 

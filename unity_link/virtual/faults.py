@@ -13,13 +13,12 @@ from collections import deque
 from typing import TYPE_CHECKING
 
 from unity_link.errors import ArgumentError
+from unity_link.protocol.messages import ErrorCode
 from unity_link.virtual.bus import AccessError
-from unity_link.wire.messages import ErrorCode
+from unity_link.virtual.gateway import Gateway
 
 if TYPE_CHECKING:
     from collections.abc import Callable, MutableMapping
-
-    from unity_link.virtual.gateway import Gateway
 
 
 class Failing:
@@ -139,7 +138,7 @@ class _Direction:
         return bytes(taken)
 
 
-class NoisyLine:
+class NoisyLine(Gateway):
     """A gateway behind a line that spoils bytes.
 
     Args:

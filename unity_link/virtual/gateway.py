@@ -4,9 +4,9 @@ Bytes and the time go in, bytes come out; the gateware answers the same bytes. E
 happens inside `receive` and `advance`, so a test can stop the world between any two bytes. The order of the checks is
 that of protocol section 2: each step below either answers or hands on to the next.
 
-`receive` -> `_answer` (node) -> `_body` (overflow to form: `unity_link.wire.reception`) -> `_in_sequence` -> `_execute`
-(range, bus). Reads and writes of one word with the expected ID are most of the traffic and take a short
-way, `_quick_read` and `_quick_write`, which gives exactly what the long way would, or gives up before anything changes.
+`receive` -> `_answer` (node) -> `_body` (overflow to form: `unity_link.protocol.reception`) -> `_in_sequence` ->
+`_execute` (range, bus). Reads and writes of one word with the expected ID are most of the traffic and take a short way,
+`_quick_read` and `_quick_write`, which gives exactly what the long way would, or gives up before anything changes.
 
 The model answers at once and takes as many bytes as it is given. What a line and its FIFOs do to that is modelled in
 front of it: `unity_link.virtual.line` and `unity_link.virtual.faults`. What these have no room for are samples alone:
@@ -17,19 +17,21 @@ from __future__ import annotations
 
 import math
 import re
-from typing import TYPE_CHECKING, Protocol
+from typing import TYPE_CHECKING, Protocol, runtime_checkable
 
 import msgspec
 
 from unity_link.errors import ArgumentError
+from unity_link.protocol.configuration import Feature, GatewayInfo
+from unity_link.protocol.messages import COMMANDS, Codec, ErrorCode, Repetition, Request, RequestError
+from unity_link.protocol.reception import Place, Reception, Sequence
 from unity_link.virtual.bus import AccessError, Bus, Device
 from unity_link.virtual.commands import Commands, FieldRangeError
 from unity_link.virtual.groups import Groups
-from unity_link.wire.gateway_info import Feature, GatewayInfo
-from unity_link.wire.messages import COMMANDS, Codec, ErrorCode, Repetition, Request, RequestError
-from unity_link.wire.reception import Place, Reception, Sequence
+from unity_link.virtual.transport import GatewayTransport
 
 if TYPE_CHECKING:
+    import asyncio
     from collections.abc import Callable, Iterable, MutableMapping
 
 _ENDS = re.compile(rb"([\r\n])")
@@ -39,8 +41,12 @@ _LOWER_R, _LOWER_W = b"rw"
 _DEFAULT_INFO = GatewayInfo()
 
 
+@runtime_checkable
 class Gateway(Protocol):
-    """Anything that behaves like a gateway: this model, the gateware in a simulator, a bad line before either."""
+    """Anything that behaves like a gateway: this model, the gateware in a simulator, a bad line before either.
+
+    What subclasses it is a `unity_link.transport.Medium`: `unity_link.connect` opens it in place of a URL.
+    """
 
     info: GatewayInfo
     wake: Callable[[], None]
@@ -70,6 +76,12 @@ class Gateway(Protocol):
                 bytes were sent. It waits otherwise, and where too many do, it is an overrun. None for no limit.
         """
 
+    async def open(self, protocol: asyncio.Protocol) -> asyncio.Transport:
+        """Connect a protocol to the gateway, as a driver does to a medium."""
+        transport = GatewayTransport(self, protocol)
+        protocol.connection_made(transport)
+        return transport
+
 
 class BareGateway(Gateway, Protocol):
     """A gateway without a line before it, whose bus and pins are at hand: this model, or the compiled gateware."""
@@ -90,7 +102,7 @@ class BareGateway(Gateway, Protocol):
         """Give a rising edge to all external triggers; the publishes come out of the next call."""
 
 
-class VirtualGateway:
+class VirtualGateway(BareGateway):
     """A gateway with plain memory at every address.
 
     Args:

@@ -14,7 +14,8 @@ from collections import deque
 from typing import TYPE_CHECKING
 
 from unity_link.errors import ArgumentError
-from unity_link.wire.gateway_info import Feature
+from unity_link.protocol.configuration import Feature
+from unity_link.virtual.gateway import Gateway
 
 if TYPE_CHECKING:
     from collections.abc import Callable, MutableMapping
@@ -24,7 +25,7 @@ if TYPE_CHECKING:
 _TO_END = re.compile(rb"[^\r\n]*[\r\n]?")
 
 
-class SlowLine:
+class SlowLine(Gateway):
     """A gateway behind a line of limited rate.
 
     Args:

@@ -6,9 +6,9 @@ from abc import ABC, abstractmethod
 from typing import TYPE_CHECKING, ClassVar, Self
 
 from unity_link.errors import ArgumentError
+from unity_link.protocol.messages import ErrorCode
 from unity_link.virtual.bus import AccessError
 from unity_link.virtual.servo import Joint, JointType
-from unity_link.wire.messages import ErrorCode
 
 if TYPE_CHECKING:
     from collections.abc import Iterable

@@ -20,9 +20,9 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, cast
 
 from unity_link.errors import ConnectError
-from unity_link.listening import LOOPBACK, listen_tcp, listen_unix, port_error
+from unity_link.protocol.frames import datagrams
+from unity_link.transport.listening import LOOPBACK, listen_tcp, listen_unix, port_error
 from unity_link.virtual.transport import GatewayTransport
-from unity_link.wire.frames import datagrams
 
 if TYPE_CHECKING:
     from collections.abc import AsyncIterator, Iterator
@@ -33,13 +33,6 @@ BUSY = b"this gateway serves another client; try again when that has gone\r\n"
 GRACE = 0.1
 """Seconds that a new client waits for the one before to go: hanging up may be heard later than calling again."""
 _LONGEST_REST = 65536
-
-
-async def connect_gateway(gateway: Gateway, protocol: asyncio.Protocol) -> asyncio.Transport:
-    """Connect a protocol to a gateway of this process, as a driver does to a medium."""
-    transport = GatewayTransport(gateway, protocol)
-    protocol.connection_made(transport)
-    return transport
 
 
 class Counter(asyncio.Protocol):

@@ -9,25 +9,25 @@ asked to pause writing: no more than that is ever kept.
 
 from __future__ import annotations
 
-import asyncio
 from typing import TYPE_CHECKING
 
+from unity_link.protocol.constants import QUICK_TIMEOUT
+from unity_link.transport.buffered import HIGH_WATER, LOW_WATER, BufferedTransport
 from unity_link.virtual.pump import MOST_BYTES, Pump
-from unity_link.wire.constants import QUICK_TIMEOUT
 
 if TYPE_CHECKING:
+    import asyncio
+
     from unity_link.virtual.gateway import Gateway
 
 MOST_TAKEN = 16384
 PIECE = 2048
 MOST_DELIVERED = 65536
-HIGH_WATER = 65536
-LOW_WATER = 16384
 MOST_UNDELIVERED = 4 * MOST_BYTES
 """Bytes for the protocol beyond which samples are lost; a pump that is late gives `MOST_BYTES` in one turn."""
 
 
-class GatewayTransport(asyncio.Transport):
+class GatewayTransport(BufferedTransport):
     """Pairs a protocol with a gateway on the running loop.
 
     Args:
@@ -38,17 +38,12 @@ class GatewayTransport(asyncio.Transport):
     """
 
     def __init__(self, gateway: Gateway, protocol: asyncio.Protocol, *, at_once: bool = False) -> None:
-        super().__init__({"gateway": gateway, "shortest_timeout": QUICK_TIMEOUT})
-        self._loop = asyncio.get_running_loop()
-        self._protocol: asyncio.BaseProtocol = protocol
+        super().__init__(protocol, {"gateway": gateway, "shortest_timeout": QUICK_TIMEOUT})
         self._pump = Pump(gateway, self._collect, self._loop)
         self._to_gateway = bytearray()
         self._to_protocol = bytearray()
         self._turn_planned = False
         self._at_once = at_once
-        self._reading = True
-        self._writing_paused = False
-        self._closing = False
 
     # asyncio.Transport
 
@@ -57,50 +52,20 @@ class GatewayTransport(asyncio.Transport):
         if self._closing:
             return
         self._to_gateway += data
-        if len(self._to_gateway) > HIGH_WATER and not self._writing_paused:
-            self._writing_paused = True
-            self._protocol.pause_writing()
+        self._pause_writing_if_full()
         if self._at_once and not self._turn_planned:
             self._turn()
         else:
             self._plan_turn()
-
-    def pause_reading(self) -> None:
-        """Deliver nothing until `resume_reading`."""
-        self._reading = False
 
     def resume_reading(self) -> None:
         """Deliver again."""
         self._reading = True
         self._plan_turn()
 
-    def is_reading(self) -> bool:
-        """Say whether what arrives is delivered."""
-        return self._reading and not self._closing
-
     def get_write_buffer_size(self) -> int:
-        """Give how many bytes the gateway has not taken yet."""
+        """Return how many bytes the gateway has not taken yet."""
         return len(self._to_gateway)
-
-    def get_write_buffer_limits(self) -> tuple[int, int]:
-        """Give the levels at which the protocol may write again, and must pause."""
-        return LOW_WATER, HIGH_WATER
-
-    def can_write_eof(self) -> bool:
-        """Say that a gateway knows no end of a stream."""
-        return False
-
-    def set_protocol(self, protocol: asyncio.BaseProtocol) -> None:
-        """Deliver to another protocol."""
-        self._protocol = protocol
-
-    def get_protocol(self) -> asyncio.BaseProtocol:
-        """Give who is delivered to."""
-        return self._protocol
-
-    def is_closing(self) -> bool:
-        """Say whether `close` or `abort` was called."""
-        return self._closing
 
     def close(self) -> None:
         """Give the gateway what was written, and end."""
@@ -144,7 +109,7 @@ class GatewayTransport(asyncio.Transport):
         if self._can_take() or (self._to_protocol and self._reading):
             self._plan_turn()
         if delivered:
-            self._deliver(delivered)
+            self._protocol.data_received(delivered)
 
     def _take_and_collect(self) -> bytes:
         """Take requests; give the answers that are to be delivered."""
@@ -154,9 +119,7 @@ class GatewayTransport(asyncio.Transport):
             piece = bytes(self._to_gateway[:PIECE])
             del self._to_gateway[:PIECE]
             self._pump.feed(piece)
-        if self._writing_paused and len(self._to_gateway) <= LOW_WATER:
-            self._writing_paused = False
-            self._protocol.resume_writing()
+        self._resume_writing_if_calm()
         if not self._reading:
             return b""
         delivered = bytes(self._to_protocol[:MOST_DELIVERED])
@@ -167,7 +130,3 @@ class GatewayTransport(asyncio.Transport):
 
     def _can_take(self) -> bool:
         return bool(self._to_gateway) and not self._pump.blocked and self._pump.gateway.waiting < HIGH_WATER
-
-    def _deliver(self, data: bytes) -> None:
-        assert isinstance(self._protocol, asyncio.Protocol)
-        self._protocol.data_received(data)

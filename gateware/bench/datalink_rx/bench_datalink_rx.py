@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import cocotb
 
 from gateware.bench.streams import Joined, Sink, Source, start
-from unity_link.wire.crc import Crc
+from unity_link.protocol.crc import Crc
 
 if TYPE_CHECKING:
     from cocotb.handle import SimHandleBase

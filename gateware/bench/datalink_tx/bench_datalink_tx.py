@@ -9,7 +9,7 @@ import cocotb
 from cocotb.triggers import RisingEdge
 
 from gateware.bench.streams import Joined, Sink, Source, start
-from unity_link.wire.crc import Crc
+from unity_link.protocol.crc import Crc
 
 if TYPE_CHECKING:
     from cocotb.handle import SimHandleBase

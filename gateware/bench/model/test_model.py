@@ -14,8 +14,8 @@ import pytest
 
 from gateware.bench.runner import run_bench
 from gateware.tools.model import CONFIGURATIONS, is_current
+from unity_link.protocol.crc import Crc
 from unity_link.virtual.rtl import RtlGateway
-from unity_link.wire.crc import Crc
 
 if TYPE_CHECKING:
     from pathlib import Path

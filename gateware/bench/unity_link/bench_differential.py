@@ -14,11 +14,11 @@ from typing import TYPE_CHECKING
 import cocotb
 
 from gateware.bench.unity_link.gateway import Gateway
+from unity_link.protocol.configuration import GatewayInfo
+from unity_link.protocol.crc import Crc
+from unity_link.protocol.messages import ErrorCode
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.faults import Failing
-from unity_link.wire.crc import Crc
-from unity_link.wire.gateway_info import GatewayInfo
-from unity_link.wire.messages import ErrorCode
 
 if TYPE_CHECKING:
     from cocotb.handle import SimHandleBase

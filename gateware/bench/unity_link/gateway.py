@@ -15,7 +15,7 @@ import cocotb
 from cocotb.triggers import ClockCycles, RisingEdge
 
 from gateware.bench.streams import start
-from unity_link.wire.crc import Crc
+from unity_link.protocol.crc import Crc
 
 if TYPE_CHECKING:
     from cocotb.handle import SimHandleBase

@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 
 from gateware.bench.runner import GATEWARE, run_bench
-from unity_link.wire.gateway_info import Feature
+from unity_link.protocol.configuration import Feature
 
 HERE = Path(__file__).resolve().parent
 VECTORS = GATEWARE.parent / "tests" / "vectors"

@@ -8,8 +8,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from unity_link.transport.ft232h.eeprom_image import BLANK, build_eeprom, channel_type, is_valid, strings
 from unity_link.virtual.ft232h.chip import FIFO_SIZE, OVERRUN, PAYLOAD, Chip, Mode, StallError
-from unity_link.virtual.ft232h.eeprom import BLANK, build_eeprom, channel_type, is_valid, strings
 from unity_link.virtual.ft232h.timing import Timing
 
 LATENCY = 0.016

@@ -7,13 +7,14 @@ from typing import TYPE_CHECKING
 
 import pytest
 
+from unity_link.protocol.configuration import GatewayInfo
+from unity_link.transport.ft232h.eeprom_image import build_eeprom
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.ft232h.board import Board, GatewayBoard
 from unity_link.virtual.ft232h.chip import Chip, Mode
-from unity_link.virtual.ft232h.eeprom import build_eeprom
 from unity_link.virtual.ft232h.host import Status, Transfer, UsbHost
 from unity_link.virtual.ft232h.timing import Timing
-from unity_link.wire.gateway_info import GatewayInfo
+from unity_link.virtual.gateway import Gateway
 
 if TYPE_CHECKING:
     from collections.abc import Callable, MutableMapping
@@ -132,6 +133,8 @@ def test_a_sample_of_a_group_that_asks_for_it_is_sent_at_once() -> None:
 
 class Echo:
     """A gateway that sends back what it gets, and so fills both directions."""
+
+    open = Gateway.open
 
     def __init__(self) -> None:
         self.info = GatewayInfo()

@@ -10,13 +10,13 @@ import pytest
 
 import unity_link
 from simulated_time import on_simulated_time
+from unity_link.protocol.crc import Crc
+from unity_link.transport.ft232h.eeprom_image import build_eeprom
 from unity_link.virtual.ft232h.bus import LoopClock, SimulatedClock, VirtualBus, VirtualFt232h
-from unity_link.virtual.ft232h.eeprom import build_eeprom
 from unity_link.virtual.ft232h.host import Transfer
 from unity_link.virtual.ft232h.pyusb_backend import installed
 from unity_link.virtual.ft232h.rtl_board import RtlBoard
 from unity_link.virtual.rtl import RtlGateway
-from unity_link.wire.crc import Crc
 
 pytestmark = [
     pytest.mark.rtl,

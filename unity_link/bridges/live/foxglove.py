@@ -14,7 +14,7 @@ import numpy as np
 
 from unity_link.bridges.messages import Encoder
 from unity_link.errors import ConnectError
-from unity_link.listening import LOOPBACK
+from unity_link.transport.listening import LOOPBACK
 
 if TYPE_CHECKING:
     from collections.abc import Sequence

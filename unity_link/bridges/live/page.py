@@ -25,8 +25,8 @@ from unity_link.bridges.live.round_trips import Histogram, RoundTrips
 from unity_link.bridges.live.server import make_server
 from unity_link.bridges.live.viewer import Viewer
 from unity_link.bridges.live.writing import Writing
-from unity_link.link import Statistics  # noqa: TC001  (msgspec reads the annotations)
-from unity_link.listening import LOOPBACK, port_error
+from unity_link.link.link import Statistics  # noqa: TC001  (msgspec reads the annotations)
+from unity_link.transport.listening import LOOPBACK, port_error
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence

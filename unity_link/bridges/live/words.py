@@ -7,14 +7,14 @@ from typing import TYPE_CHECKING
 from unity_link.bridges.sampled import SampledGroup
 from unity_link.data import Group, load
 from unity_link.errors import ArgumentError
+from unity_link.protocol.configuration import Feature
 from unity_link.spec import Access, Component, Interface, Kind, KindName, Signal, Spec
-from unity_link.wire.gateway_info import Feature
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from unity_link.data import Robot
-    from unity_link.link import Link
+    from unity_link.link.link import Link
 
 
 def robot_of_words(link: Link, addresses: Sequence[int], rate_hz: float) -> tuple[Robot, list[SampledGroup]]:

@@ -28,8 +28,8 @@ if TYPE_CHECKING:
 
     from unity_link.bridges.sampled import SampledGroup
     from unity_link.data import Batch
+    from unity_link.protocol.configuration import GatewayInfo
     from unity_link.spec import Interface
-    from unity_link.wire.gateway_info import GatewayInfo
 
 INTERFACE, GATEWAY = "interface.json", "gateway.json"
 """Names of the attachments."""

@@ -15,8 +15,8 @@ import numpy as np
 
 from unity_link.bridges.messages import Message, hex_to_words
 from unity_link.bridges.recording.files import GATEWAY, INTERFACE, RecordingError, check_extra
+from unity_link.protocol.configuration import GatewayInfo
 from unity_link.spec import Interface
-from unity_link.wire.gateway_info import GatewayInfo
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator
@@ -25,8 +25,8 @@ if TYPE_CHECKING:
     from mcap.records import Chunk, McapRecord
     from numpy.typing import NDArray
 
+    from unity_link.protocol.messages import Words
     from unity_link.spec import Signal
-    from unity_link.wire.messages import Words
 
 MOST_UNPACKED = 64 << 20
 """Bytes of a chunk that are unpacked; those of `ChunkWriter` have an eighth. A chunk of more counts as damaged."""

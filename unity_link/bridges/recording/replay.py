@@ -6,9 +6,9 @@ import math
 from typing import TYPE_CHECKING
 
 from unity_link.errors import ArgumentError
+from unity_link.protocol.messages import ErrorCode
 from unity_link.virtual.bus import AccessError
 from unity_link.virtual.gateway import VirtualGateway
-from unity_link.wire.messages import ErrorCode
 
 if TYPE_CHECKING:
     from unity_link.bridges.recording.reader import Recording

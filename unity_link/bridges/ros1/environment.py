@@ -9,7 +9,7 @@ from pathlib import Path
 from urllib.parse import urlsplit
 
 from unity_link.errors import ArgumentError, ConnectError
-from unity_link.listening import LOOPBACK
+from unity_link.transport.listening import LOOPBACK
 
 _PLACES = ("/usr/lib/python3/dist-packages",)
 

@@ -20,15 +20,15 @@ from typing import TYPE_CHECKING
 
 from unity_link.bridges.serve.door import LONGEST_TOKEN, Door
 from unity_link.bridges.serve.shared import SharedLink
-from unity_link.drivers import DriverUrl, parse_url, prepare
 from unity_link.errors import ArgumentError
-from unity_link.listening import LOOPBACK, listen_tcp, listen_unix
+from unity_link.transport import DriverUrl, parse_url, prepare
+from unity_link.transport.listening import LOOPBACK, listen_tcp, listen_unix
 
 if TYPE_CHECKING:
     import os
     from collections.abc import AsyncIterator, Callable
 
-    from unity_link.virtual import Gateway
+    from unity_link.transport import Medium
 
 
 class Server:
@@ -56,7 +56,7 @@ class Server:
 
 @contextlib.asynccontextmanager
 async def serve(
-    target: str | Gateway,
+    target: str | Medium,
     *,
     unix: str | os.PathLike[str] | None = None,
     tcp: int | None = None,

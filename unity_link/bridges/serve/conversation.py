@@ -1,7 +1,7 @@
 """What one client says, and what it means: frames, sequence, groups, send-immediate.
 
 To its client, a `Conversation` is a gateway that has just been reset. It checks frames and their sequence as every
-gateway does (`unity_link.wire.reception`), hands on what is the next to be executed, and answers everything else
+gateway does (`unity_link.protocol.reception`), hands on what is the next to be executed, and answers everything else
 itself. Reads and writes of single words are most of the traffic: those that stand side by side are checked and handed
 on together, and a lone one takes a short way that does what the long one would, or gives up before anything changes.
 """
@@ -14,9 +14,9 @@ import numpy as np
 
 from unity_link.bridges.serve.groups import ClientGroup, Settings
 from unity_link.bridges.serve.requests import Relayed, RelayedRows, answer_digits
-from unity_link.wire.frames import LF
-from unity_link.wire.messages import COMMANDS, Codec, ErrorCode, Repetition, Request, RequestError
-from unity_link.wire.reception import Place, Reception, Sequence, group_fits
+from unity_link.protocol.frames import LF
+from unity_link.protocol.messages import COMMANDS, Codec, ErrorCode, Repetition, Request, RequestError
+from unity_link.protocol.reception import Place, Reception, Sequence, group_fits
 
 if TYPE_CHECKING:
     from collections.abc import Callable

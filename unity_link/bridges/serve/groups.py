@@ -19,13 +19,13 @@ from __future__ import annotations
 from collections import deque
 from typing import TYPE_CHECKING, Protocol
 
-from unity_link.wire.messages import GroupFlag
+from unity_link.protocol.messages import GroupFlag
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from unity_link.exchange import Exchange
-    from unity_link.wire.messages import Codec
+    from unity_link.link.exchange import Exchange
+    from unity_link.protocol.messages import Codec
 
 _SEQUENCE = slice(3, 5)
 _HEAD = 5

@@ -9,8 +9,8 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Protocol
 
 from unity_link.errors import GatewayError, Outcome, UnansweredError, UnityLinkError, UnsupportedError
-from unity_link.requests import REPEATABLE, Message, Rows
-from unity_link.wire.messages import COMMANDS, Codec, ErrorCode, Repetition
+from unity_link.link.requests import REPEATABLE, Message, Rows
+from unity_link.protocol.messages import COMMANDS, Codec, ErrorCode, Repetition
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
-    from unity_link.requests import Source
+    from unity_link.link.requests import Source
 
 SMALLEST_RUN = 64
 """Requests for which room is waited for while others are under way: half the window of a gateway with short IDs."""

@@ -15,11 +15,11 @@ import msgspec
 
 from unity_link.bridges.serve.groups import Slots
 from unity_link.bridges.serve.turns import Turns
-from unity_link.connection import Connection, Reconnect
 from unity_link.errors import ArgumentError, ConnectError, LinkLostError, UnansweredError, UnityLinkError
-from unity_link.requests import OfSession
-from unity_link.wire.gateway_info import Feature
-from unity_link.wire.messages import Codec
+from unity_link.link.connection import Connection, Reconnect
+from unity_link.link.requests import OfSession
+from unity_link.protocol.configuration import Feature
+from unity_link.protocol.messages import Codec
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Coroutine
@@ -27,8 +27,7 @@ if TYPE_CHECKING:
     from unity_link.bridges.serve.client import Client
     from unity_link.bridges.serve.door import Door
     from unity_link.bridges.serve.groups import Settings, Slot
-    from unity_link.drivers import DriverUrl
-    from unity_link.virtual import Gateway
+    from unity_link.transport import DriverUrl, Medium
 
 PATIENCE = 2.0
 """Seconds that requests wait for a gateway that is away: less than what a host waits in silence."""
@@ -45,7 +44,7 @@ class SharedLink(Connection):
         report: is told in a sentence when the gateway comes and goes.
     """
 
-    def __init__(self, target: DriverUrl | Gateway, report: Callable[[str], None]) -> None:
+    def __init__(self, target: DriverUrl | Medium, report: Callable[[str], None]) -> None:
         super().__init__(target, PAUSES)
         self.loop = asyncio.get_running_loop()
         self.codec: Codec | None = None

@@ -19,8 +19,8 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from unity_link.bridges.serve.requests import Relayed, RelayedRows
     from unity_link.errors import UnityLinkError
-    from unity_link.exchange import Exchange
-    from unity_link.requests import Message
+    from unity_link.link.exchange import Exchange
+    from unity_link.link.requests import Message
 
 LONGEST_WAIT = 0.005
 """Seconds that a request waits behind those that are under way."""

@@ -5,13 +5,13 @@
     samples/...   Samples: publications, many in one       /
 
 - `bridge`: the life of all of it
-- `streams`: what ``unity_link.connect("zenoh:robot/1")`` speaks to; `unity_link.drivers.zenoh` is the other end
+- `streams`: what ``unity_link.connect("zenoh:robot/1")`` speaks to; `unity_link.transport.zenoh` is the other end
 - `signals`, `writing`, `describing`: values by keys, for programs that have nothing but Zenoh
 - `samples`: what the robot gives by itself
 - `own_link`: how the bridge itself reaches the gateway, beside the links of others
 """
 
 from unity_link.bridges.zenoh.bridge import ZenohBridge
-from unity_link.drivers.zenoh_session import Network
+from unity_link.transport.zenoh_session import Network
 
 __all__ = ["Network", "ZenohBridge"]

@@ -13,8 +13,9 @@ from unity_link.bridges.zenoh.own_link import OwnLink
 from unity_link.bridges.zenoh.samples import Samples
 from unity_link.bridges.zenoh.signals import Signals
 from unity_link.bridges.zenoh.streams import Streams
-from unity_link.drivers import DriverUrl, parse_url, prepare
-from unity_link.drivers.zenoh_session import (
+from unity_link.errors import ConnectError, LinkLostError, first_error
+from unity_link.transport import DriverUrl, parse_url, prepare
+from unity_link.transport.zenoh_session import (
     Declared,
     Network,
     UnreachableError,
@@ -22,7 +23,6 @@ from unity_link.drivers.zenoh_session import (
     close_session,
     open_session,
 )
-from unity_link.errors import ConnectError, LinkLostError, first_error
 
 if TYPE_CHECKING:
     from collections.abc import AsyncIterator, Callable
@@ -30,7 +30,7 @@ if TYPE_CHECKING:
     import zenoh
 
     from unity_link.data import Robot
-    from unity_link.virtual import Gateway
+    from unity_link.transport import Medium
 
 NEVER = 1e9
 """Seconds: the gateway may be away at the start."""
@@ -58,7 +58,7 @@ class ZenohBridge:
     def __init__(
         self,
         robot_type: type[Robot],
-        target: str | Gateway,
+        target: str | Medium,
         prefix: str,
         *,
         network: Network | None = None,

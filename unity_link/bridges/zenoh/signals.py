@@ -26,8 +26,8 @@ from unity_link.bridges.topics import topic_name
 from unity_link.bridges.zenoh.describing import describe
 from unity_link.bridges.zenoh.writing import Reader
 from unity_link.data import Group, Readable, Writable
-from unity_link.drivers.inbox import Inbox
 from unity_link.errors import ArgumentError, UnansweredError, UnityLinkError
+from unity_link.transport.inbox import Inbox
 
 if TYPE_CHECKING:
     from collections.abc import Awaitable, Callable
@@ -36,7 +36,7 @@ if TYPE_CHECKING:
 
     from unity_link.bridges.serve.shared import SharedLink
     from unity_link.data import Proxy, Robot
-    from unity_link.drivers.zenoh_session import Declared
+    from unity_link.transport.zenoh_session import Declared
 
     Answering = Callable[[zenoh.KeyExpr, bytes], Awaitable[dict[str, Any]]]
     """Gives for a query's key and payload what is replied, by the names of keys below the prefix."""

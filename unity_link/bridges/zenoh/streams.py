@@ -14,8 +14,8 @@ from typing import TYPE_CHECKING
 
 from unity_link.bridges.serve.client import Client
 from unity_link.bridges.serve.door import MOST_CLIENTS
-from unity_link.drivers.inbox import Inbox
-from unity_link.drivers.zenoh_session import OPEN, Declared, KeyTransport
+from unity_link.transport.inbox import Inbox
+from unity_link.transport.zenoh_session import OPEN, Declared, KeyTransport
 
 if TYPE_CHECKING:
     import zenoh

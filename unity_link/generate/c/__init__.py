@@ -16,7 +16,7 @@ from unity_link.generate import GeneratedFile
 from unity_link.generate.c.layout import Layout
 from unity_link.generate.c.names import comment, number, string
 from unity_link.generate.c.signals import decoding, describe, examples, initializer, schedule
-from unity_link.wire.constants import TABLE
+from unity_link.protocol.constants import TABLE
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator

@@ -19,8 +19,8 @@ from typing import TYPE_CHECKING, NamedTuple
 from unity_link.errors import UnsupportedError
 from unity_link.generate import GeneratedFile
 from unity_link.generate.matlab.names import MEMBERS, identifiers
+from unity_link.protocol.constants import TABLE
 from unity_link.spec import ComponentArray
-from unity_link.wire.constants import TABLE
 
 if TYPE_CHECKING:
     from collections.abc import Iterator

@@ -12,8 +12,8 @@ import time
 from contextlib import contextmanager, nullcontext
 from typing import TYPE_CHECKING, Protocol
 
+from unity_link.transport.ft232h.eeprom_image import build_eeprom
 from unity_link.virtual.ft232h.chip import Chip
-from unity_link.virtual.ft232h.eeprom import build_eeprom
 from unity_link.virtual.ft232h.host import UsbHost
 from unity_link.virtual.ft232h.timing import Timing
 from unity_link.virtual.modelled_time import ModelledTimeLoop

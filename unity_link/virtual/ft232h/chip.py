@@ -14,7 +14,8 @@ from __future__ import annotations
 import enum
 from typing import TYPE_CHECKING
 
-from unity_link.virtual.ft232h import descriptors, eeprom
+from unity_link.transport.ft232h import eeprom_image
+from unity_link.virtual.ft232h import descriptors
 
 if TYPE_CHECKING:
     from unity_link.virtual.ft232h.timing import Timing
@@ -96,8 +97,8 @@ class Chip:
 
     def power_up(self, now: float) -> None:
         """Begin anew, as after being plugged in: only now is the EEPROM looked at."""
-        self.channel_type = eeprom.channel_type(self.eeprom)
-        self.strings = eeprom.strings(self.eeprom)
+        self.channel_type = eeprom_image.channel_type(self.eeprom)
+        self.strings = eeprom_image.strings(self.eeprom)
         self.configuration = 0
         self.to_fpga = bytearray()
         self.to_host = bytearray()
@@ -232,10 +233,10 @@ class Chip:
             case Request.BAUD_RATE:
                 self.baud = _baud(value, index)
             case Request.WRITE_EEPROM:
-                place = 2 * index % eeprom.SIZE
+                place = 2 * index % eeprom_image.SIZE
                 self.eeprom[place : place + 2] = value.to_bytes(2, "little")
             case Request.ERASE_EEPROM:
-                self.eeprom[:] = eeprom.BLANK
+                self.eeprom[:] = eeprom_image.BLANK
             case Request.MODEM_CONTROL | Request.FLOW_CONTROL | Request.DATA | Request.ERROR_CHARACTER:
                 pass
             case _:
@@ -270,7 +271,7 @@ class Chip:
             case Request.PINS:
                 return b"\x00"
             case Request.READ_EEPROM:
-                place = 2 * index % eeprom.SIZE
+                place = 2 * index % eeprom_image.SIZE
                 return bytes(self.eeprom[place : place + 2])
             case _:
                 raise StallError

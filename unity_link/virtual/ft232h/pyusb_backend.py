@@ -58,6 +58,15 @@ class Backend(IBackend):  # type: ignore[misc]  # pyusb has no types
         """Give the chip with a number on the bus."""
         return next(device for device in self._bus.devices if device.address == address)
 
+    def open_for_transfers(self, bus: int, address: int) -> tuple[Any, Any]:  # noqa: ARG002  (there is one)
+        """Return what stands for libusb's context and handle of a chip, for overlapped transfers."""
+        from unity_link.virtual.ft232h.libusb1 import Context
+
+        context = Context(self.device_at(address))
+        handle = context.open_chip()
+        handle.claimInterface(0)
+        return context, handle
+
     # Descriptors
 
     def enumerate_devices(self) -> Iterator[VirtualFt232h]:

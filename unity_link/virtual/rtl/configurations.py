@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 import msgspec
 
 from unity_link.errors import ArgumentError
-from unity_link.wire.gateway_info import GatewayInfo
+from unity_link.protocol.configuration import GatewayInfo
 
 if TYPE_CHECKING:
     from collections.abc import Mapping

@@ -16,11 +16,12 @@ from collections.abc import Iterable, Iterator, MutableMapping
 from typing import TYPE_CHECKING, NamedTuple
 
 from unity_link.errors import ArgumentError, ConnectError
+from unity_link.protocol.configuration import GatewayInfo
+from unity_link.protocol.messages import ErrorCode
 from unity_link.virtual.bus import AccessError, Device, Devices
+from unity_link.virtual.gateway import BareGateway
 from unity_link.virtual.rtl.configurations import find
 from unity_link.virtual.rtl.library import DeviceFunction, load
-from unity_link.wire.gateway_info import GatewayInfo
-from unity_link.wire.messages import ErrorCode
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -83,7 +84,7 @@ class RtlMemory(MutableMapping[int, int]):
             raise ArgumentError(f"address {address:#x} does not fit in {self._address_bits} bits")
 
 
-class RtlGateway:
+class RtlGateway(BareGateway):
     """The gateware with plain memory at every address.
 
     Args:
@@ -109,7 +110,12 @@ class RtlGateway:
         self._devices = Devices(self.info.address_bits)
         # In cycles; those of a fraction don't come in whole ones.
         self._base_tick = max(1, self.info.clock_hz * 1000 // self.info.base_frequency_millihertz)
-        self.memory = RtlMemory(self._library, self._handle, self.info)
+        self._memory = RtlMemory(self._library, self._handle, self.info)
+
+    @property
+    def memory(self) -> MutableMapping[int, int]:
+        """The words behind the gateway, by address."""
+        return self._memory
 
     def reset(self) -> None:
         """Go back to the state after power-up. What is behind the bus stays as it is."""

@@ -1,0 +1,117 @@
+"""Runs the benchmarks of this tree and of an earlier revision in turn: what became slower? `make bench-beside`.
+
+Each benchmark runs in a process of its own, here and there alternately, so that both meet the same machine. What is
+compared is the time of ours to that of the bare loop, which every run measures anew.
+"""
+
+from __future__ import annotations
+
+import argparse
+import contextlib
+import os
+import re
+import statistics
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import msgspec
+from rich.console import Console
+from rich.table import Table
+
+from benchmarks.__main__ import BENCHMARKS
+from benchmarks.measure import Row
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+HERE = Path(__file__).parents[1]
+ROUNDS = 3
+SLOWER = 1.05
+"""What counts as slower: more than the noise of the medians."""
+_MEASURE = (
+    "import asyncio, msgspec; from benchmarks import {name}; "
+    "print(msgspec.json.encode(asyncio.run({name}.measure())).decode())"
+)
+
+
+class Comparison(msgspec.Struct, frozen=True):
+    """One question, with its answers there and here."""
+
+    question: str
+    before: str
+    now: str
+    ratio: float
+    """Time to the bare loop's, here to there, median over the rounds; above 1 is slower."""
+
+
+@contextlib.contextmanager
+def checked_out(revision: str) -> Iterator[Path]:
+    """Check a revision out into a folder for as long as the context lasts."""
+    with tempfile.TemporaryDirectory() as folder:
+        tree = Path(folder) / "tree"
+        _git("worktree", "add", "--detach", "--force", str(tree), revision)
+        try:
+            yield tree
+        finally:
+            _git("worktree", "remove", "--force", str(tree))
+
+
+def _git(*arguments: str) -> None:
+    done = subprocess.run(["git", *arguments], cwd=HERE, capture_output=True, text=True, check=False)  # noqa: S607
+    if done.returncode:
+        raise SystemExit(f"git {' '.join(arguments)}: {done.stderr.strip()}")
+
+
+def measure(tree: Path, name: str) -> Row:
+    """Run one benchmark of a tree in a process of its own."""
+    environment = os.environ | {"PYTHONPATH": str(tree)}
+    command = [sys.executable, "-c", _MEASURE.format(name=name)]
+    done = subprocess.run(command, cwd=tree, env=environment, capture_output=True, check=False)
+    if done.returncode:
+        raise SystemExit(f"{name} failed in {tree}: {done.stderr.decode().strip().splitlines()[-1]}")
+    return msgspec.json.decode(done.stdout, type=Row)
+
+
+def compare(there: Path, name: str) -> Comparison | None:
+    """Run one benchmark here and there in turn; None where it has no ratio to a bare loop."""
+    pairs = [(measure(there, name), measure(HERE, name)) for _ in range(ROUNDS)]
+    before, now = pairs[-1]
+    if not now.ratio:
+        return None
+    ratio = statistics.median(_number(new.ratio) / _number(old.ratio) for old, new in pairs)
+    return Comparison(now.question, before.ours, now.ours, ratio)
+
+
+def _number(text: str) -> float:
+    found = re.match(r"[\d.]+", text)
+    assert found is not None
+    return float(found[0])
+
+
+def main() -> int:
+    """Compare all benchmarks, and show a table; 1 where one became slower."""
+    parser = argparse.ArgumentParser(prog="python -m benchmarks.beside", description=__doc__)
+    parser.add_argument("revision", help="of this repository")
+    names = [benchmark.__name__.rpartition(".")[2] for benchmark in BENCHMARKS]
+    parser.add_argument("names", nargs="*", choices=[*names, []], help="benchmarks; all by default")
+    arguments = parser.parse_args()
+    console = Console()
+    table = Table("Question", arguments.revision, "now", "Time, now to then")
+    slower = False
+    with checked_out(arguments.revision) as there:
+        for name in arguments.names or names:
+            with console.status(name):
+                found = compare(there, name)
+            if found is not None:
+                mark = "[red]" if found.ratio > SLOWER else ""
+                slower = slower or found.ratio > SLOWER
+                table.add_row(found.question, found.before, found.now, f"{mark}{found.ratio:.2f}")
+    console.print(table)
+    return int(slower)
+
+
+if __name__ == "__main__":
+    sys.exit(main())

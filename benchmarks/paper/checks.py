@@ -1,0 +1,69 @@
+"""What must hold of the experiment's figures."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from benchmarks.paper.results import ACCESSES, MODES, RHYTHMS, Check, Results
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+LINK_MBITS = 64.0
+"""What 8 MB/s carry in one direction."""
+
+
+def check(results: Results) -> list[Check]:
+    """Hold the figures against what is wanted of them."""
+    return [*_check_gateware(results), *_check_latencies(results), *_check_throughputs(results), *_check_rest(results)]
+
+
+def _most(what: str, found: float, limit: float, unit: str) -> Check:
+    return Check(what=what, found=f"{found:,.2f} {unit}", wanted=f"at most {limit:,.2f} {unit}", met=found <= limit)
+
+
+def _least(what: str, found: float, limit: float, unit: str) -> Check:
+    return Check(what=what, found=f"{found:,.2f} {unit}", wanted=f"at least {limit:,.2f} {unit}", met=found >= limit)
+
+
+def _check_gateware(results: Results) -> Iterator[Check]:
+    figures = results.gateware
+    if figures is None:
+        return
+    yield _most("gateware, read", figures.microseconds(figures.read_cycles), 0.60, "µs")
+    yield _most("gateware, write", figures.microseconds(figures.write_cycles), 0.45, "µs")
+    yield _most("gateware, write to its effect", figures.microseconds(figures.effect_cycles), 0.16, "µs")
+    yield _least("gateware, pipelined reads", 8e-6 * figures.bytes_per_cycle * figures.clock_hz, 390, "Mb/s")
+
+
+def _check_latencies(results: Results) -> Iterator[Check]:
+    for rhythm in RHYTHMS:
+        off, always, adaptive = (results.latency("full stack", "read", mode, rhythm) for mode in MODES)
+        for row in (always, adaptive):
+            what = f"read through the link, {rhythm}, send-immediate {row.send_immediate}"
+            yield _most(what, row.total, 260, "µs")
+        yield _most(
+            f"read through the link, {rhythm}, without send-immediate", off.total / off.modelled, 1.10, "floors"
+        )
+        yield _most(f"read, {rhythm}, adaptive to always", adaptive.total / always.total, 1.05, "")
+
+
+def _check_throughputs(results: Results) -> Iterator[Check]:
+    reads = results.throughput("full stack", "read", "adaptive")
+    posts = results.throughput("full stack", "post", "adaptive")
+    yield _least("read_many, adaptive", reads.total, 0.90 * LINK_MBITS, "Mb/s")
+    yield _least("post_many, adaptive", posts.total, 0.95 * LINK_MBITS, "Mb/s")
+    for access in ACCESSES:
+        off, _, adaptive = (results.throughput("full stack", access, mode) for mode in MODES)
+        yield _least(f"{access}s in bursts, adaptive to off, modelled", adaptive.modelled / off.modelled, 0.95, "")
+        yield _least(f"{access}s in bursts, adaptive to off", adaptive.total / off.total, 0.95, "")
+
+
+def _check_rest(results: Results) -> Iterator[Check]:
+    sustained = results.sustained
+    yield Check(
+        what=f"one word, published for {sustained.seconds:.2f} s",
+        found=f"{sustained.rate / 1e3:.2f} kHz, {sustained.lost} lost",
+        wanted="at least 30.00 kHz, 0 lost",
+        met=sustained.rate >= 30_000 and not sustained.lost,
+    )

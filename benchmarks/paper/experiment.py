@@ -1,0 +1,149 @@
+"""The whole experiment, in order, and what must hold of it."""
+
+from __future__ import annotations
+
+import datetime as dt
+import os
+import platform
+from pathlib import Path
+from typing import TYPE_CHECKING, NamedTuple
+
+import msgspec
+
+import unity_link
+from benchmarks.paper.checks import check
+from benchmarks.paper.gateware import measure_gateware
+from benchmarks.paper.latency import measure_latencies
+from benchmarks.paper.publishing import measure_limits, measure_sustained
+from benchmarks.paper.results import STACKS, Burst, Latency, Parameters, Results, Throughput
+from benchmarks.paper.throughput import measure_bursts, measure_throughputs
+from benchmarks.paper.workbench import MODEL, GatewayKind, Workbench, available_gateway
+from unity_link.transport.ft232h import with_libusb
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+
+class _Plan(NamedTuple):
+    """How much is measured."""
+
+    accesses: int
+    """Of which a latency is the median."""
+    latency_runs: int
+    """Of which the best counts, here and below."""
+    burst: int
+    """Accesses of the shorter burst of a rate."""
+    runs: int
+    burst_sizes: tuple[int, ...]
+    publish_sizes: tuple[int, ...]
+    publish_runs: int
+    publish_rate: float
+    """Hz, at which one word is published for a while."""
+    publish_seconds: float
+
+
+_FULL = _Plan(
+    accesses=100,
+    latency_runs=7,
+    burst=5000,
+    runs=3,
+    burst_sizes=tuple(4**power for power in range(7)),
+    publish_sizes=(1, 2, 4, 8, 16, 32, 64, 128, 255),
+    publish_runs=2,
+    publish_rate=31_250,
+    publish_seconds=0.5,
+)
+_QUICK = _Plan(
+    accesses=50,
+    latency_runs=1,
+    burst=1500,
+    runs=1,
+    burst_sizes=(1, 8, 64, 512),
+    publish_sizes=(1, 16, 255),
+    publish_runs=1,
+    publish_rate=31_250,
+    publish_seconds=0.02,
+)
+
+
+def run_experiment(
+    *,
+    gateway: GatewayKind | None = None,
+    quick: bool = False,
+    host_time: bool = True,
+    tell: Callable[[str], object] = lambda _: None,
+) -> Results:
+    """Run all of it: five minutes or so, half a minute if `quick`.
+
+    No event loop may be running in this thread.
+
+    Args:
+        gateway: what is behind the chip: ``"rtl"``, the gateware itself, or ``"model"``, its model in Python. By
+            default the former, where a C++ compiler is there.
+        quick: measure less. That shows that it works; the figures are not to be quoted.
+        host_time: False to leave out what the program takes, so that every run gives the same.
+        tell: is called with what begins now.
+
+    Raises:
+        ConnectError: where pyftdi is not installed, or a C++ compiler is missing for ``"rtl"``.
+    """
+    kind = available_gateway() if gateway is None else gateway
+    plan = _QUICK if quick else _FULL
+    bench = Workbench(kind, counts_host_time=host_time)
+    tell("the gateware alone")
+    figures = measure_gateware() if kind == "rtl" else None
+    latencies: list[Latency] = []
+    throughputs: list[Throughput] = []
+    bursts: list[Burst] = []
+    for stack in STACKS:
+        tell(f"{stack}: single accesses")
+        latencies += measure_latencies(bench, stack, plan.accesses, plan.latency_runs)
+        tell(f"{stack}: long bursts")
+        throughputs += measure_throughputs(bench, stack, plan.burst, plan.runs)
+        tell(f"{stack}: bursts of reads of all lengths")
+        bursts += measure_bursts(bench, stack, plan.burst_sizes, plan.runs)
+    tell("publishing: limits")
+    limits = list(measure_limits(bench, plan.publish_sizes, plan.publish_runs))
+    tell("publishing: one word for a while")
+    sustained = measure_sustained(bench, plan.publish_rate, plan.publish_seconds)
+    results = Results(
+        version=unity_link.__version__,
+        date=f"{dt.datetime.now(dt.UTC):%Y-%m-%d}",
+        parameters=_parameters(bench, quick=quick),
+        gateware=figures,
+        latencies=latencies,
+        throughputs=throughputs,
+        bursts=bursts,
+        publish_limits=limits,
+        sustained=sustained,
+        checks=[],
+    )
+    return msgspec.structs.replace(results, checks=check(results))
+
+
+def describe_machine() -> str:
+    """Name the processor and what runs on it."""
+    model = platform.processor() or platform.machine()
+    cpuinfo = Path("/proc/cpuinfo")
+    for line in cpuinfo.read_text().splitlines() if cpuinfo.exists() else ():
+        if line.startswith("model name"):
+            model = line.partition(": ")[2]
+            break
+    return f"{model}, {os.cpu_count()} cores, {platform.system()}, Python {platform.python_version()}"
+
+
+def _parameters(bench: Workbench, *, quick: bool) -> Parameters:
+    return Parameters(
+        gateway=bench.gateway,
+        id_digits=MODEL.id_digits,
+        address_bits=MODEL.address_bits,
+        data_bits=MODEL.data_bits,
+        receive_fifo_bytes=MODEL.receive_fifo_bytes,
+        transmit_fifo_bytes=MODEL.transmit_fifo_bytes,
+        base_frequency=MODEL.base_frequency_hz,
+        timing={name: float(getattr(bench.timing, name)) for name in bench.timing.__struct_fields__},
+        posted_reads=with_libusb.POSTED_READS,
+        read_size=with_libusb.READ_SIZE,
+        machine=describe_machine(),
+        quick=quick,
+    )

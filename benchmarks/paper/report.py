@@ -1,0 +1,38 @@
+"""The experiment as files: page, data and pictures."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from benchmarks.paper.plots import BURSTS, PUBLISHING, draw
+from benchmarks.paper.tables import to_markdown
+from unity_link.errors import UnsupportedError
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+    from benchmarks.paper.results import Results
+
+PAGE, DATA = "TABLE1.md", "table1.json"
+_PICTURES = (("Bursts of reads, by their length", BURSTS), ("The limit of publishing, by the length", PUBLISHING))
+
+
+def write_report(results: Results, folder: Path) -> tuple[list[Path], str]:
+    """Write all files into a folder, which is made if need be; pictures only where matplotlib is installed.
+
+    Returns:
+        The files, and why there are no pictures, if there are none.
+
+    Raises:
+        OSError: where the folder can't be written.
+    """
+    folder.mkdir(parents=True, exist_ok=True)
+    files, reason = [], ""
+    try:
+        files += draw(results, folder)
+    except UnsupportedError as error:
+        reason = str(error)
+    page, data = folder / PAGE, folder / DATA
+    page.write_text(to_markdown(results, _PICTURES if files else ()))
+    data.write_bytes(results.to_json() + b"\n")
+    return [page, data, *files], reason

@@ -1,0 +1,44 @@
+"""The constants of the host stand in one table, which needs nothing installed and is the same in every language."""
+
+from __future__ import annotations
+
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from spec_examples import FIGURE_1
+from unity_link.generate import generate
+from unity_link.protocol import constants, window
+from unity_link.spec import compile_text
+
+
+def test_the_table_needs_nothing_installed() -> None:
+    path = str(Path(constants.__file__))
+    subprocess.run([sys.executable, "-I", "-S", "-W", "error", path], check=True, cwd="/")
+
+
+def test_the_window_has_no_number_of_its_own() -> None:
+    numbers = {name: value for name, value in vars(window).items() if type(value) in {int, float}}
+    assert numbers.items() <= constants.TABLE.items()
+
+
+def test_a_latency_timer_of_a_usb_chip_is_waited_for() -> None:
+    assert constants.SHORTEST_TIMEOUT > 0.016
+
+
+@pytest.mark.parametrize("target", ["c", "cpp"])
+def test_the_client_in_c_has_the_table(target: str) -> None:
+    text = next(file.text for file in generate(target, compile_text(FIGURE_1)) if file.name == "unity_link.c")
+    found = {name: float(value) for name, value in re.findall(r"^#define (\w+) ([\d.]+)$", text, re.MULTILINE)}
+    assert found == constants.TABLE
+
+
+def test_the_client_in_matlab_has_what_it_uses_of_the_table() -> None:
+    text = "".join(file.text for file in generate("matlab", compile_text(FIGURE_1)))
+    found = {name: float(value) for name, value in re.findall(r"^ +([A-Z_]+) = ([\d.]+)$", text, re.MULTILINE)}
+    used = {name for name in constants.TABLE if f"obj.{name}" in text}
+    assert {name: found[name] for name in used} == {name: constants.TABLE[name] for name in used}
+    assert used >= {"SHORTEST_TIMEOUT", "LONGEST_TIMEOUT", "MOST_TRIES", "MOST_SILENT_TRIES", "MOST_REFUSALS"}

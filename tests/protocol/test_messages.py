@@ -1,0 +1,220 @@
+"""Every message for every width: what one side writes the other reads, and many at once are as each alone."""
+
+from __future__ import annotations
+
+import re
+from typing import Any
+
+import msgspec
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from any_gateway import gateway_infos
+from unity_link.protocol.configuration import GatewayInfo
+from unity_link.protocol.messages import COMMANDS, LISTS, WITHOUT_ID, Codec, ErrorCode, Request, RequestError, Response
+from worked_examples import Example, worked_examples
+
+ALL_FEATURES = st.builds(lambda info: Codec(with_all(info)), gateway_infos())
+DEFAULT = Codec(GatewayInfo())
+
+
+def with_all(info: GatewayInfo) -> GatewayInfo:
+    return msgspec.structs.replace(info, features=GatewayInfo().features)
+
+
+def field(codec: Codec, letter: str) -> st.SearchStrategy[Any]:
+    if letter in LISTS:
+        return st.lists(field(codec, LISTS[letter]), min_size=1, max_size=255 if letter == "D" else 20)
+    return st.integers(0, 16 ** codec.digits[letter] - 1)
+
+
+@st.composite
+def requests(draw: st.DrawFn, codec: Codec) -> Request:
+    """Give any request, with or without an ID."""
+    command = draw(st.sampled_from(sorted(COMMANDS)))
+    values = [draw(field(codec, letter)) for letter in COMMANDS[command].fields]
+    if command == "GS":
+        values[3] = len(values[4])
+    number = None if command in WITHOUT_ID else draw(st.none() | st.integers(0, codec.ring - 1))
+    return Request(command, number, tuple(values))
+
+
+def body_of(codec: Codec, request: Request) -> bytes:
+    fields = codec.fields(
+        request.command, *(np.array(v, np.uint64) if isinstance(v, list) else v for v in request.values)
+    )
+    if request.id is None:
+        return request.command.encode() + fields
+    return codec.framing.open(codec.request(request.command, request.id, fields)[:-1])
+
+
+@given(codec=ALL_FEATURES, data=st.data())
+def test_every_request_is_read_as_it_was_written(codec: Codec, data: st.DataObject) -> None:
+    request = data.draw(requests(codec))
+    assert codec.decode_request(body_of(codec, request)) == request
+    assert codec.decode_plain_request(body_of(codec, request)) == request
+
+
+@given(codec=ALL_FEATURES, data=st.data())
+def test_digits_of_a_request_are_understood_in_lower_case(codec: Codec, data: st.DataObject) -> None:
+    request = data.draw(requests(codec))
+    body = body_of(codec, request)
+    letters = len(request.command)
+    assert codec.decode_request(body[:letters] + body[letters:].lower()) == request
+
+
+@given(codec=ALL_FEATURES, data=st.data())
+def test_a_digit_more_or_less_is_malformed(codec: Codec, data: st.DataObject) -> None:
+    request = data.draw(requests(codec))
+    body = body_of(codec, request)
+    with pytest.raises(RequestError) as longer:
+        codec.decode_request(body + b"0")
+    assert longer.value.code == ErrorCode.MALFORMED
+    if len(body) > len(request.command):
+        with pytest.raises(RequestError) as shorter:
+            codec.decode_request(body[:-1])
+        assert shorter.value.code == ErrorCode.MALFORMED
+
+
+@given(codec=ALL_FEATURES, data=st.data())
+def test_every_response_is_read_as_it_was_written(codec: Codec, data: st.DataObject) -> None:
+    request = data.draw(requests(codec).filter(lambda request: request.command not in ("Q", "WS")))
+    row = COMMANDS[request.command]
+    reads = data.draw(field(codec, row.reads)) if row.reads else None
+    response = codec.decode_response(codec.response(request, reads))
+    assert (response.command, response.id) == (request.command, request.id)
+    if row.reads:
+        assert response.fields[row.reads] == reads
+    echoed = dict(zip(row.fields, request.values, strict=True))
+    if "D" in echoed:
+        echoed["n"] = len(echoed["D"])
+    assert {letter: response.fields.get(letter) for letter in row.echo if request.id is None} == {
+        letter: echoed[letter] for letter in row.echo if request.id is None
+    }
+
+
+@given(codec=ALL_FEATURES, data=st.data())
+def test_what_a_gateway_says_by_itself_is_read_as_it_was_written(codec: Codec, data: st.DataObject) -> None:
+    number = data.draw(st.integers(0, codec.ring - 1))
+    code = data.draw(st.sampled_from(ErrorCode))
+    assert codec.decode_response(codec.error(code)) == Response("X", None, {"e": code})
+    assert codec.decode_response(codec.error(code, number)) == Response("X", number, {"e": code})
+    assert codec.decode_response(codec.out_of_sequence(number)) == Response("N", number, {})
+    words = data.draw(field(codec, "D"))
+    stamp = data.draw(st.none() | st.integers(0, 0xFFFFFFFF))
+    sample = codec.decode_response(codec.publish(7, 0xFE, stamp, np.array(words, np.uint64)))
+    text = ("" if stamp is None else f"{stamp:08X}") + "".join(f"{word:0{codec.info.data_digits}X}" for word in words)
+    assert sample == Response("P", None, {"g": 7, "p": 0xFE, "text": text.encode()})
+
+
+@pytest.mark.parametrize("body", [b"", b"0", b"J", b"r", b"r0", b"r00", b"w0G", b"Rr00", b"X1", b"n0", b"Q!", b"P00"])
+def test_what_is_no_message_of_a_gateway_is_refused(body: bytes) -> None:
+    with pytest.raises(ValueError, match=r"no message|hex digits|MALFORMED"):
+        DEFAULT.decode_response(body)
+
+
+@pytest.mark.parametrize(
+    "body", [b"", b"0A", b"J0A", b"Rm0A01", b"q", b"k00", b"qQ", b"ZZ", b"\xff", b" R0A"], ids=repr
+)
+def test_no_command_is_an_unknown_command(body: bytes) -> None:
+    with pytest.raises(RequestError) as refusal:
+        DEFAULT.decode_request(body)
+    assert refusal.value.code == ErrorCode.UNKNOWN_COMMAND
+
+
+@pytest.mark.parametrize(("digits", "plain"), [(1, True), (7, True), (8, True), (8, False)])
+def test_only_a_plain_word_may_be_short(digits: int, plain: bool) -> None:
+    body = b"W0A" + b"1" * digits
+    read = DEFAULT.decode_plain_request if plain else DEFAULT.decode_request
+    assert read(body).values == (0x0A, int("1" * digits, 16))
+
+
+@pytest.mark.parametrize("body", [b"W0A", b"W0A123456789", b"WM0A1234", b"WK0A0000000F1", b"W0", b"w0"])
+def test_a_plain_word_has_at_least_one_digit_and_not_too_many(body: bytes) -> None:
+    with pytest.raises(RequestError) as refusal:
+        DEFAULT.decode_plain_request(body)
+    assert refusal.value.code == ErrorCode.MALFORMED
+
+
+@pytest.mark.parametrize("body", [b"w000A1", b"ws000A1234567"])
+def test_the_word_of_a_numbered_write_is_never_short(body: bytes) -> None:
+    with pytest.raises(RequestError) as refusal:
+        DEFAULT.decode_plain_request(body)
+    assert refusal.value.code == ErrorCode.MALFORMED
+
+
+# Many at once
+
+
+@given(codec=ALL_FEATURES, data=st.data(), node=st.sampled_from([None, 0x5A]))
+def test_many_requests_are_written_as_each_alone(codec: Codec, data: st.DataObject, node: int | None) -> None:
+    codec = Codec(codec.info, node)
+    count = data.draw(st.integers(1, 20))
+    first = data.draw(st.integers(0, codec.ring - 1) | st.just(codec.ring - 1))
+    width = data.draw(st.integers(1, 12))
+    rows = np.frombuffer(
+        data.draw(st.text("0123456789ABCDEF", min_size=count * width, max_size=count * width)).encode(), np.uint8
+    ).reshape(count, width)
+    alone = [codec.request("W", (first + index) % codec.ring, row.tobytes()) for index, row in enumerate(rows)]
+    assert codec.request_rows("W", first, rows) == b"".join(alone)
+
+
+def answers(codec: Codec, command: str, first: int, words: list[int]) -> list[bytes]:
+    reads = words if command == "R" else [None] * len(words)
+    return [
+        codec.framing.checked(
+            codec.response(Request(command, (first + index) % codec.ring, (0,) if command == "R" else (0, 0)), word)
+        )
+        for index, word in enumerate(reads)
+    ]
+
+
+@given(codec=ALL_FEATURES, data=st.data(), command=st.sampled_from(["R", "W"]), node=st.sampled_from([None, 0x5A]))
+def test_many_responses_are_read_as_each_alone_up_to_the_first_that_is_not_as_expected(
+    codec: Codec, data: st.DataObject, command: str, node: int | None
+) -> None:
+    codec = Codec(codec.info, node)
+    words = data.draw(st.lists(field(codec, "d"), min_size=1, max_size=20))
+    first = data.draw(st.integers(0, codec.ring - 1) | st.just(codec.ring - 1))
+    frames = answers(codec, command, first, words)
+    digits = codec.info.data_digits if command == "R" else 0
+    wrong = data.draw(st.integers(0, len(words)))
+    if wrong < len(words):
+        frame = bytearray(frames[wrong])
+        frame[data.draw(st.integers(0, len(frame) - 1))] ^= 1 << data.draw(st.integers(0, 7))
+        frames[wrong] = bytes(frame)
+    taken = codec.response_rows(command, first, b"".join(frames), digits)
+    expected = words[:wrong] if command == "R" else [0] * wrong
+    assert ([] if taken is None else taken.tolist()) == expected
+
+
+def test_a_right_crc_around_what_is_no_word_is_left_to_the_reader_of_single_frames() -> None:
+    assert DEFAULT.response_rows("R", 0, DEFAULT.framing.checked(b"r000000G000"), 8) is None
+
+
+# The document
+
+
+@pytest.mark.parametrize("example", worked_examples(), ids=lambda example: f"line {example.line}")
+def test_the_host_reads_every_answer_of_the_document(example: Example) -> None:
+    codec = Codec(GatewayInfo(), example.node)
+    for _, answered in example.exchange:
+        for line in answered.splitlines(keepends=True):
+            codec.decode_response(codec.framing.open(line[:-1]))
+
+
+@pytest.mark.parametrize("example", worked_examples(), ids=lambda example: f"line {example.line}")
+def test_the_host_writes_every_checked_request_of_the_document(example: Example) -> None:
+    codec = Codec(GatewayInfo(), example.node)
+    for sent, _ in example.exchange:
+        body = re.fullmatch(rb"(?:Z05)?([G-Zg-z][^\r\n]*)..\n", sent)
+        if body is None or (example.node is not None and not sent.startswith(b"Z05")):
+            continue
+        try:
+            request = codec.decode_request(body[1])
+        except RequestError:
+            continue
+        if codec.framing.checked(body[1]) == sent:
+            assert codec.framing.checked(body_of(codec, request)) == sent

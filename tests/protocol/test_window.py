@@ -1,0 +1,638 @@
+"""The window row by row of the table in its docstring, and as a whole against a gateway that follows section 3.
+
+Times are given to the window, so nothing here waits. Requests stand for themselves by name.
+"""
+
+from __future__ import annotations
+
+import itertools
+from collections import deque
+
+import pytest
+from hypothesis import settings
+from hypothesis import strategies as st
+from hypothesis.stateful import RuleBasedStateMachine, invariant, precondition, rule
+
+from unity_link.protocol import constants as module
+from unity_link.protocol.window import Run, Unanswered, Window
+
+RING = 256
+SIZE, REPLY = 8, 14
+
+
+class Named(Run):
+    """A run with a name and a state, for the tests to tell them apart."""
+
+    __slots__ = ("name",)
+
+    def __init__(self, name: str, count: int = 1, reply_size: int = REPLY, size: int = SIZE) -> None:
+        super().__init__(count, size, reply_size)
+        self.name = name
+
+    def __repr__(self) -> str:
+        return self.name
+
+
+def sent(window: Window[Named], *names: str, now: float = 0.0) -> list[Named]:
+    """Send requests; a name that begins with ``p`` is a posted write."""
+    runs = [Named(name, reply_size=0 if name.startswith("p") else REPLY) for name in names]
+    for run in runs:
+        window.send(run, now)
+    return runs
+
+
+def repeated(window: Window[Named]) -> str:
+    """Give what the window sends again, and nothing where it does not want to."""
+    if not window.wants_repetition:
+        return ""
+    return " ".join(f"{run.name}@{number}" for number, run, _, count in window.repetition() for _ in range(count))
+
+
+def names(parts: list[Unanswered[Named]]) -> list[tuple[str, bool]]:
+    return [(part.run.name, part.executed) for part in parts]
+
+
+# The rows of the table
+
+
+def test_a_response_moves_the_oldest_mark_behind_it() -> None:
+    window: Window[Named] = Window(RING)
+    sent(window, "a", "b")
+    window.answered(0, 1, now=0.001)
+    assert (window.oldest, window.executed, window.next, window.in_flight) == (1, 1, 2, 1)
+    assert repeated(window) == ""
+
+
+def test_a_response_that_skips_one_goes_back_to_that_alone() -> None:
+    window: Window[Named] = Window(RING)
+    sent(window, "a", "b", "c")
+    window.answered(1, 1, now=0.001)
+    assert repeated(window) == "a@0 c@2"
+    assert names(list(window.unanswered())) == [("a", True), ("c", False)]
+
+
+def test_a_stale_response_finds_nobody() -> None:
+    window: Window[Named] = Window(RING)
+    sent(window, "a")
+    window.answered(0, 1, now=0.001)
+    assert window.find(0) is None
+    assert window.find(77) is None
+    with pytest.raises(ValueError, match="no request with ID 0"):
+        window.answered(0, 1, now=0.002)
+
+
+def test_out_of_sequence_goes_back_and_tells_what_was_executed() -> None:
+    window: Window[Named] = Window(RING)
+    sent(window, "a", "b", "c")
+    window.out_of_sequence(1, now=0.001)
+    assert names(list(window.unanswered())) == [("a", True), ("b", False), ("c", False)]
+    assert repeated(window) == "a@0 b@1 c@2"
+
+
+def test_out_of_sequence_confirms_posted_writes() -> None:
+    window: Window[Named] = Window(RING)
+    sent(window, "p", "p", "a")
+    window.out_of_sequence(2, now=0.001)
+    assert (window.oldest, window.executed) == (2, 2)
+    assert repeated(window) == "a@2"
+
+
+def test_out_of_sequence_with_an_id_that_was_never_sent_is_noise() -> None:
+    window: Window[Named] = Window(RING)
+    sent(window, "a")
+    window.out_of_sequence(40, now=0.001)
+    window.out_of_sequence(255, now=0.001)
+    assert window.executed == 0
+    assert repeated(window) == ""
+
+
+def test_damage_goes_back() -> None:
+    window: Window[Named] = Window(RING)
+    sent(window, "a", "b")
+    window.damaged(now=0.001)
+    assert repeated(window) == "a@0 b@1"
+
+
+def test_it_goes_back_once_for_a_gap_until_something_new_is_confirmed() -> None:
+    window: Window[Named] = Window(RING, round_trip=0.01)
+    sent(window, "a", "b", "c")
+    window.damaged(now=0.001)
+    assert repeated(window) == "a@0 b@1 c@2"
+    window.out_of_sequence(0, now=0.002)
+    window.damaged(now=0.002)
+    assert repeated(window) == ""
+    window.answered(0, 1, now=0.003)
+    window.damaged(now=0.004)
+    assert repeated(window) == "b@1 c@2"
+
+
+def test_signs_are_taken_after_pauses_that_double_as_long_as_nothing_moves() -> None:
+    window: Window[Named] = Window(RING, round_trip=0.01, shortest_timeout=1.0)
+    sent(window, "a", "b")
+    window.damaged(now=0.0)
+    repeated(window)
+    taken = []
+    for millisecond in range(1, 160):
+        window.damaged(now=millisecond / 1000)
+        if repeated(window):
+            taken.append(millisecond)
+    assert taken == pytest.approx([10, 30, 70, 150], abs=1)
+
+
+def test_many_signs_that_arrive_together_are_one() -> None:
+    window: Window[Named] = Window(RING)
+    sent(window, *"abcdefghijklmnopqrstuvwxyz")
+    for _ in range(100):
+        window.damaged(now=0.0)
+    assert len(repeated(window).split()) == 26
+
+
+def test_it_goes_back_again_when_the_time_has_run_out() -> None:
+    window: Window[Named] = Window(RING)
+    sent(window, "a")
+    window.damaged(now=0.001)
+    assert repeated(window) == "a@0"
+    assert window.deadline is not None
+    window.expire(window.deadline)
+    assert repeated(window) == "a@0"
+
+
+def test_a_refusal_goes_back_and_the_third_one_gives_the_oldest_up() -> None:
+    window: Window[Named] = Window(RING)
+    a, _ = sent(window, "a", "b")
+    now = 0.0
+    for _ in range(module.MOST_REFUSALS - 1):
+        assert window.refused(now) is None
+        repeated(window)
+        assert window.deadline is not None
+        now = window.deadline
+        window.expire(now)
+        assert repeated(window) == "a@0 b@1"
+    assert window.refused(now) is a
+    assert repeated(window) == "a@0 b@1"
+
+
+def test_refusals_of_different_requests_do_not_add_up() -> None:
+    window: Window[Named] = Window(RING)
+    sent(window, *"abcdefgh")
+    for number in range(8):
+        assert window.refused(now=0.0) is None
+        window.answered(number, 1, now=0.0)
+
+
+def test_a_refusal_while_an_answer_is_missing_is_about_nobody() -> None:
+    window: Window[Named] = Window(RING)
+    sent(window, "a", "b", "c")
+    window.answered(1, 1, now=0.0)
+    for _ in range(10):
+        assert window.refused(now=0.0) is None
+
+
+def test_a_refusal_of_nothing_is_noise() -> None:
+    window: Window[Named] = Window(RING)
+    assert window.refused(now=0.0) is None
+    window.damaged(now=0.0)
+    assert repeated(window) == ""
+
+
+def test_silence_goes_back_with_twice_the_time_each_time_and_then_is_lost() -> None:
+    window: Window[Named] = Window(RING, round_trip=0.02)
+    sent(window, "a")
+    now, pauses = 0.0, []
+    while not window.lost:
+        assert window.deadline is not None
+        pauses.append(window.deadline - now)
+        now = window.deadline
+        assert window.expire(now) is None
+        assert repeated(window) == "a@0"
+    assert sum(pauses[:-1]) < module.LONGEST_SILENCE <= sum(pauses)
+    for first, second in itertools.pairwise(pauses):
+        assert second == pytest.approx(min(2 * first, module.LONGEST_TIMEOUT))
+
+
+def test_damage_alone_gives_the_oldest_up_and_is_lost_when_its_replacement_fares_no_better() -> None:
+    window: Window[Named] = Window(RING, round_trip=0.02)
+    a, _ = sent(window, "a", "b")
+    given_up, tries = [], 0
+    while not window.lost:
+        assert window.deadline is not None
+        window.heard = True
+        run = window.expire(window.deadline)
+        tries += 1
+        if run is not None:
+            given_up.append(run)
+        assert tries < 1000
+    assert given_up == [a, a]
+
+
+def test_news_after_a_request_was_given_up_begins_anew() -> None:
+    window: Window[Named] = Window(RING, round_trip=0.02)
+    sent(window, "a", "b")
+    for _ in range(2):
+        given_up = None
+        while given_up is None:
+            assert window.deadline is not None
+            window.heard = True
+            given_up = window.expire(window.deadline)
+        assert not window.lost
+        window.answered(given_up.first, 1, now=window.deadline or 0.0)
+    assert window.in_flight == 0
+
+
+def test_a_time_out_that_comes_too_early_is_nothing() -> None:
+    window: Window[Named] = Window(RING)
+    assert window.deadline is None
+    assert window.expire(1e9) is None
+    sent(window, "a", now=5.0)
+    assert window.expire(5.0) is None
+    assert repeated(window) == ""
+
+
+# Runs of many
+
+
+def test_a_run_may_be_answered_in_parts() -> None:
+    window: Window[Named] = Window(RING)
+    run = Named("m", count=10)
+    window.send(run, 0.0)
+    window.answered(0, 4, now=0.001)
+    assert list(window.unanswered()) == [Unanswered(run, 4, 6, executed=False)]
+    window.answered(4, 6, now=0.001)
+    assert window.in_flight == 0
+
+
+def test_answers_to_a_part_that_is_known_to_be_executed_and_one_that_is_not_close_the_window() -> None:
+    window: Window[Named] = Window(RING, byte_limit=1000)
+    window.send(Named("m", count=100), 0.0)
+    window.out_of_sequence(50, now=0.001)
+    window.answered(0, 100, now=0.002)
+    assert (window.oldest, window.executed, window.in_flight) == (100, 100, 0)
+    assert window.room(SIZE) == 1000 // SIZE
+    assert window.deadline is None
+
+
+@pytest.mark.parametrize("first", [0, 200])
+def test_the_requests_of_a_run_that_still_wait_are_counted_up_to_the_first_that_does_not(first: int) -> None:
+    window: Window[Named] = Window(RING)
+    for start in range(0, first, 100):
+        window.send(Named("x", count=100), 0.0)
+        window.answered(start, 100, now=0.0)
+    window.send(Named("m", count=100), 0.0)
+    assert window.unanswered_from(first, 100) == 100
+    window.answered(first + 60 & 255, 1, now=0.0)
+    assert window.unanswered_from(first, 100) == 60
+    assert window.unanswered_from(first, 30) == 30
+
+
+def test_a_run_goes_round_the_ring() -> None:
+    window: Window[Named] = Window(RING)
+    for start in range(0, 1000, 100):
+        window.send(run := Named("m", count=100), 0.0)
+        assert run.first == start % RING
+        window.damaged(now=0.0)
+        again = [(number, offset, count) for number, _, offset, count in window.repetition()]
+        assert again == [(start % RING, 0, window.most_room(SIZE))]
+        window.answered(start % RING, 100, now=0.0)
+    assert window.in_flight == 0
+
+
+# Room
+
+
+@pytest.mark.parametrize("ring", [256, 4096])
+def test_at_most_half_the_ring_is_unconfirmed(ring: int) -> None:
+    window: Window[Named] = Window(ring)
+    assert window.room(SIZE) == ring // 2
+    window.send(Named("m", count=ring // 2), 0.0)
+    assert window.room(SIZE) == 0
+
+
+def test_unconfirmed_bytes_stay_below_the_receive_fifo() -> None:
+    window: Window[Named] = Window(RING, byte_limit=100)
+    assert window.room(SIZE) == 12
+    sent(window, *"abcdefghijkl")
+    assert window.room(SIZE) == 0
+    window.answered(0, 1, now=0.0)
+    assert window.room(SIZE) == 1
+
+
+def test_a_skipped_answer_gives_the_bytes_of_its_request_back() -> None:
+    window: Window[Named] = Window(RING, byte_limit=10 * SIZE)
+    sent(window, *"abcdefghij")
+    window.answered(8, 1, now=0.0)
+    assert window.room(SIZE) == 0
+    assert repeated(window) == "a@0 b@1 c@2 d@3 e@4 f@5 g@6 h@7 j@9"
+    assert window.room(SIZE) == 9
+
+
+def test_a_request_longer_than_the_receive_fifo_goes_alone() -> None:
+    window: Window[Named] = Window(RING, byte_limit=16)
+    assert window.room(100) == 1
+    sent(window, "a")
+    assert window.room(100) == 0
+
+
+def test_posted_writes_leave_room_for_their_fence() -> None:
+    window: Window[Named] = Window(RING)
+    sent(window, *["p"] * 127)
+    assert window.room(SIZE, posted=True) == 0
+    assert window.room(SIZE) == 1
+
+
+def test_while_it_loses_it_keeps_less_in_flight_and_grows_again_with_answers() -> None:
+    window: Window[Named] = Window(RING)
+    sent(window, *"abcdefghijklmnopqrstuvwxyz")
+    window.damaged(now=0.0)
+    assert window.room(SIZE) == 0
+    repeated(window)
+    assert window.room(SIZE) == RING // 4 - 26
+    for number in range(26):
+        window.answered(number, 1, now=0.0)
+    assert window.room(SIZE) == RING // 4 + 26
+
+
+def test_the_repetition_sends_no_more_than_the_smaller_window_holds_and_goes_on_with_answers() -> None:
+    window: Window[Named] = Window(RING, round_trip=0.01)
+    run = Named("m", count=100)
+    window.send(run, 0.0)
+    window.damaged(now=0.0)
+    assert [part[2:] for part in window.repetition()] == [(0, 64)]
+    assert list(window.repetition()) == []
+    window.answered(0, 10, now=0.02)
+    assert [part[2:] for part in window.repetition()] == [(64, 20)]
+    assert window.room(SIZE) == 0
+    window.answered(10, 54, now=0.03)
+    assert [part[2:] for part in window.repetition()] == [(84, 16)]
+    assert not window.wants_repetition
+    assert window.room(SIZE) > 0
+
+
+def test_the_repetition_goes_on_to_a_request_that_has_an_answer() -> None:
+    window: Window[Named] = Window(RING, round_trip=0.01)
+    sent(window, *["p"] * 30, "a", "b")
+    again = ""
+    for now in (0.0, 1.0, 3.0, 7.0):
+        window.damaged(now)
+        again = repeated(window)
+    assert again == " ".join([*(f"p@{number}" for number in range(30)), "a@30"])
+
+
+def test_room_at_most_follows_the_smaller_window_and_the_receive_fifo() -> None:
+    window: Window[Named] = Window(RING, byte_limit=100 * SIZE, round_trip=0.01)
+    assert window.most_room(SIZE) == 100
+    assert window.most_room(200 * SIZE) == 1
+    sent(window, "a")
+    window.damaged(now=0.0)
+    assert window.most_room(SIZE) == 64
+
+
+# Posted writes
+
+
+def test_posted_writes_wait_for_a_fence_and_not_for_an_answer() -> None:
+    window: Window[Named] = Window(RING)
+    sent(window, "p", now=1.0)
+    assert window.deadline == 1.0 + module.FENCE_DELAY
+    assert not window.needs_fence(1.0)
+    assert window.needs_fence(1.0 + module.FENCE_DELAY)
+    assert window.expire(1.0 + module.FENCE_DELAY) is None
+    assert repeated(window) == ""
+
+
+def test_a_request_behind_posted_writes_is_their_fence() -> None:
+    window: Window[Named] = Window(RING)
+    sent(window, "p", "p", "a", now=1.0)
+    assert not window.needs_fence(10.0)
+    window.answered(2, 1, now=1.001)
+    assert window.in_flight == 0
+
+
+def test_many_posted_writes_do_not_wait_for_their_fence() -> None:
+    window: Window[Named] = Window(RING)
+    sent(window, *["p"] * 31)
+    assert not window.needs_fence(0.0)
+    sent(window, "p")
+    assert window.needs_fence(0.0)
+
+
+def test_many_posted_bytes_do_not_wait_for_their_fence() -> None:
+    window: Window[Named] = Window(RING, byte_limit=8 * SIZE)
+    sent(window, "p")
+    assert not window.needs_fence(0.0)
+    sent(window, "p")
+    assert window.needs_fence(0.0)
+
+
+def test_a_time_out_may_come_before_the_fence() -> None:
+    window: Window[Named] = Window(RING, round_trip=0.01)
+    sent(window, "a", now=0.0)
+    assert window.deadline is not None
+    almost = window.deadline - module.FENCE_DELAY / 2
+    sent(window, "p", now=almost)
+    window.expire(window.deadline)
+    assert repeated(window) == "a@0 p@1"
+
+
+# Time
+
+
+def test_the_time_out_follows_rfc_6298() -> None:
+    window: Window[Named] = Window(RING, round_trip=0.1)
+    sent(window, "a", now=0.0)
+    assert window.deadline == pytest.approx(0.1 + 4 * 0.05)
+    window.answered(0, 1, now=0.2)
+    assert window.smoothed_round_trip == pytest.approx(0.1 * 7 / 8 + 0.2 / 8)
+    sent(window, "b", now=1.0)
+    assert window.deadline == pytest.approx(1.0 + 0.1125 + 4 * (0.05 * 3 / 4 + 0.1 / 4))
+
+
+def test_a_request_that_was_sent_twice_is_not_timed() -> None:
+    window: Window[Named] = Window(RING, round_trip=0.1)
+    sent(window, "a", now=0.0)
+    window.damaged(now=0.0)
+    window.answered(0, 1, now=5.0)
+    assert window.smoothed_round_trip == pytest.approx(0.1)
+
+
+@pytest.mark.parametrize("seconds", [0.001, 0.025, 1.0])
+def test_the_shortest_time_out_is_the_mediums(seconds: float) -> None:
+    window: Window[Named] = Window(RING, round_trip=0.0001, shortest_timeout=seconds)
+    sent(window, "a", now=0.0)
+    assert window.deadline == seconds
+
+
+def test_an_answer_to_a_request_that_was_sent_once_undoes_a_longer_time_out() -> None:
+    window: Window[Named] = Window(RING, round_trip=0.1)
+    sent(window, "a", "b")
+    assert window.deadline is not None
+    window.expire(window.deadline)
+    repeated(window)
+    sent(window, "c", now=0.3)
+    window.answered(0, 1, now=0.4)
+    window.answered(1, 1, now=0.4)
+    assert window.deadline == pytest.approx(0.4 + 0.6)
+    sent(window, "d", now=0.4)
+    window.answered(2, 1, now=0.4)
+    assert window.deadline == pytest.approx(0.4 + 0.3, abs=0.1)
+
+
+def test_progress_after_a_sign_of_loss_undoes_a_longer_time_out() -> None:
+    window: Window[Named] = Window(RING, round_trip=0.1)
+    sent(window, "a", "b")
+    assert window.deadline is not None
+    window.expire(window.deadline)
+    repeated(window)
+    window.damaged(now=0.6)
+    repeated(window)
+    window.answered(0, 1, now=0.7)
+    assert window.deadline == pytest.approx(0.7 + 0.3)
+
+
+def test_a_longer_time_out_stays_until_a_round_trip_is_measured() -> None:
+    window: Window[Named] = Window(RING, round_trip=0.1)
+    sent(window, "a", now=0.0)
+    assert window.deadline is not None
+    assert window.deadline == pytest.approx(0.3)
+    window.heard = True
+    window.expire(window.deadline)
+    assert window.deadline == pytest.approx(0.3 + 0.6)
+    window.answered(0, 1, now=0.5)
+    sent(window, "b", now=1.0)
+    assert window.deadline == pytest.approx(1.6)
+    window.answered(1, 1, now=1.1)
+    sent(window, "c", now=2.0)
+    assert window.deadline is not None
+    assert window.deadline < 2.3
+
+
+def test_the_time_on_the_wire_of_a_slow_line_counts() -> None:
+    window: Window[Named] = Window(RING, byte_time=0.001, round_trip=0.1)
+    sent(window, "a", now=0.0)
+    assert window.deadline == pytest.approx(0.3 + 0.001 * (SIZE + REPLY))
+
+
+# The whole
+
+
+class Peer:
+    """A gateway as section 3 says, for requests of one kind each: reads, writes that are acknowledged, posted ones."""
+
+    def __init__(self) -> None:
+        self.expected = 0
+        self.gap_told = False
+        self.executed: list[Named] = []
+
+    def take(self, number: int, run: Named) -> tuple[str, int] | None:
+        distance = number - self.expected & RING - 1
+        if distance == 0:
+            self.expected = number + 1 & RING - 1
+            self.gap_told = False
+            self.executed.append(run)
+            return None if run.name == "p" else ("answer", number)
+        if distance < RING // 2:
+            if self.gap_told:
+                return None
+            self.gap_told = True
+            return ("n", self.expected)
+        return None if run.name == "p" else ("answer", number)
+
+
+class LossyLine(RuleBasedStateMachine):
+    """Requests and answers wait in two pipes, from which hypothesis delivers, loses, damages or doubles them."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.window: Window[Named] = Window(RING, byte_limit=40 * SIZE, round_trip=0.01)
+        self.peer = Peer()
+        self.now = 0.0
+        self.towards: deque[tuple[int, Named]] = deque()
+        self.back: deque[tuple[str, int]] = deque()
+        self.called: list[Named] = []
+        self.answered: list[Named] = []
+
+    def submit(self, run: Named) -> None:
+        self.window.send(run, self.now)
+        self.called.append(run)
+        self.towards.append((run.first, run))
+
+    def settle(self) -> None:
+        if self.window.wants_repetition:
+            self.towards.extend((number, run) for number, run, _, _ in self.window.repetition())
+        if self.window.needs_fence(self.now):
+            self.submit(Named("h"))
+
+    @rule(name=st.sampled_from(["r", "w", "p"]), count=st.integers(1, 60))
+    def call(self, name: str, count: int) -> None:
+        for _ in range(min(count, self.window.room(SIZE, posted=name == "p"))):
+            self.submit(Named(name, reply_size=0 if name == "p" else REPLY))
+            self.settle()
+
+    @precondition(lambda self: self.towards)
+    @rule(fates=st.lists(st.sampled_from(["deliver"] * 6 + ["lose", "damage", "double"]), min_size=1, max_size=60))
+    def send_requests(self, fates: list[str]) -> None:
+        for fate in fates[: len(self.towards)]:
+            number, run = self.towards.popleft()
+            answers = [("damaged", 0)] if fate == "damage" else []
+            for _ in range({"deliver": 1, "double": 2}.get(fate, 0)):
+                answer = self.peer.take(number, run)
+                answers += [answer] if answer else []
+            self.back.extend(answers)
+
+    @precondition(lambda self: self.back)
+    @rule(fates=st.lists(st.sampled_from(["deliver"] * 6 + ["lose", "double"]), min_size=1, max_size=60))
+    def bring_answers(self, fates: list[str]) -> None:
+        for fate in fates[: len(self.back)]:
+            kind, number = self.back.popleft()
+            for _ in range({"deliver": 1, "double": 2}.get(fate, 0)):
+                self.hear(kind, number)
+        self.settle()
+
+    def hear(self, kind: str, number: int) -> None:
+        self.window.heard = True
+        if kind == "damaged":
+            self.window.damaged(self.now)
+        elif kind == "n":
+            self.window.out_of_sequence(number, self.now)
+        elif (run := self.window.find(number)) is not None:
+            self.answered.append(run)
+            self.window.answered(number, 1, self.now)
+
+    @rule(seconds=st.floats(0.0, 0.1))
+    def wait(self, seconds: float) -> None:
+        self.now += seconds
+        self.window.heard = True
+        self.window.expire(self.now)
+        self.settle()
+
+    @invariant()
+    def what_was_executed_is_a_beginning_of_what_was_called(self) -> None:
+        assert self.peer.executed == self.called[: len(self.peer.executed)]
+
+    @invariant()
+    def the_host_never_believes_more_than_the_gateway_did(self) -> None:
+        assert self.called.index(self.answered[-1]) < len(self.peer.executed) if self.answered else True
+        assert self.window.in_flight <= RING // 2
+
+    def teardown(self) -> None:
+        """On a line that has become good, everything ends: executed once, answered once, and nothing is left over."""
+        for _ in range(20_000):
+            if not self.window.in_flight:
+                break
+            while self.towards:
+                answer = self.peer.take(*self.towards.popleft())
+                self.back.extend([answer] if answer else [])
+            while self.back:
+                self.hear(*self.back.popleft())
+            if self.window.deadline is not None:
+                self.now = max(self.now, self.window.deadline)
+                assert self.window.expire(self.now) is None
+            self.settle()
+        assert self.window.in_flight == 0
+        assert self.peer.executed == self.called
+        assert sorted(map(id, self.answered)) == sorted(id(run) for run in self.called if run.name != "p")
+        assert self.window.room(SIZE) >= min(module.FEWEST_IN_FLIGHT, 40)
+        assert not self.window.lost
+
+
+TestLossyLine = LossyLine.TestCase
+TestLossyLine.settings = settings(max_examples=150, stateful_step_count=60)

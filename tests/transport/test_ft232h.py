@@ -1,0 +1,444 @@
+"""The ftdi: driver through unmodified pyftdi on a virtual chip, in real time and with real threads."""
+
+from __future__ import annotations
+
+import asyncio
+import logging
+import threading
+from contextlib import contextmanager
+from typing import TYPE_CHECKING, Any
+
+import pytest
+
+import unity_link
+from unity_link.errors import ArgumentError, ConnectError, LinkLostError
+from unity_link.transport import load_driver, parse_url
+from unity_link.transport.ft232h.chip import settings_of
+from unity_link.transport.ft232h.eeprom_image import BLANK, build_eeprom
+from unity_link.transport.ft232h.transport import StatusStripper
+from unity_link.virtual import VirtualGateway
+from unity_link.virtual.ft232h.board import GatewayBoard
+from unity_link.virtual.ft232h.bus import VirtualBus, VirtualFt232h
+from unity_link.virtual.ft232h.chip import OVERRUN, Mode
+from unity_link.virtual.ft232h.pyusb_backend import installed
+from unity_link.virtual.ft232h.timing import Timing
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+pytestmark = pytest.mark.asyncio
+IN, OUT = 0x81, 0x02
+URL = "ftdi://ftdi:232h/1"
+READ, ANSWER = b"R0ACB\n", b"R0A0000000037\n"
+
+
+@contextmanager
+def plugged_in(
+    gateway: VirtualGateway | None = None, *, mode: Mode = Mode.FIFO, image: bytes | None = None, **timing: Any
+) -> Iterator[VirtualFt232h]:
+    """Have one chip on the machine's USB, and nothing else."""
+    board = GatewayBoard(gateway or VirtualGateway(), mode)
+    device = VirtualFt232h(board, image=image, timing=Timing(**timing))
+    with installed(VirtualBus(device)):
+        yield device
+    for thread in threading.enumerate():
+        if "ft232h" in thread.name:
+            thread.join(10)
+            assert not thread.is_alive()
+
+
+class Recorder(asyncio.Protocol):
+    """Keeps what a driver says."""
+
+    def __init__(self) -> None:
+        self.received = b""
+        self.transport: Any = None
+        self.error: Exception | None = None
+        self.paused = False
+        self.changed = asyncio.Event()
+        self.ended = asyncio.Event()
+
+    def connection_made(self, transport: asyncio.BaseTransport) -> None:
+        self.transport = transport
+
+    def data_received(self, data: bytes) -> None:
+        self.received += data
+        self.changed.set()
+
+    def pause_writing(self) -> None:
+        self.paused = True
+
+    def resume_writing(self) -> None:
+        self.paused = False
+        self.changed.set()
+
+    def connection_lost(self, exc: Exception | None) -> None:
+        self.error = exc
+        self.ended.set()
+
+    async def until(self, size: int) -> None:
+        while len(self.received) < size:
+            self.changed.clear()
+            await asyncio.wait_for(self.changed.wait(), 10)
+
+    async def lost(self) -> Exception | None:
+        await asyncio.wait_for(self.ended.wait(), 10)
+        return self.error
+
+
+@pytest.fixture(params=["ftdi", "ftdi-async"])
+def url(request: pytest.FixtureRequest) -> str:
+    """Give the URL of the chip that is plugged in, for either driver."""
+    return f"{request.param}://ftdi:232h/1"
+
+
+async def connect(url: str = URL) -> Recorder:
+    recorder = Recorder()
+    parsed = parse_url(url)
+    await load_driver(parsed.scheme).connect(parsed, recorder)
+    return recorder
+
+
+async def close(recorder: Recorder) -> None:
+    recorder.transport.close()
+    assert await recorder.lost() is None
+
+
+# URLs
+
+
+@pytest.mark.parametrize(
+    ("url", "host", "path"),
+    [
+        ("ftdi://ftdi:232h/1", "ftdi:232h", "/1"),
+        ("ftdi://ftdi:232h:FT4XYZ/1", "ftdi:232h:FT4XYZ", "/1"),
+        ("ftdi://0x403:0x6014:1:2/1", "0x403:0x6014:1:2", "/1"),
+        ("ftdi:///1", "", "/1"),
+        ("ftdi://virtual/scara", "virtual", "/scara"),
+    ],
+)
+async def test_pyftdi_s_forms_of_urls_are_kept_as_they_are(url: str, host: str, path: str) -> None:
+    parsed = parse_url(url + "?latency=2")
+    assert (parsed.host, parsed.port, parsed.path, parsed.options) == (host, None, path, {"latency": "2"})
+
+
+@pytest.mark.parametrize(
+    "query",
+    [
+        "mode=fifo",
+        "latency=0",
+        "latency=256",
+        "latency=soon",
+        "event_char=256",
+        "baud=9600",
+        "mode=uart&baud=13000000",
+        "data_bits=16",
+        "speed=1",
+    ],
+)
+async def test_an_option_that_no_chip_takes_is_refused_by_its_name(query: str) -> None:
+    with pytest.raises(ArgumentError, match=query.rpartition("&")[2].partition("=")[0]):
+        settings_of(parse_url(f"{URL}?{query}"))
+
+
+@pytest.mark.parametrize("url", ["ftdi://ftdi:232h", "ftdi://ftdi:232h/?", "ftdi:///?"])
+async def test_a_url_without_a_port_is_refused(url: str) -> None:
+    with pytest.raises((ArgumentError, ConnectError)):
+        await connect(url)
+
+
+# Bytes
+
+
+@pytest.mark.parametrize("mode", [Mode.FIFO, Mode.SYNC_FIFO, Mode.UART])
+async def test_every_mode_moves_bytes(mode: Mode) -> None:
+    image = build_eeprom("UART" if mode is Mode.UART else "FIFO", "UL000001")
+    baud = "&baud=3000000" if mode is Mode.UART else ""
+    with plugged_in(mode=mode, image=image):
+        recorder = await connect(f"ftdi://ftdi:232h:UL000001/1?mode={mode.value}{baud}")
+        recorder.transport.write(READ)
+        await recorder.until(len(ANSWER))
+        assert recorder.received == ANSWER
+        await close(recorder)
+
+
+async def test_a_virtual_chip_needs_nothing_but_its_url() -> None:
+    async with unity_link.connect("ftdi://virtual/scara?id_digits=3") as link:
+        assert link.gateway.id_digits == 3
+        await link.write(0x94, 1000)
+        assert await link.read(0x94) == 1000
+
+
+async def test_what_is_written_in_many_pieces_arrives_whole_and_in_order(url: str) -> None:
+    with plugged_in():
+        recorder = await connect(url)
+        for _ in range(1000):
+            recorder.transport.write(READ[:3])
+            recorder.transport.write(READ[3:])
+        await recorder.until(1000 * len(ANSWER))
+        assert recorder.received == ANSWER * 1000
+        await close(recorder)
+
+
+async def test_a_closed_transport_has_written_what_it_was_given(url: str) -> None:
+    gateway = VirtualGateway()
+    with plugged_in(gateway) as device:
+        recorder = await connect(url)
+        recorder.transport.write(b"WS10%08X\r" % 1 * 500 + b"WS1100000007\r")
+        await close(recorder)
+        with device.changed:
+            device.host.advance(device.clock.now() + 1)
+        assert gateway.memory[0x11] == 7
+
+
+async def test_closing_ends_a_read_that_is_under_way(url: str) -> None:
+    with plugged_in() as device:
+        recorder = await connect(f"{url}?latency=255")
+        await close(recorder)
+        assert device.claimed_by is None
+        again = await connect(url)
+        await close(again)
+
+
+async def test_a_gateway_that_does_not_read_pauses_the_program(url: str) -> None:
+    with plugged_in(mode=Mode.SYNC_FIFO):
+        # In this mode its pins are dead: the chip takes its 1 KiB, and no more.
+        recorder = await connect(url)
+        while not recorder.paused:
+            recorder.transport.write(bytes(8192))
+        assert recorder.transport.get_write_buffer_size() > 65536
+        recorder.transport.abort()
+        await recorder.lost()
+
+
+async def test_a_paused_reader_is_given_everything_later(url: str) -> None:
+    with plugged_in():
+        recorder = await connect(url)
+        recorder.transport.pause_reading()
+        recorder.transport.write(READ * 500)
+        while recorder.transport.get_write_buffer_size():  # noqa: ASYNC110  (there is no event for it)
+            await asyncio.sleep(0.01)
+        assert recorder.received == b""
+        recorder.transport.resume_reading()
+        await recorder.until(500 * len(ANSWER))
+        assert recorder.received == ANSWER * 500
+        await close(recorder)
+
+
+async def test_a_packet_of_exactly_510_bytes_arrives(url: str) -> None:
+    with plugged_in(short_packet_after_full=False):
+        recorder = await connect(url)
+        recorder.transport.write(READ * 36 + b"W0A000000124F\n")
+        await recorder.until(510)
+        assert recorder.received == ANSWER * 36 + b"W0A0B\n"
+        await close(recorder)
+
+
+# Send-immediate
+
+
+async def test_the_driver_s_part_of_send_immediate_is_the_timer_and_the_event_character(url: str) -> None:
+    with plugged_in() as device:
+        recorder = await connect(url)
+        choose = recorder.transport.get_extra_info("send_immediate")
+        seen = {}
+        for mode in ("off", "always", "adaptive"):
+            await choose(mode)
+            seen[mode] = (device.chip.latency, device.chip.event_character)
+        assert seen == {"off": (16, None), "always": (1, 0x0A), "adaptive": (1, None)}
+        await close(recorder)
+
+
+async def test_a_link_s_mode_of_send_immediate_reaches_gateway_and_chip(url: str) -> None:
+    gateway = VirtualGateway()
+    with plugged_in(gateway) as device:
+        async with unity_link.connect(url) as link:
+            for mode, number, latency in (("off", 0, 16), ("always", 1, 1), ("adaptive", 2, 1)):
+                await link.send_immediate(mode)  # type: ignore[arg-type]  # a Literal, in a loop
+                assert (gateway.send_immediate, device.chip.latency) == (number, latency)
+
+
+async def test_what_the_url_says_of_the_timer_holds_for_every_mode(url: str) -> None:
+    with plugged_in() as device:
+        recorder = await connect(f"{url}?latency=7&event_char=0x0D")
+        for mode in ("off", "always", "adaptive"):
+            await recorder.transport.get_extra_info("send_immediate")(mode)
+            assert (device.chip.latency, device.chip.event_character) == (7, 0x0D)
+        await close(recorder)
+
+
+# Faults
+
+
+async def test_an_unplug_while_reading_is_a_lost_connection(url: str) -> None:
+    with plugged_in() as device:
+        recorder = await connect(f"{url}?latency=255")
+        device.unplug()
+        error = await recorder.lost()
+        assert isinstance(error, ConnectError)
+        assert "unplugged" in str(error)
+        assert getattr(error.__context__, "errno", None) == 19
+
+
+async def test_an_unplug_while_writing_is_a_lost_connection(url: str) -> None:
+    with plugged_in(mode=Mode.SYNC_FIFO) as device:
+        recorder = await connect(url)
+        recorder.transport.write(bytes(30000))
+        await asyncio.sleep(0)
+        device.unplug()
+        assert "unplugged" in str(await recorder.lost())
+
+
+async def test_a_call_on_an_unplugged_chip_raises_and_a_new_plug_in_is_found(url: str) -> None:
+    with plugged_in() as device:
+        async with unity_link.connect(url) as link:
+            device.unplug()
+            with pytest.raises(LinkLostError, match="unplugged"):
+                await link.read(1)
+        with pytest.raises(ConnectError, match="plugged in"):
+            await unity_link.connect(url)
+        device.plug_in()
+        async with unity_link.connect(url) as link:
+            assert await link.read(1) == 0
+
+
+async def test_a_link_reconnects_when_the_chip_is_plugged_in_again(url: str) -> None:
+    with plugged_in() as device:
+        async with unity_link.connect(url, reconnect=True) as link:
+            await link.write(1, 5)
+            device.unplug()
+            device.plug_in()
+            assert await asyncio.wait_for(link.read(1), 10) == 5
+            assert link.statistics.reconnections == 1
+
+
+@pytest.mark.parametrize(
+    ("image", "words"),
+    [
+        (build_eeprom("UART", "S1"), "makes the FT232H a UART"),
+        (BLANK, "blank"),
+        (build_eeprom("FIFO", "S1")[:-1] + b"\x55", "checksum"),
+    ],
+)
+async def test_a_chip_that_is_no_fifo_is_refused_with_what_to_do(url: str, image: bytes, words: str) -> None:
+    with plugged_in(image=image), pytest.raises(ConnectError, match=words) as refused:
+        await connect(url)
+    assert "unity-link ft232h configure ftdi://ftdi:232h/1 --mode fifo" in str(refused.value)
+
+
+async def test_a_fifo_is_refused_as_a_uart(url: str) -> None:
+    with plugged_in(), pytest.raises(ConnectError, match="--mode uart"):
+        await connect(f"{url}?mode=uart")
+
+
+async def test_a_chip_in_use_by_another_program_is_told(url: str) -> None:
+    with plugged_in() as device:
+        device.claimed_by = object()
+        with pytest.raises(ConnectError, match="in use by another program"):
+            await connect(url)
+
+
+async def test_a_chip_that_this_program_has_open_is_not_shared(url: str) -> None:
+    with plugged_in():
+        recorder = await connect(url)
+        with pytest.raises(ConnectError, match="in use"):
+            await connect(url)
+        recorder.transport.write(READ)
+        await recorder.until(len(ANSWER))
+        await close(recorder)
+
+
+async def test_without_permission_the_udev_rule_is_named(url: str) -> None:
+    with plugged_in() as device:
+        device.denied = True
+        with pytest.raises(ConnectError, match=r"/etc/udev/rules\.d/70-ft232h\.rules"):
+            await connect(url)
+
+
+async def test_a_chip_that_is_not_there_is_told(url: str) -> None:
+    with installed(VirtualBus()), pytest.raises(ConnectError, match="is it plugged in"):
+        await connect(url)
+
+
+async def test_of_two_chips_the_serial_number_chooses(url: str) -> None:
+    first = VirtualFt232h(GatewayBoard(VirtualGateway()), image=build_eeprom("FIFO", "AAA"))
+    second = VirtualFt232h(GatewayBoard(VirtualGateway()), image=build_eeprom("FIFO", "BBB"))
+    with installed(VirtualBus(first, second)):
+        recorder = await connect(f"{url.partition(':')[0]}://ftdi:232h:BBB/1")
+        assert (first.claimed_by, second.claimed_by is None) == (None, False)
+        other = await connect(f"{url.partition(':')[0]}://ftdi:232h:AAA/1")
+        await close(recorder)
+        await close(other)
+        with pytest.raises(ConnectError, match="2 USB devices match"):
+            await connect(url)
+
+
+async def test_an_overrun_is_counted_and_logged_once(url: str, caplog: pytest.LogCaptureFixture) -> None:
+    with plugged_in() as device, caplog.at_level(logging.WARNING, "unity_link"):
+        recorder = await connect(url)
+        for count in (1, 2):
+            device.report_error(OVERRUN)
+            recorder.transport.write(READ)
+            await recorder.until(count * len(ANSWER))
+        assert recorder.transport.get_extra_info("line_errors") == 2
+        assert caplog.text.count("lost bytes") == 1
+        await close(recorder)
+
+
+async def test_the_status_of_every_packet_of_a_read_is_looked_at() -> None:
+    stripper = StatusStripper()
+    good, bad = b"\x02\x60" + b"a" * 510, b"\x02\x62" + b"b" * 510
+    assert stripper.strip(good + bad + b"\x02\x60c") == b"a" * 510 + b"b" * 510 + b"c"
+    assert stripper.errors == 1
+
+
+@pytest.mark.parametrize("endpoint", [IN, OUT])
+async def test_a_stalled_endpoint_is_cleared(url: str, endpoint: int) -> None:
+    with plugged_in() as device:
+        recorder = await connect(url)
+        device.halt(endpoint)
+        recorder.transport.write(READ)
+        await recorder.until(len(ANSWER))
+        assert recorder.received == ANSWER
+        await close(recorder)
+
+
+async def test_an_endpoint_that_stalls_again_and_again_is_a_lost_connection(
+    url: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    with plugged_in() as device:
+        recorder = await connect(url)
+        monkeypatch.setattr(device.chip, "halted", NeverCleared([IN]))
+        device.halt(IN)
+        assert "stalled" in str(await recorder.lost())
+
+
+class NeverCleared(set[int]):
+    """Endpoints that stay halted."""
+
+    def discard(self, element: object, /) -> None:
+        pass
+
+
+async def test_a_gateway_that_never_reads_is_told_after_a_while(url: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("unity_link.transport.ft232h.chip.WRITE_PATIENCE", 0.01)
+    with plugged_in(mode=Mode.SYNC_FIFO):
+        recorder = await connect(url)
+        recorder.transport.write(bytes(4096))
+        assert "has not read" in str(await recorder.lost())
+
+
+async def test_a_cancelled_opening_leaves_the_chip_closed(url: str) -> None:
+    with plugged_in() as device:
+        opening = asyncio.create_task(connect(url))
+        await asyncio.sleep(0)
+        await asyncio.sleep(0)
+        opening.cancel()
+        with pytest.raises(asyncio.CancelledError):
+            await opening
+        # A thread of the loop opens it, and one of its own closes it.
+        await asyncio.get_running_loop().shutdown_default_executor()
+        for thread in threading.enumerate():
+            if thread.name == "ft232h close":
+                thread.join(10)
+        assert device.claimed_by is None

@@ -1,0 +1,288 @@
+"""Links over the media of the operating system, to a gateway in another process, which may be killed."""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+import os
+import pty
+import signal
+import socket
+import subprocess
+import sys
+import tty
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+import pytest
+
+import unity_link
+from unity_link import ArgumentError, ConnectError, LinkLostError
+from unity_link.transport import load_driver, parse_url
+from unity_link.virtual import VirtualGateway
+from unity_link.virtual.serving import serve_pty, serve_tcp, serve_unix
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterator
+
+SERVER = Path(__file__).with_name("serve.py")
+STREAMS = ["serial", "tcp", "unix"]
+MEDIA = [*STREAMS, "udp"]
+
+
+@pytest.fixture
+def serve(tmp_path: Path) -> Iterator[Callable[..., tuple[str, subprocess.Popen[str]]]]:
+    """Start gateways in processes of their own; gives URL and process of each."""
+    with contextlib.ExitStack() as stack:
+
+        def start(medium: str, loss: float = 0.0) -> tuple[str, subprocess.Popen[str]]:
+            command = [sys.executable, str(SERVER), medium, str(tmp_path / "gateway"), str(loss)]
+            process = stack.enter_context(subprocess.Popen(command, stdout=subprocess.PIPE, text=True))
+            stack.callback(process.kill)
+            assert process.stdout is not None
+            return process.stdout.readline().strip(), process
+
+        yield start
+
+
+async def hold(url: str) -> None:
+    async with unity_link.connect(url):
+        await asyncio.Event().wait()
+
+
+@pytest.mark.asyncio
+@pytest.mark.parametrize("turns", range(12))
+async def test_a_port_is_free_again_when_a_connection_to_it_was_cancelled(turns: int) -> None:
+    async with serve_pty(VirtualGateway()) as url:
+        opening = asyncio.create_task(hold(url))
+        for _ in range(turns):
+            await asyncio.sleep(0)
+        opening.cancel()
+        with pytest.raises(asyncio.CancelledError):
+            await opening
+        async with unity_link.connect(url) as link:
+            assert await link.read(0) == 0
+
+
+@pytest.mark.asyncio
+@pytest.mark.parametrize("medium", MEDIA)
+async def test_a_link_works_over_every_medium(serve: Callable[..., tuple[str, object]], medium: str) -> None:
+    url, _ = serve(medium)
+    async with unity_link.connect(url) as link:
+        await link.write(0x0A, 42)
+        assert await link.read(0x0A) == 42
+        values = np.arange(256)
+        await link.write_block(0, values)
+        assert (await link.read_block(0, 256)).tolist() == values.tolist()
+        many = np.arange(20_000) % 256
+        assert (await link.read_many(many)).tolist() == many.tolist()
+        assert await asyncio.gather(*(link.read(address) for address in range(200))) == list(range(200))
+        async with link.subscribe([1, 2], rate_hz=1000) as samples:
+            for _ in range(20):
+                assert (await anext(samples)).values.tolist() == [1, 2]
+
+
+@pytest.mark.asyncio
+@pytest.mark.parametrize("medium", MEDIA)
+async def test_a_link_makes_up_for_lost_bytes_over_every_medium(
+    serve: Callable[..., tuple[str, object]], medium: str
+) -> None:
+    url, _ = serve(medium, 0.001)
+    async with unity_link.connect(url, timeout=60) as link:
+        for start in range(0, 2000, 100):
+            await link.write_many(np.arange(100), np.arange(100) + start)
+        assert (await link.read_many(np.arange(100))).tolist() == list(range(1900, 2000))
+        assert link.statistics.repetitions > 0
+
+
+@pytest.mark.asyncio
+@pytest.mark.parametrize("medium", MEDIA)
+async def test_a_gateway_that_is_killed_raises_in_every_call_that_waits(
+    serve: Callable[..., tuple[str, subprocess.Popen[str]]], medium: str
+) -> None:
+    url, process = serve(medium)
+    async with unity_link.connect(url) as link, link.subscribe([0], rate_hz=1000) as samples:
+        await anext(samples)
+        process.send_signal(signal.SIGSTOP)
+        calls = [
+            link.read(0),
+            link.write(0, 1),
+            link.read_many(range(256)),
+            link.write_block(0, range(256)),
+            link.fence(),
+        ]
+        waiting = [asyncio.ensure_future(call) for call in calls]
+        await asyncio.sleep(0)
+        process.kill()
+        errors = await asyncio.gather(*waiting, return_exceptions=True)
+        assert [type(error) for error in errors] == [LinkLostError] * len(calls)
+        with pytest.raises(LinkLostError):
+            await read_all(samples)
+        with pytest.raises(LinkLostError):
+            await link.read(0)
+
+
+async def read_all(samples: unity_link.Subscription) -> None:
+    async for _ in samples:
+        pass
+
+
+def serving(medium: str, gateway: VirtualGateway, folder: Path) -> contextlib.AbstractAsyncContextManager[str]:
+    """Serve a gateway in this process."""
+    if medium == "serial":
+        return serve_pty(gateway)
+    return serve_tcp(gateway) if medium == "tcp" else serve_unix(gateway, folder / "gateway")
+
+
+@pytest.mark.asyncio
+@pytest.mark.parametrize("medium", STREAMS)
+async def test_a_link_may_be_opened_again_after_it_was_closed(medium: str, tmp_path: Path) -> None:
+    gateway = VirtualGateway()
+    async with serving(medium, gateway, tmp_path) as url:
+        for value in range(5):
+            async with unity_link.connect(url) as link:
+                assert await link.read(1) == value
+                await link.write(1, value + 1)
+
+
+# What can't be opened
+
+
+@pytest.mark.asyncio
+async def test_a_port_that_is_in_use_is_one_clear_error() -> None:
+    async with serve_pty(VirtualGateway()) as url, unity_link.connect(url) as link:
+        with pytest.raises(ConnectError, match="in use by another program"):
+            await unity_link.connect(url)
+        assert await link.read(0) == 0
+
+
+@pytest.mark.asyncio
+@pytest.mark.parametrize(
+    ("url", "message"),
+    [
+        ("serial:/dev/ttyNOWHERE", "there is no port /dev/ttyNOWHERE; is the adapter plugged in"),
+        ("serial:/dev/null", "no usable serial port"),
+        ("unix:/nowhere/at/all", "no connection to the socket /nowhere/at/all .*is it served"),
+        ("tcp://127.0.0.1:1", "no connection to port 1 of 127.0.0.1 .*is it listening"),
+        ("tcp://nowhere.invalid:7001", "no connection to port 7001 of nowhere.invalid"),
+        ("udp://nowhere.invalid:7001", "no socket for port 7001 of nowhere.invalid"),
+    ],
+)
+async def test_what_is_not_there_is_one_clear_error(url: str, message: str) -> None:
+    with pytest.raises(ConnectError, match=message) as caught:
+        await unity_link.connect(url)
+    assert "\n" not in str(caught.value)
+    assert url in str(caught.value)
+
+
+@pytest.mark.asyncio
+@pytest.mark.parametrize(
+    "url",
+    [
+        "serial:",
+        "serial:/dev/ttyUSB0?baud=fast",
+        "serial:/dev/ttyUSB0?baud=0",
+        "serial:/dev/ttyUSB0?rtscts=2",
+        "serial:/dev/ttyUSB0?parity=even",
+        "tcp://host",
+        "tcp:host:1",
+        "tcp://host:port",
+        "tcp://host:99999",
+        "tcp://host:1?x",
+        "unix:",
+        "udp://:7001",
+        "sim://host",
+        "sim:?loss=much",
+    ],
+)
+async def test_a_url_that_cannot_be_is_refused_before_anything_is_opened(url: str) -> None:
+    with pytest.raises(ArgumentError):
+        await unity_link.connect(url)
+
+
+def test_every_scheme_has_a_driver_that_says_which_options_it_takes() -> None:
+    for scheme in ["serial", "tcp", "unix", "udp", "sim"]:
+        assert isinstance(load_driver(scheme).OPTIONS, frozenset)
+        assert parse_url(f"{scheme}:x").scheme == scheme
+
+
+@pytest.mark.asyncio
+async def test_a_port_without_permission_says_which_group_to_join(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def refuse(path: str, *_: object, **__: object) -> int:
+        raise PermissionError(13, "Permission denied", path)
+
+    monkeypatch.setattr("serial.serialposix.os.open", refuse)
+    with pytest.raises(ConnectError, match=r"no permission for .*dialout"):
+        await unity_link.connect(f"serial:{tmp_path}")
+
+
+@pytest.mark.asyncio
+async def test_a_datagram_port_where_nobody_is_times_out_with_what_to_check() -> None:
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as unused:
+        unused.bind(("127.0.0.1", 0))
+        port = unused.getsockname()[1]
+    with pytest.raises(ConnectError, match="nothing arrived: check"):
+        await unity_link.connect(f"udp://127.0.0.1:{port}", timeout=0.3)
+
+
+# Back-pressure
+
+
+class Listener(asyncio.Protocol):
+    """Takes note of what a transport tells."""
+
+    def __init__(self) -> None:
+        self.paused = asyncio.Event()
+        self.resumed = asyncio.Event()
+        self.lost = asyncio.Event()
+
+    def pause_writing(self) -> None:
+        self.paused.set()
+
+    def resume_writing(self) -> None:
+        self.resumed.set()
+
+    def connection_lost(self, exc: Exception | None) -> None:
+        self.lost.set()
+
+
+@pytest.mark.asyncio
+async def test_more_than_a_port_takes_is_held_back_and_arrives_whole() -> None:
+    master, slave = pty.openpty()
+    tty.setraw(slave)
+    listener = Listener()
+    url = parse_url(f"serial:{os.ttyname(slave)}")
+    transport = await load_driver("serial").connect(url, listener)
+    sent = os.urandom(500_000)
+    for start in range(0, len(sent), 10_000):
+        transport.write(sent[start : start + 10_000])
+    await listener.paused.wait()
+    loop, received = asyncio.get_running_loop(), bytearray()
+    while len(received) < len(sent):
+        received += await loop.run_in_executor(None, os.read, master, 65_536)
+    assert bytes(received) == sent
+    await listener.resumed.wait()
+    transport.close()
+    await listener.lost.wait()
+    os.close(master)
+    os.close(slave)
+
+
+@pytest.mark.asyncio
+@pytest.mark.parametrize("medium", ["serial", "tcp"])
+async def test_a_gateway_that_does_not_read_for_a_while_gets_everything_in_the_end(
+    serve: Callable[..., tuple[str, subprocess.Popen[str]]], medium: str
+) -> None:
+    url, process = serve(medium)
+    async with unity_link.connect(url) as link:
+        process.send_signal(signal.SIGSTOP)
+        blocks = [asyncio.ensure_future(link.write_queue(0, [number] * 255)) for number in range(100)]
+        reads = asyncio.ensure_future(link.read_many([0] * 5000))
+        await asyncio.sleep(0)
+        await asyncio.sleep(0)
+        process.send_signal(signal.SIGCONT)
+        await asyncio.gather(*blocks)
+        assert (await reads)[-1] == 99

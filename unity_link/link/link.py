@@ -1,0 +1,587 @@
+"""Layer 2, message link: what a program holds of one gateway.
+
+`Link` checks what it is asked for, makes requests of it, and waits for their futures. `connection` is its life,
+`exchange` moves the requests, `subscription` the publishes; this module joins them.
+"""
+
+from __future__ import annotations
+
+import contextlib
+from collections.abc import Sequence
+from operator import index
+from typing import TYPE_CHECKING, Any, Literal, Self, cast
+
+import msgspec
+import numpy as np
+
+from unity_link.errors import (
+    ArgumentError,
+    LinkLostError,
+    UnansweredError,
+    UnityLinkError,
+    UnsupportedError,
+)
+from unity_link.link.connection import Connection, Reconnect
+from unity_link.link.requests import (
+    Batch,
+    BatchSource,
+    Block,
+    Fence,
+    Posted,
+    PostedBatch,
+    Request,
+    WordRequest,
+    WordsRequest,
+    common_outcome,
+)
+from unity_link.link.subscription import Groups, Overflow, Sample, Schedule, Subscription, check_addresses
+from unity_link.protocol.configuration import Feature
+from unity_link.protocol.messages import Codec, GroupFlag, Words, hex_rows
+from unity_link.transport import DriverUrl, parse_url, prepare
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Generator
+    from types import TracebackType
+
+    from numpy.typing import ArrayLike, NDArray
+
+    from unity_link.transport import Medium
+
+SendImmediate = Literal["off", "always", "adaptive"]
+_SEND_IMMEDIATE: dict[str, int] = {"off": 0, "always": 1, "adaptive": 2}
+_LARGEST_DIVISOR = 0xFFFF
+
+
+class Statistics(msgspec.Struct, frozen=True, kw_only=True):
+    """What a link has seen since it was opened."""
+
+    requests: int
+    """Requests sent, repetitions not counted."""
+    responses: int
+    """Responses that a request waited for."""
+    in_flight: int
+    """Requests sent and not answered yet."""
+    repetitions: int
+    """Requests sent again."""
+    timeouts: int
+    """How often a repetition was due to silence."""
+    errors: int
+    """Responses that were errors of the bus or out of range."""
+    damaged_frames: int
+    """Frames that arrived with a wrong CRC."""
+    stray_frames: int
+    """Sound frames that nothing waited for."""
+    bytes_sent: int
+    bytes_received: int
+    samples: int
+    samples_lost: int
+    reconnections: int
+    round_trip: float | None
+    """Smoothed round trip in seconds."""
+
+
+class Link(Connection):
+    """A connection to one gateway; made by `connect`.
+
+    Any number of tasks may use it at once. Requests are executed exactly once, and in the order of the calls; blocks
+    and batches of several tasks take turns. Cancelling a call leaves all others as they are; a write that was cancelled
+    may or may not have been executed.
+
+    Every call may raise `LinkLostError`, `BusError` and `BusTimeoutError`.
+    """
+
+    def __init__(self, target: DriverUrl | Medium, reconnect: Reconnect | None) -> None:
+        super().__init__(target, reconnect)
+        self._groups = Groups(self._exchange)
+        self._posted = False
+        self._posted_error: UnityLinkError | None = None
+        self._posted_failures = 0
+
+    # Life
+
+    def _begin(self, codec: Codec) -> None:
+        self._highest_address = (1 << codec.info.address_bits) - 1
+        self._highest_word = (1 << codec.info.data_bits) - 1
+        self._groups.start(codec)
+
+    async def _restore(self) -> None:
+        await self._groups.restore()
+
+    def _interrupted(self, reason: str) -> None:
+        self._groups.interrupted(LinkLostError(reason))
+
+    def _ended(self, error: LinkLostError) -> None:
+        self._groups.end(error)
+
+    async def __aenter__(self) -> Self:
+        return self
+
+    async def __aexit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        """Close; where the block ended well, not before the posted writes are executed, and with their errors.
+
+        A gateway that is away is not waited for: what is not known of posted writes is then one of their errors.
+        """
+        try:
+            if error is None and self._posted and not self._closed:
+                if self.connected:
+                    with contextlib.suppress(LinkLostError):
+                        await self._fence(leaving=True)
+                self._raise_posted()
+        finally:
+            await self.aclose()
+
+    @property
+    def statistics(self) -> Statistics:
+        """What the link has seen since it was opened."""
+        counters = self._exchange.counters
+        sent, received = self._bytes_before
+        return Statistics(
+            requests=counters.requests,
+            responses=counters.responses,
+            in_flight=self._exchange.in_flight,
+            repetitions=counters.repetitions,
+            timeouts=counters.timeouts,
+            errors=counters.errors,
+            damaged_frames=counters.damaged,
+            stray_frames=counters.stray,
+            bytes_sent=sent + (self._stream.bytes_sent if self._stream else 0),
+            bytes_received=received + (self._stream.bytes_received if self._stream else 0),
+            samples=self._groups.samples,
+            samples_lost=self._groups.samples_lost,
+            reconnections=max(0, self._sessions - 1),
+            round_trip=self._exchange.round_trip,
+        )
+
+    # Words
+
+    async def read(self, address: int) -> int:
+        """Read the word at `address`."""
+        self._check_address(address)
+        codec = self._codec
+        request = WordRequest(codec, "R", codec.fields("R", address), codec.info.data_digits, self._loop)
+        self._exchange.submit(request)
+        word: int = await request.future
+        return word
+
+    async def write(self, address: int, value: int) -> None:
+        """Write `value` to `address`; when this returns it is on the bus."""
+        self._check_address(address)
+        self._check_word(value)
+        await self._ask("W", address, value)
+
+    async def write_masked(self, address: int, value: int, mask: int) -> int:
+        """Replace the bits of a word that are 1 in `mask` by those of `value`, atomically.
+
+        Returns:
+            The whole word as it was before.
+
+        Raises:
+            UnsupportedError: where the gateway was built without masked writes.
+            AnswerLostError: where it was executed, but the old word was lost on the way.
+        """
+        self._require(Feature.MASKED_WRITE, "masked writes")
+        self._check_address(address)
+        self._check_word(value)
+        self._check_word(mask)
+        codec = self._codec
+        fields = codec.fields("WK", address, mask, value)
+        request = WordRequest(codec, "WK", fields, codec.info.data_digits, self._loop)
+        self._exchange.submit(request)
+        word: int = await request.future
+        return word
+
+    async def post(self, address: int, value: int) -> None:
+        """Send a write without waiting for its execution; waits only while too many requests are under way.
+
+        It is executed exactly once and in order all the same. Its errors are raised by the next `fence`, or where the
+        ``async with`` block of the link ends.
+        """
+        self._check_address(address)
+        self._check_word(value)
+        codec = self._codec
+        request = Posted(codec, codec.fields("WS", address, value), self._loop, self._note_posted)
+        self._posted = True
+        self._exchange.submit(request)
+        await request.future
+
+    async def fence(self) -> None:
+        """Wait until everything that was asked for before has been executed.
+
+        Raises:
+            UnityLinkError: the first error of the writes posted since the last fence.
+        """
+        self._posted = False
+        try:
+            await self._fence(leaving=False)
+        except BaseException:
+            self._posted = True
+            raise
+        self._raise_posted()
+
+    async def _fence(self, *, leaving: bool) -> None:
+        fence = Fence(self._codec, self._loop, leaving=leaving)
+        self._exchange.submit(fence)
+        await fence.future
+
+    def _raise_posted(self) -> None:
+        first, count = self._posted_error, self._posted_failures
+        self._posted_error, self._posted_failures = None, 0
+        if first is not None:
+            if count > 1:
+                first.add_note(f"{count - 1} more posted writes failed as well")
+            raise first
+
+    def _note_posted(self, error: UnityLinkError) -> None:
+        """Keep the first error of the writes posted since the last fence, and count the others."""
+        self._posted_error = self._posted_error or error
+        self._posted_failures += 1
+
+    # Blocks
+
+    async def read_block(self, address: int, count: int) -> Words:
+        """Read `count` consecutive words from `address` on.
+
+        The gateway reads at most ``gateway.block_words`` words in one atomic bus transaction; a longer block is read in
+        several, each atomic, in the order of the addresses.
+
+        Returns:
+            The words, shape (count,), as the smallest unsigned type that holds one.
+        """
+        self._check_block(address, count)
+        return await self._read_words("RM", address, count, step=1)
+
+    async def read_queue(self, address: int, count: int) -> Words:
+        """Read the same address `count` times: a FIFO port. Like `read_block` otherwise.
+
+        Raises:
+            AnswerLostError: where words were taken from the queue, but lost on the way.
+        """
+        self._require(Feature.QUEUE_COMMANDS, "queue reads")
+        self._check_address(address)
+        self._check_count(count)
+        return await self._read_words("RQ", address, count, step=0)
+
+    async def write_block(self, address: int, values: ArrayLike) -> None:
+        """Write consecutive words from `address` on, each ``gateway.block_words`` of them in one atomic transaction."""
+        words = self._words(values)
+        self._check_block(address, len(words))
+        await self._write_words("WM", address, words, step=1)
+
+    async def write_queue(self, address: int, values: ArrayLike) -> None:
+        """Write all `values` to the same address: a FIFO port. Like `write_block` otherwise."""
+        self._require(Feature.QUEUE_COMMANDS, "queue writes")
+        words = self._words(values)
+        self._check_address(address)
+        self._check_count(len(words))
+        await self._write_words("WQ", address, words, step=0)
+
+    # Batches
+
+    async def read_many(self, addresses: ArrayLike) -> Words:
+        """Read many words in one pipelined batch, each a request of its own.
+
+        Returns:
+            The words in the order of `addresses`, as the smallest unsigned type that holds one.
+
+        Raises:
+            GatewayError: the first error; the other reads are done all the same.
+        """
+        fields = hex_rows(self._addresses(addresses), self.gateway.address_digits)
+        return await self._batch("R", fields)
+
+    async def write_many(self, addresses: ArrayLike, values: ArrayLike) -> None:
+        """Write one word to each of many addresses, in order, in one pipelined batch.
+
+        Raises:
+            GatewayError: the first error; the other writes are done all the same.
+        """
+        where, what = self._write_arguments(addresses, values)
+        info = self.gateway
+        fields = np.concatenate((hex_rows(where, info.address_digits), hex_rows(what, info.data_digits)), axis=1)
+        await self._batch("W", fields)
+
+    async def post_many(self, addresses: ArrayLike, values: ArrayLike) -> None:
+        """Send many writes as `post` does; returns when the last one is sent.
+
+        The quickest way to write words that lie apart: nothing but the requests is on the line.
+        """
+        where, what = self._write_arguments(addresses, values)
+        self._check_count(len(where))
+        batch = PostedBatch(self._codec, where, what, self._loop, self._note_posted)
+        self._posted = True
+        self._exchange.submit(batch)
+        await batch.future
+
+    # Publishing
+
+    def subscribe(  # noqa: PLR0913  (each is a choice of its own, by keyword)
+        self,
+        addresses: int | ArrayLike,
+        *,
+        rate_hz: float | None = None,
+        divisor: int | None = None,
+        trigger: bool = False,
+        on_change: bool = False,
+        immediate: bool = False,
+        timestamps: bool | None = None,
+        buffer: int = 16_384,
+        overflow: Overflow = "drop_oldest",
+        callback: Callable[[Sample], object] | None = None,
+    ) -> Subscription:
+        """Have the gateway sample addresses by itself, all in one atomic bus transaction.
+
+        Args:
+            addresses: one address, or up to ``gateway.group_words``.
+            rate_hz: samples a second; the nearest rate that the gateway has is `Subscription.rate_hz`.
+            divisor: the same as a division of ``gateway.base_frequency_hz``, 1 to 65535.
+            trigger: sample on the group's external trigger.
+            on_change: publish only samples in which a word has changed.
+            immediate: have the gateway send each sample at once instead of filling packets.
+            timestamps: have the instant of sampling sent along; None: where the gateway can.
+            buffer: most samples that wait for the reader. The default holds all that one read of a socket can bring.
+            overflow: what happens when they are more: ``"drop_oldest"`` and count, or ``"fail"``.
+            callback: is called with each sample as it arrives, in place of iteration.
+
+        Without a rate, a divisor or a trigger, samples come when `Subscription.publish` asks for them.
+
+        Raises:
+            ArgumentError: for rates, addresses or sizes that the gateway does not have.
+            UnsupportedError: where the gateway was built without what is asked for, or all groups are in use.
+        """
+        self._require(Feature.GROUPS, "groups")
+        if timestamps is None:
+            timestamps = Feature.TIMESTAMPS in self.gateway.features
+        needs = (
+            (trigger, Feature.EXTERNAL_TRIGGERS, "external triggers"),
+            (timestamps, Feature.TIMESTAMPS, "timestamps"),
+            (immediate, Feature.SEND_IMMEDIATE, "send-immediate"),
+        )
+        for wanted, feature, name in needs:
+            if wanted:
+                self._require(feature, name)
+        flags = GroupFlag(0)
+        if rate_hz is not None or divisor is not None:
+            flags |= GroupFlag.PERIODIC
+        for wanted, flag in (
+            (trigger, GroupFlag.TRIGGER),
+            (immediate, GroupFlag.IMMEDIATE),
+            (timestamps, GroupFlag.TIMESTAMP),
+            (on_change, GroupFlag.ON_CHANGE),
+        ):
+            flags |= flag if wanted else GroupFlag(0)
+        several: ArrayLike = [int(addresses)] if isinstance(addresses, int | np.integer) else addresses
+        where = check_addresses(self._addresses(several), self.gateway.group_words)
+        schedule = Schedule(where, self._divisor(rate_hz, divisor), flags)
+        return Subscription(self._groups, schedule, buffer=buffer, overflow=overflow, callback=callback)
+
+    async def send_immediate(self, mode: SendImmediate) -> None:
+        """Choose when an FT232H sends a short packet at once (protocol section 4).
+
+        The gateway pulses SIWU# as the mode says, and the driver sets the chip's latency timer and event character.
+
+        Args:
+            mode: ``"off"``; ``"always"``, after every response; or ``"adaptive"``, when nothing more is waiting.
+
+        Raises:
+            UnsupportedError: where the gateway was built without it.
+        """
+        if mode not in _SEND_IMMEDIATE:
+            raise ArgumentError(f"send-immediate is one of {', '.join(_SEND_IMMEDIATE)}, not {mode!r}")
+        self._require(Feature.SEND_IMMEDIATE, "send-immediate")
+        await self._ask("I", _SEND_IMMEDIATE[mode])
+        if self._stream is not None:
+            await self._stream.choose_send_immediate(mode)
+
+    # The inside
+
+    async def _ask(self, command: str, *values: Any) -> None:
+        """Have a request done that is answered by an acknowledgement."""
+        codec = self._codec
+        request = Request(codec, command, codec.fields(command, *values), 0, self._loop)
+        self._exchange.submit(request)
+        await request.future
+
+    async def _read_words(self, command: str, address: int, count: int, step: int) -> Words:
+        codec, info = self._codec, self.gateway
+        requests: list[Request] = []
+        for start in range(0, count, info.block_words):
+            part = min(info.block_words, count - start)
+            fields = codec.fields(command, address + step * start, part)
+            requests.append(WordsRequest(codec, command, fields, part * info.data_digits, self._loop))
+        parts = await self._all(requests)
+        return parts[0] if len(parts) == 1 else np.concatenate(parts)
+
+    async def _write_words(self, command: str, address: int, words: Words, step: int) -> None:
+        codec, most = self._codec, self.gateway.block_words
+        await self._all(
+            [
+                Request(
+                    codec,
+                    command,
+                    codec.fields(command, address + step * start, words[start : start + most]),
+                    0,
+                    self._loop,
+                )
+                for start in range(0, len(words), most)
+            ]
+        )
+
+    async def _all(self, requests: list[Request]) -> list[Any]:
+        """Have requests done in order, and give their answers; if one fails, the rest is not waited for."""
+        self._exchange.submit(requests[0] if len(requests) == 1 else Block(requests))
+        try:
+            return [await request.future for request in requests]
+        except UnansweredError as error:
+            raise error.about(common_outcome(requests)) from None
+        finally:
+            for request in requests:
+                if not request.future.cancel() and not request.future.cancelled():
+                    request.future.exception()
+
+    def _write_arguments(self, addresses: ArrayLike, values: ArrayLike) -> tuple[Words, Words]:
+        where, what = self._addresses(addresses), self._words(values)
+        if len(where) != len(what):
+            raise ArgumentError(f"{len(where)} addresses were given, and {len(what)} values")
+        return where, what
+
+    async def _batch(self, command: str, fields: NDArray[np.uint8]) -> Words:
+        self._check_count(len(fields))
+        batch = Batch(self._codec, command, fields, self._loop)
+        self._exchange.submit(BatchSource(batch, 0, len(fields)))
+        return await batch.future
+
+    def _divisor(self, rate_hz: float | None, divisor: int | None) -> int:
+        base = self.gateway.base_frequency_hz
+        if rate_hz is not None:
+            if divisor is not None:
+                raise ArgumentError("a rate and a divisor were given, expected one of them")
+            if not isinstance(rate_hz, int | float | np.number):
+                raise ArgumentError(f"a rate is a number of Hz, not {rate_hz!r:.80}")
+            if not base / _LARGEST_DIVISOR <= rate_hz <= base:
+                lowest = base / _LARGEST_DIVISOR
+                raise ArgumentError(f"a rate of {rate_hz:g} Hz was asked for, expected {lowest:.3g} to {base:g} Hz")
+            return round(base / rate_hz)
+        if divisor is None:
+            return 1
+        if not 1 <= _whole(divisor, "a divisor") <= _LARGEST_DIVISOR:
+            raise ArgumentError(f"a divisor of {divisor} was asked for, expected 1 to {_LARGEST_DIVISOR}")
+        return divisor
+
+    def _require(self, feature: Feature, name: str) -> None:
+        if feature not in self.gateway.features:
+            raise UnsupportedError(f"the gateway was built without {name}")
+
+    def _check_address(self, address: int) -> None:
+        if not 0 <= _whole(address, "an address") <= self._highest_address:
+            raise ArgumentError(f"address {address:#x} is not from 0 to {self._highest_address:#x}")
+
+    def _check_word(self, value: int) -> None:
+        if not 0 <= _whole(value, "a word") <= self._highest_word:
+            bits = self.gateway.data_bits
+            raise ArgumentError(f"{value} does not fit in a word of {bits} bits (0 to {self._highest_word:#x})")
+
+    def _check_count(self, count: int) -> None:
+        if _whole(count, "a number of words") < 1:
+            raise ArgumentError(f"{count} words were asked for, at least 1 is needed")
+
+    def _check_block(self, address: int, count: int) -> None:
+        self._check_count(count)
+        self._check_address(address)
+        if address + count - 1 > self._highest_address:
+            raise ArgumentError(
+                f"{count} words from {address:#x} on would pass the last address, {self._highest_address:#x}"
+            )
+
+    def _addresses(self, addresses: ArrayLike) -> NDArray[Any]:
+        return _in_range(addresses, self._highest_address, "address")
+
+    def _words(self, values: ArrayLike) -> Words:
+        return _in_range(values, self._highest_word, "value").astype(self._codec.word_type)
+
+
+def _whole(value: int, what: str) -> int:
+    """Return a whole number, of whatever type, as an `int`."""
+    try:
+        return index(value)
+    except TypeError:
+        raise ArgumentError(f"{what} is a whole number, not {value!r:.80}") from None
+
+
+def _in_range(values: ArrayLike, highest: int, what: str) -> NDArray[Any]:
+    """Give whole numbers from 0 to `highest` as an array of one dimension."""
+    try:
+        array = np.asarray(values)
+        if array.dtype.kind not in "iub" and isinstance(values, Sequence):
+            # numpy makes fractions of words from 2**63 on that stand beside smaller ones.
+            array = np.array([index(cast("int", value)) for value in values], object)
+    except (TypeError, ValueError):
+        array = np.array(None)
+    if array.ndim != 1 or (array.size and array.dtype.kind not in "iubO"):
+        raise ArgumentError(f"a sequence of whole numbers was expected for each {what}, not {values!r:.80}")
+    if array.size:
+        low, high = int(array.min()), int(array.max())
+        if low < 0 or high > highest:
+            raise ArgumentError(f"{what} {low if low < 0 else high:#x} is not from 0 to {highest:#x}")
+    return array
+
+
+class Connecting:
+    """What `connect` gives: await it for a `Link`, or use it as an async context manager."""
+
+    def __init__(self, target: str | Medium, timeout: float, reconnect: Reconnect | None) -> None:
+        self._target = target
+        self._timeout = timeout
+        self._reconnect = reconnect
+        self._link: Link | None = None
+
+    def __await__(self) -> Generator[Any, None, Link]:
+        return self._open().__await__()
+
+    async def _open(self) -> Link:
+        target = parse_url(self._target) if isinstance(self._target, str) else self._target
+        if isinstance(target, DriverUrl):
+            await prepare(target)
+        link = Link(target, self._reconnect)
+        await link.open(self._timeout)
+        return link
+
+    async def __aenter__(self) -> Link:
+        self._link = await self._open()
+        return self._link
+
+    async def __aexit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        assert self._link is not None
+        await self._link.__aexit__(kind, error, trace)
+
+
+def connect(target: str | Medium, *, timeout: float = 5.0, reconnect: bool | Reconnect = False) -> Connecting:
+    """Open a link to a gateway.
+
+    ::
+
+        async with unity_link.connect("serial:/dev/ttyUSB0?baud=12000000") as link:
+            print(await link.read(0x0A))
+
+    Args:
+        target: the URL of a gateway, or a virtual gateway of this process.
+        timeout: seconds until the gateway must have answered.
+        reconnect: open a lost connection again, with pauses as a `Reconnect` says. Subscriptions are set up again and
+            reads and what had not been sent are sent again; other requests that were under way raise `LinkLostError`.
+
+    Raises:
+        ArgumentError: for a URL that no driver knows, or an argument of another type.
+        ConnectError: where nothing answers in time; it says what was tried.
+        UnsupportedError: for a gateway of another protocol version.
+    """
+    if not isinstance(reconnect, bool | Reconnect):
+        raise ArgumentError(f"reconnect is True, False or a Reconnect, not {reconnect!r:.80}")
+    given: object = timeout
+    if not (isinstance(given, int | float) and given > 0):
+        raise ArgumentError(f"timeout is a number of seconds above 0, not {timeout!r:.80}")
+    if isinstance(reconnect, bool):
+        return Connecting(target, timeout, Reconnect() if reconnect else None)
+    return Connecting(target, timeout, reconnect)

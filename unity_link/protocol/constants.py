@@ -1,0 +1,37 @@
+"""How long and how often a host tries: the constants of its side of protocol section 3, in one table.
+
+`unity_link.protocol.window` works by them, and the clients that are generated in other languages are given the same
+(`TABLE`). The module imports nothing, so that whatever reads them needs nothing installed. Times are in seconds.
+"""
+
+LONGEST_SILENCE = 5.0
+"""Without anything that can be about a request, and with one under way, after which the link is lost."""
+FEWEST_SILENT_TRIES = 3
+"""Time outs in silence before the link is lost, however long one takes."""
+MOST_SILENT_TRIES = 8
+"""Time outs in silence after which the generated clients, which keep no `LONGEST_SILENCE`, take the link for lost."""
+MOST_QUICK_SIGNS = 6
+"""How often signs of loss are followed at the pace of a round trip that is next to nothing."""
+SLOWER_SIGNS = 0.001
+"""What a round trip counts as, at least, after so many signs."""
+MOST_TRIES = 32
+"""Time outs of one request while something was heard; one more, and the request is given up."""
+MOST_REFUSALS = 3
+"""Errors 02 and 03 to one request until it is given up."""
+FEWEST_IN_FLIGHT = 8
+"""Requests in flight on a line that loses, at least."""
+FIRST_TIMEOUT = 0.25
+"""The time out before the first round trip was measured."""
+SHORTEST_TIMEOUT = 0.025
+"""The shortest time out on media that do not say better: an answer may stay in a USB chip until its latency timer ends,
+16 ms by default, whatever the last round trip was."""
+QUICK_TIMEOUT = 0.003
+"""The same for media that hand everything on at once: sockets, pseudo-terminals, gateways of this process."""
+LONGEST_TIMEOUT = 2.0
+FENCE_DELAY = 0.001
+"""Posted writes are confirmed by an ``h`` after this time, if nothing else with an answer follows them."""
+MEASUREMENT_PAUSE = 0.001
+"""Between two measurements of the round trip: one a window is enough, and fast reads are left alone."""
+
+TABLE: dict[str, float] = {name: value for name, value in globals().items() if isinstance(value, int | float)}
+"""All of them by name."""

@@ -1,0 +1,112 @@
+"""What stands between two line ends (protocol section 1): a body, its check and its end.
+
+A *checked* frame is the body, its CRC and LF. A *plain* one, which a person can type, is the body and CR; a gateway
+ends its plain replies with CR LF. On a medium that several nodes share (section 7) each body stands behind a prefix of
+`Z` and two digits, which the CRC covers. Everything above this module sees bodies only.
+"""
+
+from __future__ import annotations
+
+import re
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from unity_link.protocol.crc import Crc
+
+LF = b"\n"
+CR = b"\r"
+_CR_BYTE = CR[0]
+TOKEN_LINE = b"token "
+"""What the first line of a connection begins with where a token is wanted; no command begins so."""
+LARGEST_DATAGRAM = 1400
+"""Bytes of frames that are put together into one datagram: what passes an Ethernet in one piece."""
+_FRAME = re.compile(rb"[^\r\n]*[\r\n]+")
+
+
+class FrameError(ValueError):
+    """A frame that is damaged, cut, or not for us."""
+
+
+class OtherNodeError(FrameError):
+    """A sound frame of another node on a shared medium."""
+
+
+class Framing:
+    """Puts bodies into frames and takes them out again.
+
+    Args:
+        crc: the check in use.
+        node: number of the node on a shared medium, 0 to 0xFE, or None for a medium of our own.
+    """
+
+    def __init__(self, crc: Crc, node: int | None = None) -> None:
+        self.crc = crc
+        self.prefix = b"" if node is None else b"Z%02X" % node
+        self.overhead = len(self.prefix) + crc.digits + len(LF)
+        """Characters of a checked frame beyond its body."""
+
+    def checked(self, body: bytes) -> bytes:
+        """Give the checked frame of `body`."""
+        covered = self.prefix + body
+        return covered + self.crc.text(covered) + LF
+
+    def plain_request(self, body: bytes) -> bytes:
+        """Give the plain frame of `body` as a host sends it."""
+        return self.prefix + body + CR
+
+    def plain_reply(self, body: bytes) -> bytes:
+        """Give the plain frame of `body` as a gateway sends it."""
+        return self.prefix + body + CR + LF
+
+    def open(self, line: bytes) -> bytes:
+        """Give the body of a frame that a gateway sent.
+
+        Args:
+            line: what came before the LF.
+
+        Raises:
+            OtherNodeError: where the frame is another node's.
+            FrameError: where the check fails.
+        """
+        if line and line[-1] == _CR_BYTE:
+            covered = line[:-1]
+        else:
+            digits = self.crc.digits
+            covered = line[:-digits]
+            if self.crc.text(covered) != line[-digits:]:
+                raise FrameError(f"wrong CRC in {line[:80]!r}")
+        if self.prefix:
+            if not covered.startswith(self.prefix):
+                raise OtherNodeError(f"not from node {self.prefix[1:].decode()}: {line[:80]!r}")
+            return covered[len(self.prefix) :]
+        return covered
+
+    def open_rows(self, rows: NDArray[np.uint8], head: bytes) -> NDArray[np.uint8]:
+        """Give the bodies of checked frames of one length that stand side by side, up to the first that is none.
+
+        Args:
+            rows: the frames with their LF, shape (n, length).
+            head: what all of them begin with, the prefix among it.
+        """
+        end = rows.shape[1] - self.crc.digits - len(LF)
+        sound = (rows[:, -1:] == LF[0]).all(axis=1) & (rows[:, : len(head)] == np.frombuffer(head, np.uint8)).all(
+            axis=1
+        )
+        sound &= (rows[:, end : -len(LF)] == self.crc.of_rows(rows[:, :end])).all(axis=1)
+        count = len(rows) if sound.all() else int(sound.argmin())
+        return rows[:count, len(self.prefix) : end]
+
+
+def datagrams(data: bytes) -> list[bytes]:
+    """Put frames into as few datagrams as they fit in; a frame is never cut."""
+    packed: list[bytes] = []
+    for frame in _FRAME.findall(data):
+        if packed and len(packed[-1]) + len(frame) <= LARGEST_DATAGRAM:
+            packed[-1] += frame
+        else:
+            packed.append(frame)
+    return packed

@@ -1,0 +1,428 @@
+"""What the frames mean: every message of the protocol, for any widths that `Q` can report.
+
+`COMMANDS` is the table of protocol section 2. A `Codec` is that table made concrete for the widths of one gateway; it
+encodes and decodes both directions, because the virtual gateway speaks the same messages as the host.
+
+Field letters, as in the protocol: ``a`` address, ``d`` data word, ``m`` mask, ``n`` count, ``g`` group, ``f`` flags,
+``v`` divisor, ``s`` mode, ``i`` ID; ``D`` all words and ``A`` all addresses up to the end of the message.
+"""
+
+from __future__ import annotations
+
+import enum
+import re
+from binascii import hexlify, unhexlify
+from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from unity_link.protocol.configuration import Feature, GatewayInfo
+from unity_link.protocol.crc import Crc
+from unity_link.protocol.frames import Framing
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+Words: TypeAlias = NDArray[np.unsignedinteger[Any]]
+
+
+class Repetition(enum.Enum):
+    """How a gateway answers a request that it has executed before (protocol section 3)."""
+
+    READ_AGAIN = enum.auto()
+    REFUSE = enum.auto()
+    ACKNOWLEDGE = enum.auto()
+    SILENCE = enum.auto()
+
+
+class Command(NamedTuple):
+    """One row of the table of messages.
+
+    `fields` stand in the request; `echo` is what a response without an ID repeats of them, and `reads` what a response
+    adds. `feature` is what a gateway must have been built with.
+    """
+
+    fields: str
+    echo: str = ""
+    reads: str = ""
+    repetition: Repetition = Repetition.ACKNOWLEDGE
+    feature: Feature = Feature(0)
+
+
+COMMANDS: dict[str, Command] = {
+    "R": Command("a", "a", "d", Repetition.READ_AGAIN),
+    "RM": Command("an", "an", "D", Repetition.READ_AGAIN),
+    "RQ": Command("an", "an", "D", Repetition.REFUSE, Feature.QUEUE_COMMANDS),
+    "W": Command("ad", "a"),
+    "WM": Command("aD", "an"),
+    "WQ": Command("aD", "an", feature=Feature.QUEUE_COMMANDS),
+    "WK": Command("amd", "a", "d", Repetition.REFUSE, Feature.MASKED_WRITE),
+    "WS": Command("ad", repetition=Repetition.SILENCE),
+    "GS": Command("gfvnA", "g", feature=Feature.GROUPS),
+    "GN": Command("g", "g", feature=Feature.GROUPS),
+    "GX": Command("g", "g", feature=Feature.GROUPS),
+    "GP": Command("g", "g", feature=Feature.GROUPS),
+    "I": Command("s", "s", feature=Feature.SEND_IMMEDIATE),
+    "H": Command(""),
+    "Q": Command(""),
+    "K": Command("i", "i"),
+}
+WITHOUT_ID = frozenset({"Q", "K"})
+LISTS = {"D": "d", "A": "a"}
+
+
+class ErrorCode(enum.IntEnum):
+    """Numbers of the errors that a gateway answers (protocol section 2)."""
+
+    CRC = 1
+    UNKNOWN_COMMAND = 2
+    MALFORMED = 3
+    BUS_ERROR = 4
+    BUS_TIMEOUT = 5
+    OUT_OF_RANGE = 6
+    TOO_LONG = 7
+    ALREADY_EXECUTED = 8
+    RECEIVE_OVERFLOW = 9
+
+
+class GroupFlag(enum.IntFlag):
+    """When a group publishes, and in which form."""
+
+    PERIODIC = 1
+    TRIGGER = 2
+    IMMEDIATE = 4
+    TIMESTAMP = 8
+    ON_CHANGE = 16
+    PLAIN = 32
+
+
+class RequestError(ValueError):
+    """A request that a gateway refuses because of its form; `code` is what it answers."""
+
+    def __init__(self, code: ErrorCode) -> None:
+        super().__init__(code.name)
+        self.code = code
+
+
+class Request(NamedTuple):
+    """A decoded request: the command in upper case, its ID or None, its fields in order (a list's words in a list)."""
+
+    command: str
+    id: int | None
+    values: tuple[Any, ...]
+
+
+class Response(NamedTuple):
+    """A decoded message of a gateway.
+
+    `command` is in upper case: one of `COMMANDS`, ``X`` (error), ``N`` (out of sequence) or ``P`` (publish). `fields`
+    names what stands in it by the letters of this module; ``e`` is an error code, ``p`` a sequence number. The words of
+    a publish stand undivided, with the timestamp if there is one, in ``text``: only its group tells them apart.
+    """
+
+    command: str
+    id: int | None
+    fields: dict[str, Any]
+
+
+_LETTERS = re.compile(rb"([G-Z]+|[g-z]+)(?![G-Zg-z])")
+_HEX = re.compile(rb"[0-9A-Fa-f]*")
+
+
+class Codec:
+    """The messages of one gateway.
+
+    Args:
+        info: what the gateway said of itself.
+        node: its number on a shared medium, or None.
+    """
+
+    def __init__(self, info: GatewayInfo, node: int | None = None) -> None:
+        self.info = info
+        self.framing = Framing(Crc(info.crc_bits, info.crc_polynomial), node)
+        self.ring = 16**info.id_digits
+        """Number of IDs."""
+        self.digits = {
+            "a": info.address_digits,
+            "d": info.data_digits,
+            "m": info.data_digits,
+            "n": 2,
+            "g": 2,
+            "f": 2,
+            "v": 4,
+            "s": 2,
+            "i": info.id_digits,
+        }
+        self.id_text = [b"%0*X" % (info.id_digits, number) for number in range(self.ring)]
+        self.id_number = {text: number for number, text in enumerate(self.id_text)}
+        self.word_type: np.dtype[np.unsignedinteger[Any]] = _FORMS[info.data_digits].held
+        self.lower = {name: name.lower().encode() for name in COMMANDS}
+        """The commands as they stand before an ID."""
+        overhead = self.framing.overhead + info.id_digits
+        self.head_sizes = {name: overhead + len(name) for name in COMMANDS}
+        """Characters of a checked frame with an ID, beyond its fields or data."""
+        self.commands = {name: row for name, row in COMMANDS.items() if row.feature in info.features}
+        self._layouts = {name: self._layout(row.fields) for name, row in COMMANDS.items()}
+        self._id_rows = np.frombuffer(b"".join(self.id_text), np.uint8).reshape(self.ring, info.id_digits)
+
+    # Requests, host to gateway
+
+    def fields(self, command: str, *values: Any) -> bytes:
+        """Give the fields of a request as hex digits. A list of words or addresses is given as an array."""
+        layout, digits = self._layouts[command]
+        if digits:
+            return layout % (*values[:-1], hex_rows(values[-1], digits).tobytes())
+        return layout % values
+
+    def request(self, command: str, number: int, fields: bytes) -> bytes:
+        """Give the checked frame of a request with an ID."""
+        return self.framing.checked(self.lower[command] + self.id_text[number] + fields)
+
+    def request_rows(self, command: str, first: int, fields: NDArray[np.uint8]) -> bytes:
+        """Give the checked frames of many requests of one command under consecutive IDs.
+
+        Args:
+            command: the command, in upper case.
+            first: ID of the first.
+            fields: hex digits of the fields, shape (n, width).
+        """
+        count = len(fields)
+        head = np.frombuffer(self.framing.prefix + self.lower[command], np.uint8)
+        ids = self._id_rows.take(np.arange(first, first + count), axis=0, mode="wrap")
+        covered = np.concatenate((np.broadcast_to(head, (count, len(head))), ids, fields), axis=1)
+        ends = np.full((count, 1), 10, np.uint8)
+        return np.concatenate((covered, self.framing.crc.of_rows(covered), ends), axis=1).tobytes()
+
+    def matching_rows(self, command: str, first: int, data: bytes, digits: int) -> NDArray[np.uint8]:
+        """Check frames of one command under consecutive IDs, be they requests or responses.
+
+        Args:
+            command: the command, in upper case.
+            first: ID of the first.
+            data: whole frames of equal size.
+            digits: characters between the ID and the CRC.
+
+        Returns:
+            These characters, shape (n, digits), of the frames up to the first that is anything else than expected.
+        """
+        head = np.frombuffer(self.framing.prefix + self.lower[command], np.uint8)
+        crc_digits = self.framing.crc.digits
+        before = len(head) + self.info.id_digits
+        rows = np.frombuffer(data, np.uint8).reshape(-1, before + digits + crc_digits + 1)
+        ids = self._id_rows.take(np.arange(first, first + len(rows)), axis=0, mode="wrap")
+        good = (rows[:, : len(head)] == head).all(axis=1)
+        good &= (rows[:, len(head) : before] == ids).all(axis=1)
+        good &= (rows[:, -1 - crc_digits : -1] == self.framing.crc.of_rows(rows[:, : before + digits])).all(axis=1)
+        good &= rows[:, -1] == 10
+        return rows[: len(rows) if good.all() else int(good.argmin()), before : before + digits]
+
+    def response_rows(self, command: str, first: int, data: bytes, digits: int) -> Words | None:
+        """Read the responses to many requests of one command under consecutive IDs, as long as they are as expected.
+
+        Args:
+            command: the command, in upper case.
+            first: ID of the first.
+            data: whole frames of equal size.
+            digits: hex digits after the ID: those of one word, or 0.
+
+        Returns:
+            The words of the frames up to the first that is anything else than the expected response (zeros where
+            `digits` is 0), or None where there is none.
+        """
+        rows = self.matching_rows(command, first, data, digits)
+        if not len(rows):
+            return None
+        if not digits:
+            return np.zeros(len(rows), self.word_type)
+        try:
+            return parse_rows(rows)
+        except ValueError:
+            return None
+
+    # Requests, as a gateway reads them
+
+    def decode_request(self, body: bytes) -> Request:
+        """Read a request.
+
+        Args:
+            body: of a frame whose length and CRC were right, and whose end is known to the caller.
+
+        Raises:
+            RequestError: with the error that a gateway answers: unknown command, or malformed.
+        """
+        return self._decode_request(body, short_data=False)
+
+    def decode_plain_request(self, body: bytes) -> Request:
+        """Read the request of a plain frame, in which the data of `W` and `WS` may be short."""
+        return self._decode_request(body, short_data=True)
+
+    def _decode_request(self, body: bytes, *, short_data: bool) -> Request:
+        letters = _LETTERS.match(body)
+        command = letters[0].upper().decode() if letters else ""
+        with_id = letters is not None and letters[0][0] >= ord("g")
+        if letters is None or command not in self.commands or (with_id and command in WITHOUT_ID):
+            raise RequestError(ErrorCode.UNKNOWN_COMMAND)
+        text = body[letters.end() :]
+        if not _HEX.fullmatch(text):
+            raise RequestError(ErrorCode.MALFORMED)
+        number = None
+        if with_id:
+            digits = self.info.id_digits
+            if len(text) < digits:
+                raise RequestError(ErrorCode.MALFORMED)
+            number, text = int(text[:digits], 16), text[digits:]
+        elif short_data and command in ("W", "WS"):
+            text = self._lengthen(text)
+        return Request(command, number, self._split(self.commands[command].fields, text))
+
+    def _lengthen(self, text: bytes) -> bytes:
+        """Extend a short data field with zeros; a missing one stays missing."""
+        address = text[: self.info.address_digits]
+        data = text[self.info.address_digits :]
+        return address + data.rjust(self.info.data_digits, b"0") if data else text
+
+    def _split(self, letters: str, text: bytes) -> tuple[Any, ...]:
+        values: list[Any] = []
+        position = 0
+        for letter in letters:
+            if letter in LISTS:
+                values.append(self._split_list(letter, text[position:], values[-1] if letter == "A" else None))
+                return tuple(values)
+            field = text[position : position + self.digits[letter]]
+            if len(field) != self.digits[letter]:
+                raise RequestError(ErrorCode.MALFORMED)
+            values.append(int(field, 16))
+            position += len(field)
+        if position != len(text):
+            raise RequestError(ErrorCode.MALFORMED)
+        return tuple(values)
+
+    def _split_list(self, letter: str, text: bytes, count: int | None) -> list[int]:
+        """Read all words (1 to 255 of them) or exactly `count` addresses up to the end."""
+        digits = self.digits[LISTS[letter]]
+        found, rest = divmod(len(text), digits)
+        if rest or (found != count if count is not None else not 1 <= found <= 255):
+            raise RequestError(ErrorCode.MALFORMED)
+        return parse_words(text, digits).tolist() if found else []
+
+    # Responses
+
+    def response(self, request: Request, reads: int | Sequence[int] | NDArray[Any] | None = None) -> bytes:
+        """Give the body of a gateway's response: `reads` is the word or words read, if any."""
+        row = COMMANDS[request.command]
+        if request.id is not None:
+            head = request.command.lower().encode() + self.id_text[request.id]
+        else:
+            head = request.command.encode() + self._echo(row, request.values)
+        if reads is None:
+            return head
+        if isinstance(reads, int):
+            return head + b"%0*X" % (self.info.data_digits, reads)
+        return head + hex_rows(reads, self.info.data_digits).tobytes()
+
+    def _echo(self, row: Command, values: tuple[Any, ...]) -> bytes:
+        by_letter = dict(zip(row.fields, values, strict=True))
+        if "D" in by_letter:
+            by_letter["n"] = len(by_letter["D"])
+        return b"".join(b"%0*X" % (self.digits[letter], by_letter[letter]) for letter in row.echo)
+
+    def error(self, code: ErrorCode, number: int | None = None) -> bytes:
+        """Give the body of an error, with the ID of the request that it answers or without."""
+        return b"X%02X" % code if number is None else b"x%b%02X" % (self.id_text[number], code)
+
+    def out_of_sequence(self, expected: int) -> bytes:
+        """Give the body of the message that tells the next ID expected."""
+        return b"n" + self.id_text[expected]
+
+    def publish(self, group: int, sequence: int, timestamp: int | None, words: ArrayLike) -> bytes:
+        """Give the body of a published sample; `timestamp` counts clock ticks modulo 2**32."""
+        time = b"" if timestamp is None else b"%08X" % timestamp
+        return b"P%02X%02X%b%b" % (group, sequence, time, hex_rows(words, self.info.data_digits).tobytes())
+
+    def decode_response(self, body: bytes) -> Response:
+        """Read any message of a gateway, for people and tests; a link reads the frequent ones by shorter ways.
+
+        Raises:
+            ValueError: where `body` is no such message.
+        """
+        letters = _LETTERS.match(body)
+        if letters is None or not _HEX.fullmatch(body, letters.end()):
+            raise ValueError(f"no message of a gateway: {body[:80]!r}")
+        command, text = letters[0].upper().decode(), body[letters.end() :]
+        with_id = letters[0].islower()
+        if command == "P" and not with_id and len(text) >= 4:
+            return Response("P", None, {"g": int(text[:2], 16), "p": int(text[2:4], 16), "text": text[4:]})
+        number = None
+        if with_id:
+            number, text = self.id_number.get(text[: self.info.id_digits].upper()), text[self.info.id_digits :]
+            if number is None:
+                raise ValueError(f"an ID of {self.info.id_digits} hex digits was expected in {body[:80]!r}")
+        if command == "X" and len(text) == 2:
+            return Response("X", number, {"e": int(text, 16)})
+        if command == "N" and with_id and not text:
+            return Response("N", number, {})
+        if command == "Q" and not with_id:
+            return Response("Q", None, {"text": text})
+        if command not in COMMANDS:
+            raise ValueError(f"no message of a gateway: {body[:80]!r}")
+        row = COMMANDS[command]
+        letters_expected = ("" if with_id else row.echo) + row.reads
+        return Response(command, number, dict(zip(letters_expected, self._split(letters_expected, text), strict=True)))
+
+    def _layout(self, letters: str) -> tuple[bytes, int]:
+        """Give the %-format of a request's fields, and the digits of the items of the list at its end, if any."""
+        layout = b"".join(b"%b" if letter in LISTS else b"%%0%dX" % self.digits[letter] for letter in letters)
+        return layout, self.digits[LISTS[letters[-1]]] if letters[-1:] in LISTS else 0
+
+
+class _Form(NamedTuple):
+    """How numpy holds numbers of so many hex digits: in the smallest integers that can."""
+
+    padding: int
+    """Digits that are missing to whole ones."""
+    sent: np.dtype[np.unsignedinteger[Any]]
+    held: np.dtype[np.unsignedinteger[Any]]
+
+
+def _form(digits: int) -> _Form:
+    octets = next(size for size in (1, 2, 4, 8) if 2 * size >= digits)
+    return _Form(2 * octets - digits, np.dtype(f">u{octets}"), np.dtype(f"u{octets}"))
+
+
+_FORMS = {digits: _form(digits) for digits in range(1, 17)}
+
+
+def hex_rows(values: ArrayLike, digits: int) -> NDArray[np.uint8]:
+    """Give numbers as upper-case hex digits, shape (n, digits)."""
+    form = _FORMS[digits]
+    # Without a type, numpy makes floats of a list that holds both small numbers and some of 64 bits.
+    numbers = values if isinstance(values, np.ndarray) else np.asarray(values, np.uint64)
+    raw = numbers.astype(form.sent, copy=False).tobytes()
+    return np.frombuffer(hexlify(raw).upper(), np.uint8).reshape(-1, digits + form.padding)[:, form.padding :]
+
+
+def parse_rows(rows: NDArray[np.uint8]) -> Words:
+    """Read numbers from hex digits, shape (n, digits).
+
+    Raises:
+        ValueError: where a character is no hex digit.
+    """
+    form = _FORMS[rows.shape[1]]
+    if form.padding:
+        padded = np.full((len(rows), form.padding + rows.shape[1]), ord("0"), np.uint8)
+        padded[:, form.padding :] = rows
+        rows = padded
+    return np.frombuffer(unhexlify(rows.tobytes()), form.sent).astype(form.held)
+
+
+def parse_words(text: bytes, digits: int) -> Words:
+    """Read the numbers of `digits` hex digits each that stand side by side in `text`.
+
+    Raises:
+        ValueError: where a character is no hex digit, or the last number is cut.
+    """
+    form = _FORMS[digits]
+    if form.padding:
+        return parse_rows(np.frombuffer(text, np.uint8).reshape(-1, digits))
+    return np.frombuffer(unhexlify(text), form.sent).astype(form.held)

@@ -1,0 +1,465 @@
+"""Exactly once, in order: the host's side of protocol section 3, as a state machine without I/O or clocks.
+
+Every request carries an ID, and IDs go round a ring of 16**id_digits numbers. The gateway executes only the ID that it
+expects next, so the whole state of both sides fits on that ring. The host keeps three marks on it:
+
+        answered         executed, but some        sent, and            not yet
+                         answers were lost         not confirmed        sent
+    ----------------|------------------------|---------------------|-------------
+                  oldest                  executed                 next
+
+- `oldest` is the oldest request that still wants something: its answer, or the news that it was executed.
+- `executed` is what the gateway is known to expect at least: a response to ID k says that all before k were executed,
+  and ``n i`` says the same of all before i. Posted writes have no answer; they are done when this mark passes them.
+- `next` is the ID that the next request gets. It never runs more than half the ring ahead of `oldest`, for the gateway
+  takes the half ring behind its own number for repetitions.
+
+What comes in, and what the window does:
+
+    ==============================  ==========================================================================
+    response to an unanswered ID    answered; `executed` moves behind it; if `oldest` stays before `executed`
+                                    then an answer was lost: go back
+    response to any other ID        stale, the answer to a repetition: nothing
+    ``n i``                         `executed` moves to i; go back
+    ``X01`` ``X07`` ``X09``         a request arrived damaged: go back
+    a frame with a wrong CRC        an answer arrived damaged, perhaps: go back
+    ``X02`` ``X03``                 the same, and the third time for the same request: give that one up
+    time out, something was heard   go back, with twice the time out; after too many for the same request: give that
+                                    one up; after as many for the ``h`` in its place: lost
+    time out, nothing was heard     go back, with twice the time out; after `LONGEST_SILENCE`: lost
+    ==============================  ==========================================================================
+
+*Go back* means: send the unanswered requests again, in order, from `oldest`. While the line loses, fewer requests are
+kept in flight, because one damaged frame costs all those sent behind it; the repetition, too, sends only as many at a
+time, and new requests follow behind its end.
+
+A gap brings many signs (the damaged frame, the out-of-sequence one behind it, the skipped answer). So after it has gone
+back, the window takes no further sign as long as `oldest` has not moved and a sign must still be about what was sent
+before: for the least round trip seen, and twice as long each time. A later sign says that the repetition was lost, too.
+What brings no sign at all, the time out finds. Where no flow control protects the gateway's receive FIFO, only the time
+out sends the same once more: what waits in the FIFO must have left it.
+
+Something was *heard* if it can be about a request; samples are not. A request that is given up, or that is not wanted
+any more, keeps its ID, for those behind it build on it; when it is sent again, it is sent as ``h``.
+
+The time out is RFC 6298's, with the clock of the caller. One request at a time is timed, and none that was sent twice.
+The doubling is undone by the answer to a request that was sent once, and by any progress after a sign of loss.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Generic, NamedTuple, TypeVar
+
+from unity_link.protocol.constants import (
+    FENCE_DELAY,
+    FEWEST_IN_FLIGHT,
+    FEWEST_SILENT_TRIES,
+    FIRST_TIMEOUT,
+    LONGEST_SILENCE,
+    LONGEST_TIMEOUT,
+    MEASUREMENT_PAUSE,
+    MOST_QUICK_SIGNS,
+    MOST_REFUSALS,
+    MOST_TRIES,
+    SHORTEST_TIMEOUT,
+    SLOWER_SIGNS,
+)
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+
+class Run:
+    """One or more requests of equal size that hold consecutive IDs.
+
+    A single request is a run of one. A run of many lets a batch be numbered, sent and answered in one step.
+    """
+
+    __slots__ = ("count", "first", "posted", "reply_size", "size")
+
+    def __init__(self, count: int, size: int, reply_size: int) -> None:
+        self.first = 0
+        """The first ID, given by the window."""
+        self.count = count
+        """Number of requests."""
+        self.size = size
+        """Characters of each."""
+        self.reply_size = reply_size
+        """Characters of the answer to each; 0 where there is none: a posted write."""
+        self.posted = reply_size == 0
+
+
+R = TypeVar("R", bound=Run)
+
+
+class Unanswered(NamedTuple, Generic[R]):
+    """Part of a run that is not done: `size` requests from `offset` on; whether they are known to be executed."""
+
+    run: R
+    offset: int
+    size: int
+    executed: bool
+
+
+class Window(Generic[R]):
+    """The host's window over one session.
+
+    Args:
+        ring: number of IDs, 16**id_digits.
+        byte_limit: most unconfirmed request bytes, or None where flow control protects the gateway's receive FIFO.
+        byte_time: seconds that one byte may need on the wire, at most; round trips of many bytes show where it is less.
+        round_trip: a first measurement in seconds, if there is one.
+        shortest_timeout: seconds that the medium may hold an answer back, and some more.
+    """
+
+    def __init__(
+        self,
+        ring: int,
+        byte_limit: int | None = None,
+        byte_time: float = 0.0,
+        round_trip: float | None = None,
+        shortest_timeout: float = SHORTEST_TIMEOUT,
+    ) -> None:
+        self._mask = ring - 1
+        self._half = ring // 2
+        self._byte_limit = byte_limit
+        self._byte_time = self._reply_byte_time = byte_time
+        self._slots: list[R | None] = [None] * ring
+        self.oldest = self.executed = self.next = 0
+        self._to_repeat = 0
+        """The next ID that is to be sent again; `next` where none is."""
+        self._allowed = self._half
+        self._bytes = 0
+        self.unfenced = 0
+        """Posted writes that nothing with an answer was sent behind."""
+        self._unfenced_bytes = 0
+        self._fence_due: float | None = None
+        self._timed: tuple[int, float] | None = None
+        self._timed_bytes = (1, 1)
+        self._next_measurement = float("-inf")
+        self.smoothed_round_trip: float | None = None
+        """Smoothed round trip in seconds (SRTT of RFC 6298), None before the first."""
+        self._variation = 0.0
+        self._shortest_timeout = shortest_timeout if byte_limit is None else SHORTEST_TIMEOUT
+        self._least_round_trip = 0.0 if round_trip is None else round_trip
+        self._measured_timeout = self._timeout = FIRST_TIMEOUT
+        self._sent_once_from = 0
+        """The first ID that was not under way when the window last went back."""
+        self._since = 0.0
+        self._silent_since = 0.0
+        self._silent_tries = 0
+        self._tries = 0
+        self.heard = False
+        """Something that can be about a request has arrived since the last time out, be it damaged: set by the reader.
+        """
+        self._gone_back = 0
+        """How often the window has gone back to this `oldest`."""
+        self._waited = False
+        """Whether it went back last because the time had run out."""
+        self._next_sign = float("-inf")
+        """When a sign can be about the repetition."""
+        self._refused = False
+        self._refusals = 0
+        self._gave_up = False
+        self.lost = False
+        """The gateway does not answer any more: too many time outs in silence, or not even an ``h`` comes through."""
+        if round_trip is not None:
+            self._measure(round_trip)
+
+    @property
+    def in_flight(self) -> int:
+        """Number of IDs that were sent and are not done."""
+        return self.next - self.oldest & self._mask
+
+    # Sending
+
+    @property
+    def wants_repetition(self) -> bool:
+        """Whether the window has gone back, and not all was sent again yet: call `repetition` when something came."""
+        return self._to_repeat != self.next
+
+    def most_room(self, size: int) -> int:
+        """Return for how many requests of `size` characters there is room while nothing is under way."""
+        return self._allowed if self._byte_limit is None else min(self._allowed, max(1, self._byte_limit // size))
+
+    def room(self, size: int, *, posted: bool = False) -> int:
+        """Give how many more requests of `size` characters may be sent now.
+
+        Posted writes leave room for the ``h`` that will confirm them.
+        """
+        if self._to_repeat != self.next:
+            return 0
+        ids = self._allowed - self.in_flight - posted
+        if self._byte_limit is not None:
+            most = (self._byte_limit - self._bytes) // size - posted
+            # A request longer than the whole FIFO goes alone.
+            ids = min(ids, max(most, 0 if self._bytes else 1))
+        return max(ids, 0)
+
+    def send(self, run: R, now: float) -> None:
+        """Give IDs to a run that is now sent. The caller has seen that there is room (an ``h`` needs none)."""
+        first, count = self.next, run.count
+        run.first = first
+        after = first + count & self._mask
+        if count == 1:
+            self._slots[first] = run
+        else:
+            self._fill(first, count, run)
+        self._bytes += run.size * count
+        if run.posted:
+            if not self.unfenced:
+                self._fence_due = now + FENCE_DELAY
+            self.unfenced += count
+            self._unfenced_bytes += run.size * count
+        else:
+            self.unfenced = self._unfenced_bytes = 0
+            self._fence_due = None
+            if self._timed is None and now >= self._next_measurement:
+                self._timed = (first, now)
+                self._timed_bytes = (self._bytes, run.reply_size)
+        if self.oldest == first:
+            self._since = self._silent_since = now
+        self.next = self._to_repeat = after
+
+    def needs_fence(self, now: float) -> bool:
+        """Say whether posted writes have waited long enough, or are many enough, to be confirmed by an ``h``."""
+        if not self.unfenced or self._to_repeat != self.next:
+            return False
+        if self._byte_limit is not None and 4 * self._unfenced_bytes >= self._byte_limit:
+            return True
+        return 4 * self.unfenced >= self._allowed or (self._fence_due is not None and now >= self._fence_due)
+
+    def repetition(self) -> Iterator[tuple[int, R, int, int]]:
+        """Return what is to be sent again now, in order: ID, run, offset in the run, count."""
+        start, most = self._to_repeat, max(self._allowed, self._before_answer() + 1)
+        if self._distance(start) >= most:
+            return
+        end = self.next if most >= self.in_flight else self.oldest + most & self._mask
+        self._to_repeat = end
+        for part in self._unanswered(start, end):
+            yield part.run.first + part.offset & self._mask, part.run, part.offset, part.size
+
+    def unanswered(self) -> Iterator[Unanswered[R]]:
+        """Return all that is not done, in order."""
+        return self._unanswered(self.oldest, self.next)
+
+    def _before_answer(self) -> int:
+        """Return how many of the oldest IDs are followed by no answer, for they are posted writes, or answered."""
+        position = self.oldest
+        while position != self.next and ((run := self._slots[position]) is None or run.posted):
+            position = position + 1 & self._mask
+        return self._distance(position)
+
+    def _unanswered(self, position: int, last: int) -> Iterator[Unanswered[R]]:
+        while position != last:
+            run = self._slots[position]
+            executed = self._distance(position) < self._distance(self.executed)
+            end = self.executed if executed and self._distance(self.executed) < self._distance(last) else last
+            count = 1
+            while (position + count & self._mask) != end and self._slots[position + count & self._mask] is run:
+                count += 1
+            if run is not None:
+                yield Unanswered(run, position - run.first & self._mask, count, executed)
+            position = position + count & self._mask
+
+    # Receiving
+
+    def find(self, number: int) -> R | None:
+        """Give the run that an answer names, or None where nothing waits for it (a stale answer)."""
+        return self._slots[number]
+
+    def unanswered_from(self, number: int, most: int) -> int:
+        """Give how many IDs from `number` on, of `most`, wait for answers to the same run as `number` does."""
+        run, end = self._slots[number], number + most
+        slots = self._slots[number:end] + self._slots[: max(0, end - self._mask - 1)]
+        if slots.count(run) == most:
+            return most
+        return next(index for index, other in enumerate(slots) if other is not run)
+
+    def answered(self, number: int, count: int, now: float) -> None:
+        """Take note of the answers to `count` IDs from `number` on, all of which wait for answers to one run."""
+        run = self._slots[number]
+        if run is None:
+            raise ValueError(f"no request with ID {number} waits for an answer")
+        if self._timed is not None and (self._timed[0] - number & self._mask) < count:
+            round_trip = now - self._timed[1]
+            self._measure(round_trip)
+            self._byte_time = min(self._byte_time, round_trip / self._timed_bytes[0])
+            self._reply_byte_time = min(self._reply_byte_time, round_trip / self._timed_bytes[1])
+            self._timed = None
+            self._next_measurement = now + MEASUREMENT_PAUSE
+        if count == 1:
+            self._slots[number] = None
+        else:
+            self._fill(number, count, None)
+        if self._allowed < self._half:
+            self._allowed = min(self._half, self._allowed + count)
+        if self._timeout != self._measured_timeout and (number - self._sent_once_from & self._mask) <= self._half:
+            self._timeout = self._measured_timeout
+        after = number + count & self._mask
+        if number == self.oldest == self.executed:
+            self._bytes -= run.size * count
+            self.oldest = self.executed = after
+            self._moved(now)
+            return
+        if self._distance(after) > self._distance(self.executed):
+            if self._distance(number) > self._distance(self.executed):
+                self._confirm(number)
+            self._bytes -= run.size * (after - self.executed & self._mask)
+            self.executed = after
+        self._news(now)
+        if self.oldest != self.executed:
+            self._go_back(now)
+
+    def out_of_sequence(self, expected: int, now: float) -> None:
+        """Take note of ``n``: the gateway expects this ID, so a request has been lost."""
+        if self._distance(expected) > self._distance(self.next):
+            return
+        if self._distance(expected) > self._distance(self.executed):
+            self._confirm(expected)
+            self._news(now)
+        self._go_back(now)
+
+    def damaged(self, now: float) -> None:
+        """Go back for ``X01``, ``X07`` or ``X09``, where a request arrived damaged, or for a damaged answer."""
+        self._go_back(now)
+
+    def refused(self, now: float) -> R | None:
+        """Take note of ``X02`` or ``X03``: give the run whose request is given up, if this was once too often."""
+        given_up = None
+        if self.oldest != self.next and self.oldest == self.executed and not self._refused:
+            self._refused = True
+            self._refusals += 1
+            if self._refusals == MOST_REFUSALS:
+                given_up = self._give_up()
+        self._go_back(now)
+        return given_up
+
+    # Time
+
+    @property
+    def deadline(self) -> float | None:
+        """When `expire` must be called, or a fence is due; None while nothing is under way."""
+        repeating = self._to_repeat != self.next
+        if self.unfenced == self.in_flight and not repeating:
+            # Posted writes alone have no answer to wait for: their fence will.
+            return self._fence_due
+        run = self._slots[self.oldest]
+        # RFC 6298 knows no messages of unlike sizes: the answer to a long one behind short ones is not late yet.
+        wire_time = self._byte_time * self._bytes + self._reply_byte_time * (0 if run is None else run.reply_size)
+        expiry = self._since + self._timeout + wire_time
+        return expiry if self._fence_due is None or repeating else min(expiry, self._fence_due)
+
+    def expire(self, now: float) -> R | None:
+        """Take note of the time: give the run whose request is given up, if this was once too often.
+
+        A fence that is due is the matter of `needs_fence`.
+        """
+        deadline = self.deadline
+        if deadline is None or deadline == self._fence_due or now < deadline:
+            return None
+        given_up = None
+        self._tries += 1
+        # Also where something was heard: it may be the beginning of a long answer on a slow line.
+        self._timeout = min(2 * self._timeout, LONGEST_TIMEOUT)
+        if self.heard:
+            self._silent_tries = 0
+            self._silent_since = now
+            if self._tries > MOST_TRIES:
+                self.lost = self._gave_up
+                given_up = self._give_up()
+        else:
+            self._silent_tries += 1
+            self.lost = self._silent_tries >= FEWEST_SILENT_TRIES and now - self._silent_since >= LONGEST_SILENCE
+        self.heard = False
+        self._waited = True
+        self._repeat_from_oldest(now)
+        return given_up
+
+    # The inside
+
+    def _distance(self, number: int) -> int:
+        return number - self.oldest & self._mask
+
+    def _fill(self, first: int, count: int, run: R | None) -> None:
+        before_wrap = min(count, self._mask + 1 - first)
+        self._slots[first : first + before_wrap] = [run] * before_wrap
+        self._slots[: count - before_wrap] = [run] * (count - before_wrap)
+
+    def _confirm(self, expected: int) -> None:
+        """Move `executed` up: the posted writes that it passes are done, and their bytes have left the FIFO."""
+        position = self.executed
+        while position != expected:
+            run = self._slots[position]
+            if run is not None:
+                self._bytes -= run.size
+                if run.posted:
+                    self._slots[position] = None
+            position = position + 1 & self._mask
+        self.executed = expected
+
+    def _news(self, now: float) -> None:
+        """Move `oldest` up over what is done, and start the clock anew."""
+        slots, position = self._slots, self.oldest
+        if position != self.executed and slots[position] is None:
+            while position != self.executed and slots[position] is None:
+                position = position + 1 & self._mask
+            self.oldest = position
+            self._moved(now)
+        self._tries = self._silent_tries = 0
+        self._since = self._silent_since = now
+
+    def _moved(self, now: float) -> None:
+        """Begin anew with another `oldest`."""
+        self._refused = self._gave_up = False
+        self._gone_back = self._refusals = self._tries = self._silent_tries = 0
+        self._since = self._silent_since = now
+        if not self._waited:
+            # What the window went back for was a sign, so the answer is not a late one to what was sent before.
+            self._timeout = self._measured_timeout
+        if self._to_repeat != self.next and self._distance(self._to_repeat) > self._distance(self.next):
+            self._to_repeat = self.oldest
+
+    def _give_up(self) -> R | None:
+        given_up = self._slots[self.oldest]
+        if given_up is not None:
+            # What it is sent as from now on, an ``h``, has an answer.
+            given_up.posted = False
+        self._tries = self._refusals = self._gone_back = 0
+        self._gave_up = True
+        return given_up
+
+    def _go_back(self, now: float) -> None:
+        """Go back for a sign of loss, unless it may be one of the loss before."""
+        begun = self._to_repeat != self.oldest
+        if self.oldest != self.next and begun and (not self._gone_back or now >= self._next_sign):
+            self._waited = False
+            self._repeat_from_oldest(now)
+
+    def _repeat_from_oldest(self, now: float) -> None:
+        least = (
+            self._least_round_trip if self._gone_back < MOST_QUICK_SIGNS else max(self._least_round_trip, SLOWER_SIGNS)
+        )
+        pause = min(least * 2**self._gone_back, LONGEST_TIMEOUT)
+        # What waits in a receive FIFO that can overflow must have left it before the same is sent once more.
+        self._next_sign = now + (pause if self._byte_limit is None else LONGEST_TIMEOUT)
+        # Beyond this the pause is the longest anyway.
+        self._gone_back = min(self._gone_back + 1, MOST_QUICK_SIGNS * 2)
+        self._refused = False
+        self._timed = None
+        self._allowed = max(self._allowed // 2, min(FEWEST_IN_FLIGHT, self._half))
+        self._to_repeat = self.oldest
+        self._sent_once_from = self.next
+        self._since = now
+
+    def _measure(self, round_trip: float) -> None:
+        """Adapt the time out (RFC 6298, section 2)."""
+        if self.smoothed_round_trip is None:
+            self.smoothed_round_trip = round_trip
+            self._variation = round_trip / 2
+        else:
+            self._variation += (abs(self.smoothed_round_trip - round_trip) - self._variation) / 4
+            self.smoothed_round_trip += (round_trip - self.smoothed_round_trip) / 8
+        self._least_round_trip = min(self._least_round_trip, round_trip)
+        wanted = self.smoothed_round_trip + 4 * self._variation
+        self._measured_timeout = self._timeout = min(max(wanted, self._shortest_timeout), LONGEST_TIMEOUT)

@@ -1,0 +1,177 @@
+"""Layers 0 and 1, the media: one file each, with a URL scheme, imported only when its scheme is asked for.
+
+A driver module has a coroutine ``connect(url, protocol)`` that opens the medium and returns an `asyncio` transport that
+feeds `protocol`, and ``OPTIONS``, the names of the URL options that it takes; where these depend on the URL, also a
+function ``options_of(url)``. It may have a coroutine ``prepare(url)`` for what takes its time once on a machine and
+says nothing about the gateway: no time-out counts it.
+
+The transport's ``get_extra_info("shortest_timeout")`` are the seconds that the medium may hold an answer back, and some
+more; where it says nothing, a socket is quick, and everything else as slow as a USB chip.
+"""
+
+from __future__ import annotations
+
+import importlib
+import re
+from typing import TYPE_CHECKING, Any, Protocol, cast
+from urllib.parse import parse_qsl, urlsplit
+
+import msgspec
+
+from unity_link.errors import ArgumentError
+
+if TYPE_CHECKING:
+    import asyncio
+
+_MODULES: dict[str, str] = {}
+"""The module of each scheme."""
+_STAND_INS: dict[str, str] = {}
+"""The module of what stands in for a device, by the device in the URL."""
+_DEVICE_NAMES = frozenset({"ftdi", "ftdi-async"})
+"""Schemes whose URLs have a device in a form of its own, such as ``ftdi:232h:SERIAL``, where others have host and port.
+"""
+COMMON_OPTIONS = frozenset({"node"})
+_TOKEN = re.compile(r"(?<=[?&]token=)[^&]*")
+"""The value of an option that is a secret."""
+
+
+class DriverUrl(msgspec.Struct, frozen=True):
+    """A parsed URL, such as ``serial:/dev/ttyUSB0?baud=12000000`` or ``tcp://robot:7001``."""
+
+    text: str
+    """As it was given, without a token: what messages name."""
+    scheme: str
+    host: str
+    """A computer; or a device, as it stands in the URL."""
+    port: int | None
+    path: str
+    options: dict[str, str]
+
+    def integer(self, option: str, default: int) -> int:
+        """Give an option that is a whole number.
+
+        Raises:
+            ArgumentError: where it is none.
+        """
+        text = self.options.get(option)
+        if text is None:
+            return default
+        try:
+            return int(text, 0)
+        except ValueError:
+            raise ArgumentError(f"{option}={text} in {self.text} is not a whole number") from None
+
+    def number(self, option: str) -> float:
+        """Give an option that is a number, and is there.
+
+        Raises:
+            ArgumentError: where it is none.
+        """
+        text = self.options[option]
+        try:
+            return float(text)
+        except ValueError:
+            raise ArgumentError(f"{option}={text} in {self.text} is not a number") from None
+
+    def flag(self, option: str) -> bool:
+        """Give an option that is 0 or 1; 0 where it is not given.
+
+        Raises:
+            ArgumentError: where it is something else.
+        """
+        text = self.options.get(option, "0")
+        if text not in ("0", "1"):
+            raise ArgumentError(f"{option}={text} in {self.text} is neither 0 nor 1")
+        return text == "1"
+
+    @property
+    def node(self) -> int | None:
+        """Number of the node on a shared medium (protocol section 7), None on a medium of our own."""
+        if "node" not in self.options:
+            return None
+        node = self.integer("node", 0)
+        if not 0 <= node <= 0xFE:
+            raise ArgumentError(f"node={node} in {self.text} is not from 0 to 254")
+        return node
+
+
+class Driver(Protocol):
+    """What a module that is registered for a scheme offers."""
+
+    OPTIONS: frozenset[str]
+
+    async def connect(self, url: DriverUrl, protocol: asyncio.Protocol) -> asyncio.Transport:
+        """Open the medium; raise `ConnectError` where it can't be opened."""
+
+
+class Medium(Protocol):
+    """An object of the program itself that a link can be opened on, in place of a URL: a virtual gateway."""
+
+    async def open(self, protocol: asyncio.Protocol) -> asyncio.Transport:
+        """Open the medium; raise `ConnectError` where it can't be opened."""
+
+
+def register(scheme: str, module: str) -> None:
+    """Have URLs of a scheme opened by a module, which is a `Driver` and is imported when a URL asks for it."""
+    _MODULES[scheme] = module
+
+
+def register_stand_in(device: str, module: str) -> None:
+    """Have URLs that name a device, such as ``ftdi://virtual``, opened by a module that the driver imports."""
+    _STAND_INS[device] = module
+
+
+def load_stand_in(device: str) -> Any:
+    """Import what stands in for a device; None for a real one."""
+    return importlib.import_module(_STAND_INS[device]) if device in _STAND_INS else None
+
+
+def parse_url(url: str) -> DriverUrl:
+    """Take a URL apart.
+
+    Raises:
+        ArgumentError: for an unknown scheme, a malformed URL, or an option that the scheme does not know.
+    """
+    scheme, text = url.partition(":")[0], _TOKEN.sub("...", url)
+    if scheme not in _MODULES or ":" not in url:
+        known = ", ".join(f"{name}:" for name in _MODULES)
+        raise ArgumentError(f"{text!r} is no URL of a gateway: it should begin with one of {known}")
+    try:
+        parts = urlsplit(url)
+        options = dict(parse_qsl(parts.query, keep_blank_values=True, strict_parsing=bool(parts.query)))
+        if scheme in _DEVICE_NAMES:
+            parsed = DriverUrl(text, scheme, parts.netloc, None, parts.path, options)
+        else:
+            parsed = DriverUrl(text, scheme, parts.hostname or "", parts.port, parts.path, options)
+    except ValueError as error:
+        raise ArgumentError(f"{text!r} is malformed: {error}") from None
+    driver = load_driver(scheme)
+    options_of = getattr(driver, "options_of", None)
+    allowed = (driver.OPTIONS if options_of is None else options_of(parsed)) | COMMON_OPTIONS
+    for name in options:
+        if name not in allowed:
+            raise ArgumentError(f"unknown option {name!r} in {text}: {scheme}: takes {', '.join(sorted(allowed))}")
+    return parsed
+
+
+def load_driver(scheme: str) -> Driver:
+    """Import the driver of a scheme."""
+    return cast("Driver", importlib.import_module(_MODULES[scheme]))
+
+
+async def prepare(url: DriverUrl) -> None:
+    """Do what must be done once before a medium of this kind can be opened.
+
+    Raises:
+        ArgumentError: for a URL of something that there is not.
+        ConnectError: where it can't be done here.
+    """
+    preparing = getattr(load_driver(url.scheme), "prepare", None)
+    if preparing is not None:
+        await preparing(url)
+
+
+for _scheme in ("serial", "tcp", "unix", "udp", "zenoh"):
+    register(_scheme, f"unity_link.transport.{_scheme}")
+register("ftdi", "unity_link.transport.ft232h.with_pyftdi")
+register("ftdi-async", "unity_link.transport.ft232h.with_libusb")

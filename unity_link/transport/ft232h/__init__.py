@@ -1,0 +1,8 @@
+"""The FT232H, in FT245 mode or as a UART, by two drivers over one chip.
+
+- `chip`: found, checked and configured through pyftdi, for both drivers
+- `with_pyftdi`: ``ftdi:``, transfers by pyftdi in two threads
+- `with_libusb`: ``ftdi-async:``, overlapped transfers by libusb1 in the event loop
+- `transport`, `inbox`: what both have in common towards the event loop
+- `eeprom`, `eeprom_image`: what the pins are after the next plug-in
+"""

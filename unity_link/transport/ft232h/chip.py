@@ -1,0 +1,388 @@
+"""An FT232H as every driver for it opens it: found, checked and configured through pyftdi.
+
+pyftdi knows no FIFO mode: what the chip's pins are is written in its EEPROM, and only there. So that is looked at
+first; a chip that is a UART, or has a blank EEPROM, opens well and then never moves a byte.
+
+pyftdi says too little when something fails: its errors have no number, and a missing permission shows as a missing
+language. The causes are underneath (`find_errno`), and `explain` makes sentences of them.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import errno
+import logging
+import threading
+from typing import TYPE_CHECKING, Any, Literal, Protocol, cast, get_args
+
+import msgspec
+
+from unity_link.errors import ArgumentError, ConnectError
+from unity_link.transport import load_stand_in
+from unity_link.transport.ft232h.eeprom_image import BLANK, ChannelType, channel_type, is_valid
+
+if TYPE_CHECKING:
+    from unity_link.transport import DriverUrl
+
+ChipMode = Literal["ft245", "ft245-sync", "uart"]
+SendImmediate = Literal["off", "always", "adaptive"]
+OPTIONS = frozenset({"mode", "latency", "event_char", "baud"})
+IN_ENDPOINT, OUT_ENDPOINT = 0x81, 0x02
+PACKET_SIZE = 512
+STATUS_SIZE = 2
+ERROR_BITS = 0x8E
+"""In the second status byte: overrun, parity, framing, error in the FIFO (FT232H: as a 16550's line status)."""
+LATENCIES = range(1, 256)
+LINE_FEED = 0x0A
+DEFAULT_BAUD = 115_200
+CONTROL_TIMEOUT_MS = 1000
+"""Of requests to the chip; a chip that works takes less than one."""
+UDEV_RULE = "/etc/udev/rules.d/70-ft232h.rules"
+_NO_PYFTDI = "an FT232H needs pyftdi, which is not installed: pip install 'unity-link[ftdi]'"
+_SUPPORTED = 0x0900
+"""bcdDevice of an FT232H."""
+
+WRITE_PATIENCE = 5.0
+"""Seconds without any progress after which writing has failed: the gateware does not read from the chip."""
+
+log = logging.getLogger("unity_link.ft232h")
+
+
+class StandIn(Protocol):
+    """What a module offers that stands in for a chip."""
+
+    OPTIONS: frozenset[str]
+    """What a URL may say besides the options of every chip."""
+
+    def open_ftdi(self, url: DriverUrl, mode: ChipMode) -> Any:
+        """Return an open `pyftdi.ftdi.Ftdi`."""
+
+
+def options_of(url: DriverUrl) -> frozenset[str]:
+    """Return the names of the options that a URL may have."""
+    stand_in: StandIn | None = load_stand_in(url.host)
+    return OPTIONS if stand_in is None else OPTIONS | stand_in.OPTIONS
+
+
+class Tuning(msgspec.Struct, frozen=True):
+    """What decides when the chip sends a packet that is not full."""
+
+    latency: int
+    """ms."""
+    event_character: int | None
+
+
+TUNINGS: dict[SendImmediate, Tuning] = {
+    "off": Tuning(16, None),
+    "always": Tuning(1, LINE_FEED),
+    "adaptive": Tuning(1, None),
+}
+"""The driver's part of each mode of send-immediate. Off: full packets, for streams. Always: every line end is sent at
+once, with SIWU# wired or not. Adaptive: SIWU# sends what is urgent, and the latency timer soon after it the rest."""
+
+
+class Settings(msgspec.Struct, frozen=True):
+    """What a URL says of the chip; None where it leaves that to the driver."""
+
+    mode: ChipMode
+    latency: int | None
+    event_character: int | None
+    baud: int
+
+    def tuning(self, mode: SendImmediate) -> Tuning:
+        """Give the driver's part of a mode of send-immediate, the URL's own wishes first."""
+        chosen = TUNINGS[mode]
+        return Tuning(
+            chosen.latency if self.latency is None else self.latency,
+            chosen.event_character if self.event_character is None else self.event_character,
+        )
+
+
+def settings_of(url: DriverUrl) -> Settings:
+    """Give what a URL says.
+
+    Raises:
+        ArgumentError: for a value that no chip takes.
+    """
+    mode = url.options.get("mode", "ft245")
+    if mode not in get_args(ChipMode):
+        raise ArgumentError(f"mode={mode} in {url.text} is not one of {', '.join(get_args(ChipMode))}")
+    latency = url.integer("latency", 0) if "latency" in url.options else None
+    if latency is not None and latency not in LATENCIES:
+        raise ArgumentError(f"latency={latency} in {url.text} is not from 1 to 255 (ms)")
+    character = url.integer("event_char", 0) if "event_char" in url.options else None
+    if character is not None and not 0 <= character <= 0xFF:
+        raise ArgumentError(f"event_char={character} in {url.text} is not the number of a character, 0 to 255")
+    baud = url.integer("baud", DEFAULT_BAUD)
+    if "baud" in url.options and mode != "uart":
+        raise ArgumentError(f"baud={baud} in {url.text} has no meaning in mode={mode}, only in mode=uart")
+    if not 184 <= baud <= 12_000_000:
+        raise ArgumentError(f"baud={baud} in {url.text} is not from 184 to 12000000")
+    return Settings(cast("ChipMode", mode), latency, character, baud)
+
+
+class OpenChip:
+    """An FT232H, open and configured. All methods block, and may be called from any thread.
+
+    `device` is pyusb's, for transfers: pyftdi's own calls would wait a latency tick longer for each answer, look at the
+    status of the first packet only, and forget how much was written when a write times out.
+    """
+
+    def __init__(self, ftdi: Any, settings: Settings, url: DriverUrl) -> None:
+        self.ftdi = ftdi
+        self.device = ftdi.usb_dev
+        self.settings = settings
+        self.url = url
+        self.latency = 0
+        """ms."""
+
+    def check_kind(self) -> None:
+        """See that it is no other chip.
+
+        Raises:
+            ConnectError: where it is.
+        """
+        if self.ftdi.device_version != _SUPPORTED:
+            raise ConnectError(f"{base_url(self.url)} is a {self.ftdi.ic_name}, and only the FT232H is supported")
+
+    def check_channel(self) -> None:
+        """Compare the EEPROM with what is wanted.
+
+        Raises:
+            ConnectError: where the chip's pins are something else.
+        """
+        wanted: ChannelType = "UART" if self.settings.mode == "uart" else "FIFO"
+        image = self.ftdi.read_eeprom()
+        if channel_type(image) != wanted:
+            raise ConnectError(
+                f"{describe_channel(image)}, but mode={self.settings.mode} needs {wanted}: "
+                f"run `unity-link ft232h configure {base_url(self.url)} --mode {wanted.lower()}`, "
+                "then unplug the FT232H and plug it in again"
+            )
+
+    def configure(self) -> None:
+        """Set what the pins do and when packets go."""
+        from pyftdi.ftdi import Ftdi
+
+        ftdi = self.ftdi
+        if self.settings.mode == "uart":
+            ftdi.set_baudrate(self.settings.baud)
+            ftdi.set_line_property(8, 1, "N")
+            ftdi.set_flowctrl("")
+        elif self.settings.mode == "ft245-sync":
+            ftdi.set_bitmode(0xFF, Ftdi.BitMode.SYNCFF)
+            # With this flow control, the chip itself obeys its FIFOs.
+            ftdi.set_flowctrl("hw")
+        self.tune("adaptive")
+        ftdi.purge_buffers()
+
+    def tune(self, mode: SendImmediate) -> None:
+        """Choose the driver's part of a mode of send-immediate."""
+        tuning = self.settings.tuning(mode)
+        self.ftdi.set_latency_timer(tuning.latency)
+        character = tuning.event_character
+        self.ftdi.set_event_char(character or 0, character is not None)
+        self.latency = tuning.latency
+
+    def close(self, *, gone: bool = False) -> None:
+        """Let go of the chip; of one that is `gone` nothing is asked."""
+        from pyftdi.usbtools import UsbTools
+        from usb.util import dispose_resources
+
+        device = self.device
+        try:
+            self.ftdi.close(freeze=gone)
+        except OSError:
+            # The kernel takes back nothing of a chip that is gone, and pyftdi leaves off at that.
+            UsbTools.release_device(device)
+        # pyftdi disposes of what its own search found only.
+        dispose_resources(device)
+
+
+def base_url(url: DriverUrl) -> str:
+    """Give the URL of the chip alone, in pyftdi's form."""
+    return f"ftdi://{url.host}{url.path or '/1'}"
+
+
+def describe_channel(image: bytes) -> str:
+    """Say what an EEPROM makes of the chip's pins."""
+    if image == BLANK[: len(image)]:
+        return "the EEPROM is blank or missing, which makes the FT232H a UART"
+    if not is_valid(image):
+        return "the EEPROM has a wrong checksum, which makes the FT232H a UART"
+    return f"the EEPROM makes the FT232H a {channel_type(image)}"
+
+
+def open_chip(url: DriverUrl, *, check: bool = True) -> OpenChip:
+    """Find a chip, open it for this program alone, check and configure it. Blocks for some 50 ms.
+
+    Args:
+        url: of the chip.
+        check: False to leave it as it is, for looking at its EEPROM.
+
+    Raises:
+        ArgumentError: for a URL that can't be of a chip.
+        ConnectError: where the chip is not there, or can't be used; it says why.
+    """
+    settings = settings_of(url)
+    try:
+        from pyftdi.ftdi import FtdiError
+        from pyftdi.usbtools import UsbToolsError
+        from usb.core import USBError
+        from usb.util import claim_interface
+    except ImportError as error:
+        raise ConnectError(
+            f"{url.scheme}: needs pyftdi, which is not installed: pip install 'unity-link[ftdi]'"
+        ) from error
+    chip: OpenChip | None = None
+    try:
+        stand_in: StandIn | None = load_stand_in(url.host)
+        ftdi = _open_real(url) if stand_in is None else stand_in.open_ftdi(url, settings.mode)
+        chip = OpenChip(ftdi, settings, url)
+        chip.check_kind()
+        claim_interface(chip.device, 0)
+        if check:
+            chip.check_channel()
+            chip.configure()
+    except (FtdiError, UsbToolsError, USBError, OSError, ValueError) as error:
+        if chip is not None:
+            chip.close(gone=True)
+        raise ConnectError(explain_opening(error)) from error
+    except ConnectError:
+        if chip is not None:
+            chip.close()
+        raise
+    return chip
+
+
+def list_chips() -> list[tuple[str, str]]:
+    """Give URL and description of every FT232H that is plugged in. Blocks.
+
+    Raises:
+        ConnectError: where they can't be asked.
+    """
+    try:
+        from pyftdi.ftdi import Ftdi
+        from pyftdi.usbtools import UsbTools, UsbToolsError
+    except ImportError as error:
+        raise ConnectError(_NO_PYFTDI) from error
+    UsbTools.flush_cache()
+    try:
+        devices = Ftdi.list_devices()
+    except (UsbToolsError, OSError, ValueError) as error:
+        raise ConnectError(explain_opening(error)) from error
+    products = Ftdi.PRODUCT_IDS[Ftdi.FTDI_VENDOR]
+    chips = [device for device in devices if device[0].pid == products["232h"]]
+    found: list[tuple[str, str]] = UsbTools.build_dev_strings("ftdi", Ftdi.VENDOR_IDS, Ftdi.PRODUCT_IDS, chips)
+    return found
+
+
+async def open_in_thread(url: DriverUrl) -> OpenChip:
+    """Open a chip without keeping the event loop; see `open_chip`.
+
+    Cancelled, it closes what it may have opened by then.
+    """
+    opening = asyncio.get_running_loop().run_in_executor(None, open_chip, url)
+    try:
+        return await asyncio.shield(opening)
+    except asyncio.CancelledError:
+        opening.add_done_callback(_close_unwanted)
+        raise
+
+
+def _close_unwanted(opening: asyncio.Future[OpenChip]) -> None:
+    if not opening.cancelled() and opening.exception() is None:
+        threading.Thread(target=opening.result().close, name="ft232h close").start()
+
+
+def _open_real(url: DriverUrl) -> Any:
+    from pyftdi.ftdi import Ftdi
+    from pyftdi.usbtools import UsbTools
+
+    if not url.path.strip("/").isdecimal():
+        raise ArgumentError(f"{url.text} names no port of a chip: ftdi://ftdi:232h/1 or ftdi://ftdi:232h:SERIAL/1")
+    # It remembers chips that were unplugged, and does not know those that came since.
+    UsbTools.flush_cache()
+    ftdi = Ftdi()
+    ftdi.timeouts = (CONTROL_TIMEOUT_MS, CONTROL_TIMEOUT_MS)
+    description, interface = Ftdi.get_identifiers(base_url(url))
+    key = (description.bus, description.address, description.vid, description.pid)
+    with UsbTools.Lock:
+        if key in UsbTools.Devices:
+            # pyftdi would share the device with whoever in this program has opened it, and so mix up their bytes.
+            raise OSError(errno.EBUSY, "open in this program")
+        device = UsbTools.get_device(description)
+    try:
+        ftdi.open_from_device(device, interface)
+    except BaseException:
+        UsbTools.release_device(device)
+        raise
+    return ftdi
+
+
+# Errors
+
+
+def find_errno(error: BaseException | None) -> int | None:
+    """Give the number of the operating system's error at the bottom of an error of pyftdi or pyusb."""
+    while error is not None:
+        if isinstance(error, OSError) and error.errno is not None:
+            return error.errno
+        error = error.__cause__ or error.__context__
+    return None
+
+
+def _find_reason() -> int | None:
+    """Give why a chip can't be asked for its strings, by asking all for something simpler."""
+    from pyftdi.ftdi import Ftdi
+    from pyftdi.usbtools import UsbTools
+    from usb.core import USBError, find
+
+    product = Ftdi.PRODUCT_IDS[Ftdi.FTDI_VENDOR]["232h"]
+    for device in find(True, UsbTools.find_backend(), idVendor=Ftdi.FTDI_VENDOR, idProduct=product):  # noqa: FBT003
+        try:
+            device.get_active_configuration()
+        except USBError as error:
+            return find_errno(error)
+    return None
+
+
+_CAUSES: dict[int, str] = {
+    errno.ENODEV: "the FT232H is gone: it was unplugged, or lost its power",
+    errno.ETIMEDOUT: "the FT232H does not answer (timed out)",
+    errno.EACCES: f"no permission for the FT232H: write the udev rule {UDEV_RULE} as docs/how-to/ft232h.md gives it, "
+    "then unplug it and plug it in again",
+    errno.EBUSY: "the FT232H is in use by another program: close that, or share the link",
+    errno.EPIPE: "the FT232H refuses (an endpoint is stalled): unplug it and plug it in again",
+    errno.EIO: "the transfer to the FT232H failed: look at the cable and the hub",
+}
+_NO_LANGUAGE = "langid"
+
+
+def stuck() -> OSError:
+    """Give the error of a write that gets nowhere."""
+    return OSError(errno.ETIME, f"the gateware has not read from the FT232H for {WRITE_PATIENCE:g} s")
+
+
+def explain(error: BaseException) -> str:
+    """Say what happened to a chip that was open."""
+    if isinstance(error, OSError) and error.errno == errno.ETIME:
+        return str(error.strerror)
+    number = find_errno(error)
+    return _CAUSES.get(number or 0, f"the FT232H failed ({error})")
+
+
+def explain_opening(error: BaseException) -> str:
+    """Say why a chip can't be opened."""
+    text = str(error)
+    number = find_errno(error)
+    if number is None and _NO_LANGUAGE in text:
+        # What pyusb makes of a device that can't be asked for its strings, whatever the reason.
+        number = _find_reason()
+    if number is None and "No backend" in text:
+        return "libusb is not installed (Debian, Ubuntu: apt install libusb-1.0-0)"
+    if number in _CAUSES:
+        return _CAUSES[number]
+    if "No USB device" in text or "not found" in text or "No such device" in text:
+        return f"there is no such FT232H ({text}): is it plugged in? `unity-link ft232h info` lists those that are"
+    return f"the FT232H can't be opened ({text})"

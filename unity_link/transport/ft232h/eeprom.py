@@ -1,0 +1,77 @@
+"""The EEPROM of an FT232H, as a user sees and changes it: what the pins are after the next plug-in.
+
+A sound content is changed in the one place that counts, by pyftdi; a blank or broken one is replaced by a new one.
+"""
+
+from __future__ import annotations
+
+import secrets
+from typing import TYPE_CHECKING
+
+import msgspec
+
+from unity_link.errors import ConnectError
+from unity_link.transport.ft232h.chip import describe_channel, explain_opening
+from unity_link.transport.ft232h.eeprom_image import ChannelType, build_eeprom, channel_type, is_valid, strings
+
+if TYPE_CHECKING:
+    from unity_link.transport.ft232h.chip import OpenChip
+
+
+class EepromInfo(msgspec.Struct, frozen=True):
+    """What an EEPROM says."""
+
+    channel_type: ChannelType
+    is_valid: bool
+    manufacturer: str
+    product: str
+    serial: str
+    description: str
+    """A sentence on what it makes of the chip's pins."""
+
+
+def read_info(chip: OpenChip) -> EepromInfo:
+    """Read the EEPROM. Blocks.
+
+    Raises:
+        ConnectError: where the chip does not answer.
+    """
+    image = _read(chip)
+    return EepromInfo(channel_type(image), is_valid(image), *strings(image), describe_channel(image))
+
+
+def write_channel_type(chip: OpenChip, kind: ChannelType) -> None:
+    """Write what the pins are to be after the next plug-in, and read it back. Blocks.
+
+    Raises:
+        ConnectError: where the chip does not answer, or did not keep what was written.
+    """
+    from pyftdi.eeprom import FtdiEeprom
+    from pyftdi.ftdi import FtdiError
+
+    try:
+        if is_valid(_read(chip)):
+            memory = FtdiEeprom()
+            memory.connect(chip.ftdi)
+            memory.set_property("channel_a_type", kind)
+            memory.commit(dry_run=False)
+        else:
+            serial = f"UL{secrets.token_hex(3).upper()}"
+            image = build_eeprom(kind, serial, manufacturer="FTDI", product="FT232H")
+            chip.ftdi.overwrite_eeprom(image, dry_run=False)
+    except (FtdiError, OSError) as error:
+        raise ConnectError(f"the EEPROM could not be written: {explain_opening(error)}") from error
+    if channel_type(_read(chip)) != kind:
+        raise ConnectError(
+            "the EEPROM did not keep what was written: the board has none, or it is one of 128 bytes; "
+            "FTDI's FT_PROG can write those"
+        )
+
+
+def _read(chip: OpenChip) -> bytes:
+    from pyftdi.ftdi import FtdiError
+
+    try:
+        return bytes(chip.ftdi.read_eeprom())
+    except (FtdiError, OSError) as error:
+        raise ConnectError(explain_opening(error)) from error

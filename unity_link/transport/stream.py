@@ -1,0 +1,143 @@
+"""Layer 1, stream: what stands between a driver's transport and the messages.
+
+It hands on what arrives in whole reads, keeps the beginning of a frame until its end has come, and collects what is
+sent in one turn of the event loop into one write. It never looks into a frame.
+"""
+
+from __future__ import annotations
+
+import asyncio
+from typing import TYPE_CHECKING, Protocol, cast
+
+from unity_link.protocol.constants import QUICK_TIMEOUT, SHORTEST_TIMEOUT
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+LONGEST_FRAME = 16_384
+"""Bytes without a line end that are kept: more than the longest message, a sample of 255 words of 64 bits, has."""
+
+
+class Receiver(Protocol):
+    """Who reads a stream."""
+
+    def receive(self, data: bytes) -> int:
+        """Take the whole frames in `data`, and give where the first that is not whole begins."""
+
+    def disconnected(self, reason: Exception | None) -> None:
+        """Take note that the stream has ended; `reason` is None where the other side closed it."""
+
+
+class Stream(asyncio.Protocol):
+    """One connection of a driver.
+
+    `receiver` may be replaced at any time; what arrives while it is None is dropped.
+    """
+
+    def __init__(self) -> None:
+        self.receiver: Receiver | None = None
+        self.on_writable: Callable[[], None] | None = None
+        """Is called when the transport takes bytes again after a pause."""
+        self.bytes_received = 0
+        self.bytes_sent = 0
+        self.closed = False
+        self._loop = asyncio.get_running_loop()
+        self._transport: asyncio.Transport | None = None
+        self._ended: asyncio.Future[None] = self._loop.create_future()
+        self._rest = b""
+        self._out: list[bytes] = []
+        self._flushing = False
+        self.paused = False
+        """Whether the transport has asked for no more bytes: what is sent now is held back here."""
+
+    # Called by users of the stream
+
+    def send(self, data: bytes) -> None:
+        """Send at once; for a frame that nothing is under way before."""
+        transport = self._transport
+        if self._out or self.paused or transport is None or self.closed:
+            self.send_soon(data)
+        else:
+            self.bytes_sent += len(data)
+            transport.write(data)
+
+    def send_soon(self, data: bytes) -> None:
+        """Send together with all else that is sent in this turn of the event loop."""
+        self._out.append(data)
+        if not self._flushing and not self.paused:
+            self._flushing = True
+            self._loop.call_soon(self._flush)
+
+    @property
+    def shortest_timeout(self) -> float:
+        """Seconds that the medium may hold an answer back, and some more; what is unknown is as slow as a USB chip."""
+        if self._transport is None:
+            return SHORTEST_TIMEOUT
+        is_socket = self._transport.get_extra_info("socket") is not None
+        known = self._transport.get_extra_info("shortest_timeout", QUICK_TIMEOUT if is_socket else SHORTEST_TIMEOUT)
+        return float(known)
+
+    async def close(self) -> None:
+        """End the connection and wait until it has ended."""
+        self.abort()
+        if self._transport is not None:
+            await asyncio.shield(self._ended)
+
+    def abort(self) -> None:
+        """End the connection without waiting."""
+        if self._transport is not None and not self._transport.is_closing():
+            self._transport.abort()
+
+    async def choose_send_immediate(self, mode: str) -> None:
+        """Have the driver do its part of a send-immediate mode, where its medium has one (protocol section 4)."""
+        choose = self._transport.get_extra_info("send_immediate") if self._transport is not None else None
+        if choose is not None and not self.closed:
+            await choose(mode)
+
+    def _flush(self) -> None:
+        self._flushing = False
+        if self._out and not self.paused:
+            data = b"".join(self._out)
+            self._out.clear()
+            if self._transport is not None and not self.closed:
+                self.bytes_sent += len(data)
+                self._transport.write(data)
+
+    # Called by the transport
+
+    def connection_made(self, transport: asyncio.BaseTransport) -> None:
+        """Keep the transport."""
+        # No check by class: the transports of uvloop are of none of asyncio's.
+        self._transport = cast("asyncio.Transport", transport)
+
+    def data_received(self, data: bytes) -> None:
+        """Hand on a whole read."""
+        self.bytes_received += len(data)
+        if self.receiver is None:
+            self._rest = b""
+            return
+        if self._rest:
+            data = self._rest + data
+        rest = data[self.receiver.receive(data) :]
+        # Noise without a line end is no frame; what is kept of it must not grow.
+        self._rest = rest if len(rest) <= LONGEST_FRAME else b""
+
+    def pause_writing(self) -> None:
+        """Hold back what is sent from now on."""
+        self.paused = True
+
+    def resume_writing(self) -> None:
+        """Send what was held back."""
+        self.paused = False
+        self._flush()
+        if self.on_writable is not None:
+            self.on_writable()
+
+    def connection_lost(self, exc: Exception | None) -> None:
+        """Tell the receiver."""
+        self.closed = True
+        self._out.clear()
+        if not self._ended.done():
+            self._ended.set_result(None)
+        if self.receiver is not None:
+            self.receiver.disconnected(exc)

@@ -1,0 +1,81 @@
+"""``udp://host:port``: a gateway on the network. A datagram holds whole frames; the window makes up for lost ones."""
+
+from __future__ import annotations
+
+import asyncio
+from typing import TYPE_CHECKING, Any
+
+from unity_link.errors import ConnectError
+from unity_link.protocol.constants import QUICK_TIMEOUT
+from unity_link.protocol.frames import datagrams
+from unity_link.transport.tcp import address
+
+if TYPE_CHECKING:
+    from unity_link.transport import DriverUrl
+
+OPTIONS: frozenset[str] = frozenset()
+
+
+async def connect(url: DriverUrl, protocol: asyncio.Protocol) -> asyncio.Transport:
+    """Open a socket that speaks with one gateway only."""
+    host, port = address(url)
+    try:
+        _, adapter = await asyncio.get_running_loop().create_datagram_endpoint(
+            lambda: DatagramAdapter(protocol), remote_addr=(host, port)
+        )
+    except OSError as error:
+        raise ConnectError(f"no socket for port {port} of {host} ({error.strerror or error})") from error
+    return adapter
+
+
+class DatagramAdapter(asyncio.Transport, asyncio.DatagramProtocol):
+    """Looks like a stream to `protocol`, and sends datagrams."""
+
+    def __init__(self, protocol: asyncio.Protocol) -> None:
+        super().__init__({"shortest_timeout": QUICK_TIMEOUT})
+        self._protocol = protocol
+        self._endpoint: asyncio.DatagramTransport | None = None
+
+    def connection_made(self, transport: asyncio.DatagramTransport) -> None:  # type: ignore[override]
+        """Begin."""
+        self._endpoint = transport
+        self._protocol.connection_made(self)
+
+    def datagram_received(self, data: bytes, addr: tuple[Any, ...]) -> None:  # noqa: ARG002
+        """Hand on the frames of a datagram; a cut one at its end is ended here."""
+        self._protocol.data_received(data if data.endswith(b"\n") else data + b"\n")
+
+    def error_received(self, exc: Exception) -> None:
+        """Ignore that a datagram was refused: it is as good as lost, and the gateway may come yet."""
+
+    def connection_lost(self, exc: Exception | None) -> None:
+        """Hand on the end."""
+        self._protocol.connection_lost(exc)
+
+    def pause_writing(self) -> None:
+        """Hand on."""
+        self._protocol.pause_writing()
+
+    def resume_writing(self) -> None:
+        """Hand on."""
+        self._protocol.resume_writing()
+
+    def write(self, data: bytes | bytearray | memoryview) -> None:
+        """Send whole frames."""
+        if self._endpoint is not None:
+            for datagram in datagrams(bytes(data)):
+                self._endpoint.sendto(datagram)
+
+    def is_closing(self) -> bool:
+        """Say whether the socket is closing."""
+        return self._endpoint is None or self._endpoint.is_closing()
+
+    def close(self) -> None:
+        """Close the socket."""
+        if self._endpoint is not None:
+            self._endpoint.close()
+
+    def abort(self) -> None:
+        """Close the socket at once."""
+        if self._endpoint is not None:
+            self._endpoint.abort()

@@ -1,0 +1,47 @@
+"""``ftdi://virtual`` and ``ftdi-async://virtual``: a virtual FT232H with a virtual gateway behind it.
+
+The path names the robot, as in ``ftdi://virtual/scara``; the options are those of ``sim:``.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from unity_link.protocol.configuration import Feature, GatewayInfo
+from unity_link.transport.ft232h.eeprom_image import build_eeprom
+from unity_link.virtual.build import CHANCES, CONFIGURATION, build_gateway
+
+if TYPE_CHECKING:
+    from unity_link.transport import DriverUrl
+    from unity_link.transport.ft232h.chip import ChipMode
+
+OPTIONS = frozenset({*CONFIGURATION, *CHANCES, "seed"})
+
+
+def open_ftdi(url: DriverUrl, mode: ChipMode) -> Any:
+    """Return an open `pyftdi.ftdi.Ftdi` of a new virtual chip, as if it were a real one.
+
+    Raises:
+        ArgumentError: for a robot or an option that does not exist, or a value that no gateway can have.
+    """
+    from pyftdi.ftdi import Ftdi
+
+    from unity_link.virtual.ft232h.board import GatewayBoard
+    from unity_link.virtual.ft232h.bus import DEFAULT_SERIAL, VirtualFt232h
+    from unity_link.virtual.ft232h.chip import Mode
+    from unity_link.virtual.ft232h.pyusb_backend import find
+
+    configuration = {name: url.integer(name, 0) for name in CONFIGURATION if name in url.options}
+    if mode == "uart":
+        configuration.setdefault("features", GatewayInfo().features & ~Feature.FLOW_CONTROL)
+    gateway = build_gateway(
+        url.path.strip("/"),
+        configuration,
+        node=url.node,
+        chances={name: url.number(name) for name in CHANCES if name in url.options},
+        seed=url.integer("seed", 0),
+    )
+    image = build_eeprom("UART" if mode == "uart" else "FIFO", DEFAULT_SERIAL)
+    ftdi = Ftdi()
+    ftdi.open_from_device(find(VirtualFt232h(GatewayBoard(gateway, Mode(mode)), image=image)))
+    return ftdi
