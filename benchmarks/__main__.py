@@ -55,7 +55,7 @@ def machine() -> str:
 
 
 def document(rows: list[Row]) -> str:
-    """Give the text of RESULTS.md."""
+    """Return the text of RESULTS.md."""
     lines = [
         "# Results",
         "",

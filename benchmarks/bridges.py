@@ -58,7 +58,7 @@ class Row(NamedTuple):
 
     @property
     def met(self) -> bool:
-        """Say whether the target was reached with none lost."""
+        """Return whether the target was reached with none lost."""
         return self.rate >= self.target and self.carried == self.expected
 
 
@@ -96,7 +96,7 @@ def measuring(*processes: subprocess.Popen[str]) -> Iterator[list[float]]:
 
 
 def cpu_seconds(process: subprocess.Popen[str]) -> float:
-    """Give the CPU time that a process has used so far (proc(5), "stat": utime and stime)."""
+    """Return the CPU time that a process has used so far (proc(5), "stat": utime and stime)."""
     fields = Path(f"/proc/{process.pid}/stat").read_text(encoding="ascii").rpartition(")")[2].split()
     return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
 
@@ -121,7 +121,7 @@ def recording(folder: Path, target: int) -> Row:
 
 
 def command(kind: str, rate: int, folder: Path) -> list[str]:
-    """Give the command line of a bridge."""
+    """Return the command line of a bridge."""
     spec = folder / "bench.ul"
     spec.write_text(SPEC)
     url = GATEWAY.format(rate)
@@ -163,13 +163,13 @@ def peering(kind: str, what: str, rate: float = 0.0) -> Iterator[subprocess.Pope
 
 
 def answer(peer: subprocess.Popen[str]) -> str:
-    """Give the next line that a peer prints."""
+    """Return the next line that a peer prints."""
     assert peer.stdout is not None
     return peer.stdout.readline().strip()
 
 
 def end(bridge: subprocess.Popen[str]) -> tuple[int, ...]:
-    """End a bridge; give how many samples it published and lost, messages it sent, and values it wrote."""
+    """End a bridge; return how many samples it published and lost, messages it sent, and values it wrote."""
     bridge.send_signal(signal.SIGINT)
     assert bridge.stderr is not None
     pattern = r"([\d,]+) samples published, ([\d,]+) lost; ([\d,]+) messages sent, ([\d,]+) values written"
@@ -199,7 +199,7 @@ def ros_master(folder: Path) -> Iterator[None]:
 
 
 def document(rows: list[Row]) -> str:
-    """Give the text of BRIDGES.md."""
+    """Return the text of BRIDGES.md."""
     lines = [
         "# Bridges",
         "",

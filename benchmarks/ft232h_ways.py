@@ -47,7 +47,7 @@ class Waiting(asyncio.Protocol):
         self.ended: asyncio.Future[None] = self._loop.create_future()
 
     def expect(self, size: int) -> asyncio.Future[None]:
-        """Give a future of the next `size` bytes."""
+        """Return a future of the next `size` bytes."""
         self._missing = size
         self._waiter = self._loop.create_future()
         return self._waiter

@@ -20,7 +20,7 @@ MOST = 1.5
 
 
 async def best(work: Callable[[], Awaitable[object]]) -> float:
-    """Give the seconds of the quickest of many runs: whatever else the machine does, that is what it costs."""
+    """Return the seconds of the quickest of many runs: whatever else the machine does, that is what it costs."""
     times = []
     for _ in range(READS):
         start = time.perf_counter()

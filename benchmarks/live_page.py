@@ -64,7 +64,7 @@ class Row(NamedTuple):
 
 @contextmanager
 def showing(robot: str) -> Iterator[str]:
-    """Run `unity-link live` on a virtual robot; give the page's address."""
+    """Run `unity-link live` on a virtual robot; return the page's address."""
     command = [PROGRAM, "live", f"sim:{robot}", str(EXAMPLES / f"{robot}.ul"), "--allow-writes"]
     with subprocess.Popen(
         [*command, "--no-browser", "--port", "0"], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True
@@ -162,7 +162,7 @@ def rows(seconds: float) -> list[Row]:
 
 
 def document(found: list[Row], seconds: float) -> str:
-    """Give the text of LIVE.md."""
+    """Return the text of LIVE.md."""
     lines = [
         "# The live page",
         "",

@@ -47,14 +47,14 @@ async def compare(ours: Callable[[], Awaitable[float]], bare: Callable[[], Await
 
 
 async def seconds(work: Awaitable[object]) -> float:
-    """Give how long something takes."""
+    """Return how long something takes."""
     start = time.perf_counter()
     await work
     return time.perf_counter() - start
 
 
 def rate_row(question: str, unit: str, pair: Pair, least: float) -> Row:
-    """Give the row of a rate that has a least value, in units a second."""
+    """Return the row of a rate that has a least value, in units a second."""
     return Row(
         question,
         f"{1 / pair.ours:,.0f} {unit}/s",

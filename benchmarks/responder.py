@@ -20,7 +20,7 @@ SOURCE = Path(__file__).with_name("responder.c")
 
 @contextmanager
 def responder(*, id_digits: int = 2, address_digits: int = 2) -> Iterator[str]:
-    """Run the responder in another process behind a pseudo-terminal, and give the path of ours.
+    """Run the responder in another process behind a pseudo-terminal, and return the path of ours.
 
     Raises:
         FileNotFoundError: where there is no C compiler.

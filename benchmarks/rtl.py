@@ -27,7 +27,7 @@ READS = 20_000
 
 
 def quickest(work: Callable[[], object]) -> float:
-    """Give the seconds of the quickest of several runs."""
+    """Return the seconds of the quickest of several runs."""
     times = []
     for _ in range(RUNS):
         start = time.perf_counter()
@@ -37,7 +37,7 @@ def quickest(work: Callable[[], object]) -> float:
 
 
 def cycles_of_reads(gateway: RtlGateway) -> tuple[float, float]:
-    """Give cycles a second while reads are streamed in, and the cycles that each takes."""
+    """Return cycles a second while reads are streamed in, and the cycles that each takes."""
     crc = Crc()
     requests = b"".join(
         body + crc.text(body) + b"\n" for body in (b"R%02X" % (number % 256) for number in range(READS))
@@ -49,7 +49,7 @@ def cycles_of_reads(gateway: RtlGateway) -> tuple[float, float]:
 
 
 async def link_rate() -> float:
-    """Give the reads a second of `read_many` on ``rtl:``."""
+    """Return the reads a second of `read_many` on ``rtl:``."""
     addresses = np.arange(READS) % 256
     async with unity_link.connect("rtl:") as link:
         return READS / min([await seconds(link.read_many(addresses)) for _ in range(RUNS)])

@@ -21,7 +21,7 @@ BATCH = 1024
 
 
 async def read_until(link: Link, end: float, way: str) -> int:
-    """Read until `end` on the clock of `time.perf_counter`; give the number of words."""
+    """Read until `end` on the clock of `time.perf_counter`; return the number of words."""
     count = 0
     while time.perf_counter() < end:
         if way == "batch":

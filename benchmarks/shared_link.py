@@ -27,7 +27,7 @@ LEAST = 0.8
 
 @asynccontextmanager
 async def server(port: str) -> AsyncIterator[str]:
-    """Share the link to a port by `unity-link serve`, and give the URL."""
+    """Share the link to a port by `unity-link serve`, and return the URL."""
     program = shutil.which("unity-link", path=str(Path(sys.executable).parent)) or "unity-link"
     with tempfile.TemporaryDirectory() as folder:
         arguments = ["serve", f"serial:{port}", "--unix", f"{folder}/shared.sock"]
@@ -46,7 +46,7 @@ async def line_of(process: Process) -> str:
 
 
 async def rate(url: str, clients: int, way: str) -> float:
-    """Have so many programs read at once, in a way of `shared_client`; give how many reads a second they get in all."""
+    """Have so many programs read at once, in a way of `shared_client`; return their reads a second in all."""
     arguments = ["-m", "benchmarks.shared_client", url, str(SECONDS), way]
     programs = [
         await asyncio.create_subprocess_exec(sys.executable, *arguments, stdin=PIPE, stdout=PIPE)

@@ -25,7 +25,7 @@ STEPS, RATE = 4, 50
 
 
 def gait(time: float) -> list[float]:
-    """Give the angles of all joints: coxa, femur and tibia of legs 1 to 6, in rad.
+    """Return the angles of all joints: coxa, femur and tibia of legs 1 to 6, in rad.
 
     Legs 1, 3 and 5 swing forward through the air while 2, 4 and 6 push back on the ground, and the other way round.
     """

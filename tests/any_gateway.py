@@ -9,7 +9,7 @@ from unity_link.protocol.configuration import Feature, GatewayInfo
 
 @st.composite
 def gateway_infos(draw: st.DrawFn) -> GatewayInfo:
-    """Give any configuration that the protocol allows."""
+    """Return any configuration that the protocol allows."""
     crc_bits = draw(st.sampled_from([8, 16, 32]))
     return GatewayInfo(
         data_bits=draw(st.integers(8, 64)),

@@ -64,7 +64,7 @@ def wait_for(process: subprocess.Popen[str], words: str) -> str:
 
 
 def line_of(process: subprocess.Popen[str]) -> str:
-    """Give the next line on stdout."""
+    """Return the next line on stdout."""
     assert process.stdout is not None
     return process.stdout.readline().strip()
 

@@ -158,7 +158,7 @@ class Sleeper:
         self.socket.sendall(bytes([kind | 0x80 * last]) + length + bytes(4) + data)
 
     def next_dropped(self) -> int:
-        """Read up to the next message of samples; give how many it says were dropped."""
+        """Read up to the next message of samples; return how many it says were dropped."""
         while True:
             kind, length = self.receive(2)
             if length == 126:
@@ -195,7 +195,7 @@ def handshake(host: str) -> bytes:
 
 
 def memory_of(process: int) -> int:
-    """Give the bytes that a process has in memory."""
+    """Return the bytes that a process has in memory."""
     (line,) = (line for line in Path(f"/proc/{process}/status").read_text().splitlines() if line.startswith("VmRSS"))
     return 1024 * int(line.split()[1])
 

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 @contextmanager
 def zenoh_network() -> Iterator[Callable[[Gateway, asyncio.Protocol], Awaitable[asyncio.Transport]]]:
-    """Give what connects a protocol to a gateway over Zenoh, in place of `Gateway.open`."""
+    """Return what connects a protocol to a gateway over Zenoh, in place of `Gateway.open`."""
     with socket.create_server(("127.0.0.1", 0)) as free:
         endpoint = f"tcp/127.0.0.1:{free.getsockname()[1]}"
     session = open_session(Network(listen=(endpoint,)))

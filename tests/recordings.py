@@ -49,12 +49,12 @@ def run(*arguments: str | Path, **options: Any) -> subprocess.CompletedProcess[s
 
 
 def sequence_in(path: Path) -> list[int]:
-    """Give the numbers of the samples in a recording of one group."""
+    """Return the numbers of the samples in a recording of one group."""
     return [number for samples, _ in Recording(path).samples() for number in samples.sequence.tolist()]
 
 
 def was_cut(path: Path) -> bool:
-    """Say whether a recording has no end."""
+    """Return whether a recording has no end."""
     recording = Recording(path)
     for _ in recording.samples():
         pass

@@ -68,11 +68,11 @@ class Window:
         self._tmux("resize-window", "-x", str(width), "-y", str(height))
 
     def screen(self) -> str:
-        """Give what is on the screen."""
+        """Return what is on the screen."""
         return self._tmux("capture-pane", "-p")
 
     def all(self) -> str:
-        """Give what is on the screen, and above it what has left it."""
+        """Return what is on the screen, and above it what has left it."""
         return self._tmux("capture-pane", "-p", "-S", "-")
 
     @property
@@ -103,7 +103,7 @@ class Window:
         self.wait_until(is_there)
 
     def wait_for(self, *patterns: str) -> str:
-        """Wait until each of some patterns is on the screen, ^ and $ being ends of lines; give the screen."""
+        """Wait until each of some patterns is on the screen, ^ and $ being ends of lines; return the screen."""
         return self.wait_until(lambda screen: all(re.search(pattern, screen, re.MULTILINE) for pattern in patterns))
 
     def _tmux(self, *arguments: str, env: dict[str, str] | None = None) -> str:

@@ -16,7 +16,7 @@ LOCKS = sorted((ROOT / "requirements").glob("*.lock"))
 
 
 def tracked_files() -> list[Path]:
-    """Give what belongs to the project; in a copy without history, what is no hidden or built file."""
+    """Return what belongs to the project; in a copy without history, what is no hidden or built file."""
     if not (ROOT / ".git").exists():
         own = re.compile(r"(?!.*(/\.|/_?build/|__pycache__|egg-info))")
         return [path for path in ROOT.rglob("*") if path.is_file() and own.match(f"/{path.relative_to(ROOT)}")]

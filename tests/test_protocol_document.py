@@ -15,7 +15,7 @@ EXAMPLES = worked_examples()
 
 
 def documented_gateway(example: Example) -> VirtualGateway:
-    """Give a gateway fresh from reset, of the configuration that the document's answer to Q tells."""
+    """Return a gateway fresh from reset, of the configuration that the document's answer to Q tells."""
     text = DOCUMENT.read_text(encoding="utf-8")
     info = GatewayInfo.from_hex(re.search(r"^< Q([0-9A-F]+)␍␊", text, re.MULTILINE)[1].encode())  # type: ignore[index]
     gateway = VirtualGateway(info, node=example.node)
@@ -26,7 +26,7 @@ def documented_gateway(example: Example) -> VirtualGateway:
 
 
 def apart(answered: bytes) -> tuple[list[bytes], list[bytes]]:
-    """Give responses and samples, each in their order; between the two the protocol defines none."""
+    """Return responses and samples, each in their order; between the two the protocol defines none."""
     frames = answered.splitlines(keepends=True)
     return [frame for frame in frames if frame[:1] != b"P"], [frame for frame in frames if frame[:1] == b"P"]
 

@@ -31,7 +31,7 @@ class Example(msgspec.Struct, frozen=True):
 
 
 def worked_examples() -> list[Example]:
-    """Give every example of the document, in order.
+    """Return every example of the document, in order.
 
     Raises:
         ValueError: a line is in none of the notations.

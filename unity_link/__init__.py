@@ -79,7 +79,7 @@ __all__ = [
 
 
 def load(spec: "str | Path | Spec", interface: str | None = None) -> "type[LoadedRobot]":
-    """Give the class of a robot: the public interface of a spec, with its signals as attributes.
+    """Return the class of a robot: the public interface of a spec, with its signals as attributes.
 
     ``Scara(link)`` is the robot behind a link. Parameters of the interface that have no value are given by name, as in
     ``Scara(link, ctrl=0xF0)``, or left out where they are not needed. `unity_link.data` says what a robot can do.

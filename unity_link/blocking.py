@@ -181,7 +181,7 @@ class Link:
         self._call(self._link.write, address, value)
 
     def write_masked(self, address: int, value: int, mask: int) -> int:
-        """Replace the bits of a word that are 1 in `mask`, atomically, and give the word as it was before."""
+        """Replace the bits of a word that are 1 in `mask`, atomically, and return the word as it was before."""
         return self._call(self._link.write_masked, address, value, mask)
 
     def post(self, address: int, value: int) -> None:

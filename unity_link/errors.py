@@ -56,11 +56,11 @@ class UnansweredError(UnityLinkError):
         self.outcome = outcome
 
     def about(self, outcome: Outcome) -> Self:
-        """Give the same error about a request of which something else is known."""
+        """Return the same error about a request of which something else is known."""
         return type(self)(self.reason, outcome)
 
     def __str__(self) -> str:
-        """Give the reason and what is known of the request."""
+        """Return the reason and what is known of the request."""
         return f"{self.reason}; the request is {_OUTCOME_TEXT[self.outcome]}"
 
 
@@ -80,7 +80,7 @@ class LinkClosedError(LinkLostError):
 
 
 class GatewayError(UnityLinkError):
-    """The gateway answered with an error; `code` is its number (protocol section 2)."""
+    """The gateway answered with an error; `code` is its number (docs/protocol.md, "Errors")."""
 
     code = 0
 

@@ -32,7 +32,7 @@ def measure_gateware() -> GatewareFigures:
 
 
 def _count(gateway: RtlGateway, request: bytes, answer_size: int) -> tuple[int, int | None]:
-    """Give the cycles from the last byte in to the last byte out, and to the first change in memory, if any."""
+    """Return the cycles from the last byte in to the last byte out, and to the first change in memory, if any."""
     rest, sent, effect = request, 0, None
     last_in = 0
     for cycle in range(_PATIENCE):
@@ -49,7 +49,7 @@ def _count(gateway: RtlGateway, request: bytes, answer_size: int) -> tuple[int, 
 
 
 def _pipelined(gateway: RtlGateway) -> float:
-    """Give the bytes that leave in a cycle while reads come as fast as they are taken."""
+    """Return the bytes that leave in a cycle while reads come as fast as they are taken."""
     rest = b"".join(_checked(b"r%03X%02X" % (number, ADDRESS)) for number in range(_PIPELINED))
     size = 15 * _PIPELINED
     first = None

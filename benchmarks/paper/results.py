@@ -32,7 +32,7 @@ class GatewareFigures(msgspec.Struct, frozen=True, kw_only=True):
     """Out, of pipelined reads."""
 
     def microseconds(self, cycles: int) -> float:
-        """Give the time of so many cycles."""
+        """Return the time of so many cycles."""
         return cycles / self.clock_hz * 1e6
 
 
@@ -141,15 +141,15 @@ class Results(msgspec.Struct, frozen=True, kw_only=True):
     checks: list[Check]
 
     def to_json(self, indent: int = 2) -> bytes:
-        """Give all as one JSON object; in one line, if `indent` is -1."""
+        """Return all as one JSON object; in one line, if `indent` is -1."""
         return msgspec.json.format(msgspec.json.encode(self), indent=indent)
 
     def latency(self, stack: StackName, access: Access, mode: SendImmediate, rhythm: Rhythm) -> Latency:
-        """Give one of the latencies."""
+        """Return one of the latencies."""
         wanted = (stack, access, mode, rhythm)
         return next(row for row in self.latencies if (row.stack, row.access, row.send_immediate, row.rhythm) == wanted)
 
     def throughput(self, stack: StackName, access: Access, mode: SendImmediate) -> Throughput:
-        """Give one of the throughputs."""
+        """Return one of the throughputs."""
         wanted = (stack, access, mode)
         return next(row for row in self.throughputs if (row.stack, row.access, row.send_immediate) == wanted)

@@ -172,6 +172,6 @@ def _checked(body: bytes) -> bytes:
 
 
 def link_of(stack: Any) -> Link:
-    """Give the link of a full stack."""
+    """Return the link of a full stack."""
     assert isinstance(stack, FullStack)
     return stack.link

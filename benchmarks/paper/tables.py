@@ -28,7 +28,7 @@ Row = tuple[str, ...]
 
 
 def to_markdown(results: Results, pictures: Sequence[tuple[str, str]] = ()) -> str:
-    """Give the whole page.
+    """Return the whole page.
 
     Args:
         results: what was found.
@@ -44,13 +44,13 @@ def to_markdown(results: Results, pictures: Sequence[tuple[str, str]] = ()) -> s
 
 
 def table(head: Row, rows: Iterable[Row]) -> str:
-    """Give a Markdown table."""
+    """Return a Markdown table."""
     lines = [head, ("---",) * len(head), *rows]
     return "".join(f"| {' | '.join(line)} |\n" for line in lines)
 
 
 def latency_rows(latencies: Iterable[Latency]) -> Iterator[Row]:
-    """Give stack, access, rhythm, mode; the clock-exact, modelled and measured parts; all of it; the paper's figure."""
+    """Return stack, access, rhythm, mode; the clock-exact, modelled and measured parts; the sum; the paper's figure."""
     for row in latencies:
         gateware = row.gateware or 0.0
         # Without hurry, no place in the microframe is special; back to back, the paper measured.
@@ -69,7 +69,7 @@ def latency_rows(latencies: Iterable[Latency]) -> Iterator[Row]:
 
 
 def throughput_rows(throughputs: Iterable[Throughput]) -> Iterator[Row]:
-    """Give stack, access, mode; the rate modelled and with the program's time, its part of 64 Mb/s; the paper's."""
+    """Return stack, access, mode; the rate modelled and with the program's time, its part of 64 Mb/s; the paper's."""
     for row in throughputs:
         known = _PUBLISHED_THROUGHPUTS.get((row.stack, row.access, row.send_immediate))
         yield (
@@ -84,7 +84,7 @@ def throughput_rows(throughputs: Iterable[Throughput]) -> Iterator[Row]:
 
 
 def gateware_rows(figures: GatewareFigures) -> Iterator[Row]:
-    """Give what, cycles, time or rate, and the paper's figure."""
+    """Return what, cycles, time or rate, and the paper's figure."""
     for what, cycles, known in (
         ("read: last byte in to last byte out", figures.read_cycles, published.GATEWARE_READ_US),
         ("write: last byte in to last byte out", figures.write_cycles, published.GATEWARE_WRITE_US),
@@ -97,14 +97,14 @@ def gateware_rows(figures: GatewareFigures) -> Iterator[Row]:
 
 
 def publish_rows(limits: Iterable[PublishLimit]) -> Iterator[Row]:
-    """Give words and bytes of a message; kHz of the line, modelled and with the program's time."""
+    """Return words and bytes of a message; kHz of the line, modelled and with the program's time."""
     for limit in limits:
         rates = (f"{rate / 1e3:,.2f}" for rate in (limit.line, limit.modelled, limit.total))
         yield str(limit.words), str(limit.message_bytes), *rates
 
 
 def check_rows(checks: Iterable[Check]) -> Iterator[Row]:
-    """Give what, found, wanted, and whether it is met."""
+    """Return what, found, wanted, and whether it is met."""
     for check in checks:
         yield check.what, check.found, check.wanted, "yes" if check.met else "NO"
 

@@ -38,7 +38,7 @@ OPENING = 60.0
 
 
 def available_gateway() -> GatewayKind:
-    """Give what can stand behind the chip on this machine: the RTL, where there is a C++ compiler."""
+    """Return what can stand behind the chip on this machine: the RTL, where there is a C++ compiler."""
     try:
         RtlGateway(CONFIGURATION)
     except ConnectError:
@@ -75,7 +75,7 @@ class Workbench(msgspec.Struct, frozen=True):
         runs: int,
         choose: Callable[[Iterable[float]], float],
     ) -> list[tuple[float, float]]:
-        """Give figures without the program's time, and the best of several runs with it.
+        """Return figures without the program's time, and the best of several runs with it.
 
         What else runs on the machine spoils the caches, and so can only make a figure worse. The measurements take
         turns, so that it does that to all of them alike.

@@ -43,7 +43,7 @@ def _entity() -> str:
 
 
 def _rows(title: str) -> list[list[str]]:
-    """Give the cells of the table below a title of the document."""
+    """Return the cells of the table below a title of the document."""
     section = (GATEWARE.parent / "docs" / "gateware.md").read_text().split(f"\n## {title}\n")[1].split("\n## ")[0]
     return [[cell.strip() for cell in line.split(" | ")] for line in section.splitlines() if line.startswith("| `")]
 

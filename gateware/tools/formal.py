@@ -78,7 +78,7 @@ properties.sv
 
 
 def clocks_as_enables(verilog: str) -> str:
-    """Give a design of two clocks one clock `clk`, of which the two enable the edges that happen at an instant."""
+    """Return a design of two clocks one clock `clk`, of which the two enable the edges that happen at an instant."""
     enabled = re.sub(r"always @\(posedge (in|out)_clk\)", r"always @(posedge clk) if (\1_clk)", verilog)
     return enabled.replace("(input  in_clk,", "(input  clk, in_clk,")
 

@@ -42,7 +42,7 @@ def wish(number: int, value: Any) -> str:
 
 
 def answers(page: ClientConnection, count: int) -> Iterator[Any]:
-    """Give the next answers, in the order in which they come."""
+    """Return the next answers, in the order in which they come."""
     while count:
         data = page.recv(timeout=PATIENCE)
         if isinstance(data, str) and (message := json.loads(data))["type"] in ("written", "refused"):

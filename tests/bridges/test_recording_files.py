@@ -267,7 +267,7 @@ def test_a_recording_that_was_cut_is_finished_for_other_tools_by_mcap_recover(tm
 
 
 def series(prefix: str, value: Any) -> dict[str, Any]:
-    """Give what PlotJuggler makes curves of: numbers and booleans, by the names that it gives them."""
+    """Return what PlotJuggler makes curves of: numbers and booleans, by the names that it gives them."""
     if isinstance(value, dict):
         return {name: leaf for key, item in value.items() for name, leaf in series(f"{prefix}/{key}", item).items()}
     if isinstance(value, list):

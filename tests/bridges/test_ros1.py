@@ -266,7 +266,7 @@ def bench_bridge(folder: Path, gateway: str) -> Iterator[subprocess.Popen[str]]:
 
 
 def listening_at(process: subprocess.Popen[str]) -> set[str]:
-    """Give the addresses, as Linux writes them, at which a program listens for TCP."""
+    """Return the addresses, as Linux writes them, at which a program listens for TCP."""
     ours = set()
     for file in Path(f"/proc/{process.pid}/fd").iterdir():
         # Some are closed meanwhile.

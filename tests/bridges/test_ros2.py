@@ -328,7 +328,7 @@ def test_a_quality_for_a_topic_that_there_is_not_is_refused(tmp_path: Path) -> N
 
 
 def devices_of_ports() -> set[bytes]:
-    """Give the devices to which what this process has open for UDP at all addresses is bound; empty: to none."""
+    """Return the devices to which what this process has open for UDP at all addresses is bound; empty: to none."""
     found = set()
     for file in Path("/proc/self/fd").iterdir():
         with contextlib.suppress(OSError):

@@ -42,7 +42,7 @@ def run(*arguments: str, **environment: str) -> subprocess.CompletedProcess[str]
 
 @contextmanager
 def started(*arguments: str, **environment: str) -> Iterator[tuple[subprocess.Popen[str], str]]:
-    """Run a command that serves; give it and the URL that it prints when it is ready."""
+    """Run a command that serves; return it and the URL that it prints when it is ready."""
     with subprocess.Popen(
         [PROGRAM, *arguments],
         stdout=subprocess.PIPE,

@@ -81,5 +81,5 @@ def test_programs_in_c_and_python_and_a_person_share_a_robot(driver: Path, place
 
 
 def numbers(samples: list[list[str]]) -> list[int]:
-    """Give the numbers that samples must have, from how many were lost before each."""
+    """Return the numbers that samples must have, from how many were lost before each."""
     return [number - 1 for number in accumulate(int(sample[2]) + 1 for sample in samples)]

@@ -24,7 +24,7 @@ FILES = [path for path in sorted(FOLDER.glob("*.ndjson")) if path.stem != "addre
 
 
 def in_words_of(shared: SharedLink, text: bytes) -> bytes:
-    """Give what a gateway says of itself as the server says it."""
+    """Return what a gateway says of itself as the server says it."""
     assert shared.codec is not None
     inner, outer = shared.gateway.to_hex(), shared.codec.info.to_hex()
     if inner not in text:
@@ -39,7 +39,7 @@ def in_words_of(shared: SharedLink, text: bytes) -> bytes:
 
 
 def parted(answer: bytes) -> tuple[bytes, list[bytes]]:
-    """Give responses and publishes: their order is not defined."""
+    """Return responses and publishes: their order is not defined."""
     frames = answer.splitlines(keepends=True)
     return (
         b"".join(frame for frame in frames if not frame.startswith(b"P")),

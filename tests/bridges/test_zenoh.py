@@ -57,7 +57,7 @@ def session(endpoint: str) -> Iterator[zenoh.Session]:
 
 
 def ask(peer: zenoh.Session, key: str, payload: object = None) -> Any:
-    """Give the only answer; that of a refusal, too."""
+    """Return the only answer; that of a refusal, too."""
     given = None if payload is None else msgspec.json.encode(payload)
     for _ in range(100):
         for reply in peer.get(key, payload=given):

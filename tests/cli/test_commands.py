@@ -35,7 +35,7 @@ def run(*arguments: str, stdin: str = "") -> subprocess.CompletedProcess[str]:
 
 @contextmanager
 def served(*arguments: str) -> Iterator[tuple[subprocess.Popen[str], str]]:
-    """Run `unity-link simulate`, and give it and the line that it prints when it is ready."""
+    """Run `unity-link simulate`, and return it and the line that it prints when it is ready."""
     with subprocess.Popen([PROGRAM, "simulate", *arguments], stdout=subprocess.PIPE, text=True) as process:
         assert process.stdout is not None
         try:

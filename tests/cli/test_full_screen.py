@@ -38,7 +38,7 @@ def terminal(terminal: Window) -> Window:
 
 @contextmanager
 def served(gateway: Gateway, folder: Path) -> Iterator[BlockingPortal]:
-    """Serve a gateway at the URL unix:gateway of the terminal; give the way to its thread."""
+    """Serve a gateway at the URL unix:gateway of the terminal; return the way to its thread."""
     with (
         start_blocking_portal() as portal,
         portal.wrap_async_context_manager(serve_unix(gateway, folder / "gateway")),
@@ -47,7 +47,7 @@ def served(gateway: Gateway, folder: Path) -> Iterator[BlockingPortal]:
 
 
 def counting_gateway() -> VirtualGateway:
-    """Give a gateway of which each sample of 0x10 is one more than the one before."""
+    """Return a gateway of which each sample of 0x10 is one more than the one before."""
     gateway = VirtualGateway(GatewayInfo())
     gateway.bus.attach(CountingDevice(), [0x10])
     return gateway
@@ -67,7 +67,7 @@ def value(screen: str) -> float:
 
 
 def assert_restored(terminal: Window, code: int) -> str:
-    """Wait for the end of a command with its code; assert that all is as it was before it, and give what it left."""
+    """Wait for the end of a command with its code; assert that all is as it was before it, and return what it left."""
     terminal.wait_for(rf"^code {code}$", r"^\$ *$")
     assert terminal.state == GIVEN_BACK
     terminal.enter("echo typed $((6 * 7))")

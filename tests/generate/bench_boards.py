@@ -71,7 +71,7 @@ class Board:
             self.received.append(byte)
 
     async def frames(self, count: int = 1) -> list[str]:
-        """Give the bodies of so many frames, once they have come; their checks must be right."""
+        """Return the bodies of so many frames, once they have come; their checks must be right."""
         for _ in range(1000):
             if self.received.count(b"\n") == count:
                 break
@@ -83,7 +83,7 @@ class Board:
         return [frame[:-2].decode() for frame in frames]
 
     async def ask(self, body: str, count: int = 1) -> list[str]:
-        """Send a checked frame, and give the bodies of the frames that come."""
+        """Send a checked frame, and return the bodies of the frames that come."""
         for byte in body.encode() + Crc().text(body.encode()) + b"\n":
             for bit in (0, *(byte >> index & 1 for index in range(8)), 1):
                 self.dut.uart_rxd.value = bit

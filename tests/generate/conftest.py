@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 @pytest.fixture
 def octave(tmp_path: Path) -> Octave:
-    """Give an Octave in an empty folder, where there is one."""
+    """Return an Octave in an empty folder, where there is one."""
     if why_not():
         pytest.skip(why_not())
     return Octave(tmp_path)

@@ -86,7 +86,7 @@ def every_kind(word_bits: int) -> Spec:
 
 
 def written(interface: Interface) -> Iterator[tuple[Signal, Value]]:
-    """Give signals that can be written and read back, each with many values that it takes."""
+    """Return signals that can be written and read back, each with many values that it takes."""
     for signal in interface.signals.values():
         if signal.access is Access.READWRITE:
             for value in good_values(signal):
@@ -94,7 +94,7 @@ def written(interface: Interface) -> Iterator[tuple[Signal, Value]]:
 
 
 def good_values(signal: Signal) -> list[Value]:
-    """Give values of a signal: the ends of its range, its limits, what lies around 0, and some at random."""
+    """Return values of a signal: the ends of its range, its limits, what lies around 0, and some at random."""
     kind, low, high = signal.kind, *signal.limits
     chance = random.Random(signal.path)
     raws = {0, 1, (1 << kind.width) - 1, 1 << kind.width - 1, (1 << kind.width - 1) - 1}
@@ -108,7 +108,7 @@ def good_values(signal: Signal) -> list[Value]:
 
 
 def bad_values(signal: Signal) -> list[float]:
-    """Give numbers that a signal must refuse."""
+    """Return numbers that a signal must refuse."""
     if signal.kind.name is KindName.FLOAT:
         limits = [] if signal.minimum is None else [signal.minimum - 1]
         limits += [] if signal.maximum is None else [2 * signal.maximum]

@@ -92,7 +92,7 @@ class Octave:
         )
 
     def run(self, script: str) -> dict[str, str]:
-        """Run a script to its end, and give what it showed, by its labels."""
+        """Run a script to its end, and return what it showed, by its labels."""
         with self.start(script) as process:
             try:
                 output, errors = process.communicate(timeout=LONGEST_RUN)
@@ -103,12 +103,12 @@ class Octave:
 
 
 def doubles(*values: float) -> str:
-    """Give what `show` prints for doubles."""
+    """Return what `show` prints for doubles."""
     return " ".join(["double", *(struct.pack(">d", value).hex() for value in values)])
 
 
 def words(*values: float, kind: str = "uint64") -> str:
-    """Give what `show` prints for whole numbers of 64 bits."""
+    """Return what `show` prints for whole numbers of 64 bits."""
     return " ".join([kind, *(f"{int(value) & (1 << 64) - 1:016x}" for value in values)])
 
 

@@ -165,7 +165,7 @@ class FaultyLine:
         """Frames that the gateway sent."""
 
     def count(self, pattern: str) -> int:
-        """Give how many frames of the client the pattern finds."""
+        """Return how many frames of the client the pattern finds."""
         return sum(bool(re.search(pattern, frame)) for frame in self.requests)
 
     def __enter__(self) -> Self:

@@ -33,7 +33,7 @@ def generated(target: str, spec: Spec, directory: Path) -> list[Path]:
 
 
 def compiled(compiler: Sequence[str], sources: Sequence[Path], directory: Path, *options: str) -> list[Path]:
-    """Compile sources without a warning, and give the objects."""
+    """Compile sources without a warning, and return the objects."""
     objects = []
     for source in sources:
         made = directory / f"{source.name}.o"
@@ -61,7 +61,7 @@ def _run(command: list[str]) -> None:
 
 
 def output(program: Path, *arguments: str) -> str:
-    """Run a program that is to succeed, and give what it prints."""
+    """Run a program that is to succeed, and return what it prints."""
     result = subprocess.run([program, *arguments], capture_output=True, text=True, timeout=PATIENCE, check=False)
     assert result.returncode == 0, result.stderr[:4000]
     return result.stdout
@@ -86,7 +86,7 @@ class Driven:
         assert error is not None or self._process.returncode == 0
 
     def __call__(self, command: str) -> str:
-        """Do a command, and give the answer."""
+        """Do a command, and return the answer."""
         self.send(command)
         return self.answer()
 
@@ -97,7 +97,7 @@ class Driven:
         self._process.stdin.flush()
 
     def answer(self) -> str:
-        """Give the answer to a command."""
+        """Return the answer to a command."""
         assert self._process.stdout is not None
         line = self._process.stdout.readline()
         assert line, "the program has ended"
@@ -126,7 +126,7 @@ class Simulated(Driven):
         self.now = 0.0
 
     def answer(self) -> str:
-        """Give the answer to a command, and let time pass until it comes."""
+        """Return the answer to a command, and let time pass until it comes."""
         give_up = self.now + SIMULATED_PATIENCE
         while (line := super().answer()).startswith("~"):
             assert self.now < give_up, "the client does not end"

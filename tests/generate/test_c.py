@@ -424,7 +424,7 @@ class Babbling:
         self.stops = False
 
     def __call__(self, data: bytes, now: float) -> bytes:
-        """Take bytes at a time, and give what is answered."""
+        """Take bytes at a time, and return what is answered."""
         frames = [frame for frame in re.split(rb"(?<=[\r\n])", data) if frame.strip()]
         return b"".join(self._answer if frame[0] in b"ghirw" else self._gateway.receive(frame, now) for frame in frames)
 
@@ -489,7 +489,7 @@ class Faulty:
         self._damaged: Counter[bytes] = Counter()
 
     def __call__(self, data: bytes, now: float) -> bytes:
-        """Take bytes at a time, and give what arrives."""
+        """Take bytes at a time, and return what arrives."""
         answers = self._gateway.receive(data, now).splitlines(keepends=True)
         return b"".join(self._fate(answer) for answer in answers)
 
@@ -663,7 +663,7 @@ def test_a_subscription_that_cannot_be_is_refused(client: Driven) -> None:
 
 
 def takes_number(signal: Signal, value: float) -> bool:
-    """Say whether the type in C has a number, be it one that the signal refuses."""
+    """Return whether the type in C has a number, be it one that the signal refuses."""
     if signal.kind.is_float:
         return True
     low, high = (-(2**63), 2**63) if signal.kind.is_signed else (0, 2**64)
@@ -680,7 +680,7 @@ def c_value(signal: Signal, value: Value) -> str:
 
 
 def accessor(signal: Signal) -> tuple[str, str, str]:
-    """Give type, printf format and name of the functions of a signal of `every_kind`."""
+    """Return type, printf format and name of the functions of a signal of `every_kind`."""
     if signal.kind.is_float:
         return "double", "%a", "ul_{}_real"
     if signal.kind.name is KindName.BOOL:

@@ -38,7 +38,7 @@ def literals(signal: Signal, values: list[Value]) -> str:
 
 
 def shown_values(signal: Signal, values: list[Value]) -> str:
-    """Give what `show` prints for values of a signal."""
+    """Return what `show` prints for values of a signal."""
     kind = signal.kind
     if kind.name is KindName.BOOL:
         return " ".join(["logical", *(str(int(value)) for value in values)])

@@ -147,7 +147,7 @@ def test_a_damaged_beginning_is_begun_again(octave: Octave) -> None:
 
 @contextlib.contextmanager
 def hanging_up() -> Iterator[str]:
-    """Give the URL of a server that ends the one connection that it takes."""
+    """Return the URL of a server that ends the one connection that it takes."""
     with socket.create_server(("127.0.0.1", 0)) as server:
 
         def hang_up() -> None:
@@ -258,7 +258,7 @@ def test_errors_of_the_gateway_have_their_identifiers(octave: Octave) -> None:
 
 
 def random_writes(chance: random.Random, count: int) -> tuple[list[str], list[tuple[int, int]]]:
-    """Give lines of a script, and the writes that they make, in order."""
+    """Return lines of a script, and the writes that they make, in order."""
     lines, writes, words = [], [], dict.fromkeys(range(256), 0)
     for number in range(1, count + 1):
         address = chance.randrange(240)

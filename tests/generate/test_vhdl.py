@@ -141,7 +141,7 @@ def ghdl(folder: Path, *arguments: str) -> subprocess.CompletedProcess[str]:
 
 
 def analyse(folder: Path, spec: Spec, *, warn: bool = True) -> str:
-    """Write and analyse the files that the bench needs; give the interface's name in VHDL."""
+    """Write and analyse the files that the bench needs; return the interface's name in VHDL."""
     files = {file.name: file for file in generate("vhdl", spec)}
     write(list(files.values()), folder)
     name = next(iter(files)).removesuffix("_map.vhd")

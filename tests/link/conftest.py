@@ -80,12 +80,12 @@ def make_gateway(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch
 
 @pytest.fixture
 def gateway(make_gateway: Maker) -> BareGateway:
-    """Give a gateway of the default configuration, with failing addresses."""
+    """Return a gateway of the default configuration, with failing addresses."""
     return with_failing(make_gateway())
 
 
 @pytest_asyncio.fixture
 async def link(gateway: Gateway) -> AsyncIterator[Link]:
-    """Give an open link to `gateway`."""
+    """Return an open link to `gateway`."""
     async with unity_link.connect(gateway) as link:
         yield link

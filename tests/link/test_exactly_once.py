@@ -142,7 +142,7 @@ async def run_program(
 
 
 def spread(total: float) -> dict[str, float]:
-    """Give the chances of a byte to be lost, damaged or doubled, `total` together."""
+    """Return the chances of a byte to be lost, damaged or doubled, `total` together."""
     return {"loss": total / 3, "flip": total / 3, "double": total / 3}
 
 

@@ -56,7 +56,7 @@ def now() -> float:
 
 
 def transport_under_test() -> asyncio.Transport:
-    """Give the open transport of this loop's gateway, which a driver would have."""
+    """Return the open transport of this loop's gateway, which a driver would have."""
     loop = asyncio.get_running_loop()
     found = [thing for thing in gc.get_objects() if isinstance(thing, GatewayTransport) and thing._loop is loop]
     return next(thing for thing in found if not thing.is_closing())

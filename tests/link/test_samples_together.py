@@ -37,7 +37,7 @@ lines = st.lists(
 
 
 def frames_of(link: Link, samples: Subscription, arriving: list[Arriving], *, stamped: bool) -> list[bytes]:
-    """Give the frames of samples, whose values are their numbers, damaged where that is wanted."""
+    """Return the frames of samples, whose values are their numbers, damaged where that is wanted."""
     codec, group = link._exchange._codec, samples._group
     assert group is not None
     number, frames = -1, []
@@ -54,7 +54,7 @@ def frames_of(link: Link, samples: Subscription, arriving: list[Arriving], *, st
 
 
 async def received(arriving: list[Arriving], *, stamped: bool, together: bool, buffer: int, crc_bits: int) -> object:
-    """Give all that can be seen of samples that arrive."""
+    """Return all that can be seen of samples that arrive."""
     gateway = VirtualGateway(
         GatewayInfo(clock_hz=CLOCK_HZ, base_frequency_millihertz=1_000_000, crc_bits=crc_bits, crc_polynomial=0x07)
     )

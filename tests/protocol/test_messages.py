@@ -32,7 +32,7 @@ def field(codec: Codec, letter: str) -> st.SearchStrategy[Any]:
 
 @st.composite
 def requests(draw: st.DrawFn, codec: Codec) -> Request:
-    """Give any request, with or without an ID."""
+    """Return any request, with or without an ID."""
     command = draw(st.sampled_from(sorted(COMMANDS)))
     values = [draw(field(codec, letter)) for letter in COMMANDS[command].fields]
     if command == "GS":

@@ -1,4 +1,4 @@
-"""The window row by row of the table in its docstring, and as a whole against a gateway that follows section 3.
+"""The window row by row of the table in its docstring, and as a whole against a gateway that follows docs/protocol.md.
 
 Times are given to the window, so nothing here waits. Requests stand for themselves by name.
 """
@@ -42,7 +42,7 @@ def sent(window: Window[Named], *names: str, now: float = 0.0) -> list[Named]:
 
 
 def repeated(window: Window[Named]) -> str:
-    """Give what the window sends again, and nothing where it does not want to."""
+    """Return what the window sends again, and nothing where it does not want to."""
     if not window.wants_repetition:
         return ""
     return " ".join(f"{run.name}@{number}" for number, run, _, count in window.repetition() for _ in range(count))
@@ -515,7 +515,7 @@ def test_the_time_on_the_wire_of_a_slow_line_counts() -> None:
 
 
 class Peer:
-    """A gateway as section 3 says, for requests of one kind each: reads, writes that are acknowledged, posted ones."""
+    """A gateway as docs/protocol.md says, for requests of one kind each: reads, acknowledged writes, posted ones."""
 
     def __init__(self) -> None:
         self.expected = 0

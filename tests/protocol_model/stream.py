@@ -232,7 +232,7 @@ def _host_moves(rules: Rules, state: State) -> Iterator[tuple[str, State]]:
 
 
 def _kinds(rules: Rules, host: Host, number: int) -> Iterator[str]:
-    """Give the kinds of which the next request may be; behind posted ones a fence is always one more."""
+    """Return the kinds of which the next request may be; behind posted ones a fence is always one more."""
     if number < rules.requests:
         alone = len(host.window) + 1 < WINDOW
         yield from (kind for kind in rules.kinds if kind not in POSTED or alone or not rules.leaves_room)

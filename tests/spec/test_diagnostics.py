@@ -20,7 +20,7 @@ def faults(text: str, address_bits: int | None = None) -> tuple[Diagnostic, ...]
 
 
 def underlined(text: str, found: Diagnostic) -> str:
-    """Give what a diagnostic underlines, up to the end of its first line."""
+    """Return what a diagnostic underlines, up to the end of its first line."""
     line = text.splitlines()[found.span.line - 1]
     return line[found.span.column - 1 : found.span.end_column - 1 if found.span.end_line == found.span.line else None]
 

@@ -39,7 +39,7 @@ addrmap chip {
 
 
 def seen(interface: Interface) -> dict[int, list[Any]]:
-    """Give what must survive: everything of a signal but the names of its components and where it was written."""
+    """Return what must survive: everything of a signal but the names of its components and where it was written."""
     words: dict[int, list[Any]] = {}
     for signal in interface.signals.values():
         kind = signal.kind

@@ -88,7 +88,7 @@ class Recorder(asyncio.Protocol):
 
 @pytest.fixture(params=["ftdi", "ftdi-async"])
 def url(request: pytest.FixtureRequest) -> str:
-    """Give the URL of the chip that is plugged in, for either driver."""
+    """Return the URL of the chip that is plugged in, for either driver."""
     return f"{request.param}://ftdi:232h/1"
 
 

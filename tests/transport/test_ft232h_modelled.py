@@ -43,7 +43,7 @@ async def linked() -> AsyncIterator[Link]:
 
 
 async def read_time(mode: Any) -> float:
-    """Give the median time of a lone read, in seconds."""
+    """Return the median time of a lone read, in seconds."""
     loop = asyncio.get_running_loop()
     async with linked() as link:
         await link.send_immediate(mode)
@@ -58,7 +58,7 @@ async def read_time(mode: Any) -> float:
 
 
 async def read_rate(mode: Any) -> float:
-    """Give the rate of answers in a batch of reads, in bytes a second."""
+    """Return the rate of answers in a batch of reads, in bytes a second."""
     loop = asyncio.get_running_loop()
     async with linked() as link:
         await link.send_immediate(mode)

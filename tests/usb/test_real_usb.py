@@ -39,7 +39,7 @@ USB_DEVICES = Path("/sys/bus/usb/devices")
 
 
 def chips() -> list[Path]:
-    """Give the FT232H that the kernel has."""
+    """Return the FT232H that the kernel has."""
     return [path.parent for path in USB_DEVICES.glob("*/idProduct") if path.read_text().strip() == "6014"]
 
 
@@ -52,7 +52,7 @@ def wait_for(condition: Callable[[], object]) -> None:
 
 @pytest.fixture
 def chip() -> Iterator[subprocess.Popen[str]]:
-    """Attach a chip, and give the process that it is."""
+    """Attach a chip, and return the process that it is."""
     command = [str(Path(sys.executable).parent / "unity-link"), "simulate", "--usbip", "0"]
     with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as served:
         try:

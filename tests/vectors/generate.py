@@ -57,7 +57,7 @@ class Script:
         self.records: list[dict[str, Any]] = []
 
     def header(self) -> dict[str, Any]:
-        """Give the first line of the file."""
+        """Return the first line of the file."""
         configuration = msgspec.structs.asdict(self.info) | {"features": int(self.info.features)}
         return {
             "configuration": configuration,
@@ -94,7 +94,7 @@ class Script:
         self.plain(about + ", plain", *bodies)
 
     def body(self, command: str, *values: Any, number: int | None = None) -> bytes:
-        """Give the body of a request."""
+        """Return the body of a request."""
         fields = self.codec.fields(command, *values)
         if number is None:
             return b"%b%b" % (command.encode(), fields)
@@ -102,7 +102,7 @@ class Script:
 
 
 def examples(info: GatewayInfo) -> dict[str, tuple[Any, ...]]:
-    """Give good fields for each command."""
+    """Return good fields for each command."""
     words = [(0x123456789ABCDEF0 >> 4 * index) % (1 << info.data_bits) for index in range(3)]
     return {
         "W": (0x0A, words[0]),
@@ -123,7 +123,7 @@ def examples(info: GatewayInfo) -> dict[str, tuple[Any, ...]]:
 
 
 def worked_examples(script: Script) -> None:
-    """Send the examples of section 6 of the protocol, after the word that they need."""
+    """Send the examples of the protocol's "Configuration", after the word that they need."""
     for text in ("W0A000000124F\n", "R0ACB\n", "r000A2B\n", "w010A0000002A95\n", "R0A\r", "R0A00\n"):
         script.send("worked example", text.encode())
 
@@ -376,7 +376,7 @@ def _random_values(script: Script, command: str, source: random.Random) -> Itera
 
 
 def generate(name: str) -> str:
-    """Give the text of one file."""
+    """Return the text of one file."""
     info, node = CONFIGURATIONS[name]
     script = Script(info, node)
     if name == "default":

@@ -31,7 +31,7 @@ def load(path: Path) -> tuple[VirtualGateway, list[dict[str, Any]]]:
 
 
 def split(answer: bytes, node: int | None) -> tuple[bytes, bytes]:
-    """Give responses and publishes."""
+    """Return responses and publishes."""
     start = b"P" if node is None else b"Z%02XP" % node
     frames = answer.splitlines(keepends=True)
     return (

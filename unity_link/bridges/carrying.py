@@ -98,7 +98,7 @@ class Carrier:
             except GatewayError as error:
                 self._faults.tell(str(error))
                 continue
-            # What was taken is handed over, whatever becomes of who waits for that.
+            # What was taken is handed over, also where the waiting task was cancelled.
             await asyncio.shield(loop.run_in_executor(thread, self._give, number, batch))
 
     async def _drain(self, number: int, subscription: GroupSubscription, thread: Executor) -> None:

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from unity_link.link.link import Link
 
 MOST_WAITING = 4096
-"""Values that wait for the link, beyond which who gives them waits, and so does who sent them."""
+"""Values that wait for the link, beyond which the giving thread blocks, and so the sender."""
 LOOK_EVERY = 0.5
 """Seconds between looks whether the gateway is away."""
 AWAY = "the gateway is away: values that come meanwhile are not written"
@@ -71,7 +71,7 @@ class Commands:
                 await self._learn()
 
     def _take(self, commands: list[Command]) -> None:
-        # The next ones come together when these are written; so whoever sends too fast waits in the end.
+        # The next ones come together when these are written; so a sender that is too fast blocks in the end.
         self._inbox.hold()
         self._taken = commands
         self._woken.set()

@@ -53,7 +53,7 @@ class Encoder:
         """JSON schema of a message."""
 
     def encode(self, batch: Batch, word_bits: int) -> list[bytes]:
-        """Give the messages of the samples of a batch."""
+        """Return the messages of the samples of a batch."""
         times = [b"null"] * len(batch) if batch.time is None else _texts(batch.time.tolist())
         columns = [column.tolist() for column in batch.columns.values()]
         texts = [_texts(columns[place]) for place in self._order]
@@ -70,7 +70,7 @@ class Encoder:
 
 
 def words_to_hex(words: Words, word_bits: int) -> list[bytes]:
-    """Write words of shape (samples, addresses); give a text for each sample."""
+    """Write words of shape (samples, addresses); return a text for each sample."""
     size = _word_bytes(word_bits)
     big_endian = np.ascontiguousarray(words.astype(">u8")).view(np.uint8).reshape(*words.shape, 8)[..., 8 - size :]
     text = big_endian.tobytes().hex().upper().encode()
@@ -127,7 +127,7 @@ def _template(tree: Any, order: list[int]) -> str:
 
 
 # Foxglove wants one type for each property, properties for each object, and no arrays in arrays. That a value may be
-# null can't be said so, and need not be: a schema tells what there is to be plotted, and nobody checks messages by it.
+# null can't be said so, and need not be: a schema tells what there is to be plotted, and no message is checked by it.
 
 
 def _message_schema(tree: Any, signals: Sequence[Signal]) -> dict[str, Any]:

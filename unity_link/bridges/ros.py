@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 BUFFER = 1 << 16
 """Samples of each group that wait while subscribers are slow; after that the oldest are lost and counted."""
 PATIENCE = 1.0
-"""Seconds for which one who takes nothing is waited for, also at the end."""
+"""Seconds for which a subscriber that takes nothing is waited for, also at the end."""
 
 
 class Outlet(Protocol):
@@ -100,13 +100,13 @@ class RosBridge(abc.ABC, Generic[AnyOutlet]):
 
     @abc.abstractmethod
     def _number_rows(self, kind: str, values: NDArray[Any]) -> Any:
-        """Give messages of a type of ``std_msgs``."""
+        """Return messages of a type of ``std_msgs``."""
 
     @abc.abstractmethod
     def _joint_rows(
         self, names: list[str], instants: NDArray[np.float64], columns: dict[str, NDArray[np.float64]], first: int
     ) -> Any:
-        """Give messages of ``sensor_msgs/JointState``, of which the first has this number."""
+        """Return messages of ``sensor_msgs/JointState``, of which the first has this number."""
 
     # Of both
 

@@ -20,7 +20,7 @@ class SampledGroup(NamedTuple):
 
 
 def sampled_groups(robot: Robot, poll_hz: float | None = None) -> list[SampledGroup]:
-    """Give the groups of a robot that the gateway publishes or the host polls, in the order of the spec.
+    """Return the groups of a robot that the gateway publishes or the host polls, in the order of the spec.
 
     Args:
         robot: a robot of any spec.

@@ -9,7 +9,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
 MOST_KINDS = 1000
-"""Kinds that are told; whoever sends ever new ones is told of no more."""
+"""Kinds that are reported; of a source of ever new ones no more is reported."""
 _NUMBER = re.compile(r"(?<![\w\[.])-?(?:\d[\d.]*(?:e[-+]?\d+)?|nan|inf)\b")
 """A number that is no part of a name: ``500`` in ``j1.pos_sp: 500.0 is outside``, and nothing else."""
 

@@ -68,11 +68,11 @@ class JointTopic(NamedTuple):
     """Columns by joint; empty where no joint of the group has such a signal."""
 
     def rows(self, batch: Batch) -> Iterator[tuple[list[float], list[float], list[float]]]:
-        """Give positions, velocities and efforts of each sample, in SI units; NaN where a joint has none."""
+        """Return positions, velocities and efforts of each sample, in SI units; NaN where a joint has none."""
         return zip(*(column.tolist() for column in self.columns(batch).values()), strict=True)
 
     def columns(self, batch: Batch) -> dict[str, NDArray[np.float64]]:
-        """Give the same as arrays by ``position``, ``velocity`` and ``effort``, of shape (samples, joints or 0)."""
+        """Return the same as arrays by ``position``, ``velocity`` and ``effort``, of shape (samples, joints or 0)."""
         parts = {"position": self.positions, "velocity": self.velocities, "effort": self.efforts}
         return {name: _in_si(proxies, batch) for name, proxies in parts.items()}
 
@@ -86,7 +86,7 @@ class PublishedGroup(NamedTuple):
 
 
 def published_groups(robot: Robot, poll_hz: float | None = None) -> list[PublishedGroup]:
-    """Give what a robot publishes, as topics.
+    """Return what a robot publishes, as topics.
 
     Raises:
         ArgumentError: where there is nothing.
@@ -103,7 +103,7 @@ def published_groups(robot: Robot, poll_hz: float | None = None) -> list[Publish
 
 
 def command_topics(robot: Robot, published: list[PublishedGroup]) -> list[CommandTopic]:
-    """Give the topics by which a robot's signals are written."""
+    """Return the topics by which a robot's signals are written."""
     taken = {topic.name for group in published for topic in group.topics}
     found = []
     for proxy in robot.signals:
@@ -115,7 +115,7 @@ def command_topics(robot: Robot, published: list[PublishedGroup]) -> list[Comman
 
 
 def read_namespace(text: str) -> str:
-    """Give a namespace as it stands before names that begin with a slash: ``/arm``, or nothing.
+    """Return a namespace as it stands before names that begin with a slash: ``/arm``, or nothing.
 
     Raises:
         ArgumentError: where it is none that ROS takes.
@@ -134,7 +134,7 @@ def topic_name(path: str) -> str:
 
 
 def message_type(kind: Kind) -> str:
-    """Give the type of ``std_msgs`` that holds every value of a kind; enumerations are their numbers."""
+    """Return the type of ``std_msgs`` that holds every value of a kind; enumerations are their numbers."""
     return _TYPES[f"{kind.dtype.kind}{kind.dtype.itemsize}"]
 
 

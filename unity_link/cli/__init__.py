@@ -112,7 +112,7 @@ def main(program: typer.Typer = app) -> None:
 
 
 def _open_what_is_closed() -> None:
-    """Give a program that was started without stdout or stderr what takes all that is printed."""
+    """Open what takes all that is printed, for a program that was started without stdout or stderr."""
     for name in ("stdout", "stderr"):
         if getattr(sys, name) is None:
             setattr(sys, name, Path(os.devnull).open("w"))  # noqa: SIM115  (it stays open to the end)

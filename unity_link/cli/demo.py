@@ -130,7 +130,7 @@ class Summary(msgspec.Struct, kw_only=True):
     round_trip_99_percent_s: float | None
 
     def describe(self) -> list[tuple[str, str]]:
-        """Give it as pairs of a name and a text."""
+        """Return it as pairs of a name and a text."""
         pairs = [
             ("requests", f"{self.requests:,} executed exactly once, {self.repetitions:,} of them sent again"),
             ("samples", f"{self.samples:,} at {RATE_HZ} Hz, {self.samples_lost:,} lost"),
@@ -193,7 +193,7 @@ class Demo:
 
     @property
     def counts(self) -> tuple[int, int, int, float | None]:
-        """Give requests, samples, samples lost and the median round trip in seconds so far."""
+        """Return requests, samples, samples lost and the median round trip in seconds so far."""
         seen = self._link.statistics
         median = statistics.median(self._round_trips) if self._round_trips else None
         return seen.requests, seen.samples, seen.samples_lost, median

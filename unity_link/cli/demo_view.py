@@ -120,7 +120,7 @@ def _joints(show: Demo, width: int, height: int) -> Table:
 
 
 def _set_points(show: Demo, number: int, now: float) -> Curve:
-    """Give the set point of a joint as a staircase."""
+    """Return the set point of a joint as a staircase."""
     xs, ys = [], []
     ends = [*(start for start, _ in show.targets[1:]), now]
     for (start, pose), end in zip(show.targets, ends, strict=False):
@@ -157,7 +157,7 @@ def _arm(show: Demo, width: int, height: int) -> Text:
 
 
 def _elbow_and_tool(counts: list[int]) -> tuple[tuple[float, float], tuple[float, float]]:
-    """Give the places of elbow and tool; at 0 both links point up."""
+    """Return the places of elbow and tool; at 0 both links point up."""
     shoulder, elbow = (math.radians(counts[number] / JOINTS[number].counts_per_unit) for number in (0, 1))
     x, y = UPPER_ARM * math.sin(shoulder), UPPER_ARM * math.cos(shoulder)
     return (x, y), (x + FOREARM * math.sin(shoulder + elbow), y + FOREARM * math.cos(shoulder + elbow))

@@ -84,7 +84,7 @@ class Interpreter:
             return "not a message of this gateway"
 
     def body(self, line: bytes) -> bytes:
-        """Give what a frame says without its CRC or CR; for a damaged one, all of it."""
+        """Return what a frame says without its CRC or CR; for a damaged one, all of it."""
         try:
             return self._codec.framing.open(line)
         except FrameError:
@@ -106,7 +106,7 @@ class Interpreter:
         return text if response.id is None else f"{text} (ID {self._id(response.id)})"
 
     def _known(self, request: Request | None) -> dict[str, Any]:
-        """Give what a request says of its response."""
+        """Return what a request says of its response."""
         if request is None:
             return {}
         known = dict(zip(COMMANDS[request.command].fields, request.values, strict=True))

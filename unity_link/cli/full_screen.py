@@ -29,7 +29,7 @@ _ENOUGH = b"qQ\x04"
 
 @asynccontextmanager
 async def full_screen(render: Callable[[ConsoleDimensions], RenderableType]) -> AsyncIterator[Callable[[], None]]:
-    """Show a picture while the block runs, which ends where the user types q; give what draws it anew.
+    """Show a picture while the block runs, which ends where the user types q; return what draws it anew.
 
     Args:
         render: makes the picture for a terminal of a size.

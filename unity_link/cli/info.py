@@ -42,7 +42,7 @@ async def _info(url: str, *, json: bool, timeout: float) -> None:  # noqa: ASYNC
 
 
 async def _round_trip(link: Link) -> float:
-    """Give the median round trip of a lone request, in seconds."""
+    """Return the median round trip of a lone request, in seconds."""
     times = []
     for _ in range(ROUND_TRIPS):
         start = time.perf_counter()

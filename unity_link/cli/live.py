@@ -115,7 +115,7 @@ class _Shown:
         self._poll = poll
 
     def behind(self, link: Link) -> tuple[Robot, list[SampledGroup]]:
-        """Give the robot behind a link, and its groups."""
+        """Return the robot behind a link, and its groups."""
         if self._spec is None:
             from unity_link.bridges.live import robot_of_words
 
@@ -180,7 +180,7 @@ def _announce(listener: socket.socket, token: str | None, foxglove: object, *, b
 
 
 def _has_screen() -> bool:
-    """Say whether a browser would have a window; one in the terminal would be in the way."""
+    """Return whether a browser would have a window; one in the terminal would be in the way."""
     return sys.platform in {"darwin", "win32"} or any(os.environ.get(name) for name in ("DISPLAY", "WAYLAND_DISPLAY"))
 
 

@@ -14,16 +14,16 @@ if TYPE_CHECKING:
 
 
 def out() -> Console:
-    """Give the console of stdout; a pipe gets whole lines, however long."""
+    """Return the console of stdout; a pipe gets whole lines, however long."""
     from rich.console import Console
 
     return Console(highlight=False, soft_wrap=not sys.stdout.isatty())
 
 
 def is_live() -> bool:
-    """Say whether stdout is a terminal that can show a moving picture."""
+    """Return whether stdout is a terminal that can show a moving picture."""
     console = out()
-    # Whoever forces colours on a pipe still wants lines in it; and without Unicode there are no dots to draw with.
+    # Colours that are forced on a pipe still want lines in it; and without Unicode there are no dots to draw with.
     return sys.stdout.isatty() and not console.is_dumb_terminal and console.encoding.startswith("utf")
 
 

@@ -61,6 +61,6 @@ def _signal(figure: Any, marker: Any, curve: Curve) -> Any:
 
 
 def _apart(limits: Limits) -> Limits:
-    """Give limits that are not the same; a flat curve runs through the middle."""
+    """Return limits that are not the same; a flat curve runs through the middle."""
     low, high = limits
     return limits if low < high else (low - 1, high + 1)

@@ -115,7 +115,7 @@ def _bytes(size: int) -> str:
 
 @contextmanager
 def _shown(text: Callable[[], str]) -> Iterator[Callable[[], Any]]:
-    """Show a line that changes, on a terminal; give what refreshes it."""
+    """Show a line that changes, on a terminal; return what refreshes it."""
     from rich.console import Console
 
     console = Console(stderr=True, highlight=False)

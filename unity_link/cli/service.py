@@ -48,7 +48,7 @@ class Service:
             self.tell(f"STATUS={text}")
 
     async def live(self, status: Callable[[], str]) -> None:
-        """Give signs of life and the status until cancelled; the event loop that stands still gives none."""
+        """Send signs of life and the status until cancelled; the event loop that stands still gives none."""
         while self._address:
             self.status(status())
             if self._watched:

@@ -184,7 +184,7 @@ class _Session:
             self.answered.set()
 
     def disconnected(self, reason: Exception | None) -> None:
-        """Take note of the end."""
+        """Record the end."""
         self._end(ConnectError(f"the connection has ended ({reason or 'the other side closed it'})"))
 
     def _end(self, error: Exception) -> None:
@@ -199,7 +199,7 @@ class _Session:
 
 
 def _encoded(line: str) -> bytes:
-    """Give the bytes that were typed, whatever they are."""
+    """Return the bytes that were typed, whatever they are."""
     return line.encode(errors="surrogateescape")
 
 
@@ -242,7 +242,7 @@ async def _answer_lines(session: _Session, timeout: float) -> bool:  # noqa: ASY
 
 
 async def _stdin_lines() -> AsyncIterator[str]:
-    """Give the lines of a stdin that is read without blocking the loop, so that samples are shown meanwhile."""
+    """Return the lines of a stdin that is read without blocking the loop, so that samples are shown meanwhile."""
     from anyio import wait_readable
 
     if sys.stdin is None:
@@ -307,7 +307,7 @@ async def _converse_lines(prompt: Any, session: _Session, timeout: float) -> boo
 
 
 def _history() -> Any:
-    """Give the lines of earlier times, and keep those of this one, where there is a place to."""
+    """Return the lines of earlier times, and keep those of this one, where there is a place to."""
     from prompt_toolkit.history import FileHistory, InMemoryHistory
 
     folder = Path(typer.get_app_dir("unity-link"))

@@ -100,7 +100,7 @@ def _summary(samples: Subscription, seconds: float) -> str:
 
 
 async def _first(count: int | None, samples: Subscription) -> AsyncIterator[Sample]:
-    """Give the first `count` samples, or all."""
+    """Return the first `count` samples, or all."""
     number = 0
     async for sample in samples:
         yield sample
@@ -123,7 +123,7 @@ class _Writer:
         return in_form(word, self.bits, self.form)
 
     def number(self, word: int) -> int:
-        """Give the number that a word stands for."""
+        """Return the number that a word stands for."""
         return to_signed(word, self.bits) if self.form is Format.SIGNED else word
 
     def from_number(self, value: int) -> str:
@@ -134,7 +134,7 @@ class _Writer:
 async def _follow(
     link: Link, samples: Subscription, count: int | None, take: Callable[[Sample], None], look: Callable[[], None]
 ) -> None:
-    """Give the first `count` samples to `take`, or all, and look beside that how things stand."""
+    """Pass the first `count` samples to `take`, or all, and look beside that how things stand."""
     with first_error():
         async with asyncio.TaskGroup() as tasks:
             beside = [tasks.create_task(_repeat(look)), tasks.create_task(_ask(link))]

@@ -35,7 +35,7 @@ class Writer(Protocol):
     """How numbers become text."""
 
     def number(self, word: int) -> int:
-        """Give the number that a word stands for."""
+        """Return the number that a word stands for."""
 
     def from_number(self, value: int) -> str:
         """Write such a number."""
@@ -69,7 +69,7 @@ class Trace:
             self._bins.append((place, value, value))
 
     def curve(self, at: float, most: int, color: Rgb) -> Curve:
-        """Give the last seconds before `at` as a curve of about `most` points."""
+        """Return the last seconds before `at` as a curve of about `most` points."""
         newest = int(at / WINDOW * _MOST_BINS)
         merged: dict[int, list[int]] = {}
         for place, low, high in self._bins:

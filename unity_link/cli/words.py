@@ -39,7 +39,7 @@ def _is_hex(text: str) -> bool:
 
 
 def to_word(value: int, bits: int) -> int:
-    """Give the word that a typed value stands for; a negative one in two's complement.
+    """Return the word that a typed value stands for; a negative one in two's complement.
 
     Raises:
         ArgumentError: where it does not fit in a word of `bits` bits.

@@ -37,20 +37,20 @@ class Values(Mapping["Proxy[Any]", Any]):
         self._row = row
 
     def __getitem__(self, proxy: Proxy[T]) -> T:
-        """Give the value of a signal."""
+        """Return the value of a signal."""
         value: T = self._row[self._places[proxy]]
         return value
 
     def __iter__(self) -> Iterator[Proxy[Any]]:
-        """Give the proxies, in the order of their group."""
+        """Return the proxies, in the order of their group."""
         return iter(self._places)
 
     def __len__(self) -> int:
-        """Give the number of signals."""
+        """Return the number of signals."""
         return len(self._places)
 
     def __repr__(self) -> str:
-        """Give the values by their paths."""
+        """Return the values by their paths."""
         return f"{{{', '.join(f'{proxy.path}: {value!r}' for proxy, value in self.items())}}}"
 
 
@@ -82,15 +82,15 @@ class Batch:
         self._samples = samples
 
     def __len__(self) -> int:
-        """Give the number of samples."""
+        """Return the number of samples."""
         return len(self._samples)
 
     def __getitem__(self, proxy: Proxy[Any]) -> NDArray[Any]:
-        """Give the values of a signal; shape (samples,), those of an enumeration as numbers."""
+        """Return the values of a signal; shape (samples,), those of an enumeration as numbers."""
         return self.columns[proxy]
 
     def __iter__(self) -> Iterator[GroupSample]:
-        """Give the samples one by one."""
+        """Return the samples one by one."""
         proxies = self.layout.places
         rows = zip(*(proxy.scalars(column) for proxy, column in self.columns.items()), strict=True)
         for sample, row in zip(self._samples, rows, strict=True):

@@ -56,7 +56,7 @@ class View:
             raise ArgumentError(str(error).replace(": await ", ": ")) from None
 
     def __getattr__(self, name: str) -> Any:
-        """Give what the thing has under a name."""
+        """Return what the thing has under a name."""
         attribute = getattr(self._thing, name)
         if not callable(attribute) or isinstance(attribute, type):
             return _shown(attribute, self._link)
@@ -65,15 +65,15 @@ class View:
         )
 
     def __dir__(self) -> list[str]:
-        """Give the names that can be completed."""
+        """Return the names that can be completed."""
         return dir(self._thing)
 
     def __getitem__(self, key: Any) -> Any:
-        """Give a signal by its path or its ID."""
+        """Return a signal by its path or its ID."""
         return _shown(self._thing[key], self._link)
 
     def __len__(self) -> int:
-        """Give the number of signals of a group."""
+        """Return the number of signals of a group."""
         return len(self._thing)
 
     def __bool__(self) -> bool:

@@ -45,7 +45,7 @@ class Registration:
 
 
 class Listener:
-    """One who wants the samples of a feed, in batches; leaves where the ``with`` block of this ends."""
+    """A consumer of the samples of a feed, in batches, until its ``with`` block ends."""
 
     def __init__(self, feed: Feed, callback: Callable[[Batch], object] | None, buffer: int, overflow: Overflow) -> None:
         self._feed = feed
@@ -115,7 +115,7 @@ class Listener:
         self._wake()
 
     def is_deaf(self) -> bool:
-        """Say whether an error would reach nobody."""
+        """Return whether an error would reach no listener."""
         return self._callback is not None or not self._buffer
 
     def _drop(self, count: int) -> None:
@@ -175,7 +175,7 @@ class Feed:
 
     def _stopped(self, _: asyncio.Task[None]) -> None:
         self._task = None
-        # Whoever came while the subscription was being ended wants another one.
+        # A listener that came while the subscription was being ended needs another one.
         if self._deserted and self._listeners:
             self._start()
 
@@ -188,7 +188,7 @@ class Feed:
                         listener.deliver(batch)
         except StopAsyncIteration:
             self._end(LinkLostError(f"the samples of {self._name} have ended"))
-        except Exception as error:  # noqa: BLE001  (whatever it is, nobody must wait for samples that don't come)
+        except Exception as error:  # noqa: BLE001  (whatever it is, no listener may wait for samples that don't come)
             self._end(error)
 
     def _end(self, error: Exception) -> None:

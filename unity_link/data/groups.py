@@ -50,7 +50,7 @@ class Plan(msgspec.Struct, frozen=True, kw_only=True):
     """Whether a rate, or sending at once, that the gateway does not have stands for the nearest that it has."""
 
     def is_known(self) -> bool:
-        """Say whether this tells when samples are taken."""
+        """Return whether this tells when samples are taken."""
         return self.rate_hz is not None or self.divisor is not None or self.trigger
 
 
@@ -116,11 +116,11 @@ class Group:
         return made
 
     def __repr__(self) -> str:
-        """Give the name and the size."""
+        """Return the name and the size."""
         return f"<group {self.name}: {len(self.proxies)} signals>"
 
     def __len__(self) -> int:
-        """Give the number of signals."""
+        """Return the number of signals."""
         return len(self.proxies)
 
     # All at once
@@ -294,7 +294,7 @@ class Group:
 
 
 def nothing_publishes(proxies: Sequence[Proxy[Any]]) -> ArgumentError:
-    """Give the error for signals of which nothing says when they are sampled."""
+    """Return the error for signals of which nothing says when they are sampled."""
     names = ", ".join(proxy.path for proxy in proxies[:3]) + (", ..." if len(proxies) > 3 else "")
     return ArgumentError(
         f"nothing says when {names} is to be sampled: give PUBLISH or POLL in the spec, or a rate_hz to a group"
@@ -302,7 +302,7 @@ def nothing_publishes(proxies: Sequence[Proxy[Any]]) -> ArgumentError:
 
 
 def _source(layout: Layout, plan: Plan, buffer: int, overflow: Overflow) -> Source:
-    """Give what samples one gateway."""
+    """Return what samples one gateway."""
     info = layout.link.gateway
     if plan.polled or Feature.GROUPS not in info.features:
         if plan.trigger:

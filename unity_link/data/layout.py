@@ -62,12 +62,12 @@ class Layout:
         return np.array([found[address] for address in self.addresses], np.uint64)
 
     def row(self, words: Words) -> list[Any]:
-        """Give the values in words of shape (addresses,), in the order of the proxies."""
+        """Return the values in words of shape (addresses,), in the order of the proxies."""
         row = self._columns.row(words)
         for place, proxy in self._named:
             row[place] = proxy.scalar(row[place])
         return row
 
     def columns(self, words: Words) -> dict[Proxy[Any], NDArray[Any]]:
-        """Give the values in words of shape (samples, addresses), by their proxies, each of shape (samples,)."""
+        """Return the values in words of shape (samples, addresses), by their proxies, each of shape (samples,)."""
         return dict(zip(self.proxies, self._columns.columns(words), strict=True))

@@ -22,7 +22,7 @@ class LoadedRobot(Robot):
 
 
 def load(spec: str | Path | Spec, interface: str | None = None) -> type[LoadedRobot]:
-    """Give the class of a public interface; `unity_link.load` says more.
+    """Return the class of a public interface; `unity_link.load` says more.
 
     Raises:
         SpecError: with everything that is wrong with the spec.
@@ -52,5 +52,5 @@ def read_interface(text: str) -> Interface:
 
 
 def class_name(name: str) -> str:
-    """Give the name of the class for something that a spec declares: ``leg_joint`` becomes ``LegJoint``."""
+    """Return the name of the class for something that a spec declares: ``leg_joint`` becomes ``LegJoint``."""
     return "".join(word[:1].upper() + word[1:] for word in name.split("_") if word) or "_"

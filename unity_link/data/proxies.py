@@ -1,6 +1,6 @@
 """One signal as a typed value: `Readable`, `Writable`, or both.
 
-A proxy remembers the last value that it has seen, whoever asked for it: a read, a write, a group, a subscription. Of
+A proxy remembers the last value that it has seen, by whatever way: a read, a write, a group, a subscription. Of
 samples it keeps only the batch that they came in, and decodes when it is asked.
 """
 
@@ -71,7 +71,7 @@ class Proxy(Generic[T]):
         return self.signal.unit
 
     def __repr__(self) -> str:
-        """Give the path, and the last value with its age."""
+        """Return the path, and the last value with its age."""
         unit = f" {self.unit}" if self.unit else ""
         seen = "never seen" if self.value is None else f"{self.value!r}{unit}, {self.age:.3g} s ago"
         return f"<{self.path}: {seen}>"
@@ -115,7 +115,7 @@ class Proxy(Generic[T]):
         self._callbacks = tuple(other for other in self._callbacks if other is not callback)
 
     def feed(self) -> Feed | None:
-        """Give the samples of the group that publishes or polls it; None where nothing does."""
+        """Return the samples of the group that publishes or polls it; None where nothing does."""
         return None
 
     # Called by groups and subscriptions
@@ -129,13 +129,13 @@ class Proxy(Generic[T]):
         return cast("list[T]", numbers)
 
     def scalar(self, value: Any) -> T:
-        """Give the member of its enumeration for a number that has a name; any other value as it is."""
+        """Return the member of its enumeration for a number that has a name; any other value as it is."""
         if self._names is None:
             return cast("T", value)
         return cast("T", self._names.get(int(value), int(value)))
 
     def see(self, value: T, at: float | None = None) -> None:
-        """Keep a value as the last one, and call who waits for another one.
+        """Keep a value as the last one, and call the handlers that wait for another one.
 
         Args:
             value: what was read or written.
@@ -152,7 +152,7 @@ class Proxy(Generic[T]):
             callback(value)
 
     def see_batch(self, batch: Batch) -> None:
-        """Keep the last value of a batch, or call who waits for changes with each."""
+        """Keep the last value of a batch, or call the handlers of changes with each."""
         if self._callbacks:
             for value in self.scalars(batch[self]):
                 self.see(value, batch.at)
@@ -178,7 +178,7 @@ class Readable(Proxy[T]):
         return value
 
     def feed(self) -> Feed | None:
-        """Give the samples of the group that publishes or polls it; None where nothing does."""
+        """Return the samples of the group that publishes or polls it; None where nothing does."""
         group = self.robot.publishing_group(self)
         return None if group is None else group.feed
 
@@ -232,7 +232,7 @@ class Writable(Proxy[T]):
         if signal.is_field:
             for index, word in enumerate(words):
                 mask = signal.mask >> (index * signal.word_bits) & ((1 << signal.word_bits) - 1)
-                # It was executed then; only the old word was lost, and nobody wants it.
+                # It was executed then; only the old word was lost, which is not needed.
                 with contextlib.suppress(AnswerLostError):
                     await self.bus.write_masked(signal.address + index, word, mask)
         elif len(words) == 1:

@@ -57,7 +57,7 @@ class Component:
         super().__setattr__(name, value)
 
     def __repr__(self) -> str:
-        """Give the path, and the signals with their last values, one a line."""
+        """Return the path, and the signals with their last values, one a line."""
         name = self._model.path or self._model.name
         return "\n".join([f"<{type(self).__name__} {name}>", *(f"  {signal!r}" for signal in self.signals)])
 
@@ -104,7 +104,7 @@ class Robot(Component):
         }
 
     def __getitem__(self, name: str) -> Proxy[Any]:
-        """Give a signal by its path or its ID.
+        """Return a signal by its path or its ID.
 
         Raises:
             ArgumentError: where there is none.
@@ -118,14 +118,14 @@ class Robot(Component):
         return proxy
 
     def publishing_group(self, proxy: Proxy[Any]) -> Group | None:
-        """Give the group that the gateway or the host samples a signal with, None where nothing does."""
+        """Return the group that the gateway or the host samples a signal with, None where nothing does."""
         if proxy.signal.group is not None:
             return self.groups[proxy.signal.group]
         return None if proxy.signal.poll_hz is None else self._polled[proxy.signal.poll_hz]
 
     @classmethod
     def enumeration(cls, enumeration: Enumeration) -> type[enum.IntEnum]:
-        """Give the class of an enumeration."""
+        """Return the class of an enumeration."""
         return cls.enumerations.get(enumeration.name) or enumeration.python_type
 
     @functools.cached_property
@@ -152,7 +152,7 @@ class Robot(Component):
     # The tree
 
     def _fill(self, component: Component, part: model.Component) -> None:
-        """Give a component its members."""
+        """Assign the members of a component."""
         members: list[Proxy[Any] | Component] = []
         attributes: dict[str, Any] = {}
         for signal in part.signals:
@@ -195,14 +195,14 @@ def _walk(members: Iterable[Proxy[Any] | Component]) -> Iterator[Proxy[Any]]:
 
 
 def proxy_type(signal: model.Signal) -> type[Proxy[Any]]:
-    """Give the class of a signal's proxy."""
+    """Return the class of a signal's proxy."""
     if signal.fifo:
         return {Access.READ: ReadPort, Access.WRITE: WritePort, Access.READWRITE: Port}[signal.access]
     return {Access.READ: Readable, Access.WRITE: Writable, Access.READWRITE: ReadWrite}[signal.access]
 
 
 def python_names(names: Iterable[str]) -> list[str]:
-    """Give the names of attributes for the members of a component, in the same order.
+    """Return the names of attributes for the members of a component, in the same order.
 
     A name that Python or `Robot` has taken gets ``_`` behind it, as many as it needs.
     """

@@ -38,7 +38,7 @@ class Source(Protocol):
         """Samples a second."""
 
     async def take(self) -> list[Sample]:
-        """Wait until there is a sample, and give all that wait."""
+        """Wait until there is a sample, and return all that wait."""
 
     async def publish(self) -> None:
         """Have one sample taken now."""
@@ -107,7 +107,7 @@ class Poll:
         self._ended = True
 
     async def _wait_for_turn(self) -> int:
-        """Give by how many turns this goes on: none, where it was asked for a sample in between."""
+        """Return by how many turns this goes on: none, where it was asked for a sample in between."""
         now = asyncio.get_running_loop().time()
         if self._began is None:
             self._began = now
@@ -174,7 +174,7 @@ class GroupSubscription:
         await asyncio.gather(*(source.publish() for _, source in self._sources))
 
     async def take(self) -> Batch:
-        """Wait until there is a sample, and give all that wait as one batch.
+        """Wait until there is a sample, and return all that wait as one batch.
 
         Raises:
             ArgumentError: where the ``async with`` block has not begun.

@@ -54,7 +54,7 @@ def _encode(proxy: Proxy[Any], value: Any) -> tuple[int, ...]:
 def _writings(
     bus: Bus, items: list[tuple[Proxy[Any], tuple[int, ...]]], *, posted: bool
 ) -> list[Coroutine[Any, Any, None]]:
-    """Give what is to be done on one bus, as coroutines that have not begun."""
+    """Return what is to be done on one bus, as coroutines that have not begun."""
     whole: dict[int, int] = {}
     fields: dict[int, tuple[int, int, int]] = {}
     blocks: list[Coroutine[Any, Any, None]] = []
@@ -82,6 +82,6 @@ def _writings(
 
 
 async def _write_masked(bus: Bus, address: int, word: int, mask: int) -> None:
-    # It was executed then; only the old word was lost, and nobody wants it.
+    # It was executed then; only the old word was lost, which is not needed.
     with contextlib.suppress(AnswerLostError):
         await bus.write_masked(address, word, mask)

@@ -79,7 +79,7 @@ class Templates:
         return self._environment.get_template(f"{name}.jinja").render(origin=self.origin, **values)
 
     def of(self, target: str, filters: Mapping[str, Callable[..., Any]]) -> Templates:
-        """Give the templates of another target, for one that builds on it."""
+        """Return the templates of another target, for one that builds on it."""
         return Templates(target, self._spec, filters)
 
 

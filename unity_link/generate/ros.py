@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 
 def package_name(interface: Interface) -> str:
-    """Give the name of the package; ROS wants small letters (REP 144)."""
+    """Return the name of the package; ROS wants small letters (REP 144)."""
     return f"{interface.name.lower().strip('_')}_unity_link"
 
 
@@ -24,7 +24,7 @@ def robot_module(interface: Interface, templates: Templates) -> GeneratedFile:
 
 
 def names(interface: Interface) -> dict[str, str]:
-    """Give what every template sees."""
+    """Return what every template sees."""
     module = module_name(interface)
     return {
         "package": package_name(interface),

@@ -33,5 +33,5 @@ class Bus(Protocol):
 
 
 def link_under(bus: Bus) -> Link:
-    """Give the link that a bus stands on."""
+    """Return the link that a bus stands on."""
     return cast("Link", getattr(bus, "link", bus))

@@ -39,7 +39,7 @@ class Channels(Module):
             raise ArgumentError(f"{self!r}: {self.channels} channels do not fit")
 
     def offset(self, channel: int) -> int:
-        """Give the offset of a channel.
+        """Return the offset of a channel.
 
         Raises:
             ArgumentError: for a channel that there is not.
@@ -62,12 +62,12 @@ class Totals:
         self._totals: dict[int, int] = {}
 
     def number(self, word: int) -> int:
-        """Give the number that a word says by itself."""
+        """Return the number that a word says by itself."""
         number = word % self._turn
         return number - self._turn if self._signed and number >= self._turn // 2 else number
 
     def follow(self, channel: int, word: int) -> int:
-        """Give the total of a channel that reads `word` now."""
+        """Return the total of a channel that reads `word` now."""
         last = self._totals.get(channel)
         if last is None:
             total = self.number(word)

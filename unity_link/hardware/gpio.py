@@ -70,6 +70,6 @@ class Gpio(Module, word="GPIO"):
 
     async def _write_bit(self, offset: int, pin: int, value: bool) -> None:  # noqa: FBT001
         bit = self._bit(pin)
-        # It was executed then; only the old word was lost, and nobody wants it.
+        # It was executed then; only the old word was lost, which is not needed.
         with contextlib.suppress(AnswerLostError):
             await self.write_masked(offset, bit if value else 0, bit)

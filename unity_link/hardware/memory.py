@@ -22,7 +22,7 @@ class Memory(Module, word="MEMORY"):
     """Plain memory."""
 
     def __len__(self) -> int:
-        """Give the number of words."""
+        """Return the number of words."""
         return self._known_size()
 
     def __bool__(self) -> bool:

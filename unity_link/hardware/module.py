@@ -65,7 +65,7 @@ class Module:
             raise ArgumentError(f"a module of {self.size} words was asked for, at least 1 is needed")
 
     def __repr__(self) -> str:
-        """Give the kind and where it is."""
+        """Return the kind and where it is."""
         size = "" if self.size is None else f", {self.size} words"
         return f"<{type(self).__name__} at {self.base:#x}{size}>"
 
@@ -75,7 +75,7 @@ class Module:
         return self.outer
 
     def address(self, offset: int, count: int = 1) -> int:
-        """Give the address on the gateway's bus of `count` words from `offset` on."""
+        """Return the address on the gateway's bus of `count` words from `offset` on."""
         if offset < 0 or (self.size is not None and offset + count > self.size):
             end = "" if self.size is None else f" to {self.size - count}"
             words = f"{count} words at offset" if count > 1 else "offset"
@@ -91,7 +91,7 @@ class Module:
         await self.bus.write(self.address(offset), value)
 
     async def write_masked(self, offset: int, value: int, mask: int) -> int:
-        """Replace the bits that are 1 in `mask`, atomically, and give the word as it was before."""
+        """Replace the bits that are 1 in `mask`, atomically, and return the word as it was before."""
         return await self.bus.write_masked(self.address(offset), value, mask)
 
     async def post(self, offset: int, value: int) -> None:
@@ -123,7 +123,7 @@ class Module:
 
 
 def module_type(word: str) -> type[Module]:
-    """Give the class for a word of a spec; `Module` itself where there is none."""
+    """Return the class for a word of a spec; `Module` itself where there is none."""
     return _KINDS.get(word, Module)
 
 

@@ -111,7 +111,7 @@ class TosnetNetwork(Module, word="TOSNET"):
         return self.outer if self._committing is None else self._committing
 
     def node(self, number: int) -> TosnetNode:
-        """Give the proxy of a node, 0 to 15."""
+        """Return the proxy of a node, 0 to 15."""
         if not 0 <= number < self.nodes:
             raise ArgumentError(f"node {number} asked for, 0 to {self.nodes - 1} expected")
         return TosnetNode(self.bus, self.address(NODE_WORDS * number, NODE_WORDS), node=number)

@@ -67,19 +67,19 @@ class Connection:
     # What builds on this says
 
     def _begin(self, codec: Codec) -> None:
-        """Take note of a gateway that has said what it is, before its session starts."""
+        """Record a gateway that has said what it is, before its session starts."""
 
     async def _restore(self) -> None:
         """Set up again what a new session of the same link needs."""
 
     def _interrupted(self, reason: str) -> None:
-        """Take note that the connection was lost and is being opened again."""
+        """Record that the connection was lost and is being opened again."""
 
     def _unreachable(self, error: BaseException | None) -> None:
-        """Take note that an attempt to open the connection failed, and that there will be another."""
+        """Record that an attempt to open the connection failed, and that there will be another."""
 
     def _ended(self, error: LinkLostError) -> None:
-        """Take note that the link has ended for good."""
+        """Record that the link has ended for good."""
 
     # Life
 
@@ -182,7 +182,7 @@ class Connection:
                     await self._open_again(reconnect.longest_pause)
         except RetryError as error:
             self._end(LinkLostError(f"{reason}, and no reconnection succeeded ({error.last_attempt.exception()})"))
-        except Exception as error:  # noqa: BLE001  (whatever it is, nobody must wait for a link that is gone)
+        except Exception as error:  # noqa: BLE001  (whatever it is, no call may wait for a link that is gone)
             lost = LinkLostError(f"{reason}, and the reconnection failed ({error})" if reason else str(error))
             lost.__cause__ = error
             self._end(lost)

@@ -34,7 +34,7 @@ Publish = Callable[[bytes, float], None]
 
 
 class PublishRows(NamedTuple):
-    """Who takes many publishes of a group at once, and how long each is."""
+    """The consumer of many publishes of a group at once, and how long each is."""
 
     size: int
     """Characters of a body."""
@@ -62,7 +62,7 @@ class Exchange:
     def __init__(self, on_lost: Callable[[str], None]) -> None:
         self.counters = Counters()
         self.publishes: dict[bytes, Publish] = {}
-        """Who takes the publishes of each group, by its two digits."""
+        """The consumer of the publishes of each group, by its two digits."""
         self.publish_rows: dict[bytes, PublishRows] = {}
         """Who of them can take many at once, by what the bodies begin with, ``P`` and the two digits."""
         self._on_lost = on_lost
@@ -127,7 +127,7 @@ class Exchange:
             self._timer = None
 
     def _end_sent(self, error: LinkLostError, *, keep: bool) -> list[Source]:
-        """End the requests that were sent; give what a new session can send again."""
+        """End the requests that were sent; return what a new session can send again."""
         again = []
         for part in self._window.unanswered():
             source = part.run.again(part.offset, part.size) if keep and not part.run.unwanted() else None
@@ -193,7 +193,7 @@ class Exchange:
         return self._window.smoothed_round_trip
 
     def _number(self, run: Message) -> bytes:
-        """Give a run its IDs, and the frames to send."""
+        """Assign IDs to a run, and return the frames to send."""
         self.counters.requests += run.count
         self._window.send(run, self._now())
         if run.count > 1:
@@ -249,7 +249,7 @@ class Exchange:
     # Responses
 
     def receive(self, data: bytes) -> int:
-        """Take the whole frames of a read, and give where the first that is not whole begins."""
+        """Take the whole frames of a read, and return where the first that is not whole begins."""
         now = self._now()
         start = 0
         window = self._window
@@ -288,7 +288,7 @@ class Exchange:
                 self._admit()
 
     def _receive_rows(self, data: bytes, start: int, now: float) -> int:
-        """Take the answers to a batch as long as they stand side by side; give where they end."""
+        """Take the answers to a batch as long as they stand side by side; return where they end."""
         window = self._window
         while True:
             number = window.oldest
@@ -309,7 +309,7 @@ class Exchange:
             start += taken * run.reply_size
 
     def _receive_publishes(self, data: bytes, start: int, now: float) -> int:
-        """Take the publishes of a group as long as they stand side by side; give where they end."""
+        """Take the publishes of a group as long as they stand side by side; return where they end."""
         framing = self._codec.framing
         head = data[start : start + len(framing.prefix) + 3]
         wanted = self.publish_rows.get(head[len(framing.prefix) :])
@@ -429,7 +429,7 @@ class Exchange:
         self._set_timer()
 
     def disconnected(self, reason: Exception | None) -> None:
-        """Take note that the stream has ended."""
+        """Record that the stream has ended."""
         self._on_lost(f"the connection was lost ({reason})" if reason else "the other side closed the connection")
 
 

@@ -1,4 +1,4 @@
-"""The first words on a new connection: what the gateway is, and the start of a session (protocol sections 2 and 5).
+"""The first words on a new connection: what the gateway is, and the start of a session.
 
 `Q` is asked in plain form, because nothing is known yet, and again in the checked form that follows from the answer;
 only if both agree is the answer believed. `K` then starts the session: the gateway expects ID 0 and publishes nothing.
@@ -179,7 +179,7 @@ class Handshake:
         """End the conversation."""
         if not self._answer.done():
             self._answer.set_exception(self._ended(reason))
-            # Nobody may be waiting at this moment.
+            # No call may be waiting at this moment.
             self._answer.exception()
 
     def _ended(self, reason: Exception | None) -> ConnectError:

@@ -377,7 +377,7 @@ class Link(Connection):
         return Subscription(self._groups, schedule, buffer=buffer, overflow=overflow, callback=callback)
 
     async def send_immediate(self, mode: SendImmediate) -> None:
-        """Choose when an FT232H sends a short packet at once (protocol section 4).
+        """Choose when an FT232H sends a short packet at once (docs/protocol.md, "Send-immediate").
 
         The gateway pulses SIWU# as the mode says, and the driver sets the chip's latency timer and event character.
 
@@ -510,7 +510,7 @@ def _whole(value: int, what: str) -> int:
 
 
 def _in_range(values: ArrayLike, highest: int, what: str) -> NDArray[Any]:
-    """Give whole numbers from 0 to `highest` as an array of one dimension."""
+    """Return whole numbers from 0 to `highest` as an array of one dimension."""
     try:
         array = np.asarray(values)
         if array.dtype.kind not in "iub" and isinstance(values, Sequence):

@@ -62,7 +62,7 @@ _NAMES = {
 
 
 def gateway_error(code: int, what: str) -> GatewayError:
-    """Give the exception for an error code of the gateway; `what` names the request."""
+    """Return the exception for an error code of the gateway; `what` names the request."""
     kind, text = _ERRORS.get(code, (GatewayError, f"the gateway answered error {code:02X}"))
     return kind(f"{what}: {text}", code)
 
@@ -79,16 +79,16 @@ class Source(Protocol):
         """Whether the next request is a posted write."""
 
     def least(self) -> int:
-        """Give for how many requests room is wanted before the next turn."""
+        """Return for how many requests room is wanted before the next turn."""
 
     def take(self, room: int) -> Message:
-        """Give the next run, of at most `room` requests."""
+        """Return the next run, of at most `room` requests."""
 
     def exhausted(self) -> bool:
-        """Say whether all has been taken."""
+        """Return whether all has been taken."""
 
     def unwanted(self) -> bool:
-        """Say whether nobody waits for it any more."""
+        """Return whether it is not awaited any more."""
 
     def fail(self, error: UnityLinkError) -> None:
         """End what has not been taken yet."""
@@ -115,7 +115,7 @@ class Message(Run):
         self.given_up = False
 
     def encode(self, offset: int, count: int) -> bytes:
-        """Give the frames of `count` requests from `offset` on, under the IDs that the window gave."""
+        """Return the frames of `count` requests from `offset` on, under the IDs that the window gave."""
         raise NotImplementedError
 
     def accept(self, offset: int, body: bytes, position: int) -> bool:
@@ -123,15 +123,15 @@ class Message(Run):
         raise NotImplementedError
 
     def unwanted(self) -> bool:
-        """Say whether nobody waits for the answer any more."""
+        """Return whether the answer is not awaited any more."""
         return self.given_up
 
     def fail(self, error: UnityLinkError) -> None:
-        """Tell who waits that there will be no answer."""
+        """Tell the waiting call that there will be no answer."""
         raise NotImplementedError
 
     def fail_part(self, offset: int, count: int, error: UnityLinkError) -> None:  # noqa: ARG002
-        """Tell who waits that there will be no answer to these requests of the run."""
+        """Tell the waiting call that there will be no answer to these requests of the run."""
         self.fail(error)
 
     def describe(self, offset: int) -> str:
@@ -142,11 +142,11 @@ class Message(Run):
         return f"{_NAMES[self.command]} at 0x{fields[: self.codec.info.address_digits]}"
 
     def fields_at(self, offset: int) -> bytes:
-        """Give the fields of one request."""
+        """Return the fields of one request."""
         raise NotImplementedError
 
     def again(self, offset: int, count: int) -> Source | None:
-        """Give what a new session has to send for this part of the run, None where that could execute it twice."""
+        """Return what a new session has to send for this part of the run, None where that could execute it twice."""
         raise NotImplementedError
 
 
@@ -156,7 +156,7 @@ class Rows(Message):
     __slots__ = ()
 
     def accept_rows(self, offset: int, frames: bytes) -> int:
-        """Take the responses to requests from `offset` on; give how many of the frames were such responses."""
+        """Take the responses to requests from `offset` on; return how many of the frames were such responses."""
         raise NotImplementedError
 
 
@@ -184,7 +184,7 @@ class Request(Message):
         self.future: asyncio.Future[Any] = loop.create_future()
 
     def encode(self, offset: int, count: int) -> bytes:  # noqa: ARG002  (a request is a run of one)
-        """Give the frame."""
+        """Return the frame."""
         if not self.frame:
             codec = self.codec
             self.frame = codec.framing.checked(self._command + codec.id_text[self.first] + self.fields)
@@ -203,19 +203,19 @@ class Request(Message):
         return True
 
     def fields_at(self, offset: int) -> bytes:  # noqa: ARG002
-        """Give the fields."""
+        """Return the fields."""
         return self.fields
 
     def decode(self, body: bytes, position: int) -> Any:  # noqa: ARG002
-        """Give what the response says; nothing, for an acknowledgement."""
+        """Return what the response says; nothing, for an acknowledgement."""
         return None
 
     def unwanted(self) -> bool:
-        """Say whether nobody waits for the answer any more."""
+        """Return whether the answer is not awaited any more."""
         return self.given_up or self.future.cancelled()
 
     def fail(self, error: UnityLinkError) -> None:
-        """Raise `error` in who waits."""
+        """Raise `error` in the waiting call."""
         if not self.future.done():
             self.future.set_exception(error)
 
@@ -234,11 +234,11 @@ class Request(Message):
     # A request is a source of itself.
 
     def least(self) -> int:
-        """Give one."""
+        """Return one."""
         return 1
 
     def take(self, room: int) -> Message:  # noqa: ARG002
-        """Give the request itself."""
+        """Return the request itself."""
         return self
 
     def exhausted(self) -> bool:
@@ -252,7 +252,7 @@ class WordRequest(Request):
     __slots__ = ()
 
     def decode(self, body: bytes, position: int) -> int:
-        """Give the word."""
+        """Return the word."""
         return int(body[position:], 16)
 
 
@@ -262,12 +262,12 @@ class WordsRequest(Request):
     __slots__ = ()
 
     def decode(self, body: bytes, position: int) -> Words:
-        """Give the words as an array."""
+        """Return the words as an array."""
         return parse_words(body[position:], self.codec.info.data_digits)
 
 
 class Posted(Request):
-    """A stateless write: no answer, and nobody waits."""
+    """A stateless write: no answer, and no waiting call."""
 
     __slots__ = ("report",)
 
@@ -276,7 +276,7 @@ class Posted(Request):
         self.report = report
 
     def take(self, room: int) -> Message:  # noqa: ARG002
-        """Give the request itself, and let go on who waited for room."""
+        """Return the request itself, and let go on who waited for room."""
         if not self.future.done():
             self.future.set_result(None)
         return self
@@ -324,12 +324,12 @@ class Fence(Request):
 
 
 class Unawaited(Request):
-    """A request of the link itself that nobody waits for, and that a call's cancellation leaves as it is."""
+    """A request of the link itself, which no call waits for and no cancellation ends."""
 
     __slots__ = ()
 
     def fail(self, error: UnityLinkError) -> None:
-        """Do nothing: nobody is to be told."""
+        """Do nothing: no call waits."""
 
 
 class Block:
@@ -346,19 +346,19 @@ class Block:
         return self._requests[0].size
 
     def least(self) -> int:
-        """Give one."""
+        """Return one."""
         return 1
 
     def take(self, room: int) -> Message:  # noqa: ARG002
-        """Give the next request."""
+        """Return the next request."""
         return self._requests.popleft()
 
     def exhausted(self) -> bool:
-        """Say whether all have been taken."""
+        """Return whether all have been taken."""
         return not self._requests
 
     def unwanted(self) -> bool:
-        """Say whether the next request was cancelled, and with it all behind it."""
+        """Return whether the next request was cancelled, and with it all behind it."""
         return self._requests[0].future.cancelled()
 
     def fail(self, error: UnityLinkError) -> None:
@@ -368,7 +368,7 @@ class Block:
 
 
 def common_outcome(requests: Iterable[Request]) -> Outcome:
-    """Give what is known of requests that were asked for together: `Outcome.UNKNOWN` where they fared differently."""
+    """Return what is known of requests that were asked for together: `Outcome.UNKNOWN` where they fared differently."""
     outcomes = {_outcome(request.future) for request in requests}
     return outcomes.pop() if len(outcomes) == 1 else Outcome.UNKNOWN
 
@@ -424,7 +424,7 @@ class Batch:
             self.future.set_exception(self._error[1])
 
     def fail(self, error: UnityLinkError) -> None:
-        """Raise `error`, which is about a part of the batch, in who waits."""
+        """Raise `error`, which is about a part of the batch, in the waiting call."""
         if self.future.done():
             return
         if isinstance(error, UnansweredError) and self.sent and len(self.fields) > 1:
@@ -445,26 +445,26 @@ class BatchSource:
         self.size += batch.fields.shape[1]
 
     def least(self) -> int:
-        """Give a number that is worth a turn."""
+        """Return a number that is worth a turn."""
         return min(SMALLEST_BATCH, self._end - self._start)
 
     def take(self, room: int) -> Message:
-        """Give the next run of at most `room` requests."""
+        """Return the next run of at most `room` requests."""
         count = min(room, self._end - self._start)
         run = BatchRun(self._batch, self._start, count)
         self._start += count
         return run
 
     def exhausted(self) -> bool:
-        """Say whether all have been taken."""
+        """Return whether all have been taken."""
         return self._start == self._end
 
     def unwanted(self) -> bool:
-        """Say whether nobody waits for the batch any more, or it has failed."""
+        """Return whether the batch is not awaited any more, or has failed."""
         return self._batch.future.done()
 
     def fail(self, error: UnityLinkError) -> None:
-        """Raise `error` in who waits."""
+        """Raise `error` in the waiting call."""
         self._batch.fail(error)
 
 
@@ -481,7 +481,7 @@ class BatchRun(Rows):
         self._frames = b""
 
     def encode(self, offset: int, count: int) -> bytes:
-        """Give the frames of `count` requests from `offset` on."""
+        """Return the frames of `count` requests from `offset` on."""
         if not self._frames:
             fields = self._batch.fields[self._offset : self._offset + self.count]
             self._frames = self.codec.request_rows(self.command, self.first, fields)
@@ -500,7 +500,7 @@ class BatchRun(Rows):
         return True
 
     def accept_rows(self, offset: int, frames: bytes) -> int:
-        """Take the responses to requests from `offset` on; give how many of the frames were such responses."""
+        """Take the responses to requests from `offset` on; return how many of the frames were such responses."""
         number = self.first + offset & self.codec.ring - 1
         words = self.codec.response_rows(self.command, number, frames, self._batch.reply_digits)
         if words is None:
@@ -516,27 +516,27 @@ class BatchRun(Rows):
             super().fail_part(offset, count, error)
 
     def fields_at(self, offset: int) -> bytes:
-        """Give the fields of one request."""
+        """Return the fields of one request."""
         fields: bytes = self._batch.fields[self._offset + offset].tobytes()
         return fields
 
     def unwanted(self) -> bool:
-        """Say whether nobody waits for the batch any more."""
+        """Return whether the batch is not awaited any more."""
         return self.given_up or self._batch.future.done()
 
     def fail(self, error: UnityLinkError) -> None:
-        """Raise `error` in who waits for the batch."""
+        """Raise `error` in the call that waits for the batch."""
         self._batch.fail(error)
 
     def again(self, offset: int, count: int) -> Source | None:
-        """Give the part of a batch of reads that is to be sent again."""
+        """Return the part of a batch of reads that is to be sent again."""
         if self.command not in REPEATABLE:
             return None
         return BatchSource(self._batch, self._offset + offset, self._offset + offset + count)
 
 
 class PostedBatch:
-    """Many stateless writes: a source of runs that nobody waits for once they are sent.
+    """Many stateless writes: a source of runs that no call waits for once they are sent.
 
     Args:
         codec: the messages of the gateway.
@@ -564,11 +564,11 @@ class PostedBatch:
         self._start = 0
 
     def least(self) -> int:
-        """Give a number that is worth a turn."""
+        """Return a number that is worth a turn."""
         return min(SMALLEST_BATCH, len(self._values) - self._start)
 
     def take(self, room: int) -> Message:
-        """Give the next run: part of the window, so that a fence can confirm it while the next part is sent."""
+        """Return the next run: part of the window, so that a fence can confirm it while the next part is sent."""
         start, info = self._start, self.codec.info
         end = self._start = start + min(room, self.codec.ring // _POSTED_RUNS, len(self._values) - start)
         if self.exhausted() and not self.future.done():
@@ -579,15 +579,15 @@ class PostedBatch:
         return PostedRun(self.codec, np.concatenate((where, what), axis=1), self.report)
 
     def exhausted(self) -> bool:
-        """Say whether all has been taken."""
+        """Return whether all has been taken."""
         return self._start == len(self._values)
 
     def unwanted(self) -> bool:
-        """Say whether whoever waited has left: what was not sent by then never is."""
+        """Return whether the waiting call was cancelled: what was not sent by then never is."""
         return self.future.cancelled()
 
     def fail(self, error: UnityLinkError) -> None:
-        """Raise `error` in who waits for the rest to be sent."""
+        """Raise `error` in the call that waits for the rest to be sent."""
         if self.future.done():
             return
         if isinstance(error, UnansweredError) and self._start:
@@ -607,7 +607,7 @@ class PostedRun(Message):
         self._frames = b""
 
     def encode(self, offset: int, count: int) -> bytes:
-        """Give the frames of `count` requests from `offset` on."""
+        """Return the frames of `count` requests from `offset` on."""
         if not self._frames:
             self._frames = self.codec.request_rows(self.command, self.first, self._fields)
         return self._frames[offset * self.size : (offset + count) * self.size]
@@ -621,10 +621,10 @@ class PostedRun(Message):
         self._report(error)
 
     def fields_at(self, offset: int) -> bytes:
-        """Give the fields of one request."""
+        """Return the fields of one request."""
         fields: bytes = self._fields[offset].tobytes()
         return fields
 
     def again(self, offset: int, count: int) -> Source | None:  # noqa: ARG002
-        """Give nothing: it could be executed twice."""
+        """Return nothing: it could be executed twice."""
         return None

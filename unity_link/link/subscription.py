@@ -102,7 +102,7 @@ class GatewayClock:
         return estimate + ((timestamp + self._offset - estimate + 0x8000_0000) & 0xFFFF_FFFF) - 0x8000_0000
 
     def seconds_of(self, timestamps: NDArray[np.unsignedinteger], now: float) -> NDArray[np.float64]:
-        """Give the times of timestamps that arrived together, in order."""
+        """Return the times of timestamps that arrived together, in order."""
         self.seconds(int(timestamps[0]), now)
         assert self._ticks is not None
         wide = timestamps.astype(np.int64)
@@ -121,9 +121,9 @@ class Schedule(msgspec.Struct, frozen=True):
 
 
 class Groups:
-    """The groups of one gateway, and who holds each.
+    """The groups of one gateway, and the subscription that holds each.
 
-    A group that was given back longest ago is taken first, so that samples still under way find nobody.
+    A group that was given back longest ago is taken first, so that samples still under way find no new holder.
     """
 
     def __init__(self, exchange: Exchange) -> None:
@@ -151,7 +151,7 @@ class Groups:
             await self._set_up(group, subscription)
 
     def interrupted(self, error: LinkLostError) -> None:
-        """Take note that the session has ended: who waits for a group to be stopped need not wait for the next one."""
+        """Record that the session has ended, and with it every request to stop a group."""
         for request in list(self._stopping):
             request.given_up = True
             request.fail(error)
@@ -346,7 +346,7 @@ class Subscription:
         return self._next()
 
     async def take(self) -> list[Sample]:
-        """Wait until there is a sample, and give all that wait; for readers that work on many at once.
+        """Wait until there is a sample, and return all that wait; for readers that work on many at once.
 
         Raises:
             StopAsyncIteration: when the ``async with`` block has ended.
@@ -440,7 +440,7 @@ class Subscription:
     def _side_by_side(
         self, sequences: NDArray[np.unsignedinteger], timestamps: NDArray[np.unsignedinteger] | None
     ) -> int:
-        """Give how many of the first samples follow each other with none missing."""
+        """Return how many of the first samples follow each other with none missing."""
         steady = np.diff(sequences) == 1
         if timestamps is not None and self._due_hz is not None:
             # Two digits may also have gone round.
@@ -460,7 +460,7 @@ class Subscription:
             self._keep(sample)
 
     def _count_lost(self, sequence: int, at: float | None) -> int:
-        """Give how many samples are missing before this one; a timestamp tells how often the two digits went round."""
+        """Return how many samples are missing before this one; a timestamp tells how often two digits went round."""
         advance = (sequence - self._sequence) & 0xFF or 0x100
         if at is not None and self._sampled_at is not None and self._due_hz is not None:
             due = (at - self._sampled_at) * self._due_hz
@@ -512,7 +512,7 @@ _COUNTED = GroupFlag.PERIODIC | GroupFlag.TRIGGER | GroupFlag.ON_CHANGE
 
 
 def check_addresses(addresses: NDArray[Any], most: int) -> tuple[int, ...]:
-    """Give the addresses of a group.
+    """Return the addresses of a group.
 
     Raises:
         ArgumentError: where there are none, or more than a group of the gateway holds.

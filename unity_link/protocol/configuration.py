@@ -1,4 +1,4 @@
-"""What a gateway says of itself: the answer to `Q` (protocol section 5).
+"""What a gateway says of itself: the answer to `Q` (docs/protocol.md, "Configuration").
 
 All widths of all messages follow from it, so this is the first thing that a host learns and the one thing that host,
 model and generated code share.
@@ -87,7 +87,7 @@ class GatewayInfo(msgspec.Struct, frozen=True, kw_only=True):
         return max(lengths) + self.crc_bits // 4
 
     def to_hex(self) -> bytes:
-        """Give the fields of the answer to `Q` as hex digits."""
+        """Return the fields of the answer to `Q` as hex digits."""
         return b"".join(b"%0*X" % (digits, int(getattr(self, name))) for name, digits in _FIELDS)
 
     @classmethod

@@ -1,4 +1,6 @@
-"""The check of a frame: CRC of 8, 16 or 32 bits, not reflected, initial value 0, no final xor (protocol section 1).
+"""The check of a frame (docs/protocol.md, "Frames"): a CRC of 8, 16 or 32 bits.
+
+It is not reflected, its initial value is 0, and there is no final xor.
 
 The usual polynomials are computed by fastcrc; every other one by a table of 256 remainders. With an initial value of 0
 the CRC is linear, so the CRC of many rows of equal length is one table look-up a column and an xor over the columns.
@@ -48,7 +50,7 @@ class Crc:
         self.digits = bits // 4
         self.of: Callable[[bytes], int] = _COMPILED.get((bits, polynomial), self._by_table)
         self.text = self._text()
-        """Gives the CRC of bytes as it stands in a frame: upper-case hex digits."""
+        """Returns the CRC of bytes as it stands in a frame: upper-case hex digits."""
 
     def _text(self) -> Callable[[bytes], bytes]:
         of, layout = self.of, b"%%0%dX" % self.digits
@@ -58,7 +60,7 @@ class Crc:
         return lambda data: texts[of(data)]
 
     def of_rows(self, rows: NDArray[np.uint8]) -> NDArray[np.uint8]:
-        """Give the CRC of each row of bytes, shape (n, length), as hex digits, shape (n, digits)."""
+        """Return the CRC of each row of bytes, shape (n, length), as hex digits, shape (n, digits)."""
         table = _column_table(self.bits, self.polynomial, rows.shape[1])
         crcs = np.bitwise_xor.reduce(table[np.arange(rows.shape[1]), rows], axis=1)
         shifts = np.arange(self.bits - 4, -1, -4, dtype=crcs.dtype)
@@ -75,7 +77,7 @@ class Crc:
 
 @lru_cache
 def _byte_table(bits: int, polynomial: int) -> list[int]:
-    """Give the CRC of each single byte."""
+    """Return the CRC of each single byte."""
     top, mask = 1 << bits - 1, (1 << bits) - 1
     table = []
     for byte in range(256):
@@ -88,7 +90,7 @@ def _byte_table(bits: int, polynomial: int) -> list[int]:
 
 @lru_cache(maxsize=64)
 def _column_table(bits: int, polynomial: int, length: int) -> NDArray[np.unsignedinteger]:
-    """Give what each byte at each column of a row adds to the row's CRC, shape (length, 256)."""
+    """Return what each byte at each column of a row adds to the row's CRC, shape (length, 256)."""
     step = np.array(_byte_table(bits, polynomial), _DTYPES[bits])
     columns = np.empty((length, 256), _DTYPES[bits])
     columns[-1] = step

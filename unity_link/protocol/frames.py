@@ -1,8 +1,8 @@
-"""What stands between two line ends (protocol section 1): a body, its check and its end.
+"""What stands between two line ends (docs/protocol.md, "Frames"): a body, its check and its end.
 
 A *checked* frame is the body, its CRC and LF. A *plain* one, which a person can type, is the body and CR; a gateway
-ends its plain replies with CR LF. On a medium that several nodes share (section 7) each body stands behind a prefix of
-`Z` and two digits, which the CRC covers. Everything above this module sees bodies only.
+ends its plain replies with CR LF. On a medium that several nodes share ("Addressed frames") each body stands behind a
+prefix of `Z` and two digits, which the CRC covers. Everything above this module sees bodies only.
 """
 
 from __future__ import annotations
@@ -50,20 +50,20 @@ class Framing:
         """Characters of a checked frame beyond its body."""
 
     def checked(self, body: bytes) -> bytes:
-        """Give the checked frame of `body`."""
+        """Return the checked frame of `body`."""
         covered = self.prefix + body
         return covered + self.crc.text(covered) + LF
 
     def plain_request(self, body: bytes) -> bytes:
-        """Give the plain frame of `body` as a host sends it."""
+        """Return the plain frame of `body` as a host sends it."""
         return self.prefix + body + CR
 
     def plain_reply(self, body: bytes) -> bytes:
-        """Give the plain frame of `body` as a gateway sends it."""
+        """Return the plain frame of `body` as a gateway sends it."""
         return self.prefix + body + CR + LF
 
     def open(self, line: bytes) -> bytes:
-        """Give the body of a frame that a gateway sent.
+        """Return the body of a frame that a gateway sent.
 
         Args:
             line: what came before the LF.
@@ -86,7 +86,7 @@ class Framing:
         return covered
 
     def open_rows(self, rows: NDArray[np.uint8], head: bytes) -> NDArray[np.uint8]:
-        """Give the bodies of checked frames of one length that stand side by side, up to the first that is none.
+        """Return the bodies of checked frames of one length that stand side by side, up to the first that is none.
 
         Args:
             rows: the frames with their LF, shape (n, length).

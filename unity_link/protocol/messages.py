@@ -1,7 +1,7 @@
 """What the frames mean: every message of the protocol, for any widths that `Q` can report.
 
-`COMMANDS` is the table of protocol section 2. A `Codec` is that table made concrete for the widths of one gateway; it
-encodes and decodes both directions, because the virtual gateway speaks the same messages as the host.
+`COMMANDS` is the table of docs/protocol.md, "Requests and responses". A `Codec` is that table made concrete for the
+widths of one gateway; it encodes and decodes both directions, because the virtual gateway speaks the same messages as the host.
 
 Field letters, as in the protocol: ``a`` address, ``d`` data word, ``m`` mask, ``n`` count, ``g`` group, ``f`` flags,
 ``v`` divisor, ``s`` mode, ``i`` ID; ``D`` all words and ``A`` all addresses up to the end of the message.
@@ -28,7 +28,7 @@ Words: TypeAlias = NDArray[np.unsignedinteger[Any]]
 
 
 class Repetition(enum.Enum):
-    """How a gateway answers a request that it has executed before (protocol section 3)."""
+    """How a gateway answers a request that it has executed before (docs/protocol.md, "Exactly once, in order")."""
 
     READ_AGAIN = enum.auto()
     REFUSE = enum.auto()
@@ -73,7 +73,7 @@ LISTS = {"D": "d", "A": "a"}
 
 
 class ErrorCode(enum.IntEnum):
-    """Numbers of the errors that a gateway answers (protocol section 2)."""
+    """Numbers of the errors that a gateway answers (docs/protocol.md, "Errors")."""
 
     CRC = 1
     UNKNOWN_COMMAND = 2
@@ -169,18 +169,18 @@ class Codec:
     # Requests, host to gateway
 
     def fields(self, command: str, *values: Any) -> bytes:
-        """Give the fields of a request as hex digits. A list of words or addresses is given as an array."""
+        """Return the fields of a request as hex digits. A list of words or addresses is given as an array."""
         layout, digits = self._layouts[command]
         if digits:
             return layout % (*values[:-1], hex_rows(values[-1], digits).tobytes())
         return layout % values
 
     def request(self, command: str, number: int, fields: bytes) -> bytes:
-        """Give the checked frame of a request with an ID."""
+        """Return the checked frame of a request with an ID."""
         return self.framing.checked(self.lower[command] + self.id_text[number] + fields)
 
     def request_rows(self, command: str, first: int, fields: NDArray[np.uint8]) -> bytes:
-        """Give the checked frames of many requests of one command under consecutive IDs.
+        """Return the checked frames of many requests of one command under consecutive IDs.
 
         Args:
             command: the command, in upper case.
@@ -309,7 +309,7 @@ class Codec:
     # Responses
 
     def response(self, request: Request, reads: int | Sequence[int] | NDArray[Any] | None = None) -> bytes:
-        """Give the body of a gateway's response: `reads` is the word or words read, if any."""
+        """Return the body of a gateway's response: `reads` is the word or words read, if any."""
         row = COMMANDS[request.command]
         if request.id is not None:
             head = request.command.lower().encode() + self.id_text[request.id]
@@ -328,15 +328,15 @@ class Codec:
         return b"".join(b"%0*X" % (self.digits[letter], by_letter[letter]) for letter in row.echo)
 
     def error(self, code: ErrorCode, number: int | None = None) -> bytes:
-        """Give the body of an error, with the ID of the request that it answers or without."""
+        """Return the body of an error, with the ID of the request that it answers or without."""
         return b"X%02X" % code if number is None else b"x%b%02X" % (self.id_text[number], code)
 
     def out_of_sequence(self, expected: int) -> bytes:
-        """Give the body of the message that tells the next ID expected."""
+        """Return the body of the message that tells the next ID expected."""
         return b"n" + self.id_text[expected]
 
     def publish(self, group: int, sequence: int, timestamp: int | None, words: ArrayLike) -> bytes:
-        """Give the body of a published sample; `timestamp` counts clock ticks modulo 2**32."""
+        """Return the body of a published sample; `timestamp` counts clock ticks modulo 2**32."""
         time = b"" if timestamp is None else b"%08X" % timestamp
         return b"P%02X%02X%b%b" % (group, sequence, time, hex_rows(words, self.info.data_digits).tobytes())
 
@@ -371,7 +371,7 @@ class Codec:
         return Response(command, number, dict(zip(letters_expected, self._split(letters_expected, text), strict=True)))
 
     def _layout(self, letters: str) -> tuple[bytes, int]:
-        """Give the %-format of a request's fields, and the digits of the items of the list at its end, if any."""
+        """Return the %-format of a request's fields, and the digits of the items of the list at its end, if any."""
         layout = b"".join(b"%b" if letter in LISTS else b"%%0%dX" % self.digits[letter] for letter in letters)
         return layout, self.digits[LISTS[letters[-1]]] if letters[-1:] in LISTS else 0
 
@@ -394,7 +394,7 @@ _FORMS = {digits: _form(digits) for digits in range(1, 17)}
 
 
 def hex_rows(values: ArrayLike, digits: int) -> NDArray[np.uint8]:
-    """Give numbers as upper-case hex digits, shape (n, digits)."""
+    """Return numbers as upper-case hex digits, shape (n, digits)."""
     form = _FORMS[digits]
     # Without a type, numpy makes floats of a list that holds both small numbers and some of 64 bits.
     numbers = values if isinstance(values, np.ndarray) else np.asarray(values, np.uint64)

@@ -1,8 +1,8 @@
 """The gateway's side of the protocol: what it makes of a line that a host sent, before it executes anything.
 
 Shared by all that answer hosts: the virtual gateway, and the server that lets several programs share one link. They
-differ in what executing means. `Reception` is steps 1 to 5 of the checks in protocol section 2, `Sequence` is step 6,
-`group_fits` is what step 7 says of the settings of a group.
+differ in what executing means. `Reception` is steps 1 to 5 of the checks in docs/protocol.md, "Errors", `Sequence` is
+step 6, `group_fits` is what step 7 says of the settings of a group.
 """
 
 from __future__ import annotations
@@ -62,7 +62,7 @@ class Reception:
 
 
 def group_fits(info: GatewayInfo, number: int, flags: int, divisor: int, addresses: list[int]) -> bool:
-    """Say whether a gateway takes the settings of a group; otherwise it answers error 06 (protocol section 2)."""
+    """Return whether a gateway takes the settings of a group; otherwise it answers error 06."""
     known = int(_ALWAYS_KNOWN)
     for flag, feature in _NEEDED_FEATURES.items():
         if feature in info.features:
@@ -77,7 +77,7 @@ def group_fits(info: GatewayInfo, number: int, flags: int, divisor: int, address
 
 
 class Place(enum.Enum):
-    """Where a request with an ID stands in the order (protocol section 3)."""
+    """Where a request with an ID stands in the order (docs/protocol.md, "Exactly once, in order")."""
 
     NEXT = enum.auto()
     """It is the one expected, and now counted."""

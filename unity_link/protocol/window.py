@@ -1,4 +1,4 @@
-"""Exactly once, in order: the host's side of protocol section 3, as a state machine without I/O or clocks.
+"""The host's side of docs/protocol.md, "Exactly once, in order", as a state machine without I/O or clocks.
 
 Every request carries an ID, and IDs go round a ring of 16**id_digits numbers. The gateway executes only the ID that it
 expects next, so the whole state of both sides fits on that ring. The host keeps three marks on it:
@@ -183,7 +183,7 @@ class Window(Generic[R]):
         return self._allowed if self._byte_limit is None else min(self._allowed, max(1, self._byte_limit // size))
 
     def room(self, size: int, *, posted: bool = False) -> int:
-        """Give how many more requests of `size` characters may be sent now.
+        """Return how many more requests of `size` characters may be sent now.
 
         Posted writes leave room for the ``h`` that will confirm them.
         """
@@ -197,7 +197,7 @@ class Window(Generic[R]):
         return max(ids, 0)
 
     def send(self, run: R, now: float) -> None:
-        """Give IDs to a run that is now sent. The caller has seen that there is room (an ``h`` needs none)."""
+        """Assign IDs to a run that is now sent. The caller has seen that there is room (an ``h`` needs none)."""
         first, count = self.next, run.count
         run.first = first
         after = first + count & self._mask
@@ -222,7 +222,7 @@ class Window(Generic[R]):
         self.next = self._to_repeat = after
 
     def needs_fence(self, now: float) -> bool:
-        """Say whether posted writes have waited long enough, or are many enough, to be confirmed by an ``h``."""
+        """Return whether posted writes have waited long enough, or are many enough, to be confirmed by an ``h``."""
         if not self.unfenced or self._to_repeat != self.next:
             return False
         if self._byte_limit is not None and 4 * self._unfenced_bytes >= self._byte_limit:
@@ -265,11 +265,11 @@ class Window(Generic[R]):
     # Receiving
 
     def find(self, number: int) -> R | None:
-        """Give the run that an answer names, or None where nothing waits for it (a stale answer)."""
+        """Return the run that an answer names, or None where nothing waits for it (a stale answer)."""
         return self._slots[number]
 
     def unanswered_from(self, number: int, most: int) -> int:
-        """Give how many IDs from `number` on, of `most`, wait for answers to the same run as `number` does."""
+        """Return how many IDs from `number` on, of `most`, wait for answers to the same run as `number` does."""
         run, end = self._slots[number], number + most
         slots = self._slots[number:end] + self._slots[: max(0, end - self._mask - 1)]
         if slots.count(run) == most:
@@ -277,7 +277,7 @@ class Window(Generic[R]):
         return next(index for index, other in enumerate(slots) if other is not run)
 
     def answered(self, number: int, count: int, now: float) -> None:
-        """Take note of the answers to `count` IDs from `number` on, all of which wait for answers to one run."""
+        """Record the answers to `count` IDs from `number` on, all of which wait for answers to one run."""
         run = self._slots[number]
         if run is None:
             raise ValueError(f"no request with ID {number} waits for an answer")
@@ -312,7 +312,7 @@ class Window(Generic[R]):
             self._go_back(now)
 
     def out_of_sequence(self, expected: int, now: float) -> None:
-        """Take note of ``n``: the gateway expects this ID, so a request has been lost."""
+        """Record ``n``: the gateway expects this ID, so a request has been lost."""
         if self._distance(expected) > self._distance(self.next):
             return
         if self._distance(expected) > self._distance(self.executed):
@@ -325,7 +325,7 @@ class Window(Generic[R]):
         self._go_back(now)
 
     def refused(self, now: float) -> R | None:
-        """Take note of ``X02`` or ``X03``: give the run whose request is given up, if this was once too often."""
+        """Record ``X02`` or ``X03``: give the run whose request is given up, if this was once too often."""
         given_up = None
         if self.oldest != self.next and self.oldest == self.executed and not self._refused:
             self._refused = True
@@ -351,7 +351,7 @@ class Window(Generic[R]):
         return expiry if self._fence_due is None or repeating else min(expiry, self._fence_due)
 
     def expire(self, now: float) -> R | None:
-        """Take note of the time: give the run whose request is given up, if this was once too often.
+        """Record the time: give the run whose request is given up, if this was once too often.
 
         A fence that is due is the matter of `needs_fence`.
         """

@@ -133,7 +133,7 @@ def compile_text(
 
 
 def format_text(text: str, name: str = "<text>") -> str:
-    """Give the text of a spec in its canonical layout, comments included.
+    """Return the text of a spec in its canonical layout, comments included.
 
     Raises:
         SpecError: where it cannot be parsed; other faults don't matter here.

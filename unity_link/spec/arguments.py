@@ -111,7 +111,7 @@ class Binder:
         slots: tuple[Slot, ...],
         by_place: int = 0,
     ) -> Bound:
-        """Give the values of `arguments`; what is wrong with them is reported.
+        """Return the values of `arguments`; what is wrong with them is reported.
 
         Args:
             word: whose arguments these are.

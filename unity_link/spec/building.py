@@ -48,7 +48,7 @@ class Builder:
         self._evaluators: dict[int, tuple[Evaluator, SignalReader]] = {}
 
     def tools(self, source: Source) -> tuple[Evaluator, SignalReader]:
-        """Give what computes expressions and reads signals in one source."""
+        """Return what computes expressions and reads signals in one source."""
         tools = self._evaluators.get(id(source))
         if tools is None:
             evaluator = Evaluator(source, self.elaborator.reporter)
@@ -188,7 +188,7 @@ class Builder:
     def _set_divisor(
         self, evaluator: Evaluator, group: GroupDraft, divisor: int | None, places: Mapping[str, tuple[int, int]]
     ) -> None:
-        """Give a group the divisor that a signal tells; it has only one."""
+        """Set the divisor of a group as a signal tells it; it has only one."""
         if divisor is None:
             return
         place = Place(evaluator.source, places["PUBLISH.DIVISOR"])

@@ -65,7 +65,7 @@ class Columns:
         ]
 
     def decode(self, words: ArrayLike) -> dict[str, NDArray[Any]]:
-        """Give the values of each signal by its path.
+        """Return the values of each signal by its path.
 
         Args:
             words: shape (..., addresses); the last axis is in the order of the addresses.
@@ -76,7 +76,7 @@ class Columns:
         return dict(zip(self._paths, self.columns(words), strict=True))
 
     def columns(self, words: ArrayLike) -> list[NDArray[Any]]:
-        """Give the same as a list, in the order of the signals."""
+        """Return the same as a list, in the order of the signals."""
         values: list[NDArray[Any]] = [_NONE] * len(self._paths)
         for block in self._blocks:
             decoded = self._decode_block(block, words)
@@ -85,7 +85,7 @@ class Columns:
         return values
 
     def row(self, words: ArrayLike) -> list[Value]:
-        """Give the values of one sample, in the order of the signals, as Python has them; of enumerations numbers.
+        """Return the values of one sample, in the order of the signals, as Python has them; of enumerations numbers.
 
         Args:
             words: shape (addresses,).
@@ -107,7 +107,7 @@ class Columns:
         return block.kind.decode_array(raw if block.is_whole else raw >> block.shifts & block.mask)
 
     def encode(self, values: Mapping[str, ArrayLike]) -> Words:
-        """Give the words of values of all signals; bits that no signal has are 0.
+        """Return the words of values of all signals; bits that no signal has are 0.
 
         Args:
             values: by paths, arrays of one shape (...).

@@ -82,7 +82,7 @@ class _Attacher:
             self._next += 1
 
     def _is_alone(self, found: Place) -> bool:
-        """Say whether nothing stands before a comment on its line."""
+        """Return whether nothing stands before a comment on its line."""
         line_start = self._source.text.rfind("\n", 0, found.start) + 1
         return not self._source.text[line_start : found.start].strip(SPACE)
 

@@ -38,7 +38,7 @@ class Span(msgspec.Struct, frozen=True):
     end_column: int
 
     def __str__(self) -> str:
-        """Give ``file:line:column``, which editors and terminals make a link of."""
+        """Return ``file:line:column``, which editors and terminals make a link of."""
         return f"{self.file}:{self.line}:{self.column}"
 
 
@@ -70,7 +70,7 @@ class Diagnostic(msgspec.Struct, frozen=True):
     notes: tuple[Note, ...] = ()
 
     def render(self) -> str:
-        """Give the message with the line and what is meant in it underlined, without a line end."""
+        """Return the message with the line and what is meant in it underlined, without a line end."""
         # A file as a whole has no line to show.
         is_place = self.span.end_column > self.span.column or self.span.end_line > self.span.line
         where = str(self.span) if is_place else self.span.file
@@ -92,7 +92,7 @@ class SpecError(UnityLinkError):
         super().__init__(self.diagnostics)
 
     def __str__(self) -> str:
-        """Give all diagnostics and how many they are."""
+        """Return all diagnostics and how many they are."""
         shown = [diagnostic.render() for diagnostic in self.diagnostics[:MOST_SHOWN]]
         return "\n".join([*shown, summary(self.diagnostics)])
 
@@ -110,7 +110,7 @@ def summary(diagnostics: Iterable[Diagnostic]) -> str:
 
 
 def underlined(text: str, span: Span) -> list[str]:
-    """Give the lines that show a place: the line of the source, and carets under what is meant."""
+    """Return the lines that show a place: the line of the source, and carets under what is meant."""
     start = min(span.column - 1, len(text))
     end = span.end_column - 1 if span.end_line == span.line else len(text)
     end = max(min(end, len(text)), start + 1)
@@ -143,16 +143,16 @@ class Source:
         return hashlib.sha256(self.text.encode("utf-8", "surrogatepass")).hexdigest()
 
     def line_of(self, offset: int) -> int:
-        """Give the number of the line, from 1, that a character stands in."""
+        """Return the number of the line, from 1, that a character stands in."""
         return bisect.bisect_right(self._starts, offset)
 
     def line(self, number: int) -> str:
-        """Give a line of the text without its end."""
+        """Return a line of the text without its end."""
         end = self._starts[number] - 1 if number < len(self._starts) else len(self.text)
         return self.text[self._starts[number - 1] : end].rstrip("\r")
 
     def span(self, start: int, end: int) -> Span:
-        """Give the place of the characters from `start` to before `end`."""
+        """Return the place of the characters from `start` to before `end`."""
         line, end_line = self.line_of(start), self.line_of(max(start, end - 1))
         return Span(self.name, line, start - self._starts[line - 1] + 1, end_line, end - self._starts[end_line - 1] + 1)
 

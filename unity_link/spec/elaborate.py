@@ -157,7 +157,7 @@ class Elaborator:
         )
 
     def _widths(self, evaluator: Evaluator, node: ComponentDeclaration, scope: Mapping[str, Result]) -> tuple[int, int]:
-        """Give the gateway's widths: those that the caller knows, else those that the spec tells."""
+        """Return the gateway's widths: those that the caller knows, else those that the spec tells."""
         bound: Bound = {}
         found: Placement | None = None
         for member in node.members:
@@ -207,14 +207,14 @@ class Elaborator:
     # For the builder
 
     def span(self, source: Source, node: Node) -> Span:
-        """Give the place of a node, computed once."""
+        """Return the place of a node, computed once."""
         found = self._spans.get(id(node))
         if found is None:
             found = self._spans[id(node)] = source.span(*node.place)
         return found
 
     def enter(self, evaluator: Evaluator, node: ComponentDeclaration) -> None:
-        """Take note that a component is used."""
+        """Record that a component is used."""
         self._used.add(str(node.name))
         self._check_parameters(evaluator, node)
 
@@ -239,7 +239,7 @@ class Elaborator:
         return GroupDraft(name, Place(source, node.name.place), self._group_bounds[name], "\n".join(node.doc))
 
     def group_of_number(self, number: int) -> str | None:
-        """Give the declared group that has a number."""
+        """Return the declared group that has a number."""
         return next((name for name, bound in self._group_bounds.items() if bound.get("NUMBER") == number), None)
 
     @property

@@ -41,7 +41,7 @@ class _FaultError(Exception):
 
 @functools.lru_cache(maxsize=65536)
 def parse_number(text: str) -> int | float | None:
-    """Give the number that a text writes, None if it writes none."""
+    """Return the number that a text writes, None if it writes none."""
     try:
         if text[:2] in {"0x", "0X", "0b", "0B"}:
             number: int | float = int(text, 0)
@@ -82,7 +82,7 @@ class Evaluator:
         self.reporter.error(self.source, place, code, message, help=help)
 
     def evaluate(self, expression: Expression, scope: Mapping[str, Result]) -> Result:  # noqa: PLR0911
-        """Give the value of an expression, None where it has none."""
+        """Return the value of an expression, None where it has none."""
         match expression:
             case Number():
                 return self._number(expression)

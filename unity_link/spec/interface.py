@@ -32,7 +32,7 @@ class Place(NamedTuple):
         return self.source.span(*self.bounds)
 
     def note(self, message: str) -> tuple[Span, str, str]:
-        """Give a note about it."""
+        """Return a note about it."""
         span = self.span
         return span, message, self.source.line(span.line)
 
@@ -76,7 +76,7 @@ class InterfaceDraft:
         """Signals, components and modules so far."""
 
     def check(self) -> tuple[Group, ...]:
-        """Apply the rules for the whole; give the groups."""
+        """Apply the rules for the whole; return the groups."""
         self._check_modules()
         self._check_addresses()
         self._check_overlaps()
@@ -257,7 +257,7 @@ class InterfaceDraft:
         )
 
     def _joints(self, draft: GroupDraft) -> tuple[Joint, ...]:
-        """Give the joints of a group: the components of which a signal has one of the names that JOINTS tells."""
+        """Return the joints of a group: the components of which a signal has one of the names that JOINTS tells."""
         clause: dict[str, str] | None = draft.bound.get("JOINTS")
         if clause is None:
             return ()
@@ -282,7 +282,7 @@ def _hex(address: int) -> str:
 
 
 def _taken(signal: Signal, address: int) -> int:
-    """Give the bits that a signal takes of the word at an address: all, where an access to any moves a FIFO."""
+    """Return the bits that a signal takes of the word at an address: all, where an access to any moves a FIFO."""
     return (1 << signal.word_bits) - 1 if signal.fifo else signal.mask_at(address)
 
 

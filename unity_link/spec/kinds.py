@@ -153,7 +153,7 @@ class Kind(msgspec.Struct, frozen=True):
         return np.dtype(f"{'i' if self.is_signed else 'u'}{size}")
 
     def is_exact(self) -> bool:
-        """Say whether every raw has a value of its own: a double has 53 bits for value and offset together."""
+        """Return whether every raw has a value of its own: a double has 53 bits for value and offset together."""
         if not self.is_scaled:
             return True
         step = abs(self.step)
@@ -168,7 +168,7 @@ class Kind(msgspec.Struct, frozen=True):
         return number * self.step + self.offset if self.is_scaled else number
 
     def decode(self, raw: int) -> Value:
-        """Give the value of a raw of `width` bits."""
+        """Return the value of a raw of `width` bits."""
         if self.name is KindName.FLOAT:
             value: float = struct.unpack(FLOAT_BITS[self.width], raw.to_bytes(self.width // 8, "little"))[0]
             return value
@@ -181,7 +181,7 @@ class Kind(msgspec.Struct, frozen=True):
         return self._scaled(number)
 
     def encode(self, value: Value | str) -> int:
-        """Give the raw of a value; an enumeration takes its names too.
+        """Return the raw of a value; an enumeration takes its names too.
 
         Raises:
             ArgumentError: for a value that the kind cannot say.
@@ -238,7 +238,7 @@ class Kind(msgspec.Struct, frozen=True):
     # Many values
 
     def decode_array(self, raw: NDArray[np.unsignedinteger[Any]]) -> NDArray[Any]:
-        """Give the values of many raws of any shape, as `dtype`; those of an enumeration as numbers."""
+        """Return the values of many raws of any shape, as `dtype`; those of an enumeration as numbers."""
         raw = raw.astype(np.uint64, copy=False)
         if self.name is KindName.FLOAT:
             return raw.astype(f"u{self.width // 8}").view(self.dtype)
@@ -256,7 +256,7 @@ class Kind(msgspec.Struct, frozen=True):
         return numbers.astype(self.dtype)
 
     def encode_array(self, values: NDArray[Any]) -> NDArray[np.uint64]:
-        """Give the raws of many values of any shape.
+        """Return the raws of many values of any shape.
 
         Raises:
             ArgumentError: for a value that the kind cannot say.

@@ -106,7 +106,7 @@ class Signal(msgspec.Struct, frozen=True, kw_only=True):
         return ((1 << self.width) - 1) << self.lowest_bit
 
     def mask_at(self, address: int) -> int:
-        """Give the bits that are its own of the word at one of its addresses."""
+        """Return the bits that are its own of the word at one of its addresses."""
         return self.mask >> (address - self.address) * self.word_bits & (1 << self.word_bits) - 1
 
     @property
@@ -116,7 +116,7 @@ class Signal(msgspec.Struct, frozen=True, kw_only=True):
         return (low if self.minimum is None else self.minimum, high if self.maximum is None else self.maximum)
 
     def decode(self, words: int | Sequence[int]) -> Value:
-        """Give the value that stands in its word, or in its words in the order of their addresses."""
+        """Return the value that stands in its word, or in its words in the order of their addresses."""
         whole = words if isinstance(words, int) else self._join(words)
         return self.kind.decode((whole & self.mask) >> self.lowest_bit)
 
@@ -126,7 +126,7 @@ class Signal(msgspec.Struct, frozen=True, kw_only=True):
         return sum(int(word) << (index * self.word_bits) for index, word in enumerate(words))
 
     def encode(self, value: Value | str) -> tuple[int, ...]:
-        """Give the words of a value, one for each address; bits that are not its own are 0.
+        """Return the words of a value, one for each address; bits that are not its own are 0.
 
         Raises:
             ArgumentError: for a value that the kind cannot say, or outside of the limits.
@@ -172,7 +172,7 @@ class Component(msgspec.Struct, frozen=True, kw_only=True, tag_field="part", tag
     span: Span = NOWHERE
 
     def walk(self) -> Iterator[Component]:
-        """Give this component and all in it, in the order of the spec."""
+        """Return this component and all in it, in the order of the spec."""
         yield self
         for part in self.parts:
             for item in part.items if isinstance(part, ComponentArray) else (part,):
@@ -287,7 +287,7 @@ class Spec(msgspec.Struct, frozen=True, kw_only=True):
     warnings: tuple[Diagnostic, ...] = ()
 
     def interface(self, name: str | None = None) -> Interface:
-        """Give an interface by its name, or the only one there is.
+        """Return an interface by its name, or the only one there is.
 
         Raises:
             ArgumentError: where there is none of that name, or the name is needed.

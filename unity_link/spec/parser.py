@@ -88,7 +88,7 @@ def _is_sane(source: Source, reporter: Reporter) -> bool:
 
 @functools.cache
 def _parser(*, builds: bool) -> Lark:
-    """Give the parser; one that does not build takes any text in pieces, of which no tree can be made."""
+    """Return the parser; one that does not build takes any text in pieces, of which no tree can be made."""
     grammar = Path(__file__).with_name("grammar.lark").read_text(encoding="utf-8")
     return Lark(
         grammar, parser="lalr", lexer=TokenLexer, transformer=_Builder() if builds else None, maybe_placeholders=True
@@ -96,7 +96,7 @@ def _parser(*, builds: bool) -> Lark:
 
 
 def word(token: Token) -> Word:
-    """Give a token as a name with its place."""
+    """Return a token as a name with its place."""
     return Word(token, token.start_pos or 0, token.end_pos or 0)
 
 
@@ -108,7 +108,7 @@ def _unescaped(token: Token) -> str:
 
 
 def _bounds(first: Any, last: Any) -> dict[str, Any]:
-    """Give the place from one token or node to another."""
+    """Return the place from one token or node to another."""
     start = first.start_pos if isinstance(first, Token) else first.start
     end = last.end_pos if isinstance(last, Token) else last.end
     return {"start": start, "end": end}

@@ -112,7 +112,7 @@ class Contents:
         return f"{self._where.path}.{item}" if self._where.path else item
 
     def _count(self, member: Placement) -> range | None:
-        """Give the indices of an array."""
+        """Return the indices of an array."""
         assert member.count is not None
         value = self._evaluator.evaluate(member.count, self._where.scope)
         if value is None:
@@ -325,7 +325,7 @@ def _documented(component: Component, member: Placement) -> Component:
 
 
 def whole_address(evaluator: Evaluator, place: tuple[int, int], value: Result) -> int | None:
-    """Give a value as an address; report one that is none."""
+    """Return a value as an address; report one that is none."""
     if value is None:
         return None
     if isinstance(value, bool) or not isinstance(value, int):

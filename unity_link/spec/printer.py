@@ -40,7 +40,7 @@ _ESCAPES = str.maketrans({"\\": "\\\\", '"': '\\"', "\n": "\\n", "\t": "\\t"})
 
 
 def print_file(file: File) -> str:
-    """Give the text of a file; it ends with a line end, unless it is empty."""
+    """Return the text of a file; it ends with a line end, unless it is empty."""
     lines: list[str] = []
     previous: Statement | None = None
     for item in file.items:
@@ -54,7 +54,7 @@ def print_file(file: File) -> str:
 
 
 def _statement(statement: Statement, indent: str, ending: str = "") -> list[str]:
-    """Give the lines of a statement with its comments; `ending` stands behind it, before a comment."""
+    """Return the lines of a statement with its comments; `ending` stands behind it, before a comment."""
     lines = _comments(statement.leading, indent, separate=False)
     lines += [f"{indent}///{' ' * bool(line)}{line}" for line in statement.doc]
     lines += _bare(statement, indent)
@@ -153,7 +153,7 @@ def _placement(placement: Placement, indent: str) -> list[str]:
 
 
 def _wrapped(head: str, lists: Sequence[Sequence[Argument]], ending: str) -> list[str]:
-    """Give a statement in one line; if that is too long, with one argument a line."""
+    """Return a statement in one line; if that is too long, with one argument a line."""
     texts = [[_argument(argument) for argument in arguments] for arguments in lists]
     line = head + " @".join(f"({', '.join(arguments)})" for arguments in texts) + ending
     if len(line) <= LINE_LENGTH or not any(texts):

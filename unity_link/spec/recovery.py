@@ -94,7 +94,7 @@ class _Recovery:
     def _recover(
         self, parser: InteractiveParser, index: int, checkpoints: list[InteractiveParser], braces: list[Token]
     ) -> tuple[InteractiveParser, int]:
-        """Report the token that does not fit; give the parser to go on with, and the token to go on at."""
+        """Report the token that does not fit; return the parser to go on with, and the token to go on at."""
         token = self._tokens[index]
         self._faults += 1
         accepted = _accepted(parser)

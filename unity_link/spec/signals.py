@@ -57,7 +57,7 @@ class SignalReader:
         self._data_bits = data_bits
 
     def read(self, node: SignalDeclaration, scope: Mapping[str, Result]) -> SignalParts | None:
-        """Give what a declaration says; None if its kind or access cannot be told."""
+        """Return what a declaration says; None if its kind or access cannot be told."""
         bits = self._bits(node, scope)
         kind = self._kind(node, bits)
         access = self._access(node)
@@ -137,7 +137,7 @@ class SignalReader:
         return None if kind is None else Kind(kind.name, kind.width, behind)
 
     def _sized(self, node: SignalDeclaration, name: KindName, width: int | None, bits: BitRange | None) -> Kind | None:
-        """Give a kind its width: the one that is written, that of its bits, or its own."""
+        """Return a kind its width: the one that is written, that of its bits, or its own."""
         place = node.name.place if node.kind is None else node.kind.name.place
         if name is KindName.BOOL:
             width = 1 if width is None else width

@@ -62,7 +62,7 @@ class Place(NamedTuple):
 
 
 def find_comments(text: str) -> list[Place]:
-    """Give the comments of a text that has no faults."""
+    """Return the comments of a text that has no faults."""
     return [Place(match[0].rstrip(), *match.span()) for match in _COMMENT.finditer(text) if match[0][0] == "/"]
 
 
@@ -73,12 +73,12 @@ class TokenLexer(Lexer):
         """Take lark's configuration, which has nothing to configure here."""
 
     def lex(self, text: str) -> Iterator[Token]:  # type: ignore[override]  # lark's own lexers take a state instead
-        """Give the tokens of a text."""
+        """Return the tokens of a text."""
         return tokenize(text)
 
 
 def tokenize(text: str) -> Iterator[Token]:
-    """Give the tokens of a text, without space and comments."""
+    """Return the tokens of a text, without space and comments."""
     keyword, sign = KEYWORDS.get, SIGNS
     for match in _TOKEN.finditer(text):
         kind = match.lastgroup

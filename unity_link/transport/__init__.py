@@ -48,7 +48,7 @@ class DriverUrl(msgspec.Struct, frozen=True):
     options: dict[str, str]
 
     def integer(self, option: str, default: int) -> int:
-        """Give an option that is a whole number.
+        """Return an option that is a whole number.
 
         Raises:
             ArgumentError: where it is none.
@@ -62,7 +62,7 @@ class DriverUrl(msgspec.Struct, frozen=True):
             raise ArgumentError(f"{option}={text} in {self.text} is not a whole number") from None
 
     def number(self, option: str) -> float:
-        """Give an option that is a number, and is there.
+        """Return an option that is a number, and is there.
 
         Raises:
             ArgumentError: where it is none.
@@ -74,7 +74,7 @@ class DriverUrl(msgspec.Struct, frozen=True):
             raise ArgumentError(f"{option}={text} in {self.text} is not a number") from None
 
     def flag(self, option: str) -> bool:
-        """Give an option that is 0 or 1; 0 where it is not given.
+        """Return an option that is 0 or 1; 0 where it is not given.
 
         Raises:
             ArgumentError: where it is something else.
@@ -86,7 +86,7 @@ class DriverUrl(msgspec.Struct, frozen=True):
 
     @property
     def node(self) -> int | None:
-        """Number of the node on a shared medium (protocol section 7), None on a medium of our own."""
+        """Number of the node on a shared medium (docs/protocol.md, "Addressed frames"), None on a medium of our own."""
         if "node" not in self.options:
             return None
         node = self.integer("node", 0)

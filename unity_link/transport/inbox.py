@@ -19,7 +19,7 @@ class Inbox(Generic[T]):
 
     Args:
         take: is called in the loop with what has come, in order.
-        most: where so many wait, who gives waits.
+        most: where so many wait, the giving thread blocks.
     """
 
     def __init__(self, take: Callable[[list[T]], object], most: int = 1 << 16) -> None:
@@ -34,7 +34,7 @@ class Inbox(Generic[T]):
         self._held = False
 
     def give(self, *items: T) -> None:
-        """Give something, from any thread but that of the loop."""
+        """Put something in, from any thread but that of the loop."""
         self._room.wait()
         if not self._open:
             return
@@ -57,7 +57,7 @@ class Inbox(Generic[T]):
         self._hand_over()
 
     def close(self) -> list[T]:
-        """Take nothing any more; give what has not been handed over."""
+        """Take nothing any more; return what has not been handed over."""
         self._open = False
         items = self._empty()
         self._room.set()

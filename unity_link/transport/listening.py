@@ -1,7 +1,7 @@
-"""Sockets that other programs connect to: where they may be opened, who may open them, and what is said if they can't.
+"""Sockets that other programs connect to: where they may be opened, by which users, and the errors where they can't.
 
-A Unix socket belongs to this user alone, and one that a program left behind is replaced only if nobody listens at it.
-TCP is for this machine alone unless the caller names another address.
+A Unix socket belongs to this user alone, and one that a program left behind is replaced only if no process listens at
+it. TCP is for this machine alone unless the caller names another address.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ _OWNER_ONLY = 0o177
 async def listen_tcp(
     factory: Callable[[], asyncio.Protocol], port: int = 0, host: str = LOOPBACK
 ) -> AsyncIterator[str]:
-    """Listen at a TCP port until the end of the context; 0 chooses a free one. Gives the URL.
+    """Listen at a TCP port until the end of the context; 0 chooses a free one. Returns the URL.
 
     Raises:
         ConnectError: where the port can't be opened.
@@ -44,7 +44,7 @@ async def listen_tcp(
 
 @contextlib.asynccontextmanager
 async def listen_unix(factory: Callable[[], asyncio.Protocol], path: str | os.PathLike[str]) -> AsyncIterator[str]:
-    """Listen at a Unix socket that only this user may open, and that is removed at the end. Gives the URL.
+    """Listen at a Unix socket that only this user may open, and that is removed at the end. Returns the URL.
 
     Raises:
         ConnectError: where something else is at the path, or it can't be used.
@@ -59,7 +59,7 @@ async def listen_unix(factory: Callable[[], asyncio.Protocol], path: str | os.Pa
             server.close()
     finally:
         listener.close()
-        # Whoever removed ours may have put another one in its place.
+        # If ours was removed, another one may be in its place.
         with contextlib.suppress(FileNotFoundError):
             if place.stat().st_ino == mine:
                 place.unlink()

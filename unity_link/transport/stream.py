@@ -19,13 +19,13 @@ LONGEST_FRAME = 16_384
 
 
 class Receiver(Protocol):
-    """Who reads a stream."""
+    """The reader of a stream."""
 
     def receive(self, data: bytes) -> int:
-        """Take the whole frames in `data`, and give where the first that is not whole begins."""
+        """Take the whole frames in `data`, and return where the first that is not whole begins."""
 
     def disconnected(self, reason: Exception | None) -> None:
-        """Take note that the stream has ended; `reason` is None where the other side closed it."""
+        """Record that the stream has ended; `reason` is None where the other side closed it."""
 
 
 class Stream(asyncio.Protocol):
@@ -89,7 +89,7 @@ class Stream(asyncio.Protocol):
             self._transport.abort()
 
     async def choose_send_immediate(self, mode: str) -> None:
-        """Have the driver do its part of a send-immediate mode, where its medium has one (protocol section 4)."""
+        """Have the driver do its part of a send-immediate mode, where its medium has one."""
         choose = self._transport.get_extra_info("send_immediate") if self._transport is not None else None
         if choose is not None and not self.closed:
             await choose(mode)

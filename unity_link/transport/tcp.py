@@ -19,7 +19,7 @@ OPTIONS = frozenset({"token"})
 
 
 def address(url: DriverUrl) -> tuple[str, int]:
-    """Give host and port of a URL.
+    """Return host and port of a URL.
 
     Raises:
         ArgumentError: where one of them is missing.

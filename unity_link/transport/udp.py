@@ -67,7 +67,7 @@ class DatagramAdapter(asyncio.Transport, asyncio.DatagramProtocol):
                 self._endpoint.sendto(datagram)
 
     def is_closing(self) -> bool:
-        """Say whether the socket is closing."""
+        """Return whether the socket is closing."""
         return self._endpoint is None or self._endpoint.is_closing()
 
     def close(self) -> None:

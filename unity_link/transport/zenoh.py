@@ -80,7 +80,7 @@ class Caller:
 
     Args:
         session: of this stream alone; it is closed with it.
-        protocol: who speaks.
+        protocol: writes and reads.
     """
 
     transport: KeyTransport

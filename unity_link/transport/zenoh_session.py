@@ -56,7 +56,7 @@ class Declared(Protocol):
 
 
 class UnreachableError(ConnectError):
-    """As a client, the session finds nobody; somebody may come yet."""
+    """As a client, the session finds no peer; one may come yet."""
 
 
 class Network(msgspec.Struct, frozen=True, kw_only=True):
@@ -73,7 +73,7 @@ class Network(msgspec.Struct, frozen=True, kw_only=True):
 
 
 def open_session(network: Network, *, meeting: bool = False) -> zenoh.Session:
-    """Open a session. Blocks, up to half a second where nobody is there.
+    """Open a session. Blocks, up to half a second where no peer is there.
 
     Args:
         network: how it finds others.
@@ -81,7 +81,7 @@ def open_session(network: Network, *, meeting: bool = False) -> zenoh.Session:
 
     Raises:
         ArgumentError: for an endpoint, a mode or a file that Zenoh does not take, or a client that names no router.
-        ConnectError: where it can't listen; `UnreachableError` where as a client it finds nobody.
+        ConnectError: where it can't listen; `UnreachableError` where as a client it finds no peer.
     """
     find_zenoh()
     import zenoh
@@ -118,14 +118,14 @@ def close_session(session: zenoh.Session) -> None:
 
 
 def explain(error: Exception) -> str:
-    """Give what Zenoh says of an error, without the lines of its sources."""
+    """Return what Zenoh says of an error, without the lines of its sources."""
     text = _SOURCE_LINE.sub("", str(error)).strip()
     parsing = _PARSING.search(text)
     return text if parsing is None else parsing[1]
 
 
 def check_prefix(prefix: str) -> str:
-    """Give a prefix that keys can begin with.
+    """Return a prefix that keys can begin with.
 
     Raises:
         ArgumentError: for one that Zenoh does not take.

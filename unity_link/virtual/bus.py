@@ -37,7 +37,7 @@ class Device(Protocol):
     """
 
     def read(self, offset: int, now: float) -> int:
-        """Give the word; a negative number is put on the bus in two's complement."""
+        """Return the word; a negative number is put on the bus in two's complement."""
 
     def write(self, offset: int, value: int, now: float) -> None:
         """Take a word, an unsigned number."""
@@ -169,7 +169,7 @@ class Bus:
             self.devices.write(address, value, now)
 
     def block(self, address: int, count: int) -> Sequence[int]:
-        """Give the addresses of a block, which wraps at the end of the address space."""
+        """Return the addresses of a block, which wraps at the end of the address space."""
         if address + count - 1 <= self._address_mask:
             return range(address, address + count)
         return [index & self._address_mask for index in range(address, address + count)]

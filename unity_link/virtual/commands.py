@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 Reads: TypeAlias = int | Sequence[int] | None
 
 ADAPTIVE = 2
-"""Send-immediate mode after a reset and after `K` (protocol section 4)."""
+"""Send-immediate mode after a reset and after `K` (docs/protocol.md, "Send-immediate")."""
 
 
 class FieldRangeError(Exception):

@@ -1,7 +1,7 @@
 """What can go wrong, on purpose and repeatably: addresses that fail, and bytes that are lost, damaged or doubled.
 
 `Failing` is a device, attached where the bus is to fail. `Noise` spoils one stream of bytes; `NoisyLine` puts two of
-them between a gateway and whoever talks to it, and is a gateway itself.
+them between a gateway and its host, and is a gateway itself.
 """
 
 from __future__ import annotations
@@ -75,7 +75,7 @@ class Noise:
         self._until_next = self._draw()
 
     def spoil(self, data: bytes) -> list[bytes]:
-        """Give what becomes of `data`: pieces between which the stream stands still; most often it is one."""
+        """Return what becomes of `data`: pieces between which the stream stands still; most often it is one."""
         if self._until_next >= len(data):
             self._until_next -= len(data)
             return [data]
@@ -102,7 +102,7 @@ class Noise:
         return bytes([byte] * (2 if kind == "double" else 1))
 
     def _draw(self) -> int:
-        """Give how many bytes pass before the next that does not pass unharmed."""
+        """Return how many bytes pass before the next that does not pass unharmed."""
         if self._total == 0:
             return sys.maxsize
         if self._total == 1:
@@ -181,7 +181,7 @@ class NoisyLine(Gateway):
         return before + self.advance(now)
 
     def advance(self, now: float, room: int | None = None) -> bytes:
-        """Let time pass, and give the bytes that arrive back; see `Gateway`."""
+        """Let time pass, and return the bytes that arrive back; see `Gateway`."""
         arrived = bytearray()
         while (due := self._next_at_gateway()) is not None and due <= now:
             self._step(due, None if room is None else room - len(arrived))

@@ -2,7 +2,7 @@
 
 Bytes and the time go in, bytes come out; the gateware answers the same bytes. Everything that happens at the gateway
 happens inside `receive` and `advance`, so a test can stop the world between any two bytes. The order of the checks is
-that of protocol section 2: each step below either answers or hands on to the next.
+that of docs/protocol.md, "Errors": each step below either answers or hands on to the next.
 
 `receive` -> `_answer` (node) -> `_body` (overflow to form: `unity_link.protocol.reception`) -> `_in_sequence` ->
 `_execute` (range, bus). Reads and writes of one word with the expected ID are most of the traffic and take a short way,
@@ -65,10 +65,10 @@ class Gateway(Protocol):
         """Bytes that were received and not looked at yet. A medium with flow control stops while this is large."""
 
     def receive(self, data: bytes, now: float) -> bytes:
-        """Take bytes at the time `now`, in seconds of any origin, and give the bytes sent at once."""
+        """Take bytes at the time `now`, in seconds of any origin, and return the bytes sent at once."""
 
     def advance(self, now: float, room: int | None = None) -> bytes:
-        """Let time pass, and give the bytes sent.
+        """Let time pass, and return the bytes sent.
 
         Args:
             now: the time in seconds; it never goes back.
@@ -99,7 +99,7 @@ class BareGateway(Gateway, Protocol):
         """Lose bytes before the next one received: the frame that they belong to is answered by error 09."""
 
     def trigger(self, now: float) -> None:
-        """Give a rising edge to all external triggers; the publishes come out of the next call."""
+        """Apply a rising edge to all external triggers; the publishes come out of the next call."""
 
 
 class VirtualGateway(BareGateway):
@@ -107,7 +107,7 @@ class VirtualGateway(BareGateway):
 
     Args:
         info: the configuration that it reports and keeps to.
-        node: its number on a shared medium, 0 to 0xFE, or None for a medium of its own (protocol section 7).
+        node: its number on a shared medium (docs/protocol.md, "Addressed frames"), 0 to 0xFE, or None for one of its own.
 
     Raises:
         ArgumentError: for a node number that does not fit.
@@ -202,7 +202,7 @@ class VirtualGateway(BareGateway):
         return self.groups.advance(now, math.inf if room is None else room)
 
     def trigger(self, now: float) -> None:
-        """Give a rising edge to the external trigger; the publishes come out of the next call."""
+        """Apply a rising edge to the external trigger; the publishes come out of the next call."""
         self.groups.clock.start(now)
         self.groups.trigger(now)
         self.wake()
@@ -281,7 +281,7 @@ class VirtualGateway(BareGateway):
         return samples + self._frame(body, plain)
 
     def _body(self, prefix: bytes, line: bytes, now: float, *, plain: bool, bytes_lost: bool) -> bytes:
-        """Give the body of the reply."""
+        """Return the body of the reply."""
         try:
             request = self._reception.read(line, plain=plain, prefix=prefix, bytes_lost=bytes_lost)
         except RequestError as refusal:
@@ -303,7 +303,7 @@ class VirtualGateway(BareGateway):
         self._commands.reset()
 
     def _in_sequence(self, request: Request, number: int, now: float) -> bytes:
-        """Execute a request with the expected ID, and no other (protocol section 3)."""
+        """Execute a request with the expected ID, and no other (docs/protocol.md, "Exactly once, in order")."""
         place = self._sequence.place(number)
         if place is Place.NEXT:
             return self._execute(request, now)
@@ -387,7 +387,7 @@ def _do_nothing() -> None:
 
 
 def _node_number(prefix: bytes) -> int | None:
-    """Give the number in a prefix of `Z` and two hex digits, None where it is none."""
+    """Return the number in a prefix of `Z` and two hex digits, None where it is none."""
     if len(prefix) != _PREFIX_SIZE or prefix[:1] != b"Z" or not prefix[1:].isalnum():
         return None
     try:

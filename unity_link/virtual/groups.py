@@ -1,4 +1,4 @@
-"""Publish groups of the virtual gateway (protocol section 2): when a sample is due, and what it says.
+"""Publish groups of the virtual gateway (docs/protocol.md, "Groups"): when a sample is due, and what it says.
 
 Time runs in base ticks: tick k is at k / base frequency after the gateway's start, and a periodic group is due at whole
 multiples of its divisor after its first tick. A sample is read and stamped at the instant at which it is due, however
@@ -45,17 +45,17 @@ class Clock:
         self._start = None
 
     def start(self, now: float) -> float:
-        """Give the instant of tick 0."""
+        """Return the instant of tick 0."""
         if self._start is None:
             self._start = now
         return self._start
 
     def time_of(self, tick: int) -> float:
-        """Give the instant of a base tick."""
+        """Return the instant of a base tick."""
         return (self._start or 0.0) + tick / self._base_hz
 
     def tick_before(self, now: float) -> int:
-        """Give the last base tick that is not after `now`."""
+        """Return the last base tick that is not after `now`."""
         tick = int((now - self.start(now)) * self._base_hz)
         while self.time_of(tick + 1) <= now:
             tick += 1
@@ -64,11 +64,11 @@ class Clock:
         return tick
 
     def stamp_of(self, tick: int) -> int:
-        """Give the timestamp of a base tick."""
+        """Return the timestamp of a base tick."""
         return tick * self._stamp_factor // self._stamp_divisor & _TIMESTAMP_MASK
 
     def stamp_at(self, now: float) -> int:
-        """Give the timestamp of an instant."""
+        """Return the timestamp of an instant."""
         return int((now - self.start(now)) * self._clock_hz + _SLACK_TICKS) & _TIMESTAMP_MASK
 
 
@@ -166,7 +166,7 @@ class Groups:
         heapify(self._schedule)
 
     def trigger(self, now: float) -> None:
-        """Take note of a rising edge of the external trigger."""
+        """Record a rising edge of the external trigger."""
         self._triggers.append(now)
 
     @property

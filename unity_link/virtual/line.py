@@ -86,7 +86,7 @@ class SlowLine(Gateway):
         return before + self._arrived(now)
 
     def advance(self, now: float, room: int | None = None) -> bytes:
-        """Let time pass, and give the bytes that arrive; see `Gateway`."""
+        """Let time pass, and return the bytes that arrive; see `Gateway`."""
         while (due := self._next_step) is not None and due <= now:
             self._step(due, room)
         self._step(now, room)

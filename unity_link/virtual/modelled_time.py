@@ -84,7 +84,7 @@ class _JumpingSelector(selectors.DefaultSelector):
             self._world[owner] = when, callback
 
     def select(self, timeout: float | None = None) -> list[tuple[selectors.SelectorKey, int]]:
-        """Give what is ready, or let the time pass until something is."""
+        """Return what is ready, or let the time pass until something is."""
         with self.standing_still():
             until = None if timeout is None else self.now + max(0.0, timeout)
             self._move_world()
@@ -124,7 +124,7 @@ class ModelledTimeLoop(asyncio.SelectorEventLoop):
         """Do nothing: what works at once has nothing left to do, and asyncio would ask it in a thread."""
 
     def time(self) -> float:
-        """Give the modelled time in seconds."""
+        """Return the modelled time in seconds."""
         return self._jumping.now
 
     def jump(self, seconds: float) -> None:

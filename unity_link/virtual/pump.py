@@ -54,19 +54,19 @@ class Pump:
         self._arm()
 
     def feed(self, data: bytes) -> None:
-        """Give the gateway bytes that arrived."""
+        """Pass bytes that arrived to the gateway."""
         answer = self.gateway.receive(data, self._catch_up(self._loop.time()))
         if answer:
             self._send(answer)
         self._arm()
 
     def block(self) -> None:
-        """Take note that the medium takes nothing more. Give nothing to `feed` until it does."""
+        """Record that the medium takes nothing more. Give nothing to `feed` until it does."""
         self.blocked = True
         self._disarm()
 
     def unblock(self) -> None:
-        """Take note that the medium takes bytes again."""
+        """Record that the medium takes bytes again."""
         if not self.blocked:
             return
         late = self.gateway.advance(self._loop.time(), room=0)

@@ -47,15 +47,15 @@ class ServoRobot(ABC):
     @staticmethod
     @abstractmethod
     def joint_types() -> Iterable[JointType]:
-        """Give the joints that it has."""
+        """Return the joints that it has."""
 
     @abstractmethod
     def addresses(self) -> list[int]:
-        """Give the addresses of the device, in the order of its offsets."""
+        """Return the addresses of the device, in the order of its offsets."""
 
     @abstractmethod
     def find(self, offset: int) -> tuple[Joint, int]:
-        """Give the joint and the register at an offset."""
+        """Return the joint and the register at an offset."""
 
     @abstractmethod
     def read(self, offset: int, now: float) -> int:

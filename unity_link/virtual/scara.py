@@ -54,15 +54,15 @@ class Scara(ServoRobot):
 
     @staticmethod
     def joint_types() -> tuple[JointType, ...]:
-        """Give the joints that it has."""
+        """Return the joints that it has."""
         return JOINTS
 
     def addresses(self) -> list[int]:
-        """Give the addresses of the device, in the order of its offsets."""
+        """Return the addresses of the device, in the order of its offsets."""
         return [base + joint for base in (SPEED, POSITION, POSITION_SET_POINT, SPEED_SET_POINT) for joint in range(4)]
 
     def find(self, offset: int) -> tuple[Joint, int]:
-        """Give the joint and the register at an offset."""
+        """Return the joint and the register at an offset."""
         register, number = divmod(offset, len(JOINTS))
         return self.joints[number], register
 

@@ -47,11 +47,11 @@ class Counter(asyncio.Protocol):
 
     @property
     def taken(self) -> bool:
-        """Say whether there is a client."""
+        """Return whether there is a client."""
         return self.reader is not None
 
     def leave(self) -> None:
-        """Take note that the client has gone."""
+        """Record that the client has gone."""
         self.sender = self.reader = None
         self.gateway.resume_reading()
 
@@ -189,7 +189,7 @@ class _Datagrams(asyncio.DatagramProtocol, asyncio.WriteTransport):
         self._counter.gateway.write(data if data.endswith((b"\n", b"\r")) else data + b"\n")
 
     def error_received(self, exc: Exception) -> None:
-        """Ignore that nobody listens any more: a board would not hear of it."""
+        """Ignore that the host does not listen any more: a board would not hear of it."""
 
     def pause_writing(self) -> None:
         self._counter.gateway.pause_reading()

@@ -85,7 +85,7 @@ class Joint:
         return self._speed * abs(self._speed) / (2 * self.kind.acceleration)
 
     def state(self, now: float) -> tuple[float, float]:
-        """Give position in counts and speed in counts/s at the time `now`, in seconds."""
+        """Return position in counts and speed in counts/s at the time `now`, in seconds."""
         left, position, speed = now - self._began, self._position, self._speed
         for segment in self._segments:
             time = min(left, segment.duration)

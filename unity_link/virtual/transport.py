@@ -48,7 +48,7 @@ class GatewayTransport(BufferedTransport):
     # asyncio.Transport
 
     def write(self, data: bytes | bytearray | memoryview) -> None:
-        """Give bytes to the gateway."""
+        """Pass bytes to the gateway."""
         if self._closing:
             return
         self._to_gateway += data
@@ -68,7 +68,7 @@ class GatewayTransport(BufferedTransport):
         return len(self._to_gateway)
 
     def close(self) -> None:
-        """Give the gateway what was written, and end."""
+        """Pass what was written to the gateway, and end."""
         if not self._closing:
             self._pump.feed(bytes(self._to_gateway))
             self.abort()
@@ -112,7 +112,7 @@ class GatewayTransport(BufferedTransport):
             self._protocol.data_received(delivered)
 
     def _take_and_collect(self) -> bytes:
-        """Take requests; give the answers that are to be delivered."""
+        """Take requests; return the answers that are to be delivered."""
         for _ in range(MOST_TAKEN // PIECE):
             if not self._can_take():
                 break

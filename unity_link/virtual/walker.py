@@ -47,15 +47,15 @@ class Walker(ServoRobot):
 
     @staticmethod
     def joint_types() -> list[JointType]:
-        """Give the joints that it has."""
+        """Return the joints that it has."""
         return [joint_type(f"leg {leg + 1} {joint}") for leg in range(LEGS) for joint in JOINTS_OF_A_LEG]
 
     def addresses(self) -> list[int]:
-        """Give the addresses of the device, in the order of its offsets."""
+        """Return the addresses of the device, in the order of its offsets."""
         return list(range(BASE, BASE + REGISTERS * len(self.joints)))
 
     def find(self, offset: int) -> tuple[Joint, int]:
-        """Give the joint and the register at an offset."""
+        """Return the joint and the register at an offset."""
         number, register = divmod(offset, REGISTERS)
         return self.joints[number], register
 

@@ -61,7 +61,7 @@ class Widths:
         self.number = int(self.dut.id_digits.value)
 
     def body(self, frame: Answer | Sample) -> bytes:
-        """Give the body that a frame has, from the protocol."""
+        """Return the body that a frame has, from the protocol."""
         if isinstance(frame, Sample):
             stamp = "" if frame.stamp is None else f"{frame.stamp:08X}"
             text = f"P{frame.group:02X}{frame.sequence:02X}{stamp}"
@@ -104,7 +104,7 @@ class Ring:
 
 
 class Writer:
-    """Gives frames to the entity and takes bodies from it."""
+    """Returns frames to the entity and takes bodies from it."""
 
     def __init__(self, dut: SimHandleBase) -> None:
         self.dut = dut
@@ -167,7 +167,7 @@ class Writer:
         return bodies
 
     def expected(self, frame: Answer | Sample) -> tuple[bytes, int, int]:
-        """Give what `bodies` has to give for a frame."""
+        """Return what `bodies` has to give for a frame."""
         mark = frame.mark if isinstance(frame, Answer) else 2 * frame.immediate
         return self.widths.body(frame), frame.plain, mark
 

@@ -63,7 +63,7 @@ class AsyncChip:
             task.cancel()
 
     def send(self, data: bytes) -> None:
-        """Give the chip bytes for the gateware, as if they had come from the PC."""
+        """Pass the chip bytes for the gateware, as if they had come from the PC."""
         self.to_gateware.extend(data)
         self._more.set()
 

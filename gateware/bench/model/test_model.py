@@ -27,7 +27,7 @@ _ERROR_AT, _SILENCE_AT = 0x21, 0x22
 
 
 def _frames(gateway: RtlGateway) -> list[bytes]:
-    """Give requests of every kind with the parameters of a gateway, in a random order, and worse."""
+    """Return requests of every kind with the parameters of a gateway, in a random order, and worse."""
     info, rng = gateway.info, random.Random(21)
     crc = Crc(info.crc_bits, info.crc_polynomial)
 

@@ -18,7 +18,7 @@ COMMANDS = ("R", "RM", "RQ", "WK", "W", "WM", "WQ", "WS", "GS", "GN", "GX", "GP"
 
 
 class _Decoder:
-    """Gives bodies to the decoder and takes requests and stored words from it."""
+    """Returns bodies to the decoder and takes requests and stored words from it."""
 
     def __init__(self, dut: SimHandleBase) -> None:
         self.dut = dut
@@ -32,7 +32,7 @@ class _Decoder:
                 self.stored[int(self.dut.store_index.value)] = int(self.dut.store_word.value)
 
     async def give(self, data: int, *, last: bool = False, plain: bool = False, error: int = 0, most: int = 20) -> bool:
-        """Give one character or end; says whether it was taken."""
+        """Send one character or end, and return whether it was taken."""
         dut = self.dut
         dut.in_data.value, dut.in_last.value, dut.in_plain.value, dut.in_error.value = data, last, plain, error
         dut.in_valid.value = 1
@@ -46,7 +46,7 @@ class _Decoder:
         return taken
 
     async def body(self, body: bytes, *, plain: bool = False, error: int = 0) -> None:
-        """Give a whole body and its end, and wait for the request."""
+        """Send a whole body and its end, and wait for the request."""
         self.stored.clear()
         for byte in body:
             assert await self.give(byte)
@@ -63,11 +63,11 @@ class _Decoder:
         await RisingEdge(self.dut.clk)
 
     def field(self, name: str) -> int:
-        """Give a field of the request."""
+        """Return a field of the request."""
         return int(getattr(self.dut, f"request_{name}").value)
 
     async def error_of(self, body: bytes, *, plain: bool = False) -> int:
-        """Give the error of a body."""
+        """Return the error of a body."""
         await self.body(body, plain=plain)
         error = self.field("error")
         await self.accept()

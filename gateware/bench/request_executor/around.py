@@ -110,7 +110,7 @@ class Around:
         dut.request_group.value, dut.request_word.value = request.group, request.word
 
     async def execute(self, request: Request, most_cycles: int = 5000) -> None:
-        """Give a request and wait until the executor is ready for the next one."""
+        """Send a request and wait until the executor is ready for the next one."""
         dut = self.dut
         self._show(request)
         # The ID stood there for some cycles before the end of its frame.
@@ -205,7 +205,7 @@ class Around:
         return Answer(message, number, has_address, pair, words, dut.answer_plain.value == 1, mark)
 
     def take(self) -> tuple[list[Access], list[Answer]]:
-        """Give the accesses and answers since the last call."""
+        """Return the accesses and answers since the last call."""
         accesses, answers = self.accesses, self.answers
         self.accesses, self.answers = [], []
         return accesses, answers

@@ -24,7 +24,7 @@ async def _begin(dut: SimHandleBase, **options: float) -> Around:
 
 
 def _ok(command: str, **fields: object) -> Answer:
-    """Give the answer of a command without ID, address or words unless told."""
+    """Return the answer of a command without ID, address or words unless told."""
     values = {"number": None, "address": False, "pair": None, "words": 0, "plain": False, "mark": WHEN_IDLE}
     return Answer(COMMANDS.index(command), **{**values, **fields})
 

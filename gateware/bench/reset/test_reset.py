@@ -28,7 +28,7 @@ CONFIGURATIONS = [
 
 
 def ports_of(source: Path) -> tuple[list[str], list[str]]:
-    """Give the names of the inputs and outputs of the entity in a file."""
+    """Return the names of the inputs and outputs of the entity in a file."""
     head = re.search(r"^entity .*?^end entity", source.read_text(), re.DOTALL | re.MULTILINE)
     found = re.findall(r"^\s*(\w+)\s*:\s*(in|out)\s", head[0] if head else "", re.MULTILINE)
     return [name for name, way in found if way == "in"], [name for name, way in found if way == "out"]

@@ -16,7 +16,7 @@ NONE, WHEN_IDLE, NOW = 0, 1, 2
 
 
 async def _flushes(dut: SimHandleBase, steps: list[tuple[int, int, int]]) -> list[int]:
-    """Give the steps (left, mark, active), one a cycle, after which a flush came, and count on until ten idle ones."""
+    """Return the steps (left, mark, active), one a cycle, after which a flush came; end at ten idle ones."""
     dut.left.value = dut.mark.value = dut.active.value = 0
     await start(dut.clk, dut.rst)
     flushed = []

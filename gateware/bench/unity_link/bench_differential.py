@@ -1,7 +1,7 @@
 """Inside the simulator: random frames are answered byte for byte as the Python model answers them.
 
 Frames are good, damaged, cut, repeated, out of sequence, too long, in either case and form, and some lost bytes. Where
-samples stand between answers is free (protocol section 2), so answers and samples are compared each in their order.
+samples stand between answers is free (docs/protocol.md, "Groups"), so each of the two is compared in its own order.
 """
 
 from __future__ import annotations
@@ -112,7 +112,7 @@ class Frames:
         return bytes(data)
 
     def one(self) -> bytes:
-        """Give one frame, or what is left of it, which asks for nothing that depends on time."""
+        """Return one frame, or what is left of it, which asks for nothing that depends on time."""
         while _sets_a_clock(frame := self._any()):
             pass
         return frame

@@ -37,7 +37,7 @@ class Medium(Protocol):
         """Have bytes sent."""
 
     def received(self) -> Sequence[int]:
-        """Give all bytes that came."""
+        """Return all bytes that came."""
 
 
 class Uart:

@@ -33,7 +33,7 @@ def note_figure(name: str, value: float) -> None:
 
 
 def checked(body: bytes, crc: Crc | None = None) -> bytes:
-    """Give the checked frame of a body."""
+    """Return the checked frame of a body."""
     return body + (crc or Crc()).text(body) + b"\n"
 
 
@@ -131,7 +131,7 @@ class Gateway:
         del self._waiting[self._next + 1 :]
 
     def take(self) -> bytes:
-        """Give what was received since the last call."""
+        """Return what was received since the last call."""
         data = bytes(self.received)
         del self.received[:]
         return data

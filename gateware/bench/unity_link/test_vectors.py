@@ -16,7 +16,7 @@ VECTORS = GATEWARE.parent / "tests" / "vectors"
 
 
 def generics_of(configuration: dict[str, Any], node: int | None) -> dict[str, object]:
-    """Give the generics that make a gateway of this configuration (the fields of `Q`)."""
+    """Return the generics that make a gateway of this configuration (the fields of `Q`)."""
     features = Feature(configuration["features"])
     same = ("data_bits", "address_bits", "id_digits", "crc_bits", "crc_polynomial", "block_words", "groups")
     longest_sample = max(configuration["group_words"], 1) + 2

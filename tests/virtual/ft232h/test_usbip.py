@@ -57,7 +57,7 @@ class Client:
         self.send(struct.pack(">IIIIII24x", 2, self._number, 0x70002, 0, 0, number))
 
     async def reply(self, *reads: int) -> tuple[int, int, int, bytes]:
-        """Give command, number, status and data of the next reply; `reads` are the transfers that have data."""
+        """Return command, number, status and data of the next reply; `reads` are the transfers that have data."""
         command, number, device, direction, endpoint = struct.unpack(">IIIII", await self.read(20))
         assert (device, direction, endpoint) == (0, 0, 0)
         status, length = struct.unpack(">ii20x", await self.read(28))

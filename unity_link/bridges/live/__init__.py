@@ -7,7 +7,7 @@
 - `outbox`: samples on their way to one browser, of bounded size
 - `viewer`: one browser
 - `writing`: values that come back, where that is allowed at all
-- `server`: the web server under the page, within bounds whoever speaks to it
+- `server`: the web server under the page, bounded against any client
 - `doorkeeper`: which requests are answered
 - `round_trips`: how quickly the gateway answers
 - `foxglove`: the same samples for the Foxglove app, by its own WebSocket

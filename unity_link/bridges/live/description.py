@@ -88,7 +88,7 @@ def describe(robot: Robot, groups: Sequence[SampledGroup], rates: Sequence[float
 
 
 def is_written(proxy: Proxy[object]) -> bool:
-    """Say whether a signal takes values: a queue does not, for a value there cannot be replaced by another one."""
+    """Return whether a signal takes values: a queue does not, for a value there cannot be replaced by another one."""
     return isinstance(proxy, Writable)
 
 

@@ -79,7 +79,7 @@ class FoxgloveServer:
             ) from None
 
     def __str__(self) -> str:
-        """Give the URL for the app."""
+        """Return the URL for the app."""
         return f"ws://{LOOPBACK}:{self._server.port}"
 
     def send(self, group: int, batch: Batch, instants: NDArray[np.float64]) -> None:

@@ -60,7 +60,7 @@ class Outbox:
             self.dropped += oldest.table.shape[1]
 
     def take(self, now: float) -> bytes | None:
-        """Give all that waits as one message, one table for each stream; None where nothing does."""
+        """Return all that waits as one message, one table for each stream; None where nothing does."""
         if not self._chunks:
             return None
         tables: dict[int, list[NDArray[np.float64]]] = {}

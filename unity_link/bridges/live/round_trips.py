@@ -81,7 +81,7 @@ class RoundTrips:
         self._recent.append(seconds)
 
     def histogram(self) -> Histogram:
-        """Give what was measured so far."""
+        """Return what was measured so far."""
         recent = sorted(self._recent)
         median = statistics.median(recent) if recent else None
         within = recent[min(len(recent) - 1, math.ceil(0.99 * len(recent)))] if recent else None

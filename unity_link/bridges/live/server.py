@@ -1,8 +1,8 @@
-"""The web server under the page, uvicorn, made proof against whoever speaks to it.
+"""The web server under the page, uvicorn, bounded against any client.
 
 Any program of this machine may connect. What it may cost is bounded here: connections, by hanging up on the oldest that
-has not become a page, so that silent ones keep nobody out; what waits for a client that asks and does not read; parts
-of a message. Whatever a client says that the libraries below do not foresee ends its own connection.
+has not become a page, so that silent ones keep no others out; what waits for a client that asks and does not read;
+parts of a message. Whatever a client says that the libraries below do not foresee ends its own connection.
 """
 
 from __future__ import annotations
@@ -119,7 +119,7 @@ class PageConversation(WebSocketsSansIOProtocol):
 
 
 def _open(kind: type[Conversation], connections: Iterable[object]) -> list[Conversation]:
-    """Give the connections of a kind that nobody has hung up on."""
+    """Return the connections of a kind that have not been closed."""
     return [other for other in connections if isinstance(other, kind) and not other.transport.is_closing()]
 
 

@@ -61,7 +61,7 @@ class Viewer:
             for task in working:
                 task.cancel()
             outcomes = await asyncio.gather(*working, return_exceptions=True)
-        # Whoever is not the first to find out has another error.
+        # All but the first task to find out have another error.
         if any(isinstance(outcome, WebSocketDisconnect) for outcome in outcomes):
             return
         for outcome in outcomes:

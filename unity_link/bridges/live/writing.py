@@ -75,7 +75,7 @@ class Writing:
         }
 
     def knows(self, token: str) -> bool:
-        """Say whether a token is the right one, in a time that does not tell how much of it was."""
+        """Return whether a token is the right one, in a time that does not tell how much of it was."""
         return hmac.compare_digest(token.encode(errors="surrogatepass"), self._token)
 
     async def write(self, wish: Write) -> Written | Refused:

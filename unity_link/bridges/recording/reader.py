@@ -276,7 +276,7 @@ class _Waiting:
 
 
 def _places(file: BinaryIO) -> Iterator[tuple[int, int]]:
-    """Find the chunks of a file, and the messages that stand outside of them; give the first instant and the place."""
+    """Return the first instant and the place of the chunks of a file, and of the messages outside of them."""
     from mcap.opcode import Opcode
     from mcap.writer import MCAP0_MAGIC
 
@@ -295,7 +295,7 @@ def _places(file: BinaryIO) -> Iterator[tuple[int, int]]:
 
 
 def _unpack(chunk: Chunk) -> Iterable[McapRecord]:
-    """Give the records of a chunk.
+    """Return the records of a chunk.
 
     Raises:
         Exception: one of `_unreadable`, where it is damaged, or would fill the memory.
@@ -319,7 +319,7 @@ def _unpack(chunk: Chunk) -> Iterable[McapRecord]:
 
 
 def _unreadable() -> tuple[type[Exception], ...]:
-    """Give what is raised for records that are damaged."""
+    """Return what is raised for records that are damaged."""
     from mcap.exceptions import McapError
     from zstandard import ZstdError
 

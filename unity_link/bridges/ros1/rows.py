@@ -22,14 +22,14 @@ _LENGTH = np.dtype("<u4")
 
 
 def number_rows(kind: str, values: NDArray[Any]) -> Rows:
-    """Give messages of a type of ``std_msgs``, such as ``Float64``, with these values."""
+    """Return messages of a type of ``std_msgs``, such as ``Float64``, with these values."""
     return _rows(len(values), [("data", np.dtype(kind.lower()).newbyteorder("<"))], data=values)
 
 
 def joint_rows(
     names: Sequence[str], instants: NDArray[np.float64], parts: Mapping[str, NDArray[np.float64]], first: int
 ) -> Rows:
-    """Give messages of ``sensor_msgs/JointState``.
+    """Return messages of ``sensor_msgs/JointState``.
 
     Args:
         names: of the joints.

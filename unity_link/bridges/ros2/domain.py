@@ -55,7 +55,7 @@ def find_dds() -> None:
 
 
 def open_participant(settings: Settings, mark: str = "") -> tuple[Any, Any]:
-    """Join the domain; give the participant, and the domain, which ends with its last reference.
+    """Join the domain; return the participant, and the domain, which ends with its last reference.
 
     Args:
         settings: which domain, and who is to be spoken to.
@@ -94,7 +94,7 @@ def _hear_this_machine_alone(domain: int) -> None:
 
 
 def _own_sockets() -> Iterator[socket.socket]:
-    """Give the sockets that this process has, each only for a moment (proc(5))."""
+    """Return the sockets that this process has, each only for a moment (proc(5))."""
     for file in Path("/proc/self/fd").iterdir():
         # Some are closed meanwhile.
         with contextlib.suppress(OSError):
@@ -104,7 +104,7 @@ def _own_sockets() -> Iterator[socket.socket]:
 
 
 def is_alone(participant: Any, mark: str) -> bool:
-    """Say whether no other participant has the same mark. Blocks for `LOOK` seconds, unless there is one."""
+    """Return whether no other participant has the same mark. Blocks for `LOOK` seconds, unless there is one."""
     from cyclonedds.builtin import BuiltinDataReader, BuiltinTopicDcpsParticipant
     from cyclonedds.core import Policy
 

@@ -24,7 +24,7 @@ class Inlets:
     """Reads topics until `close`.
 
     Args:
-        participant: who reads.
+        participant: reads.
         readers: of CycloneDDS, each with the signal that its values are for.
         give: takes the values; called in the thread, it may block.
         report: is told in a sentence of messages that are none.

@@ -61,7 +61,7 @@ def _standard(name: str, data: Any, digest: str) -> MessageType:
 
 
 def _serialize(message: Any, *arguments: Any, **options: Any) -> bytes:
-    """Give the bytes of a message that may have been serialised before, with many others at a time: see `rows`."""
+    """Return the bytes of a message that may have been serialised before, with many others at a time: see `rows`."""
     return message.packed or IdlStruct.serialize(message, *arguments, **options)
 
 

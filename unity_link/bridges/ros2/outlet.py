@@ -67,7 +67,7 @@ class Outlet:
             self._report(f"a reader of {self._topic.name} takes nothing: messages are lost")
 
     def _write(self, rows: list[bytes]) -> int:
-        """Write messages as long as there is room for them; give how many."""
+        """Write messages as long as there is room for them; return how many."""
         message = self._topic.data_type.__new__(self._topic.data_type)
         write = self._writer.write
         for number, row in enumerate(rows):
@@ -84,5 +84,5 @@ class Outlet:
         del self._writer, self._topic
 
     def _is_confirmed(self, patience: float) -> bool:
-        """Say whether readers have all, or have it within so many seconds."""
+        """Return whether readers have all, or have it within so many seconds."""
         return int(_library.dds_wait_for_acks(self._writer._ref, round(patience * 1e9))) == 0  # noqa: SLF001

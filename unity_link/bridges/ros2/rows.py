@@ -23,7 +23,7 @@ _HEADER = np.void(b"\0\1\0\0")
 
 
 def number_rows(kind: str, values: NDArray[Any]) -> list[bytes]:
-    """Give messages of a type of ``std_msgs``, such as ``Float64``, with these values."""
+    """Return messages of a type of ``std_msgs``, such as ``Float64``, with these values."""
     layout = np.dtype([("header", f"V{HEADER}"), ("data", np.dtype(kind.lower()).newbyteorder("<"))])
     return _rows(len(values), layout, data=values)
 
@@ -31,7 +31,7 @@ def number_rows(kind: str, values: NDArray[Any]) -> list[bytes]:
 def joint_rows(
     names: Sequence[str], instants: NDArray[np.float64], parts: Mapping[str, NDArray[np.float64]]
 ) -> list[bytes]:
-    """Give messages of ``sensor_msgs/JointState``.
+    """Return messages of ``sensor_msgs/JointState``.
 
     Args:
         names: of the joints.

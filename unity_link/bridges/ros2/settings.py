@@ -58,7 +58,7 @@ class Settings(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=
     """The domain; ROS_DOMAIN_ID, or 0, if nothing is said."""
 
     def quality_of(self, topic: str) -> Quality:
-        """Give the profile of a topic."""
+        """Return the profile of a topic."""
         return self.topics[topic].quality if topic in self.topics else self.quality
 
 

@@ -2,7 +2,7 @@
 
     Door -> Client and its Conversation, for each \
             Turns: whose request is next          |- SharedLink: one window, one gateway
-            Slots: who holds which group          /
+            Slots: which group has which holder    /
 
 - `door`: who is let in
 - `client`: one connection, and the order of its requests and answers

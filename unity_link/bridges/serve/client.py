@@ -78,17 +78,17 @@ class Client(asyncio.Protocol):
             self._shared.turns.join(self.queue)
 
     def pause_writing(self) -> None:
-        """Take note that the client does not read."""
+        """Record that the client does not read."""
         self._slow = True
         self._listen()
 
     def resume_writing(self) -> None:
-        """Take note that it does again."""
+        """Record that it does again."""
         self._slow = False
         self._listen()
 
     def eof_received(self) -> bool:
-        """Take note that the client has said all, as a pipe into a socket does: what it asked is still answered."""
+        """Record that the client has said all, as a pipe into a socket does: what it asked is still answered."""
         self._said_all = True
         self._wake()
         return True
@@ -195,14 +195,14 @@ class Client(asyncio.Protocol):
             request.reply = framing.plain_reply(body) if request.plain else framing.checked(body)
         self._over(request)
         if request.posted:
-            # Whoever waits for one behind it learns of its error first.
+            # A call that waits for one behind it learns of its error first.
             self.write(request.reply)
             return
         if self._pending and self._pending[0] is request:
             self._answer_on()
 
     def answer_rows(self, rows: RelayedRows) -> None:
-        """Take note of answers to many requests."""
+        """Record answers to many requests."""
         if self._pending and self._pending[0] is rows:
             self._answer_on()
 
@@ -235,7 +235,7 @@ class Client(asyncio.Protocol):
             self.write(frames)
 
     def posted(self, request: Relayed) -> None:
-        """Take note that a posted write is on its way: unless it fails, nothing more is heard of it."""
+        """Record that a posted write is on its way: unless it fails, nothing more is heard of it."""
         self._under_way -= request.cost
         request.cost = 0
         self._wake()

@@ -38,7 +38,7 @@ class Conversation:
     """The session of one client.
 
     Args:
-        client: who speaks, and is answered.
+        client: sends the requests, and is answered.
         shared: the link that it shares with others.
         codec: the messages of the gateway.
     """
@@ -60,7 +60,7 @@ class Conversation:
     # Frames
 
     def read(self, data: bytes) -> bytes:
-        """Take all whole frames, or as many as the client may have under way; give what is left."""
+        """Take all whole frames, or as many as the client may have under way; return what is left."""
         start, batched, typed = 0, True, b"\r" in data
         while self._client.listening:
             if batched:
@@ -93,7 +93,7 @@ class Conversation:
             self._say(codec.error(refusal.code), plain=plain)
             return
         if request.command == "Q":
-            # Who asks while the gateway is away asks again; an answer would promise too much.
+            # A client that asks while the gateway is away asks again; an answer would promise too much.
             if not self._shared.away:
                 self._say(b"Q" + codec.info.to_hex(), plain=plain)
         elif request.command == "K":
@@ -115,7 +115,7 @@ class Conversation:
         self._say(self._codec.response(request), plain=plain)
 
     def _in_sequence(self, request: Request, number: int, *, plain: bool) -> None:
-        """Hand on the next request, and no other (protocol section 3)."""
+        """Hand on the next request, and no other (docs/protocol.md, "Exactly once, in order")."""
         codec, place = self._codec, self._sequence.place(number)
         if place is Place.NEXT:
             self._execute(request, plain=plain)
@@ -190,7 +190,7 @@ class Conversation:
         self._id_number = codec.id_number
 
     def _take_rows(self, data: bytes, start: int) -> int:
-        """Hand on the reads or writes of one word that stand side by side; give where they end."""
+        """Hand on the reads or writes of one word that stand side by side; return where they end."""
         letter = data[start : start + 1]
         if letter == b"r":
             command, size, digits = "R", self._read_size + 1, self._data_digits

@@ -33,7 +33,7 @@ _TIMESTAMP_DIGITS = 8
 
 
 class Taker(Protocol):
-    """Who takes samples."""
+    """A consumer of samples."""
 
     def sample(self, frame: bytes) -> None:
         """Take the frame of a publish."""
@@ -138,7 +138,7 @@ class Slot:
 
 
 class Slots:
-    """All groups of the gateway, and who holds each. The one that was let go longest ago is taken first.
+    """All groups of the gateway, and the holder of each. The one that was let go longest ago is taken first.
 
     Args:
         exchange: of the link, which hands publishes out.
@@ -152,7 +152,7 @@ class Slots:
         """Slots that are not free."""
 
     def take(self, group: ClientGroup) -> Slot | None:
-        """Give a slot to a group, if there is one left that does not publish for another."""
+        """Return a slot to a group, if there is one left that does not publish for another."""
         if not self._free:
             idle = next((slot for slot in self.held if slot.idle()), None)
             if idle is None:

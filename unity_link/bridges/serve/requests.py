@@ -31,11 +31,11 @@ class Asker(Protocol):
         """Take the body of the answer to a request; nothing, where it has none."""
 
     def posted(self, request: Relayed) -> None:
-        """Take note that a posted write is on its way."""
+        """Record that a posted write is on its way."""
 
 
 def answer_digits(codec: Codec, command: str, count: int) -> int | None:
-    """Give the hex digits behind the ID of the answer to a request of so many words; None where nothing answers it."""
+    """Return the hex digits behind the ID of the answer to a request of so many words; None where none comes."""
     if command == "WS":
         return None
     return codec.info.data_digits * {"": 0, "d": 1, "D": count}[COMMANDS[command].reads]
@@ -45,7 +45,7 @@ class RowsAsker(Protocol):
     """Who is answered many at a time."""
 
     def answer_rows(self, rows: RelayedRows) -> None:
-        """Take note that some of the answers to many requests are there."""
+        """Record that some of the answers to many requests are there."""
 
 
 class Relayed(Message):
@@ -113,7 +113,7 @@ class Relayed(Message):
         self._frame = b""
 
     def encode(self, offset: int, count: int) -> bytes:  # noqa: ARG002  (a request is a run of one)
-        """Give the frame."""
+        """Return the frame."""
         if not self._frame:
             self._frame = self.codec.request(self.command, self.first, self.fields)
         return self._frame
@@ -128,7 +128,7 @@ class Relayed(Message):
         return True
 
     def unwanted(self) -> bool:
-        """Say whether nobody waits for it any more."""
+        """Return whether it is not awaited any more."""
         return self.given_up
 
     def fail(self, error: UnityLinkError) -> None:
@@ -143,11 +143,11 @@ class Relayed(Message):
         self._asker.answer(self, self.codec.error(ErrorCode.BUS_TIMEOUT, self.number))
 
     def fields_at(self, offset: int) -> bytes:  # noqa: ARG002
-        """Give the fields."""
+        """Return the fields."""
         return self.fields
 
     def again(self, offset: int, count: int) -> Source | None:  # noqa: ARG002
-        """Give the request itself where it changes nothing."""
+        """Return the request itself where it changes nothing."""
         if self.command not in REPEATABLE:
             return None
         self._frame = b""
@@ -156,11 +156,11 @@ class Relayed(Message):
     # A request is a source of itself, when a new session takes it again.
 
     def least(self) -> int:
-        """Give one."""
+        """Return one."""
         return 1
 
     def take(self, room: int) -> Message:  # noqa: ARG002
-        """Give the request itself."""
+        """Return the request itself."""
         if self.posted:
             self._asker.posted(self)
         else:
@@ -207,17 +207,17 @@ class RelayedRows:
         self._early: dict[int, tuple[int, bytes]] = {}
 
     def take(self, room: int) -> Message:
-        """Give the next run, of at most `room` requests."""
+        """Return the next run, of at most `room` requests."""
         run = RelayedRun(self, self._sent, min(room, self.count - self._sent))
         self._sent += run.count
         return run
 
     def exhausted(self) -> bool:
-        """Say whether all has been taken."""
+        """Return whether all has been taken."""
         return self._sent == self.count
 
     def least(self) -> int:
-        """Give a number that is worth a turn."""
+        """Return a number that is worth a turn."""
         return min(SMALLEST_RUN, self.count - self._sent)
 
     def answer(self, offset: int, count: int, frames: bytes) -> None:
@@ -226,7 +226,7 @@ class RelayedRows:
         self.asker.answer_rows(self)
 
     def ready(self) -> tuple[int, bytes]:
-        """Give how many more can be answered in order, and the frames."""
+        """Return how many more can be answered in order, and the frames."""
         frames = []
         before = self.answered
         while (part := self._early.pop(self.answered, None)) is not None:
@@ -244,16 +244,16 @@ class RelayedRows:
         self.asker.answer_rows(self)
 
     def error(self, offset: int, code: ErrorCode) -> bytes:
-        """Give the frame of an error for the client."""
+        """Return the frame of an error for the client."""
         return self.codec.framing.checked(self.codec.error(code, self._number(offset)))
 
     def reply(self, offset: int, data: bytes) -> bytes:
-        """Give the frame of an answer for the client."""
+        """Return the frame of an answer for the client."""
         codec = self.codec
         return codec.framing.checked(codec.lower[self.command] + codec.id_text[self._number(offset)] + data)
 
     def replies(self, offset: int, data: NDArray[np.uint8]) -> bytes:
-        """Give the frames of many answers for the client."""
+        """Return the frames of many answers for the client."""
         return self.codec.request_rows(self.command, self._number(offset), data)
 
     def _number(self, offset: int) -> int:
@@ -279,7 +279,7 @@ class RelayedRun(Rows):
         self._frames = b""
 
     def encode(self, offset: int, count: int) -> bytes:
-        """Give the frames of `count` requests from `offset` on."""
+        """Return the frames of `count` requests from `offset` on."""
         if not self._frames:
             fields = self._rows.fields[self._start : self._start + self.count]
             self._frames = self.codec.request_rows(self.command, self.first, fields)
@@ -302,7 +302,7 @@ class RelayedRun(Rows):
         return len(data)
 
     def unwanted(self) -> bool:
-        """Say whether nobody waits for it any more."""
+        """Return whether it is not awaited any more."""
         return self.given_up or self._rows.given_up
 
     def fail(self, error: UnityLinkError) -> None:
@@ -316,12 +316,12 @@ class RelayedRun(Rows):
             rows.answer(position, 1, rows.reply(position, b"") if code is None else rows.error(position, code))
 
     def fields_at(self, offset: int) -> bytes:
-        """Give the fields of one request."""
+        """Return the fields of one request."""
         fields: bytes = self._rows.fields[self._start + offset].tobytes()
         return fields
 
     def again(self, offset: int, count: int) -> Source | None:
-        """Give some of the requests where they change nothing."""
+        """Return some of the requests where they change nothing."""
         if self.command not in REPEATABLE:
             return None
         return Again(self._rows, self._start + offset, count)
@@ -337,22 +337,22 @@ class Again:
         self.size = rows.size
 
     def least(self) -> int:
-        """Give a number that is worth a turn."""
+        """Return a number that is worth a turn."""
         return min(SMALLEST_RUN, self._count)
 
     def take(self, room: int) -> Message:
-        """Give the next run, of at most `room` requests."""
+        """Return the next run, of at most `room` requests."""
         run = RelayedRun(self._rows, self._start, min(room, self._count))
         self._start += run.count
         self._count -= run.count
         return run
 
     def exhausted(self) -> bool:
-        """Say whether all has been taken."""
+        """Return whether all has been taken."""
         return not self._count
 
     def unwanted(self) -> bool:
-        """Say whether nobody waits for it any more."""
+        """Return whether it is not awaited any more."""
         return self._rows.given_up
 
     def fail(self, error: UnityLinkError) -> None:
@@ -361,7 +361,7 @@ class Again:
 
 
 def _code_of(error: UnityLinkError, command: str) -> ErrorCode | None:
-    """Give the error that a client is told, None where it is told that its request was executed.
+    """Return the error that a client is told, None where it is told that its request was executed.
 
     A link that ends may leave open whether a request was executed. The nearest that the protocol has is 05: nothing on
     the bus answered.

@@ -6,8 +6,8 @@ words get the same share of the line, and one that has little to ask waits for o
 
 What is under way can't be overtaken any more. So while several clients are at it, no more is sent than the line was
 seen to carry in `LONGEST_WAIT`, answers included; a quantum is half of that. Long turns are what a quick line needs,
-for many requests of one client cost little more than one; short ones are what a slow line needs, so that nobody waits
-long.
+for many requests of one client cost little more than one; short ones are what a slow line needs, so that no client
+waits long.
 """
 
 from __future__ import annotations
@@ -58,7 +58,7 @@ class Pace:
         self._since = 0.0
 
     def carried(self, size: int, now: float) -> None:
-        """Take note of so many bytes that have come through."""
+        """Record so many bytes that have come through."""
         self._carried += size
         elapsed = now - self._since
         if elapsed >= _SPAN:
@@ -83,14 +83,14 @@ class Turns:
         self._submitted = False
 
     def join(self, queue: Queue) -> None:
-        """Take note that a queue has requests."""
+        """Record that a queue has requests."""
         if queue.requests and not queue.in_line:
             queue.in_line = True
             self._line.append(queue)
         self._submit()
 
     def leave(self, queue: Queue) -> list[Relayed | RelayedRows]:
-        """Empty a queue, and give what was in it."""
+        """Empty a queue, and return what was in it."""
         dropped = list(queue.requests)
         queue.requests.clear()
         if queue.in_line:
@@ -99,13 +99,13 @@ class Turns:
         return dropped
 
     def arrived(self, queue: Queue, cost: int) -> None:
-        """Take note of answers."""
+        """Record answers."""
         queue.under_way -= cost
         self._under_way -= cost
         self._pace.carried(cost, self._now())
 
     def forget(self, queue: Queue) -> None:
-        """Take note that the client of a queue has left, and hears no answers."""
+        """Record that the client of a queue has left, and hears no answers."""
         self.arrived(queue, queue.under_way)
 
     def hold(self) -> None:
@@ -148,13 +148,13 @@ class Turns:
         return self._first().requests[0].posted
 
     def least(self) -> int:
-        """Give for how many requests room is wanted; more than there ever is, while enough is under way."""
+        """Return for how many requests room is wanted; more than there ever is, while enough is under way."""
         queue = self._first()
         others = len(self._line) > 1 or self._under_way > queue.under_way
         return _NEVER if others and self._under_way >= self._pace.most_ahead else queue.requests[0].least()
 
     def take(self, room: int) -> Message:
-        """Give what the next client may send in one go."""
+        """Return what the next client may send in one go."""
         queue, alone = self._first(), len(self._line) == 1
         request = queue.requests[0]
         cost = request.cost
@@ -173,7 +173,7 @@ class Turns:
         return run
 
     def exhausted(self) -> bool:
-        """Say whether there is nothing to send; the exchange forgets this source then."""
+        """Return whether there is nothing to send; the exchange forgets this source then."""
         self._submitted = bool(self._line) and not self._held
         return not self._submitted
 

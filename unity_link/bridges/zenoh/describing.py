@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 
 def describe(robot: Robot, prefix: str) -> dict[str, Any]:
-    """Give the interface, the gateway, and every signal by its path."""
+    """Return the interface, the gateway, and every signal by its path."""
     return {
         "interface": robot.interface.name,
         "gateway": msgspec.to_builtins(robot.link.gateway),

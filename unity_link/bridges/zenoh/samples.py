@@ -76,7 +76,7 @@ class Samples:
             thread.shutdown(wait=False)
 
     def _publish(self, _: int, batch: Batch) -> None:
-        # Who asks for no samples costs nothing but their way to here.
+        # A group without subscribers costs nothing but the way of its samples to here.
         if self._is_wanted():
             self._publisher.put(encode(batch, self._paths))
             self.published += len(batch)
@@ -92,7 +92,7 @@ class Samples:
 
 
 def encode(batch: Batch, paths: list[str]) -> bytes:
-    """Give the payload for samples of a group whose signals have these paths, in their order."""
+    """Return the payload for samples of a group whose signals have these paths, in their order."""
     return msgspec.json.encode(
         {
             "sequence": batch.sequence.tolist(),

@@ -39,7 +39,7 @@ if TYPE_CHECKING:
     from unity_link.transport.zenoh_session import Declared
 
     Answering = Callable[[zenoh.KeyExpr, bytes], Awaitable[dict[str, Any]]]
-    """Gives for a query's key and payload what is replied, by the names of keys below the prefix."""
+    """Returns for a query's key and payload what is replied, by the names of keys below the prefix."""
 
 MOST_QUERIES = 1024
 """Queries that are being answered, beyond which more are refused."""
@@ -113,7 +113,7 @@ class Signals:
     # Publications of others
 
     def _take(self, payloads: list[bytes]) -> None:
-        # The next ones come together when these are written; so whoever publishes too fast waits in the end.
+        # The next ones come together when these are written; so a publisher that is too fast blocks in the end.
         self._inbox.hold()
         self._puts.put_nowait(payloads)
 
@@ -171,7 +171,7 @@ class Signals:
 
     async def _write(self, key: zenoh.KeyExpr, payload: bytes) -> dict[str, Any]:
         if not payload and str(key) != f"{self._prefix}/write":
-            # Who asks for everything there is writes nothing.
+            # A query for all keys writes nothing.
             return {}
         return {"write": await self._write_objects(self._reader.read(payload))}
 

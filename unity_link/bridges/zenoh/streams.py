@@ -76,7 +76,7 @@ class Streams:
                     query.reply_err(refusal)
 
     def _serve(self, name: str) -> str | None:
-        """Serve a client; give what speaks against it."""
+        """Serve a client; return what speaks against it."""
         if name in self._open:
             return None
         if not _NAME.fullmatch(name):

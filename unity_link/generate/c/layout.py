@@ -225,7 +225,7 @@ class Layout:
         return self._globals.take(f"{self.prefix}_{name}")
 
     def _short(self, name: str) -> str:
-        """Give a name of a type in C++."""
+        """Return a name of a type in C++."""
         return self._shorts.take(_capitalized(name))
 
     # Names of members
@@ -291,7 +291,7 @@ class Layout:
     # Types of components
 
     def modules_of(self, component: Component) -> dict[str, list[Module]]:
-        """Give the named modules of a component by their names; several are an array."""
+        """Return the named modules of a component by their names; several are an array."""
         modules: dict[str, list[Module]] = {}
         for number in component.modules:
             module = self.interface.modules[number]
@@ -299,7 +299,7 @@ class Layout:
         return modules
 
     def member_names(self, component: Component) -> dict[str, str]:
-        """Give the identifiers of the members of a component by their names."""
+        """Return the identifiers of the members of a component by their names."""
         return self._member_names[component.path]
 
     def _part_type(self, component: Component) -> PartType:
@@ -392,7 +392,7 @@ def _column(members: Sequence[SignalMember | PartMember | GroupMember]) -> int:
 
 
 def _find(addresses: list[int], wanted: range) -> int | None:
-    """Give where all the wanted addresses stand side by side."""
+    """Return where all the wanted addresses stand side by side."""
     size = len(wanted)
     places: Iterator[int] = (
         start for start in range(len(addresses) - size + 1) if addresses[start : start + size] == list(wanted)

@@ -46,7 +46,7 @@ class Names:
 
 
 def string(text: str) -> str:
-    """Give a string literal; ``??`` is parted, for it begins a trigraph."""
+    """Return a string literal; ``??`` is parted, for it begins a trigraph."""
     escaped = "".join(
         f"\\{character}" if character in '"\\' else character if character >= " " else f"\\{ord(character):03o}"
         for character in text
@@ -55,14 +55,14 @@ def string(text: str) -> str:
 
 
 def comment(text: str, indent: str = "") -> str:
-    """Give a text of one or more lines as a comment."""
+    """Return a text of one or more lines as a comment."""
     safe = text.replace("*/", "* /").replace("/*", "/ *").replace("??", "? ?").rstrip("\\")
     lines = [line.rstrip().rstrip("\\") for line in safe.split("\n")]
     return f"{indent}/* " + f"\n{indent} * ".join(lines) + " */"
 
 
 def number(value: float) -> str:
-    """Give a literal of a double that has exactly this value."""
+    """Return a literal of a double that has exactly this value."""
     if value in (float("inf"), float("-inf")):
         return "INFINITY" if value > 0 else "-INFINITY"
     literal = repr(float(value))

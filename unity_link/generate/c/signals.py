@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 
 def initializer(layout: Layout) -> str:
-    """Give the members of the interface's structure, each with its value, indented by a level."""
+    """Return the members of the interface's structure, each with its value, indented by a level."""
     return "\n".join(_component(layout, layout.interface.root, "    "))
 
 
@@ -46,7 +46,7 @@ def _part(layout: Layout, part: Component | ComponentArray, indent: str) -> Iter
 
 
 def signal_initializer(layout: Layout, signal: Signal) -> str:
-    """Give the fields of a `ul_signal`, in their order."""
+    """Return the fields of a `ul_signal`, in their order."""
     is_real = layout.value_types[signal.path].coding == "real"
     step, offset = (
         (signal.kind.step, signal.kind.offset) if is_real and signal.kind.name is not KindName.FLOAT else (1, 0)
@@ -129,13 +129,13 @@ def schedule(group: Group) -> str:
 
 
 def decoding(member: GroupMember) -> str:
-    """Give the value of a member of a group, from the words of a sample."""
+    """Return the value of a member of a group, from the words of a sample."""
     value = f"ul_decode_{member.type.coding}(&{member.expression}.signal, {member.words})"
     return value if member.type.value in {"uint64_t", "int64_t", "double"} else f"({member.type.value}){value}"
 
 
 def examples(layout: Layout) -> list[str]:
-    """Give calls that read and write the first signals that can be, for the comment at the top."""
+    """Return calls that read and write the first signals that can be, for the comment at the top."""
     calls = []
     for verb, pointer, wanted in (("get", "&value", "reads"), ("set", "value", "writes")):
         first = next((one for one in layout.interface.signals.values() if getattr(one.access, wanted)), None)

@@ -47,14 +47,14 @@ def files(interface: Interface, templates: Templates) -> Iterator[GeneratedFile]
 
 
 def declarations(part: PartType) -> list[str]:
-    """Give the members of a component, each with what stands beside it."""
+    """Return the members of a component, each with what stands beside it."""
     signals = [(f"{_signal_type(member)} {member.name};", describe(member)) for member in part.signals]
     parts = [(f"{_part_type(member)} {member.name};", member.doc) for member in (*part.parts, *part.modules)]
     return _aligned([*signals, *parts])
 
 
 def values(group: GroupType) -> list[str]:
-    """Give the members of the values of a group, each with its unit."""
+    """Return the members of the values of a group, each with its unit."""
     return _aligned([(f"{member.type.cpp} {member.name}{{}};", member.signal.unit) for member in group.members])
 
 
@@ -64,14 +64,14 @@ def _aligned(lines: list[tuple[str, str]]) -> list[str]:
 
 
 def converted(member: GroupMember, to: str) -> str:
-    """Give a member of `values` as the type of the same member in the other language."""
+    """Return a member of `values` as the type of the same member in the other language."""
     value = f"values.{member.name}"
     is_same = member.type.cpp.removeprefix("std::") == member.type.value
     return value if is_same else f"static_cast<{to}>({value})"
 
 
 def initializers(part: PartType, place: str = "place") -> list[str]:
-    """Give what the members of a component are made from: `place` is the component in C."""
+    """Return what the members of a component are made from: `place` is the component in C."""
     signals = [f"{member.name}(the_link, {place}.{member.name}.signal)" for member in part.signals]
     parts = [
         f"{member.name}(the_link, {place}.{member.name})"
@@ -97,7 +97,7 @@ def _part_type(member: PartMember) -> str:
 
 
 def _examples(layout: Layout, groups: list[tuple[str, GroupType]]) -> Iterator[str]:
-    """Give calls that read and write the first signals that can be, for the comment at the top."""
+    """Return calls that read and write the first signals that can be, for the comment at the top."""
     signals = layout.interface.signals.values()
     first = next((one for one in signals if one.access.reads), None)
     if first is not None:

@@ -127,7 +127,7 @@ class Page:
 
     @property
     def facts(self) -> Iterator[tuple[str, str]]:
-        """Give what is said of the interface as a whole."""
+        """Return what is said of the interface as a whole."""
         interface = self.interface
         yield "words", f"{interface.data_bits} bits"
         yield "addresses", f"{interface.address_bits} bits, {self.addresses(0, 1 << interface.address_bits)}"
@@ -169,7 +169,7 @@ class Page:
 
     @property
     def contents(self) -> Iterator[Entry]:
-        """Give all components that signals stand in, in the order of the spec."""
+        """Return all components that signals stand in, in the order of the spec."""
         tables = {part.component.path: part.anchor for part in self.parts}
         for component in self.interface.root.walk():
             path = component.path
@@ -246,7 +246,7 @@ class Page:
     # Map
 
     def _map(self) -> Iterator[tuple[str, tuple[Cell, ...]]]:
-        """Give the rows of addresses in which something is, each with its first address.
+        """Return the rows of addresses in which something is, each with its first address.
 
         Of many rows of one module, the first and the last; a row without cells stands for those between.
         """
@@ -262,7 +262,7 @@ class Page:
                 yield from map(self._map_row, given)
 
     def _filled_by(self, row: int) -> Module | None:
-        """Give the module that a row of the map is of, if nothing else is there."""
+        """Return the module that a row of the map is of, if nothing else is there."""
         addresses = range(row * _CELLS, (row + 1) * _CELLS)
         module = self._module_at(addresses[0])
         if module is None or any(address in self._at or self._module_at(address) != module for address in addresses):
@@ -328,7 +328,7 @@ def _range(signal: Signal) -> str:
 
 
 def _notes(signal: Signal) -> Iterator[str]:
-    """Give what a signal has beside the columns."""
+    """Return what a signal has beside the columns."""
     if signal.id != signal.path:
         yield f"ID {signal.id}"
     if signal.group is not None:

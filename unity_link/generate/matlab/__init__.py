@@ -91,7 +91,7 @@ def _properties(root: Component, taken: list[str]) -> list[Property]:
 
 
 def _lines(part: Component, path: str, taken: list[str] | None = None) -> Iterator[Line]:
-    """Give the lines of a component that stands at a path; empty for the root."""
+    """Return the lines of a component that stands at a path; empty for the root."""
     names = identifiers(_members(part), taken or ())
     before = f"{path}." if path else ""
     for signal in part.signals:
@@ -112,7 +112,7 @@ def _groups(interface: Interface) -> list[tuple[Group, str]]:
 
 
 def _examples(lines: list[Line], variable: str) -> list[str]:
-    """Give what a program may write: the first signal that it can read, and the first that it can write."""
+    """Return what a program may write: the first signal that it can read, and the first that it can write."""
     signals = [(line.path, line.signal.access) for line in lines if line.signal is not None]
     read = next((f"value = {variable}.{path}.get();" for path, access in signals if access.reads), None)
     written = next((f"{variable}.{path}.set(0);" for path, access in signals if access.writes), None)
@@ -131,7 +131,7 @@ def _call(beginning: str, arguments: list[str]) -> str:
 
 
 def _settings(group: Group) -> list[str]:
-    """Give what a spec says of publishing, as arguments of `struct`."""
+    """Return what a spec says of publishing, as arguments of `struct`."""
     given: dict[str, str] = {
         "group": _optional(group.number),
         "rate_hz": _optional(group.rate_hz),
@@ -150,7 +150,7 @@ def _optional(value: float | None) -> str:
 
 
 def _arguments(line: Line) -> list[str]:
-    """Give the arguments of `Signal`: its place and kind, and properties with their values."""
+    """Return the arguments of `Signal`: its place and kind, and properties with their values."""
     signal = line.signal
     assert signal is not None
     place = [text(line.path), str(signal.address), text(str(signal.kind)), str(signal.width), text(signal.access.value)]

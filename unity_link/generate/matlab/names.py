@@ -29,7 +29,7 @@ MEMBERS = frozenset(_MEMBERS.split())
 
 
 def identifiers(names: Iterable[str], taken: Iterable[str] = ()) -> dict[str, str]:
-    """Give each name of one scope an identifier; names that are identifiers already, and are not taken, stay."""
+    """Return each name of one scope an identifier; names that are identifiers already, and are not taken, stay."""
     wanted = list(names)
     used = {*KEYWORDS, *taken}
     kept = {name for name in wanted if name == _shaped(name) and name not in used}
@@ -50,7 +50,7 @@ def _shaped(name: str) -> str:
 
 
 def _counted(name: str) -> str:
-    """Give another name of the longest size: its last digits count."""
+    """Return another name of the longest size: its last digits count."""
     stem = name.rstrip("0123456789")
     number = str(int(name[len(stem) :] or 0) + 1)
     return name[: LONGEST - len(number)] + number

@@ -182,7 +182,7 @@ class _Maker:
 
 
 def _module_class(word: str) -> str:
-    """Give the class of a module that can be imported from `unity_link.hardware`."""
+    """Return the class of a module that can be imported from `unity_link.hardware`."""
     known = module_type(word)
     return known.__name__ if known.__module__.startswith("unity_link.hardware.") else Module.__name__
 

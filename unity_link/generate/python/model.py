@@ -13,12 +13,12 @@ if TYPE_CHECKING:
 
 
 def model_text(interface: Interface) -> str:
-    """Give what `unity_link.data.read_interface` reads; no quotes of Python's are in it."""
+    """Return what `unity_link.data.read_interface` reads; no quotes of Python's are in it."""
     return "\n".join(_lines(_plain(interface))).replace("'", "\\u0027")
 
 
 def _plain(value: Any) -> Any:
-    """Give what JSON can say of a value, without what a decoder fills in by itself."""
+    """Return what JSON can say of a value, without what a decoder fills in by itself."""
     if isinstance(value, msgspec.Struct):
         config = value.__struct_config__
         fields: dict[str, Any] = {} if config.tag is None else {str(config.tag_field): config.tag}

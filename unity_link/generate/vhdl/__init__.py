@@ -68,7 +68,7 @@ def files(interface: Interface, templates: Templates) -> Iterator[GeneratedFile]
 
 
 def gateway_generics(interface: Interface) -> dict[str, int | str]:
-    """Give the generics of `unity_link` that follow from an interface."""
+    """Return the generics of `unity_link` that follow from an interface."""
     published = [group for group in interface.groups if group.number is not None]
     words = max([_LEAST_GROUP_WORDS, *(len(group.addresses) for group in published)])
     numbers = [group.number + 1 for group in published if group.number is not None]
@@ -84,7 +84,7 @@ def gateway_generics(interface: Interface) -> dict[str, int | str]:
 
 
 def _base_hz(groups: list[Group]) -> int:
-    """Give the base frequency that has all rates: the gateway's own, or the next lower one that they divide.
+    """Return the base frequency that has all rates: the gateway's own, or the next lower one that they divide.
 
     Where a group has a divisor, it is the gateway's own: the author has counted from that.
     """
@@ -96,7 +96,7 @@ def _base_hz(groups: list[Group]) -> int:
 
 
 def fingerprint(interface: Interface) -> str:
-    """Give 8 hex digits that name the map: those of another layout, access or kind are others."""
+    """Return 8 hex digits that name the map: those of another layout, access or kind are others."""
     lines = (
         f"{signal.path} {signal.address} {signal.lowest_bit} {signal.kind} {signal.access} {signal.fifo}"
         for signal in interface.signals.values()

@@ -51,7 +51,7 @@ class Slice(NamedTuple):
 
 
 def slice_at(signal: Signal, address: int) -> Slice:
-    """Give what a signal has of the word at an address."""
+    """Return what a signal has of the word at an address."""
     part = address - signal.address
     low = signal.lowest_bit if part == 0 else 0
     first = part * signal.word_bits
@@ -196,7 +196,7 @@ class Bank:
 
     @property
     def choices(self) -> Iterator[tuple[str, str]]:
-        """Give the ports in the order in which an address is looked for, each with its condition; empty: always."""
+        """Return the ports in the order in which an address is looked for, each with its condition; empty: always."""
         highest = (1 << self.interface.address_bits) - 1
         for port in self.ports:
             if port.first == port.last:
@@ -274,7 +274,7 @@ def _is_base_only(module: Module) -> bool:
 
 
 def _owner(interface: Interface, index: int | None) -> int | None:
-    """Give the outermost piece of hardware that a module stands in, or is; None where it is a base only."""
+    """Return the outermost piece of hardware that a module stands in, or is; None where it is a base only."""
     found = None
     while index is not None:
         module = interface.modules[index]

@@ -39,7 +39,7 @@ class Scope:
         self._taken = set(taken)
 
     def unique(self, text: str, *endings: str) -> str:
-        """Give a name for a text, numbered where it is taken.
+        """Return a name for a text, numbered where it is taken.
 
         Args:
             text: a name or a path of a spec.

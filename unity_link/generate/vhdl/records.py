@@ -60,7 +60,7 @@ class Pins(NamedTuple):
 
 
 def elements_of(signal: Signal, name: str, type_: str) -> Iterator[tuple[Direction, str, Element]]:
-    """Give the elements of a signal: the direction, which of `Pins` it is, and the element."""
+    """Return the elements of a signal: the direction, which of `Pins` it is, and the element."""
     comment = str(signal.kind) if signal.kind.name in {KindName.FIXED, KindName.UFIXED, KindName.FLOAT} else ""
     value = Element(name, type_, comment)
     valid, ready = Element(f"{name}_valid", "std_logic"), Element(f"{name}_ready", "std_logic")
@@ -113,7 +113,7 @@ class Records:
             self._place(interface.root, direction, direction.value)
 
     def _names_in(self, component: Component) -> dict[str, str]:
-        """Give the VHDL names of a component's members, which are the same in both records."""
+        """Return the VHDL names of a component's members, which are the same in both records."""
         if component.path not in self._names:
             scope = Scope()
             names = {
@@ -165,7 +165,7 @@ class Records:
                 )
 
     def _array(self, records: list[str | None]) -> str | None:
-        """Give the type of an array of such records, or None where there is none that holds them all."""
+        """Return the type of an array of such records, or None where there is none that holds them all."""
         first = records[0]
         if first is None or any(record != first for record in records):
             return None

@@ -54,7 +54,7 @@ class Stimuli:
 
     @property
     def sections(self) -> Iterator[Section]:
-        """Give all that the bench tries, in this order."""
+        """Return all that the bench tries, in this order."""
         parts = (
             ("After reset, everything that was written is 0.", self._reset()),
             *((f"What hardware gives can be read, round {one}.", self._reads(one)) for one in range(1, ROUNDS + 1)),
@@ -73,7 +73,7 @@ class Stimuli:
     # What stands where
 
     def _struck(self, word: Word) -> list[Register]:
-        """Give the registers that pulse when a word is written."""
+        """Return the registers that pulse when a word is written."""
         return [
             register
             for register in word.written
@@ -85,7 +85,7 @@ class Stimuli:
         return self._stored[path] if register.is_register else self._given.get(path, 0)
 
     def _word(self, address: int) -> int:
-        """Give what an address must read as."""
+        """Return what an address must read as."""
         registers = self._word_at[address].read
         return sum(part_of(register.signal, self._raw_of(register), address) for register in registers)
 
@@ -146,13 +146,13 @@ class Stimuli:
         return random.Random(" ".join(map(str, (self._bank.interface.name, *what))))  # noqa: S311  (not for secrets)
 
     def _number(self, bits: int, round_: int, *what: object) -> int:
-        """Give a number; that of the second round is the first one with every bit turned."""
+        """Return a number; that of the second round is the first one with every bit turned."""
         if round_ == 2:
             return self._number(bits, 1, *what) ^ (1 << bits) - 1
         return self._chance(round_, *what).getrandbits(bits)
 
     def _raw(self, register: Register, round_: int) -> int:
-        """Give a raw that hardware can give: of an enumeration, one with a name."""
+        """Return a raw that hardware can give: of an enumeration, one with a name."""
         kind, path = register.signal.kind, register.signal.path
         if kind.enumeration is not None:
             return self._chance(round_, path).choice(kind.enumeration.values).value
@@ -237,7 +237,7 @@ class Stimuli:
                 yield "window_fails <= '0';"
 
     def _window_addresses(self, first: int, last: int, index: int) -> Iterable[int]:
-        """Give some addresses that go to a window: those of no register and no window before it."""
+        """Return some addresses that go to a window: those of no register and no window before it."""
         taken = {word.address for word in self._bank.words}
         before = [range(window.first, window.last + 1) for window in self._bank.windows[:index]]
         tried = dict.fromkeys((first, first + 1, (first + last) // 2, last))
@@ -258,7 +258,7 @@ class Stimuli:
             yield f"refuse({self._at(address)}, '1');"
 
     def _unused(self) -> list[int]:
-        """Give some addresses that belong to nothing: beside what is there, and the last one."""
+        """Return some addresses that belong to nothing: beside what is there, and the last one."""
         taken = {word.address for word in self._bank.words}
         windows = [range(window.first, window.last + 1) for window in self._bank.windows]
         highest = (1 << self._address_bits) - 1
@@ -277,12 +277,12 @@ def _after(round_: int) -> str:
 
 
 def part_of(signal: Signal, raw: int, address: int) -> int:
-    """Give what a signal adds to the word at an address."""
+    """Return what a signal adds to the word at an address."""
     return raw << signal.lowest_bit >> (address - signal.address) * signal.word_bits & (1 << signal.word_bits) - 1
 
 
 def _joined(signal: Signal, gathered: dict[int, int], last: int, value: int) -> int:
-    """Give the raw that a signal has once its last word is written."""
+    """Return the raw that a signal has once its last word is written."""
     words = [gathered[address] for address in signal.addresses[:-1]] + [value]
     assert signal.addresses[-1] == last
     whole = sum(word << (index * signal.word_bits) for index, word in enumerate(words))

@@ -73,7 +73,7 @@ def real_literal(number: float) -> str:
 
 
 def vhdl_type(kind: Kind, enumerations: Mapping[str, EnumerationType]) -> str:
-    """Give the type of a signal of a kind."""
+    """Return the type of a signal of a kind."""
     if kind.name is KindName.BOOL:
         return "std_logic"
     if kind.enumeration is not None:

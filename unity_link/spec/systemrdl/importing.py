@@ -110,7 +110,7 @@ class _Importer:
         self._is_ours = any(self._ours(node, "path") for register in registers for node in register.fields())
 
     def text(self) -> str:
-        """Give the spec, in its canonical layout."""
+        """Return the spec, in its canonical layout."""
         from unity_link.spec import format_text
 
         top = self._top
@@ -148,7 +148,7 @@ class _Importer:
         return _Placed(node.inst_name, part, address, count, self._word(node.array_stride, node))
 
     def _word(self, byte_address: int, node: Any) -> int:
-        """Give the word address of a byte address."""
+        """Return the word address of a byte address."""
         address, rest = divmod(byte_address, self._bits // 8)
         if rest:
             where = f"byte {byte_address:#x}, which is not at the beginning of a word of {self._bits} bits"

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 
 def unique_name(name: str, taken: set[str]) -> str:
-    """Give a name that is not taken yet: ``a.b`` and ``a_b`` would be the same."""
+    """Return a name that is not taken yet: ``a.b`` and ``a_b`` would be the same."""
     number, unique = 1, name
     while unique in taken:
         number += 1

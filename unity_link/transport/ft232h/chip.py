@@ -90,7 +90,7 @@ class Settings(msgspec.Struct, frozen=True):
     baud: int
 
     def tuning(self, mode: SendImmediate) -> Tuning:
-        """Give the driver's part of a mode of send-immediate, the URL's own wishes first."""
+        """Return the driver's part of a mode of send-immediate, the URL's own wishes first."""
         chosen = TUNINGS[mode]
         return Tuning(
             chosen.latency if self.latency is None else self.latency,
@@ -99,7 +99,7 @@ class Settings(msgspec.Struct, frozen=True):
 
 
 def settings_of(url: DriverUrl) -> Settings:
-    """Give what a URL says.
+    """Return what a URL says.
 
     Raises:
         ArgumentError: for a value that no chip takes.
@@ -200,7 +200,7 @@ class OpenChip:
 
 
 def base_url(url: DriverUrl) -> str:
-    """Give the URL of the chip alone, in pyftdi's form."""
+    """Return the URL of the chip alone, in pyftdi's form."""
     return f"ftdi://{url.host}{url.path or '/1'}"
 
 
@@ -256,7 +256,7 @@ def open_chip(url: DriverUrl, *, check: bool = True) -> OpenChip:
 
 
 def list_chips() -> list[tuple[str, str]]:
-    """Give URL and description of every FT232H that is plugged in. Blocks.
+    """Return URL and description of every FT232H that is plugged in. Blocks.
 
     Raises:
         ConnectError: where they can't be asked.
@@ -309,7 +309,7 @@ def _open_real(url: DriverUrl) -> Any:
     key = (description.bus, description.address, description.vid, description.pid)
     with UsbTools.Lock:
         if key in UsbTools.Devices:
-            # pyftdi would share the device with whoever in this program has opened it, and so mix up their bytes.
+            # pyftdi would share the device with what else in this program has opened it, and mix up their bytes.
             raise OSError(errno.EBUSY, "open in this program")
         device = UsbTools.get_device(description)
     try:
@@ -324,7 +324,7 @@ def _open_real(url: DriverUrl) -> Any:
 
 
 def find_errno(error: BaseException | None) -> int | None:
-    """Give the number of the operating system's error at the bottom of an error of pyftdi or pyusb."""
+    """Return the number of the operating system's error at the bottom of an error of pyftdi or pyusb."""
     while error is not None:
         if isinstance(error, OSError) and error.errno is not None:
             return error.errno
@@ -333,7 +333,7 @@ def find_errno(error: BaseException | None) -> int | None:
 
 
 def _find_reason() -> int | None:
-    """Give why a chip can't be asked for its strings, by asking all for something simpler."""
+    """Return why a chip can't be asked for its strings, by asking all for something simpler."""
     from pyftdi.ftdi import Ftdi
     from pyftdi.usbtools import UsbTools
     from usb.core import USBError, find
@@ -360,7 +360,7 @@ _NO_LANGUAGE = "langid"
 
 
 def stuck() -> OSError:
-    """Give the error of a write that gets nowhere."""
+    """Return the error of a write that gets nowhere."""
     return OSError(errno.ETIME, f"the gateware has not read from the FT232H for {WRITE_PATIENCE:g} s")
 
 

@@ -44,7 +44,7 @@ def build_eeprom(
 
 
 def checksum(content: bytes | bytearray) -> int:
-    """Give the checksum of the words before the last one."""
+    """Return the checksum of the words before the last one."""
     value = 0xAAAA
     for (word,) in struct.iter_unpack("<H", content):
         value ^= word
@@ -53,7 +53,7 @@ def checksum(content: bytes | bytearray) -> int:
 
 
 def is_valid(image: bytes | bytearray) -> bool:
-    """Say whether a chip heeds this content. A memory of half the size reads as two halves of the same content."""
+    """Return whether a chip heeds this content. A memory of half the size reads as two halves of the same content."""
     half = len(image) // 2
     if image[:half] == image[half:]:
         image = image[:half]
@@ -61,12 +61,12 @@ def is_valid(image: bytes | bytearray) -> bool:
 
 
 def channel_type(image: bytes | bytearray) -> ChannelType:
-    """Give what the pins of the chip are after power-up."""
+    """Return what the pins of the chip are after power-up."""
     return "FIFO" if is_valid(image) and image[0] & 0x0F == _CHANNEL_TYPES["FIFO"] else "UART"
 
 
 def strings(image: bytes | bytearray) -> tuple[str, str, str]:
-    """Give manufacturer, product and serial number, empty where there is none."""
+    """Return manufacturer, product and serial number, empty where there is none."""
     if not is_valid(image):
         return ("FTDI", "FT232H", "")
     texts = []

@@ -36,7 +36,7 @@ class ChipTransport(BufferedTransport):
         self._error: ConnectError | None = None
 
     def get_extra_info(self, name: str, default: Any = None) -> Any:
-        """Give what only these drivers have."""
+        """Return what only these drivers have."""
         if name == "send_immediate":
             return self._send_immediate
         if name == "line_errors":
@@ -68,7 +68,7 @@ class StatusStripper:
         """Packets whose status reported an error of the line."""
 
     def strip(self, data: bytes) -> bytes:
-        """Give the bytes of the gateway in a read."""
+        """Return the bytes of the gateway in a read."""
         for start in range(1, len(data), PACKET_SIZE):
             if data[start] & ERROR_BITS:
                 self._report(data[start])

@@ -109,7 +109,7 @@ _ERRNO_OF_LIBUSB = {
 
 
 def _os_error(error: Exception) -> Exception:
-    """Give the operating system's error that an error of libusb stands for."""
+    """Return the operating system's error that an error of libusb stands for."""
     number = _ERRNO_OF_LIBUSB.get(getattr(error, "value", 0))
     return error if number is None else OSError(number, str(error))
 
@@ -204,7 +204,7 @@ class OverlappedTransport(ChipTransport):
     # Reading
 
     def _post_reads(self) -> None:
-        # While a closed transport still writes, the chip must not get stuck on what nobody reads.
+        # While a closed transport still writes, the chip must not get stuck on what is not read.
         wanted = self._reading and not self._aborted and (not self._closing or self._unwritten)
         while self._idle_reads and wanted and IN_ENDPOINT not in self._clearing:
             transfer = self._idle_reads.pop(0)

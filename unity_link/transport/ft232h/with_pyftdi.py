@@ -110,7 +110,7 @@ class ThreadedTransport(ChipTransport):
     # In the loop
 
     def _deliver(self) -> None:
-        """Give the protocol what was read."""
+        """Pass what was read to the protocol."""
         with self._changed:
             self._delivery_planned = False
             if self._closing or not self._reading or not self._unread:
@@ -125,7 +125,7 @@ class ThreadedTransport(ChipTransport):
         self._protocol.connection_lost(self._error)
 
     def _in_loop(self, callback: Any) -> None:
-        """Have the loop call; one that is closed has nobody left to tell."""
+        """Have the loop call; one that is closed is not told."""
         try:
             self._loop.call_soon_threadsafe(callback)
         except RuntimeError:

@@ -47,7 +47,7 @@ class SendsImmediately(Protocol):
         """Mode of responses: 0 off, 1 always, 2 adaptive."""
 
     flush_wanted: bool
-    """Set when a sample was sent that is to be flushed; whoever acts on it clears it."""
+    """Set when a sample was sent that is to be flushed; cleared at the flush."""
 
 
 class GatewayBoard:

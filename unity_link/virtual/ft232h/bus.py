@@ -33,7 +33,7 @@ class Clock(Protocol):
     """Modelled time, in seconds."""
 
     def now(self) -> float:
-        """Give the time."""
+        """Return the time."""
 
     def wait(self, changed: threading.Condition, until: float) -> None:
         """Wait until a time, or until `changed` is notified; `changed` is held."""
@@ -49,7 +49,7 @@ class RealClock:
         self._offset = time.monotonic()
 
     def now(self) -> float:
-        """Give the time."""
+        """Return the time."""
         return time.monotonic() - self._offset
 
     def wait(self, changed: threading.Condition, until: float) -> None:
@@ -75,10 +75,10 @@ class SimulatedClock:
         self._now = 0.0
 
     def now(self) -> float:
-        """Give the time."""
+        """Return the time."""
         return self._now
 
-    def wait(self, changed: threading.Condition, until: float) -> None:  # noqa: ARG002  (nobody else can notify it)
+    def wait(self, changed: threading.Condition, until: float) -> None:  # noqa: ARG002  (nothing else can notify it)
         """Jump."""
         self._now = max(self._now, until)
 
@@ -100,10 +100,10 @@ class LoopClock:
         self.loop = running
 
     def now(self) -> float:
-        """Give the time."""
+        """Return the time."""
         return self.loop.time()
 
-    def wait(self, changed: threading.Condition, until: float) -> None:  # noqa: ARG002  (nobody waits)
+    def wait(self, changed: threading.Condition, until: float) -> None:  # noqa: ARG002  (nothing waits)
         """Refuse: it would keep the loop, and with it the time, from going on."""
         raise RuntimeError("a chip on the time of a loop can't be waited for")
 
@@ -138,11 +138,11 @@ class VirtualFt232h:
         self.address = 0
         """Number on its bus, given when it is plugged in."""
         self.denied = False
-        """Whether the operating system lets nobody open it."""
+        """Whether the operating system refuses to open it."""
         self.claimed_by: object | None = None
         """Who has its interface; another program, where it is a stranger."""
         self.times_plugged = 1
-        """Whoever opened it before it was unplugged has nothing any more."""
+        """Handles from before it was unplugged are void."""
         self.changed = threading.Condition()
 
     def now(self) -> float:

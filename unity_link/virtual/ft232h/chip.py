@@ -143,7 +143,7 @@ class Chip:
         return FIFO_SIZE - len(self.to_host)
 
     def read(self, count: int) -> bytes:
-        """Give bytes to the FPGA."""
+        """Return bytes to the FPGA."""
         data = bytes(self.to_fpga[:count])
         del self.to_fpga[:count]
         return data
@@ -182,13 +182,13 @@ class Chip:
         self.to_fpga += packet
 
     def ready_at(self, now: float) -> float:
-        """Give when the chip answers a request for a packet; before that it refuses (NAK)."""
+        """Return when the chip answers a request for a packet; before that it refuses (NAK)."""
         if len(self.to_host) >= PAYLOAD or self._wanted or self._empty_packet_due:
             return now
         return max(now, self._timer_began + self.latency / 1000)
 
     def give(self, now: float) -> bytes:
-        """Give the next packet to the host, status bytes first."""
+        """Return the next packet to the host, status bytes first."""
         payload = bytes(self.to_host[:PAYLOAD])
         del self.to_host[:PAYLOAD]
         flushed = 0 < self._wanted == len(payload)
@@ -310,7 +310,7 @@ class Chip:
 
 
 def _baud(value: int, index: int) -> float:
-    """Give the rate that a divisor stands for, bits a second (AN232B-05, with the clock of the H series)."""
+    """Return the rate that a divisor stands for, bits a second (AN232B-05, with the clock of the H series)."""
     divisor = value | index >> 8 << 16
     clock = _FAST_CLOCK if divisor & 0x20000 else _SLOW_CLOCK
     divisor &= 0x1FFFF

@@ -26,7 +26,7 @@ class Descriptor(msgspec.Struct, frozen=True, kw_only=True):
     extra_descriptors: ClassVar[list[int]] = []
 
     def encode(self) -> bytes:
-        """Give the bytes of the wire."""
+        """Return the bytes of the wire."""
         return struct.pack(self.LAYOUT, *(getattr(self, name) for name in self.__struct_fields__))
 
 
@@ -99,21 +99,21 @@ ENDPOINTS = (EndpointDescriptor(bEndpointAddress=IN_ENDPOINT), EndpointDescripto
 
 
 def encode_configuration() -> bytes:
-    """Give the configuration with all that belongs to it."""
+    """Return the configuration with all that belongs to it."""
     return b"".join(descriptor.encode() for descriptor in (*CONFIGURATIONS, *INTERFACES, *ENDPOINTS))
 
 
 def encode_qualifier() -> bytes:
-    """Give what the device would be at full speed."""
+    """Return what the device would be at full speed."""
     return struct.pack("<BBHBBBBBB", 10, QUALIFIER, 0x0200, 0, 0, 0, 64, 1, 0)
 
 
 def encode_string(text: str) -> bytes:
-    """Give a string descriptor."""
+    """Return a string descriptor."""
     encoded = text.encode("utf-16-le")
     return bytes([len(encoded) + 2, STRING]) + encoded
 
 
 def encode_languages() -> bytes:
-    """Give string descriptor 0: the languages that there are strings in."""
+    """Return string descriptor 0: the languages that there are strings in."""
     return struct.pack("<BBH", 4, STRING, ENGLISH)

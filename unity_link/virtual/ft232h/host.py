@@ -3,7 +3,7 @@
 A transfer that is submitted is looked at from the next microframe on. The bus carries one packet at a time; transfers
 of one endpoint are served in their order, the two endpoints in turns. A bulk IN transfer ends when it is full or a
 packet is short; its end is told at the end of the microframe. So everything that the program can notice happens at the
-beginnings of microframes: whoever runs this in real time need not wake up in between.
+beginnings of microframes: a thread that runs this in real time need not wake up in between.
 """
 
 from __future__ import annotations

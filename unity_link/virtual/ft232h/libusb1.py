@@ -157,7 +157,7 @@ class Context:
         self._signal.close()
 
     def ended(self, request: TransferRequest) -> None:
-        """Take note of an end, and signal it; in whichever thread has moved the chip along."""
+        """Record an end, and signal it; in whichever thread has moved the chip along."""
         with self._device.changed:
             self._ended.append(request)
             self._signal.set()
@@ -165,7 +165,7 @@ class Context:
     # usb1's names
 
     def getPollFDList(self) -> list[tuple[int, int]]:  # noqa: N802
-        """Give the descriptors to wait for, and for what."""
+        """Return the descriptors to wait for, and for what."""
         return [(self._signal.descriptor, select.POLLOUT)]
 
     def setPollFDNotifiers(self, added_cb: Any = None, removed_cb: Any = None) -> None:  # noqa: N802
@@ -226,7 +226,7 @@ class Handle:
         self._host.wake()
 
     def getTransfer(self) -> TransferRequest:  # noqa: N802
-        """Give a new transfer."""
+        """Return a new transfer."""
         return TransferRequest(self)
 
     def close(self) -> None:
@@ -271,7 +271,7 @@ class TransferRequest:
         self._handle.context.ended(self)
 
     def call_back(self) -> None:
-        """Tell whoever submitted it."""
+        """Call back the submitter."""
         self._submitted = False
         if self._callback is not None:
             self._callback(self)
@@ -282,7 +282,7 @@ class TransferRequest:
         self._handle.cancel(self._transfer)
 
     def isSubmitted(self) -> bool:  # noqa: N802
-        """Say whether it is under way."""
+        """Return whether it is under way."""
         return self._submitted
 
     def getStatus(self) -> int:  # noqa: N802
@@ -292,12 +292,12 @@ class TransferRequest:
         return _STATUSES[self._transfer.status]
 
     def getActualLength(self) -> int:  # noqa: N802
-        """Give how many bytes were moved."""
+        """Return how many bytes were moved."""
         assert self._transfer is not None
         return self._transfer.moved
 
     def getBuffer(self) -> bytearray:  # noqa: N802
-        """Give what came."""
+        """Return what came."""
         assert self._transfer is not None
         return self._transfer.data
 

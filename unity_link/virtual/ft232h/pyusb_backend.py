@@ -55,7 +55,7 @@ class Backend(IBackend):  # type: ignore[misc]  # pyusb has no types
         self._bus = bus
 
     def device_at(self, address: int) -> VirtualFt232h:
-        """Give the chip with a number on the bus."""
+        """Return the chip with a number on the bus."""
         return next(device for device in self._bus.devices if device.address == address)
 
     def open_for_transfers(self, bus: int, address: int) -> tuple[Any, Any]:  # noqa: ARG002  (there is one)
@@ -70,24 +70,24 @@ class Backend(IBackend):  # type: ignore[misc]  # pyusb has no types
     # Descriptors
 
     def enumerate_devices(self) -> Iterator[VirtualFt232h]:
-        """Give the devices."""
+        """Return the devices."""
         yield from self._bus.devices
 
     def get_parent(self, dev: VirtualFt232h) -> None:
-        """Say that there is no hub."""
+        """Return that there is no hub."""
 
     def get_device_descriptor(self, dev: VirtualFt232h) -> _Device:
-        """Give the device descriptor, and where the device is."""
+        """Return the device descriptor, and where the device is."""
         return _Device(dev)
 
     def get_configuration_descriptor(self, dev: VirtualFt232h, config: int) -> descriptors.ConfigurationDescriptor:  # noqa: ARG002
-        """Give a configuration; IndexError past the end."""
+        """Return a configuration; IndexError past the end."""
         return descriptors.CONFIGURATIONS[config]
 
     def get_interface_descriptor(
         self, dev: VirtualFt232h, intf: int, alt: int, config: int
     ) -> descriptors.InterfaceDescriptor:
-        """Give an interface; IndexError past the end."""
+        """Return an interface; IndexError past the end."""
         if alt:
             raise IndexError(alt)
         self.get_configuration_descriptor(dev, config)
@@ -96,7 +96,7 @@ class Backend(IBackend):  # type: ignore[misc]  # pyusb has no types
     def get_endpoint_descriptor(
         self, dev: VirtualFt232h, ep: int, intf: int, alt: int, config: int
     ) -> descriptors.EndpointDescriptor:
-        """Give an endpoint; IndexError past the end."""
+        """Return an endpoint; IndexError past the end."""
         self.get_interface_descriptor(dev, intf, alt, config)
         return descriptors.ENDPOINTS[ep]
 
@@ -116,7 +116,7 @@ class Backend(IBackend):  # type: ignore[misc]  # pyusb has no types
             dev_handle.device.claimed_by = None
 
     def get_configuration(self, dev_handle: Handle) -> int:
-        """Give the configuration; a host sets the only one by itself when a device is plugged in."""
+        """Return the configuration; a host sets the only one by itself when a device is plugged in."""
         return dev_handle.device.chip.configuration or 1
 
     def set_configuration(self, dev_handle: Handle, config_value: int) -> None:
@@ -238,7 +238,7 @@ def _error(code: int) -> usb.core.USBError:
 
 
 def find(device: VirtualFt232h) -> usb.core.Device:
-    """Give pyusb's device for a chip that is on no other bus."""
+    """Return pyusb's device for a chip that is on no other bus."""
     return usb.core.Device(device, Backend(VirtualBus(device)))
 
 
@@ -246,7 +246,7 @@ _installed: list[Backend] = []
 
 
 def get_backend() -> Backend | None:
-    """Give the backend of the bus that is installed; pyftdi asks the module for it."""
+    """Return the backend of the bus that is installed; pyftdi asks the module for it."""
     return _installed[-1] if _installed else None
 
 

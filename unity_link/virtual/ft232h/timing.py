@@ -34,5 +34,5 @@ class Timing(msgspec.Struct, frozen=True, kw_only=True):
         return self.microframe / self.packets_per_microframe
 
     def boundary_after(self, now: float) -> float:
-        """Give the next beginning of a microframe; `now` itself where it is one."""
+        """Return the next beginning of a microframe; `now` itself where it is one."""
         return math.ceil(now / self.microframe - 1e-6) * self.microframe

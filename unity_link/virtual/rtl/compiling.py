@@ -37,7 +37,7 @@ log = logging.getLogger("unity_link.rtl")
 
 
 def compiled(source: Path) -> Path:
-    """Give the shared library of a generated file, compiled unless that was done before.
+    """Return the shared library of a generated file, compiled unless that was done before.
 
     Raises:
         ConnectError: where no C++ compiler is installed, it fails, or the result cannot be kept.
@@ -82,7 +82,7 @@ class _Plan(msgspec.Struct, frozen=True):
 
     @contextlib.contextmanager
     def compiling(self) -> Iterator[list[str]]:
-        """Give the command to run; what it made is kept if the block ends well."""
+        """Return the command to run; what it made is kept if the block ends well."""
         log.warning("compiling the gateware by %s: once, this takes a while", self.compiler[0])
         try:
             self.library.parent.mkdir(parents=True, exist_ok=True)

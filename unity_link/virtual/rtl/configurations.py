@@ -34,23 +34,23 @@ class Configuration(msgspec.Struct, frozen=True):
     """Its number on a medium that several share."""
 
     def has(self, fields: Mapping[str, int], node: int | None) -> bool:
-        """Say whether it is what a user describes."""
+        """Return whether it is what a user describes."""
         return node == self.node and all(getattr(self.info, name) == value for name, value in fields.items())
 
     def distance(self, other: Configuration) -> int:
-        """Give the number of fields in which it differs from another one."""
+        """Return the number of fields in which it differs from another one."""
         return sum(getattr(self.info, name) != getattr(other.info, name) for name in GatewayInfo.__struct_fields__)
 
 
 def heading(info: GatewayInfo, node: int | None) -> str:
-    """Give the line that a generated file has in its head."""
+    """Return the line that a generated file has in its head."""
     text = f"// Answers Q with {info.to_hex().decode()}"
     return f"{text}." if node is None else f"{text}, as node {node}."
 
 
 @functools.cache
 def configurations() -> dict[str, Configuration]:
-    """Give what is part of this installation, by name.
+    """Return what is part of this installation, by name.
 
     Raises:
         ArgumentError: for a generated file that does not say what it is.
@@ -67,7 +67,7 @@ def configurations() -> dict[str, Configuration]:
 
 
 def find(name: str) -> Configuration:
-    """Give a build by its name.
+    """Return a build by its name.
 
     Raises:
         ArgumentError: for one that there is not.
@@ -79,7 +79,7 @@ def find(name: str) -> Configuration:
 
 
 def choose(fields: Mapping[str, int], node: int | None = None) -> Configuration:
-    """Give the build that has some fields of `GatewayInfo`, and is otherwise as much as can be like the default one.
+    """Return the build that has some fields of `GatewayInfo`, and is otherwise as much as can be like the default one.
 
     One with a quicker clock, which a PC can't keep pace with, is given only if nothing else fits.
 

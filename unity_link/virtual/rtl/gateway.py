@@ -166,7 +166,7 @@ class RtlGateway(BareGateway):
         return self._time() + SLICE if self.ticking or self._is_held_up else None
 
     def receive(self, data: bytes, now: float) -> bytes:
-        """Take bytes at the time `now` (seconds), and give what is sent until the gateway has nothing left to do.
+        """Take bytes at the time `now` (seconds), and return what is sent until the gateway has nothing left to do.
 
         While it is `ticking` it always has: then that is what it sends in a few cycles, and the rest comes with time.
         """
@@ -176,7 +176,7 @@ class RtlGateway(BareGateway):
         return self._pull()
 
     def advance(self, now: float, room: int | None = None) -> bytes:
-        """Let time pass up to `now` (seconds), and give what was sent, as far as there is `room`."""
+        """Let time pass up to `now` (seconds), and return what was sent, as far as there is `room`."""
         self._library.ul_set_room(self._handle, _UNLIMITED if room is None else room)
         self._pass_time(now)
         if self._is_held_up:
@@ -189,7 +189,7 @@ class RtlGateway(BareGateway):
         self._library.ul_lose(self._handle)
 
     def trigger(self, now: float) -> None:
-        """Give a rising edge to all external triggers; the publishes come out of the next call."""
+        """Apply a rising edge to all external triggers; the publishes come out of the next call."""
         self._pass_time(now)
         for level in (1, 0):
             self._library.ul_set_trigger(self._handle, level)
@@ -230,7 +230,7 @@ class RtlGateway(BareGateway):
         return Passage(passed, taken, self._pull(), self.flushes != flushes)
 
     def run(self, cycles: int) -> bytes:
-        """Let exactly so many clock cycles pass, and give what was sent."""
+        """Let exactly so many clock cycles pass, and return what was sent."""
         self._run(cycles)
         return self._pull()
 
@@ -315,7 +315,7 @@ class RtlGateway(BareGateway):
 def _device_of(
     gateway: weakref.ref[RtlGateway],
 ) -> Callable[[int | None, int, int, ctypes._Pointer[ctypes.c_uint64]], int]:
-    """Give the function that the library calls; it holds the gateway weakly, which holds it."""
+    """Return the function that the library calls; it holds the gateway weakly, which holds it."""
 
     def answer(_context: int | None, address: int, write: int, word: ctypes._Pointer[ctypes.c_uint64]) -> int:
         behind = gateway()
@@ -325,4 +325,4 @@ def _device_of(
 
 
 def _do_nothing() -> None:
-    """Stand in for `wake` where nobody drives the gateway by a clock."""
+    """Stand in for `wake` where no clock drives the gateway."""
