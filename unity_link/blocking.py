@@ -43,12 +43,12 @@ if TYPE_CHECKING:
 T = TypeVar("T")
 
 
-def connect(target: str | Medium, *, timeout: float = 5.0, reconnect: bool | Reconnect = False) -> Link:
+def connect(target: str | Medium, *, timeout: float = 5.0, reconnect: bool | Reconnect = False) -> BlockingLink:
     """Open a link; `unity_link.connect` says what the arguments are and what is raised.
 
-    The link is open when this returns; use it in a ``with`` block, or call `Link.close`.
+    The link is open when this returns; use it in a ``with`` block, or call `BlockingLink.close`.
     """
-    return Link(target, timeout=timeout, reconnect=reconnect)
+    return BlockingLink(target, timeout=timeout, reconnect=reconnect)
 
 
 LAST_PATIENCE = 2.0
@@ -113,7 +113,7 @@ class LoopThread:
             call.cancel()
 
 
-class Link:
+class BlockingLink:
     """A connection to one gateway; made by `connect`. `unity_link.Link` documents the methods of the same names.
 
     A link that is not closed is closed where nothing refers to it any more, and at the end of the program.
@@ -224,7 +224,7 @@ class Link:
         """Choose when the gateway has an FT232H send a short packet at once."""
         self._call(self._link.send_immediate, mode)
 
-    def subscribe(self, addresses: int | ArrayLike, **options: Any) -> Subscription:
+    def subscribe(self, addresses: int | ArrayLike, **options: Any) -> BlockingSubscription:
         """Have the gateway sample addresses by itself; `unity_link.Link.subscribe` documents the options.
 
         A ``callback`` is called in the thread of the link, and must not call the link.
@@ -233,11 +233,11 @@ class Link:
         async def make() -> AsyncSubscription:
             return self._link.subscribe(addresses, **options)
 
-        return Subscription(self._call(make), self._call)
+        return BlockingSubscription(self._call(make), self._call)
 
 
-class Subscription:
-    """A stream of samples; made by `Link.subscribe`, to be used in a ``with`` block and iterated over."""
+class BlockingSubscription:
+    """A stream of samples; made by `BlockingLink.subscribe`, to be used in a ``with`` block and iterated over."""
 
     def __init__(self, subscription: AsyncSubscription, call: Callable[..., Any]) -> None:
         self._subscription = subscription

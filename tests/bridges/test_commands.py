@@ -12,7 +12,7 @@ import pytest
 
 import unity_link
 from noting_gateway import SPEC, noting_gateway
-from unity_link.bridges.commands import Commands
+from unity_link.bridges.commands import SignalCommands
 from unity_link.data import load
 
 if TYPE_CHECKING:
@@ -37,10 +37,10 @@ def noted(notes: Path) -> list[int]:
 
 
 @asynccontextmanager
-async def commanding(robot_type: Any, notes: Path, told: list[str]) -> AsyncIterator[tuple[Any, Commands]]:
+async def commanding(robot_type: Any, notes: Path, told: list[str]) -> AsyncIterator[tuple[Any, SignalCommands]]:
     """Run commands until the end of the block, and see that they end in order."""
     async with unity_link.connect(noting_gateway(str(notes))) as link:
-        commands = Commands(link, told.append)
+        commands = SignalCommands(link, told.append)
         running = asyncio.create_task(commands.run())
         # A task that was cancelled before it began does nothing at all.
         await asyncio.sleep(0)

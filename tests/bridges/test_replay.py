@@ -22,7 +22,7 @@ from unity_link.bridges.recording import Recorder, Recording, chunks, reader, re
 from unity_link.bridges.recording.files import RecordingFile
 from unity_link.bridges.sampled import sampled_groups
 from unity_link.data import Batch
-from unity_link.data.layout import Layout
+from unity_link.data.layout import GroupLayout
 from unity_link.link.subscription import Sample
 from unity_link.protocol.configuration import GatewayInfo
 from unity_link.spec import compile_text
@@ -71,7 +71,7 @@ def recorded(path: Path, batches: Batches, syncs: set[int]) -> Recording:
     file = RecordingFile(path, robot().interface, INFO, groups, overwrite=True)
     counters = [itertools.count() for _ in groups]
     for number, (group, rows) in enumerate(batches):
-        layout = Layout(groups[group].group.proxies)
+        layout = GroupLayout(groups[group].group.proxies)
         samples = [Sample(next(counters[group]), None, at, np.array(words, np.uint64), 0) for at, words in rows]
         file.write(group, Batch(layout, samples), np.array([at for at, _ in rows]))
         if number in syncs:

@@ -18,13 +18,13 @@ Scara = unity_link.load(Path(__file__).parents[2] / "examples" / "scara.ul")
 
 
 @pytest.fixture
-def link() -> Iterator[blocking.Link]:
+def link() -> Iterator[blocking.BlockingLink]:
     with blocking.connect("sim:scara") as link:
         yield link
 
 
 @pytest.fixture
-def robot(link: blocking.Link) -> Any:
+def robot(link: blocking.BlockingLink) -> Any:
     return put(Scara, link)
 
 
@@ -76,7 +76,7 @@ def test_a_signal_is_not_assigned_to(robot: Any) -> None:
     assert isinstance(robot.j1.pos_sp, View)
 
 
-def test_a_closed_link_ends_it(link: blocking.Link, robot: Any) -> None:
+def test_a_closed_link_ends_it(link: blocking.BlockingLink, robot: Any) -> None:
     assert isinstance(robot.j1, View)
     link.close()
     with pytest.raises(LinkClosedError):

@@ -11,7 +11,7 @@ from unity_link import ArgumentError, BusError, Feature, GatewayInfo, Unsupporte
 from unity_link.hardware import Counter, Fifo, Gpio, Memory, Module, Pwm, Quadrature
 from unity_link.protocol.messages import ErrorCode
 from unity_link.spec import SpecError, compile_text
-from unity_link.spec.arguments import Shape, Slot
+from unity_link.spec.arguments import ArgumentSlot, Shape
 from unity_link.virtual import AccessError, VirtualGateway
 
 
@@ -213,7 +213,7 @@ async def test_named_modules_of_a_spec_are_attributes_of_the_robot() -> None:
 
 @on_simulated_time
 async def test_a_module_of_ones_own_is_ten_lines_and_a_word_of_specs() -> None:
-    class Stepper(Module, word="STEPPER", slots=[Slot("STEPS", Shape.WHOLE, 1, 64)]):
+    class Stepper(Module, word="STEPPER", slots=[ArgumentSlot("STEPS", Shape.WHOLE, 1, 64)]):
         """A stepper motor."""
 
         SIZE = 2

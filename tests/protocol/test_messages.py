@@ -13,7 +13,16 @@ from hypothesis import strategies as st
 
 from any_gateway import gateway_infos
 from unity_link.protocol.configuration import GatewayInfo
-from unity_link.protocol.messages import COMMANDS, LISTS, WITHOUT_ID, Codec, ErrorCode, Request, RequestError, Response
+from unity_link.protocol.messages import (
+    COMMANDS,
+    LISTS,
+    WITHOUT_ID,
+    Codec,
+    DecodedRequest,
+    DecodedResponse,
+    ErrorCode,
+    RequestError,
+)
 from worked_examples import Example, worked_examples
 
 ALL_FEATURES = st.builds(lambda info: Codec(with_all(info)), gateway_infos())
@@ -31,17 +40,17 @@ def field(codec: Codec, letter: str) -> st.SearchStrategy[Any]:
 
 
 @st.composite
-def requests(draw: st.DrawFn, codec: Codec) -> Request:
+def requests(draw: st.DrawFn, codec: Codec) -> DecodedRequest:
     """Return any request, with or without an ID."""
     command = draw(st.sampled_from(sorted(COMMANDS)))
     values = [draw(field(codec, letter)) for letter in COMMANDS[command].fields]
     if command == "GS":
         values[3] = len(values[4])
     number = None if command in WITHOUT_ID else draw(st.none() | st.integers(0, codec.ring - 1))
-    return Request(command, number, tuple(values))
+    return DecodedRequest(command, number, tuple(values))
 
 
-def body_of(codec: Codec, request: Request) -> bytes:
+def body_of(codec: Codec, request: DecodedRequest) -> bytes:
     fields = codec.fields(
         request.command, *(np.array(v, np.uint64) if isinstance(v, list) else v for v in request.values)
     )
@@ -99,14 +108,14 @@ def test_every_response_is_read_as_it_was_written(codec: Codec, data: st.DataObj
 def test_what_a_gateway_says_by_itself_is_read_as_it_was_written(codec: Codec, data: st.DataObject) -> None:
     number = data.draw(st.integers(0, codec.ring - 1))
     code = data.draw(st.sampled_from(ErrorCode))
-    assert codec.decode_response(codec.error(code)) == Response("X", None, {"e": code})
-    assert codec.decode_response(codec.error(code, number)) == Response("X", number, {"e": code})
-    assert codec.decode_response(codec.out_of_sequence(number)) == Response("N", number, {})
+    assert codec.decode_response(codec.error(code)) == DecodedResponse("X", None, {"e": code})
+    assert codec.decode_response(codec.error(code, number)) == DecodedResponse("X", number, {"e": code})
+    assert codec.decode_response(codec.out_of_sequence(number)) == DecodedResponse("N", number, {})
     words = data.draw(field(codec, "D"))
     stamp = data.draw(st.none() | st.integers(0, 0xFFFFFFFF))
     sample = codec.decode_response(codec.publish(7, 0xFE, stamp, np.array(words, np.uint64)))
     text = ("" if stamp is None else f"{stamp:08X}") + "".join(f"{word:0{codec.info.data_digits}X}" for word in words)
-    assert sample == Response("P", None, {"g": 7, "p": 0xFE, "text": text.encode()})
+    assert sample == DecodedResponse("P", None, {"g": 7, "p": 0xFE, "text": text.encode()})
 
 
 @pytest.mark.parametrize("body", [b"", b"0", b"J", b"r", b"r0", b"r00", b"w0G", b"Rr00", b"X1", b"n0", b"Q!", b"P00"])
@@ -165,7 +174,9 @@ def answers(codec: Codec, command: str, first: int, words: list[int]) -> list[by
     reads = words if command == "R" else [None] * len(words)
     return [
         codec.framing.checked(
-            codec.response(Request(command, (first + index) % codec.ring, (0,) if command == "R" else (0, 0)), word)
+            codec.response(
+                DecodedRequest(command, (first + index) % codec.ring, (0,) if command == "R" else (0, 0)), word
+            )
         )
         for index, word in enumerate(reads)
     ]

@@ -22,7 +22,7 @@ from unity_link.link.exchange import FEWEST_PUBLISHES, PublishRows
 from unity_link.link.requests import Request
 from unity_link.protocol import reception, window
 from unity_link.protocol.messages import COMMANDS, Repetition
-from unity_link.protocol.reception import Place
+from unity_link.protocol.reception import SequencePlace
 from unity_link.transport import stream
 from unity_link.virtual import bus, transport
 
@@ -75,7 +75,7 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
             self._exchange.publish_rows[b"P%02X" % group] = PublishRows(held.length, held.receive_rows)
             await self._submit("GN", group)
 
-    monkeypatch.setattr(subscription.Groups, "_set_up", set_up)
+    monkeypatch.setattr(subscription.HeldGroups, "_set_up", set_up)
 
 
 @bug(
@@ -180,12 +180,12 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
     "counts of groups that are set up again",
 )
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
-    set_up = subscription.Groups._set_up
+    set_up = subscription.HeldGroups._set_up
 
     async def twice(self: Any, group: int, held: Any) -> None:
         await set_up(self, group, held)
 
-    monkeypatch.setattr(subscription.Groups, "_set_up", twice)
+    monkeypatch.setattr(subscription.HeldGroups, "_set_up", twice)
 
 
 def _nothing(_: pytest.MonkeyPatch) -> None:
@@ -200,13 +200,13 @@ BUGS += [
 
 @bug("the time of samples goes back where the gateway was reset", "time over a reset")
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
-    start = subscription.Groups.start
+    start = subscription.HeldGroups.start
 
     def anew(self: Any, codec: Any) -> None:
         start(self, codec)
         self.clock = subscription.GatewayClock(codec.info.clock_hz)
 
-    monkeypatch.setattr(subscription.Groups, "start", anew)
+    monkeypatch.setattr(subscription.HeldGroups, "start", anew)
 
 
 @bug("a batch of reads ends at its first error", "reads behind an error")
@@ -388,9 +388,13 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
     place = reception.Sequence.place
 
-    def forgetting(self: Any, number: int) -> Place:
+    def forgetting(self: Any, number: int) -> SequencePlace:
         found = place(self, number)
-        return Place.NEXT if found is Place.REPETITION and number + 1 & self.mask == self.expected else found
+        return (
+            SequencePlace.NEXT
+            if found is SequencePlace.REPETITION and number + 1 & self.mask == self.expected
+            else found
+        )
 
     monkeypatch.setattr(reception.Sequence, "place", forgetting)
 
@@ -399,10 +403,10 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
     place = reception.Sequence.place
 
-    def careless(self: Any, number: int) -> Place:
+    def careless(self: Any, number: int) -> SequencePlace:
         if number == self.expected + 1 & self.mask:
             self.advance(2)
-            return Place.NEXT
+            return SequencePlace.NEXT
         return place(self, number)
 
     monkeypatch.setattr(reception.Sequence, "place", careless)
@@ -423,7 +427,7 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
     def read_words(self: Any, addresses: Any, now: float) -> list[int]:
         return [self.read(address, now + 1e-4 * place) for place, address in enumerate(addresses)]
 
-    monkeypatch.setattr(bus.Bus, "read_words", read_words)
+    monkeypatch.setattr(bus.ModelBus, "read_words", read_words)
 
 
 @bug("the virtual gateway's transport drops what one turn cannot hold")

@@ -6,7 +6,7 @@ from hypothesis import strategies as st
 
 from spec_examples import FIGURE_1, expressions, specs
 from unity_link.spec import SpecError, compile_text, format_text
-from unity_link.spec.diagnostics import Reporter, Source
+from unity_link.spec.diagnostics import Reporter, SourceText
 from unity_link.spec.parser import parse
 from unity_link.spec.printer import print_file
 from unity_link.spec.syntax import Argument, ComponentDeclaration, File, Placement, Word
@@ -14,7 +14,7 @@ from unity_link.spec.syntax import Argument, ComponentDeclaration, File, Placeme
 
 def parsed(text: str) -> File:
     reporter = Reporter()
-    file = parse(Source("test", text), reporter)
+    file = parse(SourceText("test", text), reporter)
     assert file is not None, SpecError(reporter.diagnostics)
     return file
 

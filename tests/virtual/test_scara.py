@@ -12,7 +12,7 @@ from unity_link.errors import ArgumentError
 from unity_link.protocol.configuration import GatewayInfo
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.scara import JOINTS, Scara
-from unity_link.virtual.servo import Joint, plan
+from unity_link.virtual.servo import ServoJoint, plan
 
 COMMANDS = st.lists(
     st.tuples(st.floats(0, 1.5), st.integers(-90_000, 90_000), st.sampled_from([0, 5_000, 50_000, 500_000])), max_size=5
@@ -96,7 +96,7 @@ def test_the_addresses_around_the_robot_are_plain_memory() -> None:
 @given(commands=COMMANDS)
 def test_speed_and_acceleration_keep_their_limits_whatever_is_commanded(commands: list[tuple[float, int, int]]) -> None:
     kind = JOINTS[0]
-    joint, now = Joint(kind), 0.0
+    joint, now = ServoJoint(kind), 0.0
     for delay, set_point, speed in commands:
         now += delay
         before = joint.state(now)

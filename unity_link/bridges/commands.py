@@ -31,7 +31,7 @@ BACK = "the gateway is back: values are written again"
 Command = tuple["Writable[Any]", Any]
 
 
-class Commands:
+class SignalCommands:
     """Writes values to signals, as posted writes.
 
     Args:

@@ -29,7 +29,7 @@ _STEP = re.compile(r"([^.\[\]]+)|\[(\d+)\]")
 _TYPES = {"b": "boolean", "i": "integer", "u": "integer", "f": "number"}
 
 
-class Message(msgspec.Struct):
+class RecordedMessage(msgspec.Struct):
     """What is read back of a message."""
 
     sequence: int

@@ -7,7 +7,7 @@ import time
 from typing import TYPE_CHECKING, Any, Generic, Protocol, TypeVar
 
 from unity_link.bridges.carrying import Carrier
-from unity_link.bridges.commands import Commands
+from unity_link.bridges.commands import SignalCommands
 from unity_link.bridges.gateway_time import GatewayTime
 from unity_link.bridges.telling import Faults
 from unity_link.bridges.topics import command_topics, published_groups, read_namespace
@@ -64,7 +64,7 @@ class RosBridge(abc.ABC, Generic[AnyOutlet]):
         self._command_topics = command_topics(robot, self._groups)
         self._outlets: dict[str, AnyOutlet] = {}
         self._faults = Faults(report)
-        self._commands = Commands(robot.link, report)
+        self._commands = SignalCommands(robot.link, report)
         self._time = GatewayTime(robot.link)
         self._carrier = Carrier([published.group for published in self._groups], self._publish, report, buffer=BUFFER)
 

@@ -12,7 +12,15 @@ from unity_link.cli.info import feature_name
 from unity_link.cli.words import address_text, as_decimal, in_words
 from unity_link.protocol.configuration import GatewayInfo
 from unity_link.protocol.frames import CR, FrameError
-from unity_link.protocol.messages import COMMANDS, Codec, GroupFlag, Request, RequestError, Response, parse_words
+from unity_link.protocol.messages import (
+    COMMANDS,
+    Codec,
+    DecodedRequest,
+    DecodedResponse,
+    GroupFlag,
+    RequestError,
+    parse_words,
+)
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -58,8 +66,8 @@ class Interpreter:
 
     def __init__(self, codec: Codec) -> None:
         self._codec = codec
-        self._requests: dict[int, Request] = {}
-        self._groups: dict[int, Request] = {}
+        self._requests: dict[int, DecodedRequest] = {}
+        self._groups: dict[int, DecodedRequest] = {}
 
     def listen(self, body: bytes) -> str | None:
         """Take a request that is sent; gives its command in upper case, None where it is no proper request."""
@@ -90,7 +98,7 @@ class Interpreter:
         except FrameError:
             return line.removesuffix(CR)
 
-    def _explain(self, response: Response) -> str:
+    def _explain(self, response: DecodedResponse) -> str:
         match response.command:
             case "X":
                 return self._error(response)
@@ -105,7 +113,7 @@ class Interpreter:
         text = _TEXTS[response.command].format_map(values)
         return text if response.id is None else f"{text} (ID {self._id(response.id)})"
 
-    def _known(self, request: Request | None) -> dict[str, Any]:
+    def _known(self, request: DecodedRequest | None) -> dict[str, Any]:
         """Return what a request says of its response."""
         if request is None:
             return {}
@@ -136,7 +144,7 @@ class Interpreter:
     def _id(self, number: int | None) -> str:
         return f"{number:0{self._codec.info.id_digits}X}"
 
-    def _error(self, response: Response) -> str:
+    def _error(self, response: DecodedResponse) -> str:
         code = response.fields["e"]
         text = f"error {code:02X}: {ERRORS.get(code, 'unknown to this program')}"
         return text if response.id is None else f"{text} (ID {self._id(response.id)})"

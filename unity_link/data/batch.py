@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
-    from unity_link.data.layout import Layout
+    from unity_link.data.layout import GroupLayout
     from unity_link.data.proxies import Proxy
     from unity_link.link.subscription import Sample
     from unity_link.protocol.messages import Words
@@ -74,7 +74,7 @@ class Batch:
     ``batch[robot.j1.cpos]`` is the column of a signal. Iteration gives the samples one by one.
     """
 
-    def __init__(self, layout: Layout, samples: Sequence[Sample]) -> None:
+    def __init__(self, layout: GroupLayout, samples: Sequence[Sample]) -> None:
         self.layout = layout
         """Which signals these are, and how they stand in the words."""
         self.at = time.monotonic() - max(0.0, time.time() - samples[-1].arrived)

@@ -33,7 +33,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterator
     from types import TracebackType
 
-    from unity_link.blocking import Link
+    from unity_link.blocking import BlockingLink
 
 _SHOWN = (Component, Proxy, Module, groups.Group, GroupSubscription, Registration)
 """What is seen through a view; everything else is given as it is."""
@@ -43,9 +43,9 @@ class View:
     """Something of a robot, without `await`. It is equal to what it stands for, so values are found by it, too."""
 
     _thing: Any
-    _link: Link
+    _link: BlockingLink
 
-    def __init__(self, thing: Any, link: Link) -> None:
+    def __init__(self, thing: Any, link: BlockingLink) -> None:
         self.__dict__.update(_thing=thing, _link=link)
 
     def __setattr__(self, name: str, value: object) -> None:
@@ -111,7 +111,7 @@ class View:
         return repr(self._thing)
 
 
-def put(robot: type[Robot], link: Link, /, **parameters: int | None) -> Any:
+def put(robot: type[Robot], link: BlockingLink, /, **parameters: int | None) -> Any:
     """Put the robot of a spec behind a blocking link; the arguments and errors are those of `Robot`."""
     return _call(link, robot, link._link, **parameters)  # noqa: SLF001  (another face of the same link)
 
@@ -127,7 +127,7 @@ def Group(*members: View, rate_hz: float | None = None, name: str = "a group") -
     return _shown(groups.Group(*_plain(members), rate_hz=rate_hz, name=name), members[0]._link)  # noqa: SLF001
 
 
-def _call(link: Link, function: Any, *arguments: Any, **options: Any) -> Any:
+def _call(link: BlockingLink, function: Any, *arguments: Any, **options: Any) -> Any:
     """Call a function in the thread of the link, wait for what it gives, and show it."""
 
     async def call() -> Any:
@@ -137,7 +137,7 @@ def _call(link: Link, function: Any, *arguments: Any, **options: Any) -> Any:
     return _shown(link._call(call), link)  # noqa: SLF001  (another face of the same link)
 
 
-def _shown(thing: Any, link: Link) -> Any:
+def _shown(thing: Any, link: BlockingLink) -> Any:
     """Put views before what has something to be awaited."""
     if isinstance(thing, _SHOWN):
         return View(thing, link)

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from types import TracebackType
 
     from unity_link.data.batch import Batch
-    from unity_link.data.layout import Layout
+    from unity_link.data.layout import GroupLayout
     from unity_link.data.sampling import GroupSubscription
     from unity_link.link.subscription import Overflow
 
@@ -54,7 +54,7 @@ class Listener:
         self._overflow = overflow
         self._batches: deque[Batch] = deque()
         self._waiting = 0
-        self._lost: Counter[Layout] = Counter()
+        self._lost: Counter[GroupLayout] = Counter()
         """Samples of each gateway that were dropped since the last batch of it was taken."""
         self._waiter: asyncio.Future[None] | None = None
         self._error: Exception | None = None

@@ -13,7 +13,7 @@ import numpy as np
 from unity_link.data.batch import Values
 from unity_link.data.callbacks import Callback
 from unity_link.data.feed import Feed, Registration
-from unity_link.data.layout import Layout
+from unity_link.data.layout import GroupLayout
 from unity_link.data.proxies import BUFFER, Proxy
 from unity_link.data.sampling import GroupSubscription, Poll
 from unity_link.data.writing import write_values
@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 
     from unity_link.data.batch import Batch, GroupSample
     from unity_link.data.robot import Component
-    from unity_link.data.sampling import Source
+    from unity_link.data.sampling import SampleSource
     from unity_link.link.link import Link
     from unity_link.link.subscription import Overflow
     from unity_link.spec import model
@@ -89,7 +89,7 @@ class Group:
             twice = next((proxy.path for proxy in proxies if proxies.count(proxy) > 1), None)
             raise ArgumentError(f"{name}: {twice} is in it twice" if twice else f"{name}: it has no signals")
         self._plan = Plan(rate_hz=rate_hz)
-        self._layouts: list[Layout] | None = None
+        self._layouts: list[GroupLayout] | None = None
         self._feed: Feed | None = None
 
     @classmethod
@@ -274,12 +274,12 @@ class Group:
 
     # The inside
 
-    def _lay_out(self) -> list[Layout]:
+    def _lay_out(self) -> list[GroupLayout]:
         if self._layouts is None:
             by_link: dict[Link, list[Proxy[Any]]] = {}
             for proxy in self.proxies:
                 by_link.setdefault(proxy.link, []).append(proxy)
-            self._layouts = [Layout(proxies) for proxies in by_link.values()]
+            self._layouts = [GroupLayout(proxies) for proxies in by_link.values()]
         return self._layouts
 
     def _default_plan(self) -> Plan:
@@ -301,7 +301,7 @@ def nothing_publishes(proxies: Sequence[Proxy[Any]]) -> ArgumentError:
     )
 
 
-def _source(layout: Layout, plan: Plan, buffer: int, overflow: Overflow) -> Source:
+def _source(layout: GroupLayout, plan: Plan, buffer: int, overflow: Overflow) -> SampleSource:
     """Return what samples one gateway."""
     info = layout.link.gateway
     if plan.polled or Feature.GROUPS not in info.features:

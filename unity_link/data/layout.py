@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from unity_link.protocol.messages import Words
 
 
-class Layout:
+class GroupLayout:
     """Signals behind one link, and the words that they stand in, each address once."""
 
     def __init__(self, proxies: Sequence[Proxy[Any]]) -> None:

@@ -22,12 +22,12 @@ if TYPE_CHECKING:
     from types import TracebackType
 
     from unity_link.data.batch import GroupSample
-    from unity_link.data.layout import Layout
+    from unity_link.data.layout import GroupLayout
     from unity_link.link.subscription import Overflow
     from unity_link.protocol.messages import Words
 
 
-class Source(Protocol):
+class SampleSource(Protocol):
     """A stream of samples of one gateway: `unity_link.Subscription` is one."""
 
     lost: int
@@ -53,7 +53,7 @@ class Source(Protocol):
 class Poll:
     """Reads that the host repeats at a rate, each when it is asked for; what comes too late for its turn is lost."""
 
-    def __init__(self, layout: Layout, rate_hz: float, *, on_change: bool, overflow: Overflow) -> None:
+    def __init__(self, layout: GroupLayout, rate_hz: float, *, on_change: bool, overflow: Overflow) -> None:
         if not 0 < rate_hz < math.inf:
             raise ArgumentError(f"a rate of {rate_hz:g} Hz was asked for, expected more than 0")
         self.lost = 0
@@ -147,7 +147,7 @@ class GroupSubscription:
     values of that one. Iteration ends with `LinkLostError` when a link ends, after the samples that had come before.
     """
 
-    def __init__(self, sources: Sequence[tuple[Layout, Source]]) -> None:
+    def __init__(self, sources: Sequence[tuple[GroupLayout, SampleSource]]) -> None:
         self._sources = sources
         self._stack = AsyncExitStack()
         self._entered = False

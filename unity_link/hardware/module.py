@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from unity_link.hardware.bus import Bus
     from unity_link.link.subscription import Sample, Subscription
     from unity_link.protocol.messages import Words
-    from unity_link.spec.arguments import Slot
+    from unity_link.spec.arguments import ArgumentSlot
 
 _KINDS: dict[str, type[Module]] = {}
 """The classes of modules by their words in a spec."""
@@ -40,7 +40,7 @@ class Module:
     SIZE: ClassVar[int | None] = None
     """How many words modules of this kind take, where that is always the same."""
 
-    def __init_subclass__(cls, *, word: str | None = None, slots: Sequence[Slot] = (), **options: Any) -> None:
+    def __init_subclass__(cls, *, word: str | None = None, slots: Sequence[ArgumentSlot] = (), **options: Any) -> None:
         super().__init_subclass__(**options)
         if word is not None:
             _KINDS[word] = cls
@@ -127,7 +127,7 @@ def module_type(word: str) -> type[Module]:
     return _KINDS.get(word, Module)
 
 
-def _teach_spec(kind: type[Module], word: str, slots: tuple[Slot, ...]) -> None:
+def _teach_spec(kind: type[Module], word: str, slots: tuple[ArgumentSlot, ...]) -> None:
     """Let specs name a module that the language does not know by itself."""
     from unity_link.spec.modules import MODULES, ModuleType
 

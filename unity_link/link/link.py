@@ -25,7 +25,7 @@ from unity_link.link.connection import Connection, Reconnect
 from unity_link.link.requests import (
     Batch,
     BatchSource,
-    Block,
+    BlockSource,
     Fence,
     Posted,
     PostedBatch,
@@ -34,7 +34,7 @@ from unity_link.link.requests import (
     WordsRequest,
     common_outcome,
 )
-from unity_link.link.subscription import Groups, Overflow, Sample, Schedule, Subscription, check_addresses
+from unity_link.link.subscription import HeldGroups, Overflow, Sample, Schedule, Subscription, check_addresses
 from unity_link.protocol.configuration import Feature
 from unity_link.protocol.messages import Codec, GroupFlag, Words, hex_rows
 from unity_link.transport import DriverUrl, parse_url, prepare
@@ -92,7 +92,7 @@ class Link(Connection):
 
     def __init__(self, target: DriverUrl | Medium, reconnect: Reconnect | None) -> None:
         super().__init__(target, reconnect)
-        self._groups = Groups(self._exchange)
+        self._groups = HeldGroups(self._exchange)
         self._posted = False
         self._posted_error: UnityLinkError | None = None
         self._posted_failures = 0
@@ -430,7 +430,7 @@ class Link(Connection):
 
     async def _all(self, requests: list[Request]) -> list[Any]:
         """Have requests done in order, and give their answers; if one fails, the rest is not waited for."""
-        self._exchange.submit(requests[0] if len(requests) == 1 else Block(requests))
+        self._exchange.submit(requests[0] if len(requests) == 1 else BlockSource(requests))
         try:
             return [await request.future for request in requests]
         except UnansweredError as error:

@@ -332,7 +332,7 @@ class Unawaited(Request):
         """Do nothing: no call waits."""
 
 
-class Block:
+class BlockSource:
     """A source of several requests that are sent in order and answered one by one."""
 
     posted = False

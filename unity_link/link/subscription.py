@@ -120,7 +120,7 @@ class Schedule(msgspec.Struct, frozen=True):
     flags: GroupFlag
 
 
-class Groups:
+class HeldGroups:
     """The groups of one gateway, and the subscription that holds each.
 
     A group that was given back longest ago is taken first, so that samples still under way find no new holder.
@@ -263,7 +263,7 @@ class Subscription:
 
     def __init__(
         self,
-        groups: Groups,
+        groups: HeldGroups,
         schedule: Schedule,
         *,
         buffer: int,

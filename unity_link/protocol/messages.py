@@ -1,7 +1,8 @@
 """What the frames mean: every message of the protocol, for any widths that `Q` can report.
 
 `COMMANDS` is the table of docs/protocol.md, "Requests and responses". A `Codec` is that table made concrete for the
-widths of one gateway; it encodes and decodes both directions, because the virtual gateway speaks the same messages as the host.
+widths of one gateway; it encodes and decodes both directions, because the virtual gateway speaks the same messages as
+the host.
 
 Field letters, as in the protocol: ``a`` address, ``d`` data word, ``m`` mask, ``n`` count, ``g`` group, ``f`` flags,
 ``v`` divisor, ``s`` mode, ``i`` ID; ``D`` all words and ``A`` all addresses up to the end of the message.
@@ -105,7 +106,7 @@ class RequestError(ValueError):
         self.code = code
 
 
-class Request(NamedTuple):
+class DecodedRequest(NamedTuple):
     """A decoded request: the command in upper case, its ID or None, its fields in order (a list's words in a list)."""
 
     command: str
@@ -113,7 +114,7 @@ class Request(NamedTuple):
     values: tuple[Any, ...]
 
 
-class Response(NamedTuple):
+class DecodedResponse(NamedTuple):
     """A decoded message of a gateway.
 
     `command` is in upper case: one of `COMMANDS`, ``X`` (error), ``N`` (out of sequence) or ``P`` (publish). `fields`
@@ -242,7 +243,7 @@ class Codec:
 
     # Requests, as a gateway reads them
 
-    def decode_request(self, body: bytes) -> Request:
+    def decode_request(self, body: bytes) -> DecodedRequest:
         """Read a request.
 
         Args:
@@ -253,11 +254,11 @@ class Codec:
         """
         return self._decode_request(body, short_data=False)
 
-    def decode_plain_request(self, body: bytes) -> Request:
+    def decode_plain_request(self, body: bytes) -> DecodedRequest:
         """Read the request of a plain frame, in which the data of `W` and `WS` may be short."""
         return self._decode_request(body, short_data=True)
 
-    def _decode_request(self, body: bytes, *, short_data: bool) -> Request:
+    def _decode_request(self, body: bytes, *, short_data: bool) -> DecodedRequest:
         letters = _LETTERS.match(body)
         command = letters[0].upper().decode() if letters else ""
         with_id = letters is not None and letters[0][0] >= ord("g")
@@ -274,7 +275,7 @@ class Codec:
             number, text = int(text[:digits], 16), text[digits:]
         elif short_data and command in ("W", "WS"):
             text = self._lengthen(text)
-        return Request(command, number, self._split(self.commands[command].fields, text))
+        return DecodedRequest(command, number, self._split(self.commands[command].fields, text))
 
     def _lengthen(self, text: bytes) -> bytes:
         """Extend a short data field with zeros; a missing one stays missing."""
@@ -308,7 +309,7 @@ class Codec:
 
     # Responses
 
-    def response(self, request: Request, reads: int | Sequence[int] | NDArray[Any] | None = None) -> bytes:
+    def response(self, request: DecodedRequest, reads: int | Sequence[int] | NDArray[Any] | None = None) -> bytes:
         """Return the body of a gateway's response: `reads` is the word or words read, if any."""
         row = COMMANDS[request.command]
         if request.id is not None:
@@ -340,7 +341,7 @@ class Codec:
         time = b"" if timestamp is None else b"%08X" % timestamp
         return b"P%02X%02X%b%b" % (group, sequence, time, hex_rows(words, self.info.data_digits).tobytes())
 
-    def decode_response(self, body: bytes) -> Response:
+    def decode_response(self, body: bytes) -> DecodedResponse:
         """Read any message of a gateway, for people and tests; a link reads the frequent ones by shorter ways.
 
         Raises:
@@ -352,23 +353,25 @@ class Codec:
         command, text = letters[0].upper().decode(), body[letters.end() :]
         with_id = letters[0].islower()
         if command == "P" and not with_id and len(text) >= 4:
-            return Response("P", None, {"g": int(text[:2], 16), "p": int(text[2:4], 16), "text": text[4:]})
+            return DecodedResponse("P", None, {"g": int(text[:2], 16), "p": int(text[2:4], 16), "text": text[4:]})
         number = None
         if with_id:
             number, text = self.id_number.get(text[: self.info.id_digits].upper()), text[self.info.id_digits :]
             if number is None:
                 raise ValueError(f"an ID of {self.info.id_digits} hex digits was expected in {body[:80]!r}")
         if command == "X" and len(text) == 2:
-            return Response("X", number, {"e": int(text, 16)})
+            return DecodedResponse("X", number, {"e": int(text, 16)})
         if command == "N" and with_id and not text:
-            return Response("N", number, {})
+            return DecodedResponse("N", number, {})
         if command == "Q" and not with_id:
-            return Response("Q", None, {"text": text})
+            return DecodedResponse("Q", None, {"text": text})
         if command not in COMMANDS:
             raise ValueError(f"no message of a gateway: {body[:80]!r}")
         row = COMMANDS[command]
         letters_expected = ("" if with_id else row.echo) + row.reads
-        return Response(command, number, dict(zip(letters_expected, self._split(letters_expected, text), strict=True)))
+        return DecodedResponse(
+            command, number, dict(zip(letters_expected, self._split(letters_expected, text), strict=True))
+        )
 
     def _layout(self, letters: str) -> tuple[bytes, int]:
         """Return the %-format of a request's fields, and the digits of the items of the list at its end, if any."""

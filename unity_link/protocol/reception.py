@@ -11,7 +11,7 @@ import enum
 from typing import TYPE_CHECKING
 
 from unity_link.protocol.configuration import Feature, GatewayInfo
-from unity_link.protocol.messages import ErrorCode, GroupFlag, Request, RequestError
+from unity_link.protocol.messages import DecodedRequest, ErrorCode, GroupFlag, RequestError
 
 if TYPE_CHECKING:
     from unity_link.protocol.messages import Codec
@@ -37,7 +37,7 @@ class Reception:
         self._codec = codec
         self._crc = codec.framing.crc
 
-    def read(self, line: bytes, *, plain: bool, prefix: bytes = b"", bytes_lost: bool = False) -> Request:
+    def read(self, line: bytes, *, plain: bool, prefix: bytes = b"", bytes_lost: bool = False) -> DecodedRequest:
         """Check overflow, length, CRC, command and form, in this order.
 
         Args:
@@ -76,7 +76,7 @@ def group_fits(info: GatewayInfo, number: int, flags: int, divisor: int, address
     )
 
 
-class Place(enum.Enum):
+class SequencePlace(enum.Enum):
     """Where a request with an ID stands in the order (docs/protocol.md, "Exactly once, in order")."""
 
     NEXT = enum.auto()
@@ -113,15 +113,15 @@ class Sequence:
         self.expected = self.expected + count & self.mask
         self.gap_told = False
 
-    def place(self, number: int) -> Place:
+    def place(self, number: int) -> SequencePlace:
         """Say where a request stands, and count it if it is the next."""
         distance = number - self.expected & self.mask
         if distance == 0:
             self.advance()
-            return Place.NEXT
+            return SequencePlace.NEXT
         if distance >= self._half:
-            return Place.REPETITION
+            return SequencePlace.REPETITION
         if self.gap_told:
-            return Place.AHEAD
+            return SequencePlace.AHEAD
         self.gap_told = True
-        return Place.FIRST_AHEAD
+        return SequencePlace.FIRST_AHEAD

@@ -25,7 +25,7 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from unity_link.spec.diagnostics import Diagnostic, Reporter, Source, Span, SpecError
+from unity_link.spec.diagnostics import Diagnostic, Reporter, SourceText, Span, SpecError
 from unity_link.spec.kinds import Enumeration, EnumValue, Kind, KindName, Value
 from unity_link.spec.model import (
     Access,
@@ -143,7 +143,7 @@ def format_text(text: str, name: str = "<text>") -> str:
 
     reporter = Reporter()
     with _no_garbage_collection():
-        file = parse(Source(name, text), reporter)
+        file = parse(SourceText(name, text), reporter)
     if file is None:
         raise SpecError(reporter.diagnostics)
     return print_file(file)

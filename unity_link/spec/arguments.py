@@ -31,7 +31,7 @@ class Shape(enum.StrEnum):
     CLAUSE = "a clause"
 
 
-class Slot(NamedTuple):
+class ArgumentSlot(NamedTuple):
     """One argument that a word takes: its name, what it is, and the numbers that it may be."""
 
     name: str
@@ -39,7 +39,7 @@ class Slot(NamedTuple):
     low: float | None = None
     high: float | None = None
     required: bool = False
-    clause: tuple[Slot, ...] = ()
+    clause: tuple[ArgumentSlot, ...] = ()
     """The arguments that a clause takes by itself, all of them by place or by name."""
 
 
@@ -49,36 +49,39 @@ GROUP_NUMBER = (0, 255)
 HIGHEST_RATE = 1e9
 
 ACCESS = (
-    Slot("ID", Shape.TEXT),
-    Slot(
+    ArgumentSlot("ID", Shape.TEXT),
+    ArgumentSlot(
         "PUBLISH",
         Shape.CLAUSE,
-        clause=(Slot("GROUP", Shape.GROUP, *GROUP_NUMBER, required=True), Slot("DIVISOR", Shape.WHOLE, *DIVISOR)),
+        clause=(
+            ArgumentSlot("GROUP", Shape.GROUP, *GROUP_NUMBER, required=True),
+            ArgumentSlot("DIVISOR", Shape.WHOLE, *DIVISOR),
+        ),
     ),
-    Slot("POLL", Shape.CLAUSE, clause=(Slot("RATE", Shape.NUMBER, 1e-6, HIGHEST_RATE, required=True),)),
-    Slot("GROUP", Shape.CLAUSE, clause=(Slot("GROUP", Shape.GROUP, *GROUP_NUMBER, required=True),)),
-    Slot("FIFO", Shape.CLAUSE, clause=(Slot("WORDS", Shape.WHOLE, 1, 1 << 32),)),
-    Slot("SCALE", Shape.NUMBER),
-    Slot("OFFSET", Shape.NUMBER),
-    Slot("UNIT", Shape.TEXT),
-    Slot("MIN", Shape.NUMBER),
-    Slot("MAX", Shape.NUMBER),
+    ArgumentSlot("POLL", Shape.CLAUSE, clause=(ArgumentSlot("RATE", Shape.NUMBER, 1e-6, HIGHEST_RATE, required=True),)),
+    ArgumentSlot("GROUP", Shape.CLAUSE, clause=(ArgumentSlot("GROUP", Shape.GROUP, *GROUP_NUMBER, required=True),)),
+    ArgumentSlot("FIFO", Shape.CLAUSE, clause=(ArgumentSlot("WORDS", Shape.WHOLE, 1, 1 << 32),)),
+    ArgumentSlot("SCALE", Shape.NUMBER),
+    ArgumentSlot("OFFSET", Shape.NUMBER),
+    ArgumentSlot("UNIT", Shape.TEXT),
+    ArgumentSlot("MIN", Shape.NUMBER),
+    ArgumentSlot("MAX", Shape.NUMBER),
 )
 GROUP = (
-    Slot("NUMBER", Shape.WHOLE, *GROUP_NUMBER),
-    Slot("DIVISOR", Shape.WHOLE, *DIVISOR),
-    Slot("RATE", Shape.NUMBER, 1e-6, HIGHEST_RATE),
-    Slot("TRIGGER", Shape.FLAG),
-    Slot("ON_CHANGE", Shape.FLAG),
-    Slot("IMMEDIATE", Shape.FLAG),
-    Slot("TIMESTAMPS", Shape.FLAG),
-    Slot(
+    ArgumentSlot("NUMBER", Shape.WHOLE, *GROUP_NUMBER),
+    ArgumentSlot("DIVISOR", Shape.WHOLE, *DIVISOR),
+    ArgumentSlot("RATE", Shape.NUMBER, 1e-6, HIGHEST_RATE),
+    ArgumentSlot("TRIGGER", Shape.FLAG),
+    ArgumentSlot("ON_CHANGE", Shape.FLAG),
+    ArgumentSlot("IMMEDIATE", Shape.FLAG),
+    ArgumentSlot("TIMESTAMPS", Shape.FLAG),
+    ArgumentSlot(
         "JOINTS",
         Shape.CLAUSE,
-        clause=tuple(Slot(name, Shape.SIGNAL) for name in ("POSITION", "VELOCITY", "EFFORT")),
+        clause=tuple(ArgumentSlot(name, Shape.SIGNAL) for name in ("POSITION", "VELOCITY", "EFFORT")),
     ),
 )
-GATEWAY = (Slot("ADDRESS_BITS", Shape.WHOLE, 8, 32), Slot("DATA_BITS", Shape.WHOLE, 8, 64))
+GATEWAY = (ArgumentSlot("ADDRESS_BITS", Shape.WHOLE, 8, 32), ArgumentSlot("DATA_BITS", Shape.WHOLE, 8, 64))
 
 _NOT_NEEDED = {"CRC": "leave it out: every message of a program is checked", "INDEX": "the index of an array is 'i'"}
 
@@ -108,7 +111,7 @@ class Binder:
         word: str,
         place: tuple[int, int],
         arguments: Sequence[Argument],
-        slots: tuple[Slot, ...],
+        slots: tuple[ArgumentSlot, ...],
         by_place: int = 0,
     ) -> Bound:
         """Return the values of `arguments`; what is wrong with them is reported.
@@ -127,7 +130,7 @@ class Binder:
         word: str,
         place: tuple[int, int],
         arguments: Sequence[Argument],
-        slots: tuple[Slot, ...],
+        slots: tuple[ArgumentSlot, ...],
         by_place: int,
         prefix: str,
     ) -> Bound:
@@ -153,7 +156,9 @@ class Binder:
                 self._evaluator.fault(place, "argument-missing", message)
         return bound
 
-    def _slot(self, word: str, argument: Argument, known: Mapping[str, Slot], free: list[Slot]) -> Slot | None:
+    def _slot(
+        self, word: str, argument: Argument, known: Mapping[str, ArgumentSlot], free: list[ArgumentSlot]
+    ) -> ArgumentSlot | None:
         """Find the slot of an argument."""
         name = argument.name
         if name is None and isinstance(argument.value, Call | Name) and argument.value.name in known:
@@ -177,7 +182,7 @@ class Binder:
             free.remove(known[name])
         return known[name]
 
-    def _report_unnamed(self, word: str, argument: Argument, known: Mapping[str, Slot]) -> None:
+    def _report_unnamed(self, word: str, argument: Argument, known: Mapping[str, ArgumentSlot]) -> None:
         if isinstance(argument.value, Name):
             name = argument.value.name
             advice = did_you_mean(name, known) or _NOT_NEEDED.get(name.upper(), "")
@@ -189,7 +194,7 @@ class Binder:
         advice = f"name it, as in {names[0]}=..." if names else ""
         self._evaluator.fault(argument.place, "too-many-arguments", f"{word} has no place for this argument", advice)
 
-    def _value(self, argument: Argument, slot: Slot) -> Any:
+    def _value(self, argument: Argument, slot: ArgumentSlot) -> Any:
         if slot.shape is Shape.CLAUSE:
             return self._clause(argument, slot)
         if slot.shape is Shape.FLAG:
@@ -204,7 +209,7 @@ class Binder:
             return None
         return self._checked(slot, argument.value, self._evaluator.evaluate(argument.value, self._scope))
 
-    def _clause(self, argument: Argument, slot: Slot) -> Bound | None:
+    def _clause(self, argument: Argument, slot: ArgumentSlot) -> Bound | None:
         value = argument.value
         if argument.name is not None:
             names = ", ".join(inner.name.lower() for inner in slot.clause)
@@ -217,7 +222,7 @@ class Binder:
         by_place = 0 if slot.name == "JOINTS" else len(slot.clause)
         return self._bind(slot.name, value.place, given, slot.clause, by_place, f"{slot.name}.")
 
-    def _checked(self, slot: Slot, expression: Expression, value: Result) -> Result:
+    def _checked(self, slot: ArgumentSlot, expression: Expression, value: Result) -> Result:
         if value is None:
             return None
         # The types are compared as they are, since a bool is an int to isinstance.

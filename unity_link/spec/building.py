@@ -8,9 +8,9 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from unity_link.spec.arguments import Binder, Bound
-from unity_link.spec.diagnostics import Source, did_you_mean
+from unity_link.spec.diagnostics import SourceText, did_you_mean
 from unity_link.spec.expressions import Evaluator, GroupReference, Result
-from unity_link.spec.interface import GroupDraft, InterfaceDraft, Place, Placed
+from unity_link.spec.interface import GroupDraft, InterfaceDraft, Placed, SignalPlace
 from unity_link.spec.model import (
     Component,
     Module,
@@ -47,7 +47,7 @@ class Builder:
         self._full = False
         self._evaluators: dict[int, tuple[Evaluator, SignalReader]] = {}
 
-    def tools(self, source: Source) -> tuple[Evaluator, SignalReader]:
+    def tools(self, source: SourceText) -> tuple[Evaluator, SignalReader]:
         """Return what computes expressions and reads signals in one source."""
         tools = self._evaluators.get(id(source))
         if tools is None:
@@ -96,7 +96,7 @@ class Builder:
     # Signals
 
     def signal(
-        self, source: Source, node: SignalDeclaration, where: Where, module: int | None, base: int
+        self, source: SourceText, node: SignalDeclaration, where: Where, module: int | None, base: int
     ) -> Signal | None:
         """Build a signal; None where it has no address or no kind."""
         evaluator, reader = self.tools(source)
@@ -130,13 +130,13 @@ class Builder:
             span=self.elaborator.span(source, node),
         )
         for group in groups:
-            group.signals.append((signal, Place(source, node.name.place)))
-        identity = Place(source, parts.places.get("ID", node.name.place))
+            group.signals.append((signal, SignalPlace(source, node.name.place)))
+        identity = SignalPlace(source, parts.places.get("ID", node.name.place))
         self._draft.signals.append(Placed(signal, address.place, identity))
         return signal
 
     def _address(self, evaluator: Evaluator, node: SignalDeclaration, where: Where) -> Address:
-        place = Place(evaluator.source, node.name.place)
+        place = SignalPlace(evaluator.source, node.name.place)
         if node.address is None:
             found = where.addresses.get(node.name)
             if found is not None:
@@ -150,7 +150,7 @@ class Builder:
             )
             evaluator.fault(node.name.place, "no-address", message, advice)
             return Address(None, place)
-        place = Place(evaluator.source, node.address.place)
+        place = SignalPlace(evaluator.source, node.address.place)
         value = evaluator.evaluate(node.address, where.scope)
         return Address(whole_address(evaluator, node.address.place, value), place)
 
@@ -162,7 +162,7 @@ class Builder:
             reference = clause.get("GROUP")
             if reference is None:
                 continue
-            place = Place(evaluator.source, places[word])
+            place = SignalPlace(evaluator.source, places[word])
             group = self._group(reference, place)
             if word == "PUBLISH":
                 group.published = True
@@ -171,7 +171,7 @@ class Builder:
                 found.append(group)
         return found
 
-    def _group(self, reference: GroupReference | int, place: Place) -> GroupDraft:
+    def _group(self, reference: GroupReference | int, place: SignalPlace) -> GroupDraft:
         groups = self._draft.groups
         if isinstance(reference, GroupReference):
             name = reference.name
@@ -191,7 +191,7 @@ class Builder:
         """Set the divisor of a group as a signal tells it; it has only one."""
         if divisor is None:
             return
-        place = Place(evaluator.source, places["PUBLISH.DIVISOR"])
+        place = SignalPlace(evaluator.source, places["PUBLISH.DIVISOR"])
         if "RATE" in group.bound:
             message = f"the group {group.name} has a rate, and cannot have a divisor too"
             evaluator.fault(place.bounds, "group-divisor", message)
@@ -208,7 +208,7 @@ class Builder:
     # Modules
 
     def module_of_all(
-        self, source: Source, node: ComponentDeclaration, scope: Mapping[str, Result]
+        self, source: SourceText, node: ComponentDeclaration, scope: Mapping[str, Result]
     ) -> tuple[int | None, int]:
         """Find the module that all members of an interface stand in: one without a name and without a block."""
         found: tuple[int | None, int] = (None, 0)
@@ -229,7 +229,7 @@ class Builder:
 
     def module(
         self,
-        source: Source,
+        source: SourceText,
         node: Placement,
         scope: Mapping[str, Result],
         parent: int | None,
@@ -258,5 +258,5 @@ class Builder:
             doc="\n".join(node.doc),
             span=self.elaborator.span(source, node),
         )
-        self._draft.modules.append((module, Place(source, node.type.place)))
+        self._draft.modules.append((module, SignalPlace(source, node.type.place)))
         return len(self._draft.modules) - 1, start

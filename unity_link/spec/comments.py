@@ -14,26 +14,26 @@ from itertools import zip_longest
 from typing import TYPE_CHECKING
 
 from unity_link.spec.syntax import Block, Comment, File, Statement
-from unity_link.spec.tokens import SPACE, Place, find_comments
+from unity_link.spec.tokens import SPACE, TextPlace, find_comments
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from unity_link.spec.diagnostics import Source
+    from unity_link.spec.diagnostics import SourceText
 
 
-def attach_comments(file: File, source: Source) -> None:
+def attach_comments(file: File, source: SourceText) -> None:
     """Hang every comment of a source on its tree, and mark where empty lines stand."""
     _Attacher(source, find_comments(source.text)).fill(file.items, file.dangling, len(source.text))
 
 
 class _Attacher:
-    def __init__(self, source: Source, found: list[Place]) -> None:
+    def __init__(self, source: SourceText, found: list[TextPlace]) -> None:
         self._source = source
         self._found = found
         self._next = 0
 
-    def _take(self, end: int) -> list[Place]:
+    def _take(self, end: int) -> list[TextPlace]:
         """Take the comments that begin before `end`."""
         first = self._next
         while self._next < len(self._found) and self._found[self._next].start < end:
@@ -53,7 +53,7 @@ class _Attacher:
             self._trail(statement, end if following is None else following.start)
         dangling += [self._comment(found) for found in self._take(end)]
 
-    def _lead(self, statement: Statement, before: list[Place]) -> None:
+    def _lead(self, statement: Statement, before: list[TextPlace]) -> None:
         first = min([statement.start, *(found.start for found in before)])
         statement.blank_before = statement.blank_before or self._blank_before(first)
         for found in before:
@@ -81,15 +81,15 @@ class _Attacher:
             statement.trailing.append(self._comment(found))
             self._next += 1
 
-    def _is_alone(self, found: Place) -> bool:
+    def _is_alone(self, found: TextPlace) -> bool:
         """Return whether nothing stands before a comment on its line."""
         line_start = self._source.text.rfind("\n", 0, found.start) + 1
         return not self._source.text[line_start : found.start].strip(SPACE)
 
-    def _same_line(self, found: Place, end: int) -> bool:
+    def _same_line(self, found: TextPlace, end: int) -> bool:
         return self._source.line_of(found.end - 1) == self._source.line_of(end) and self._source.text[end] != "}"
 
-    def _comment(self, found: Place) -> Comment:
+    def _comment(self, found: TextPlace) -> Comment:
         return Comment(found.text, self._blank_before(found.start))
 
     def _blank_before(self, offset: int) -> bool:

@@ -129,7 +129,7 @@ def underlined(text: str, span: Span) -> list[str]:
     return [f"{number:>5} | {printable}", f"{'':>5} | {indent}{carets}"]
 
 
-class Source:
+class SourceText:
     """One file of a spec: its text, and the places in it."""
 
     def __init__(self, name: str, text: str) -> None:
@@ -165,7 +165,7 @@ class Reporter:
 
     def error(
         self,
-        source: Source,
+        source: SourceText,
         place: tuple[int, int],
         code: str,
         message: str,
@@ -178,7 +178,7 @@ class Reporter:
 
     def warning(
         self,
-        source: Source,
+        source: SourceText,
         place: tuple[int, int],
         code: str,
         message: str,
@@ -191,7 +191,7 @@ class Reporter:
     def _report(
         self,
         severity: Severity,
-        source: Source,
+        source: SourceText,
         place: tuple[int, int],
         code: str,
         message: str,

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 
 from unity_link.spec.arguments import GATEWAY, GROUP, Binder, Bound
 from unity_link.spec.expressions import CONSTANTS, Evaluator, GroupReference, Result, describe
-from unity_link.spec.interface import GroupDraft, InterfaceDraft, Place
+from unity_link.spec.interface import GroupDraft, InterfaceDraft, SignalPlace
 from unity_link.spec.kinds import MOST_BITS, Enumeration, EnumValue
 from unity_link.spec.model import (
     Interface,
@@ -30,7 +30,7 @@ from unity_link.spec.syntax import (
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
-    from unity_link.spec.diagnostics import Reporter, Source, Span
+    from unity_link.spec.diagnostics import Reporter, SourceText, Span
     from unity_link.spec.loading import Declarations, Declared
 
 from unity_link.spec.building import Builder
@@ -184,7 +184,7 @@ class Elaborator:
         source, node = declared
         scope = self._globals | {str(item.name): None for item in node.parameters}
         draft = InterfaceDraft(self._reporter, 32, max(self._given_widths[1] or 0, DEFAULT_DATA_BITS))
-        nowhere = Place(source, node.name.place)
+        nowhere = SignalPlace(source, node.name.place)
         addresses = {str(item.name): Address(None, nowhere) for item in node.addresses or ()}
         scope |= dict.fromkeys(addresses)
         where = Where("", addresses, scope, None, 0, (str(node.name),))
@@ -206,7 +206,7 @@ class Elaborator:
 
     # For the builder
 
-    def span(self, source: Source, node: Node) -> Span:
+    def span(self, source: SourceText, node: Node) -> Span:
         """Return the place of a node, computed once."""
         found = self._spans.get(id(node))
         if found is None:
@@ -236,7 +236,7 @@ class Elaborator:
     def new_group(self, name: str) -> GroupDraft:
         """Begin a declared group."""
         source, node = self._declarations.groups[name]
-        return GroupDraft(name, Place(source, node.name.place), self._group_bounds[name], "\n".join(node.doc))
+        return GroupDraft(name, SignalPlace(source, node.name.place), self._group_bounds[name], "\n".join(node.doc))
 
     def group_of_number(self, number: int) -> str | None:
         """Return the declared group that has a number."""

@@ -12,7 +12,7 @@ import math
 import operator
 from typing import TYPE_CHECKING, NamedTuple, TypeAlias
 
-from unity_link.spec.diagnostics import Reporter, Source, did_you_mean
+from unity_link.spec.diagnostics import Reporter, SourceText, did_you_mean
 from unity_link.spec.model import ParameterReference
 from unity_link.spec.syntax import Call, Chain, Expression, Name, Number, Parenthesis, Prefixed, Text
 
@@ -73,7 +73,7 @@ def describe(value: Result) -> str:
 class Evaluator:
     """Computes the expressions of one source."""
 
-    def __init__(self, source: Source, reporter: Reporter) -> None:
+    def __init__(self, source: SourceText, reporter: Reporter) -> None:
         self.source = source
         self.reporter = reporter
 

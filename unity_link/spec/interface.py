@@ -14,16 +14,16 @@ from unity_link.spec.model import Group, Joint, Module, Signal
 
 if TYPE_CHECKING:
     from unity_link.spec.arguments import Bound
-    from unity_link.spec.diagnostics import Reporter, Source, Span
+    from unity_link.spec.diagnostics import Reporter, SourceText, Span
 
 GROUP_WORDS = 255
 GROUPS = 256
 
 
-class Place(NamedTuple):
+class SignalPlace(NamedTuple):
     """A place in a source."""
 
-    source: Source
+    source: SourceText
     bounds: tuple[int, int]
 
     @property
@@ -40,7 +40,7 @@ class Place(NamedTuple):
 class GroupDraft:
     """A group while its signals are being found."""
 
-    def __init__(self, name: str, place: Place, bound: Bound, doc: str = "") -> None:
+    def __init__(self, name: str, place: SignalPlace, bound: Bound, doc: str = "") -> None:
         self.name = name
         self.place = place
         self.bound = bound
@@ -48,7 +48,7 @@ class GroupDraft:
         self.number: int | None = bound.get("NUMBER")
         self.divisor: int | None = bound.get("DIVISOR")
         self.divisor_place = place
-        self.signals: list[tuple[Signal, Place]] = []
+        self.signals: list[tuple[Signal, SignalPlace]] = []
         self.published = self.number is not None or any(
             name in bound for name in ("DIVISOR", "RATE", "TRIGGER", "ON_CHANGE", "IMMEDIATE", "TIMESTAMPS")
         )
@@ -58,8 +58,8 @@ class Placed(NamedTuple):
     """A signal of an interface, and where its address and its ID were given."""
 
     signal: Signal
-    address: Place
-    id: Place
+    address: SignalPlace
+    id: SignalPlace
 
 
 class InterfaceDraft:
@@ -70,7 +70,7 @@ class InterfaceDraft:
         self.address_bits = address_bits
         self.data_bits = data_bits
         self.signals: list[Placed] = []
-        self.modules: list[tuple[Module, Place]] = []
+        self.modules: list[tuple[Module, SignalPlace]] = []
         self.groups: dict[str, GroupDraft] = {}
         self.parts = 0
         """Signals, components and modules so far."""
@@ -85,7 +85,12 @@ class InterfaceDraft:
         return tuple(self._group(draft) for draft in self.groups.values() if draft.signals)
 
     def _error(
-        self, place: Place, code: str, message: str, advice: str = "", other: tuple[Place, str] | None = None
+        self,
+        place: SignalPlace,
+        code: str,
+        message: str,
+        advice: str = "",
+        other: tuple[SignalPlace, str] | None = None,
     ) -> None:
         notes = [other[0].note(other[1])] if other is not None and other[0] != place else []
         self.reporter.error(place.source, place.bounds, code, message, help=advice, notes=notes)

@@ -8,7 +8,7 @@ from __future__ import annotations
 from pathlib import Path, PurePath
 from typing import TYPE_CHECKING, Generic, NamedTuple, TypeVar
 
-from unity_link.spec.diagnostics import Reporter, Source, Span
+from unity_link.spec.diagnostics import Reporter, SourceText, Span
 from unity_link.spec.parser import MOST_CHARACTERS, parse
 from unity_link.spec.syntax import ComponentDeclaration, EnumDeclaration, File, GroupDeclaration, Import
 
@@ -24,7 +24,7 @@ MOST_FILES = 200
 class Declared(NamedTuple, Generic[DeclarationT]):
     """A declaration, and the source that it stands in."""
 
-    source: Source
+    source: SourceText
     node: DeclarationT
 
     @property
@@ -37,7 +37,7 @@ class Declarations:
     """What all files of a spec declare."""
 
     def __init__(self) -> None:
-        self.sources: list[Source] = []
+        self.sources: list[SourceText] = []
         self.components: dict[str, Declared[ComponentDeclaration]] = {}
         self.enumerations: dict[str, Declared[EnumDeclaration]] = {}
         self.groups: dict[str, Declared[GroupDeclaration]] = {}
@@ -89,9 +89,9 @@ class Loader:
 
     def load(self, name: str, text: str, path: Path | None) -> None:
         """Load the first file, whose text is at hand; `path` is where its imports are looked for."""
-        self._load(Source(name, text), path)
+        self._load(SourceText(name, text), path)
 
-    def _load(self, source: Source, path: Path | None) -> None:
+    def _load(self, source: SourceText, path: Path | None) -> None:
         self.declarations.sources.append(source)
         is_first = len(self.declarations.sources) == 1
         file = parse(source, self._reporter)
@@ -108,7 +108,7 @@ class Loader:
             self._loading.pop()
             self._loaded.add(resolved)
 
-    def _import(self, source: Source, path: Path | None, item: Import) -> None:
+    def _import(self, source: SourceText, path: Path | None, item: Import) -> None:
         wanted = item.path.value
         place = item.path.place
         folder = Path() if path is None else path.parent
@@ -133,9 +133,9 @@ class Loader:
             return
         # Named as seen from where the first file was named, so that messages lead to it.
         name = str(PurePath(source.name).parent / wanted)
-        self._load(Source(name, text), target)
+        self._load(SourceText(name, text), target)
 
-    def _declare(self, source: Source, file: File, *, is_first: bool) -> None:
+    def _declare(self, source: SourceText, file: File, *, is_first: bool) -> None:
         rooms = self.declarations
         for item in file.items:
             if isinstance(item, ComponentDeclaration):
@@ -153,7 +153,7 @@ class Loader:
 
     def _is_new(
         self,
-        source: Source,
+        source: SourceText,
         name: Word,
         declared: Declared[ComponentDeclaration] | Declared[EnumDeclaration] | Declared[GroupDeclaration],
     ) -> bool:

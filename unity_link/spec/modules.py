@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from unity_link.spec.arguments import ADDRESS, Shape, Slot
+from unity_link.spec.arguments import ADDRESS, ArgumentSlot, Shape
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Mapping
@@ -27,34 +27,34 @@ class ModuleType(NamedTuple):
     """A word for a module."""
 
     doc: str
-    slots: tuple[Slot, ...]
+    slots: tuple[ArgumentSlot, ...]
     words: Callable[[Mapping[str, Any]], int | None] = _unknown
     """Number of addresses that it takes, by its arguments; None if that is open."""
     offset: Callable[[Mapping[str, Any]], int] = lambda _: 0
     """Where it begins by itself, before BASE is added."""
 
 
-COMMON = (Slot("BASE", Shape.WHOLE, *ADDRESS), Slot("SIZE", Shape.WHOLE, 1, ADDRESS[1] + 1))
-_WIDTH = Slot("WIDTH", Shape.WHOLE, 1, 64)
-_CHANNELS = Slot("CHANNELS", Shape.WHOLE, 1, 256)
-_HANDLES = (Slot("CTRL", Shape.HANDLE, *ADDRESS), Slot("COMM", Shape.HANDLE, *ADDRESS))
+COMMON = (ArgumentSlot("BASE", Shape.WHOLE, *ADDRESS), ArgumentSlot("SIZE", Shape.WHOLE, 1, ADDRESS[1] + 1))
+_WIDTH = ArgumentSlot("WIDTH", Shape.WHOLE, 1, 64)
+_CHANNELS = ArgumentSlot("CHANNELS", Shape.WHOLE, 1, 256)
+_HANDLES = (ArgumentSlot("CTRL", Shape.HANDLE, *ADDRESS), ArgumentSlot("COMM", Shape.HANDLE, *ADDRESS))
 
 MODULES: dict[str, ModuleType] = {
     "TOSNET": ModuleType(
         "a TosNet network: the shared memory of all its nodes",
-        (*_HANDLES, Slot("NODES", Shape.WHOLE, 1, TOSNET_NODES)),
+        (*_HANDLES, ArgumentSlot("NODES", Shape.WHOLE, 1, TOSNET_NODES)),
         lambda arguments: TOSNET_NODE_WORDS * arguments["NODES"] if "NODES" in arguments else None,
     ),
     "TOSNET_NODE": ModuleType(
         "the shared memory of one node of a TosNet network",
-        (Slot("NODE", Shape.WHOLE, 0, TOSNET_NODES - 1, required=True),),
+        (ArgumentSlot("NODE", Shape.WHOLE, 0, TOSNET_NODES - 1, required=True),),
         lambda _: TOSNET_NODE_WORDS,
         lambda arguments: TOSNET_NODE_WORDS * arguments.get("NODE", 0),
     ),
     "MEMORY": ModuleType("plain memory, or any registers", ()),
     "FIFO": ModuleType(
         "a queue behind one address",
-        (Slot("WORDS", Shape.WHOLE, 1, 1 << 32),),
+        (ArgumentSlot("WORDS", Shape.WHOLE, 1, 1 << 32),),
     ),
     "GPIO": ModuleType("pins", (_WIDTH,)),
     "PWM": ModuleType("pulse-width modulated outputs", (_CHANNELS, _WIDTH)),

@@ -44,7 +44,7 @@ from unity_link.spec.syntax import (
 from unity_link.spec.tokens import TokenLexer
 
 if TYPE_CHECKING:
-    from unity_link.spec.diagnostics import Reporter, Source
+    from unity_link.spec.diagnostics import Reporter, SourceText
 
 ESCAPES = {"n": "\n", "t": "\t", '"': '"', "\\": "\\"}
 MOST_NESTED = 40
@@ -53,7 +53,7 @@ MOST_CHARACTERS = 16 << 20
 _BRACKETS = re.compile(r'"(?:\\[^\n]|[^"\\\n])*"|//[^\n]*|/\*.*?\*/|[(\[{}\])]', re.DOTALL)
 
 
-def parse(source: Source, reporter: Reporter) -> File | None:
+def parse(source: SourceText, reporter: Reporter) -> File | None:
     """Parse a source; None where it has faults, which are reported."""
     if not _is_sane(source, reporter):
         return None
@@ -67,7 +67,7 @@ def parse(source: Source, reporter: Reporter) -> File | None:
     return file
 
 
-def _is_sane(source: Source, reporter: Reporter) -> bool:
+def _is_sane(source: SourceText, reporter: Reporter) -> bool:
     """Report what is too large or too deep to be a spec."""
     if len(source.text) > MOST_CHARACTERS:
         message = f"a spec of {len(source.text):,} characters is too long: {MOST_CHARACTERS:,} are the most"

@@ -12,7 +12,7 @@ import msgspec
 
 from unity_link.spec.diagnostics import did_you_mean, listed
 from unity_link.spec.expressions import Evaluator, Result, describe
-from unity_link.spec.interface import Place
+from unity_link.spec.interface import SignalPlace
 from unity_link.spec.model import (
     Component,
     ComponentArray,
@@ -46,7 +46,7 @@ class Address(NamedTuple):
     """An address that a component is given, and where it was written."""
 
     value: int | None
-    place: Place
+    place: SignalPlace
 
 
 class Where(NamedTuple):
@@ -268,7 +268,7 @@ class Contents:
                 tools = Evaluator(declared.source, self._elaborator.reporter)
                 value, place = tools.evaluate(parameter.default, self._elaborator.globals), parameter.place
             whole = whole_address(tools, place, value)
-            addresses[str(parameter.name)] = Address(whole, Place(tools.source, place))
+            addresses[str(parameter.name)] = Address(whole, SignalPlace(tools.source, place))
         return addresses
 
     def _bind(

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from lark import Lark
     from lark.parsers.lalr_interactive_parser import InteractiveParser
 
-    from unity_link.spec.diagnostics import Reporter, Source
+    from unity_link.spec.diagnostics import Reporter, SourceText
 
 MOST_FAULTS = 50
 _WORDS = {
@@ -35,13 +35,13 @@ _OPERATORS = {"OPERATOR", "MINUS", "TILDE"}
 _HINTS = {"'": "strings stand in double quotes", "#": "a comment begins with //"}
 
 
-def report_faults(parser: Lark, source: Source, reporter: Reporter) -> None:
+def report_faults(parser: Lark, source: SourceText, reporter: Reporter) -> None:
     """Parse a source that has a fault, and report all that are found."""
     _Recovery(parser, source, reporter).run()
 
 
 class _Recovery:
-    def __init__(self, parser: Lark, source: Source, reporter: Reporter) -> None:
+    def __init__(self, parser: Lark, source: SourceText, reporter: Reporter) -> None:
         self._source = source
         self._reporter = reporter
         self._parser = parser.parse_interactive(source.text)

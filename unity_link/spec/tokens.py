@@ -53,7 +53,7 @@ _TOKEN = re.compile(
 _COMMENT = re.compile(r'"(?:\\[^\n]|[^"\\\n])*"|//[^\n]*|/\*.*?\*/', re.DOTALL)
 
 
-class Place(NamedTuple):
+class TextPlace(NamedTuple):
     """A comment and where it stands."""
 
     text: str
@@ -61,9 +61,9 @@ class Place(NamedTuple):
     end: int
 
 
-def find_comments(text: str) -> list[Place]:
+def find_comments(text: str) -> list[TextPlace]:
     """Return the comments of a text that has no faults."""
-    return [Place(match[0].rstrip(), *match.span()) for match in _COMMENT.finditer(text) if match[0][0] == "/"]
+    return [TextPlace(match[0].rstrip(), *match.span()) for match in _COMMENT.finditer(text) if match[0][0] == "/"]
 
 
 class TokenLexer(Lexer):

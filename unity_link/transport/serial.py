@@ -43,7 +43,7 @@ async def connect(url: DriverUrl, protocol: asyncio.Protocol) -> asyncio.Transpo
         raise ArgumentError(f"baud={baud} in {url.text} is not positive")
     rtscts = url.flag("rtscts")
     try:
-        port = Port(url.path, baudrate=baud, rtscts=rtscts, timeout=0, write_timeout=0, exclusive=True)
+        port = SerialPort(url.path, baudrate=baud, rtscts=rtscts, timeout=0, write_timeout=0, exclusive=True)
     except (serial.SerialException, OSError, ValueError) as error:
         raise ConnectError(_explain(url.path, error)) from error
     transport = PortTransport(asyncio.get_running_loop(), protocol, port)
@@ -63,7 +63,7 @@ def _explain(path: str, error: Exception) -> str:
     return f"{path} is no usable serial port ({error})"
 
 
-class Port(serial.Serial):
+class SerialPort(serial.Serial):
     """A port that says at once how much it took."""
 
     def write(self, data: Any, /) -> int:

@@ -48,7 +48,7 @@ _NO_ROUTER_NAMED = "No peer specified"
 _RETRY = {"period_init_ms": 100, "period_max_ms": 1000, "period_increase_factor": 2}
 
 
-class Declared(Protocol):
+class Declaration(Protocol):
     """What a session has declared."""
 
     def undeclare(self) -> object:
@@ -224,7 +224,7 @@ class KeyTransport(BufferedTransport):
         )
         subscriber = session.declare_subscriber(back, lambda sample: give(sample.payload.to_bytes()))
         self._put = publisher.put
-        self._declared: tuple[Declared, ...] = (subscriber, publisher)
+        self._declared: tuple[Declaration, ...] = (subscriber, publisher)
 
     def write(self, data: bytes | bytearray | memoryview) -> None:
         """Publish bytes."""

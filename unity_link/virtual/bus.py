@@ -43,7 +43,7 @@ class Device(Protocol):
         """Take a word, an unsigned number."""
 
 
-class Memory(dict[int, int]):
+class PlainMemory(dict[int, int]):
     """Words by address; what was never written is 0."""
 
     def __init__(self, info: GatewayInfo) -> None:
@@ -128,11 +128,11 @@ class Devices(dict[int, tuple[Device, int]]):
         return AccessError(ErrorCode.BUS_ERROR)
 
 
-class Bus:
+class ModelBus:
     """Memory and devices of one gateway. Addresses and words given to its methods are in range."""
 
     def __init__(self, info: GatewayInfo) -> None:
-        self.memory = Memory(info)
+        self.memory = PlainMemory(info)
         self.devices = Devices(info.address_bits)
         """Every other address is memory."""
         self._word_mask = (1 << info.data_bits) - 1

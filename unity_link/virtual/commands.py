@@ -13,8 +13,8 @@ from unity_link.protocol.reception import group_fits
 
 if TYPE_CHECKING:
     from unity_link.protocol.configuration import GatewayInfo
-    from unity_link.virtual.bus import Bus
-    from unity_link.virtual.groups import Groups
+    from unity_link.virtual.bus import ModelBus
+    from unity_link.virtual.groups import PublishGroups
 
 Reads: TypeAlias = int | Sequence[int] | None
 
@@ -28,7 +28,7 @@ class FieldRangeError(Exception):
     code = ErrorCode.OUT_OF_RANGE
 
 
-class Commands:
+class CommandSet:
     """The requests that need no knowledge of frames and sessions.
 
     Args:
@@ -37,7 +37,7 @@ class Commands:
         groups: what the group commands go to.
     """
 
-    def __init__(self, info: GatewayInfo, bus: Bus, groups: Groups) -> None:
+    def __init__(self, info: GatewayInfo, bus: ModelBus, groups: PublishGroups) -> None:
         self._info = info
         self._bus = bus
         self._groups = groups

@@ -23,11 +23,11 @@ import msgspec
 
 from unity_link.errors import ArgumentError
 from unity_link.protocol.configuration import Feature, GatewayInfo
-from unity_link.protocol.messages import COMMANDS, Codec, ErrorCode, Repetition, Request, RequestError
-from unity_link.protocol.reception import Place, Reception, Sequence
-from unity_link.virtual.bus import AccessError, Bus, Device
-from unity_link.virtual.commands import Commands, FieldRangeError
-from unity_link.virtual.groups import Groups
+from unity_link.protocol.messages import COMMANDS, Codec, DecodedRequest, ErrorCode, Repetition, RequestError
+from unity_link.protocol.reception import Reception, Sequence, SequencePlace
+from unity_link.virtual.bus import AccessError, Device, ModelBus
+from unity_link.virtual.commands import CommandSet, FieldRangeError
+from unity_link.virtual.groups import PublishGroups
 from unity_link.virtual.transport import GatewayTransport
 
 if TYPE_CHECKING:
@@ -107,7 +107,7 @@ class VirtualGateway(BareGateway):
 
     Args:
         info: the configuration that it reports and keeps to.
-        node: its number on a shared medium (docs/protocol.md, "Addressed frames"), 0 to 0xFE, or None for one of its own.
+        node: its number on a shared medium (docs/protocol.md, "Addressed frames"), 0 to 254, or None for one of its own.
 
     Raises:
         ArgumentError: for a node number that does not fit.
@@ -121,13 +121,13 @@ class VirtualGateway(BareGateway):
         addressed = Feature.ADDRESSED if node is not None else Feature(0)
         self.info = msgspec.structs.replace(info, features=info.features & ~Feature.ADDRESSED | addressed)
         self.wake: Callable[[], None] = _do_nothing
-        self.bus = Bus(self.info)
+        self.bus = ModelBus(self.info)
         self._node = node
         self._codec = Codec(self.info, node)
         self._framing = self._codec.framing
-        self.groups = Groups(self.info, self.bus, self._frame)
+        self.groups = PublishGroups(self.info, self.bus, self._frame)
         self._waiting = self.groups.ring.waiting
-        self._commands = Commands(self.info, self.bus, self.groups)
+        self._commands = CommandSet(self.info, self.bus, self.groups)
         self._reception = Reception(self._codec)
         self._most_kept = self._reception.longest + len(self._framing.prefix) + 1
         self._sequence = Sequence(self._codec.ring)
@@ -302,14 +302,14 @@ class VirtualGateway(BareGateway):
         self.groups.stop_all()
         self._commands.reset()
 
-    def _in_sequence(self, request: Request, number: int, now: float) -> bytes:
+    def _in_sequence(self, request: DecodedRequest, number: int, now: float) -> bytes:
         """Execute a request with the expected ID, and no other (docs/protocol.md, "Exactly once, in order")."""
         place = self._sequence.place(number)
-        if place is Place.NEXT:
+        if place is SequencePlace.NEXT:
             return self._execute(request, now)
-        if place is Place.FIRST_AHEAD:
+        if place is SequencePlace.FIRST_AHEAD:
             return self._codec.out_of_sequence(self._sequence.expected)
-        if place is Place.AHEAD:
+        if place is SequencePlace.AHEAD:
             return b""
         repetition = COMMANDS[request.command].repetition
         if repetition is Repetition.READ_AGAIN:
@@ -318,7 +318,7 @@ class VirtualGateway(BareGateway):
             return self._codec.error(ErrorCode.ALREADY_EXECUTED, number)
         return b"" if repetition is Repetition.SILENCE else self._codec.response(request)
 
-    def _execute(self, request: Request, now: float) -> bytes:
+    def _execute(self, request: DecodedRequest, now: float) -> bytes:
         try:
             reads = self._commands.run[request.command](now, *request.values)
         except (FieldRangeError, AccessError) as fault:

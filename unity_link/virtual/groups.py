@@ -1,4 +1,4 @@
-"""Publish groups of the virtual gateway (docs/protocol.md, "Groups"): when a sample is due, and what it says.
+"""Publish groups of the virtual gateway (docs/protocol.md, "PublishGroups"): when a sample is due, and what it says.
 
 Time runs in base ticks: tick k is at k / base frequency after the gateway's start, and a periodic group is due at whole
 multiples of its divisor after its first tick. A sample is read and stamped at the instant at which it is due, however
@@ -14,7 +14,7 @@ from heapq import heapify, heapreplace
 from typing import TYPE_CHECKING
 
 from unity_link.protocol.messages import GroupFlag
-from unity_link.virtual.bus import AccessError, Bus
+from unity_link.virtual.bus import AccessError, ModelBus
 from unity_link.virtual.sample_ring import SampleRing
 
 if TYPE_CHECKING:
@@ -30,7 +30,7 @@ _PAUSE = 0.001
 """Seconds between two questions for room while samples wait."""
 
 
-class Clock:
+class BaseClock:
     """The gateway's time: base ticks and clock ticks since its start, which is the first instant it hears of."""
 
     def __init__(self, info: GatewayInfo) -> None:
@@ -72,7 +72,7 @@ class Clock:
         return int((now - self.start(now)) * self._clock_hz + _SLACK_TICKS) & _TIMESTAMP_MASK
 
 
-class Group:
+class PublishGroup:
     """Settings and state of one group."""
 
     __slots__ = ("addresses", "divisor", "due", "flags", "form", "last", "running", "sequence", "words")
@@ -93,7 +93,7 @@ class Group:
         """The last sample that was accepted for sending since GS or GN."""
 
 
-class Groups:
+class PublishGroups:
     """All groups of one gateway.
 
     Args:
@@ -102,15 +102,15 @@ class Groups:
         frame: puts a body into a frame, given whether a plain one is wanted.
     """
 
-    def __init__(self, info: GatewayInfo, bus: Bus, frame: Callable[[bytes, bool], bytes]) -> None:
-        self.clock = Clock(info)
+    def __init__(self, info: GatewayInfo, bus: ModelBus, frame: Callable[[bytes, bool], bytes]) -> None:
+        self.clock = BaseClock(info)
         self.overruns = 0
         """Samples that were due and had no room, all groups together."""
         self.ring = SampleRing(info.group_words)
         self._word_form = b"%%0%dX" % info.data_digits
         self._bus = bus
         self._frame = frame
-        self._groups: dict[int, Group] = {}
+        self._groups: dict[int, PublishGroup] = {}
         self._schedule: list[tuple[int, int]] = []
         """Heap of next tick and number of every periodic group that runs."""
         self._triggers: deque[float] = deque()
@@ -133,7 +133,7 @@ class Groups:
         self.ring.send_all()
         stamp = b"%08X" if flags & GroupFlag.TIMESTAMP else b""
         form = b"P%02X%%02X%b%b" % (number, stamp, self._word_form * len(addresses))
-        self._groups[number] = Group(flags, divisor, addresses, form)
+        self._groups[number] = PublishGroup(flags, divisor, addresses, form)
         self._reschedule()
 
     def start(self, number: int, now: float) -> None:
@@ -228,17 +228,17 @@ class Groups:
             else:
                 self._count_overruns(group, 1)
 
-    def _count_missed(self, group: Group, tick: int, now: float) -> int:
+    def _count_missed(self, group: PublishGroup, tick: int, now: float) -> int:
         """Count what is due from `tick` up to `now`, when there will be no more room than now, and return how many."""
         missed = (self.clock.tick_before(now) - tick) // group.divisor + 1
         self._count_overruns(group, missed)
         return missed
 
-    def _count_overruns(self, group: Group, count: int) -> None:
+    def _count_overruns(self, group: PublishGroup, count: int) -> None:
         group.sequence = group.sequence + count & _SEQUENCE_MASK
         self.overruns += count
 
-    def _publish(self, group: Group, instant: float, stamp: int, *, unchanged: bool = False) -> None:
+    def _publish(self, group: PublishGroup, instant: float, stamp: int, *, unchanged: bool = False) -> None:
         """Take a due sample; none comes of it where the bus fails, or no change is found and one is wanted."""
         sequence = group.sequence
         try:

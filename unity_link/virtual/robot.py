@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, ClassVar, Self
 from unity_link.errors import ArgumentError
 from unity_link.protocol.messages import ErrorCode
 from unity_link.virtual.bus import AccessError
-from unity_link.virtual.servo import Joint, JointType
+from unity_link.virtual.servo import JointType, ServoJoint
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -27,7 +27,7 @@ class ServoRobot(ABC):
     NAME: ClassVar[str]
 
     def __init__(self, word_bits: int = WORD_BITS) -> None:
-        self.joints = [Joint(kind) for kind in self.joint_types()]
+        self.joints = [ServoJoint(kind) for kind in self.joint_types()]
         self._sign = 1 << word_bits - 1
 
     @classmethod
@@ -54,7 +54,7 @@ class ServoRobot(ABC):
         """Return the addresses of the device, in the order of its offsets."""
 
     @abstractmethod
-    def find(self, offset: int) -> tuple[Joint, int]:
+    def find(self, offset: int) -> tuple[ServoJoint, int]:
         """Return the joint and the register at an offset."""
 
     @abstractmethod

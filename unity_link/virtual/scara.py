@@ -24,7 +24,7 @@ from unity_link.virtual.robot import ServoRobot
 from unity_link.virtual.servo import JointType
 
 if TYPE_CHECKING:
-    from unity_link.virtual.servo import Joint
+    from unity_link.virtual.servo import ServoJoint
 
 COUNTS_PER_REVOLUTION = 4000
 SPEED, POSITION, POSITION_SET_POINT, SPEED_SET_POINT = 0x80, 0x88, 0x8C, 0x94
@@ -61,7 +61,7 @@ class Scara(ServoRobot):
         """Return the addresses of the device, in the order of its offsets."""
         return [base + joint for base in (SPEED, POSITION, POSITION_SET_POINT, SPEED_SET_POINT) for joint in range(4)]
 
-    def find(self, offset: int) -> tuple[Joint, int]:
+    def find(self, offset: int) -> tuple[ServoJoint, int]:
         """Return the joint and the register at an offset."""
         register, number = divmod(offset, len(JOINTS))
         return self.joints[number], register

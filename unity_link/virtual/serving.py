@@ -35,7 +35,7 @@ GRACE = 0.1
 _LONGEST_REST = 65536
 
 
-class Counter(asyncio.Protocol):
+class ClientCounter(asyncio.Protocol):
     """Where a gateway meets its client of the moment."""
 
     def __init__(self, gateway: Gateway) -> None:
@@ -76,7 +76,7 @@ class Counter(asyncio.Protocol):
 class _Client(asyncio.Protocol):
     """The client's side of a stream."""
 
-    def __init__(self, counter: Counter) -> None:
+    def __init__(self, counter: ClientCounter) -> None:
         self._counter = counter
         self._served = False
 
@@ -127,8 +127,8 @@ class _Client(asyncio.Protocol):
 
 
 @contextlib.asynccontextmanager
-async def _counter(gateway: Gateway) -> AsyncIterator[Counter]:
-    counter = Counter(gateway)
+async def _counter(gateway: Gateway) -> AsyncIterator[ClientCounter]:
+    counter = ClientCounter(gateway)
     try:
         yield counter
     finally:
@@ -136,7 +136,7 @@ async def _counter(gateway: Gateway) -> AsyncIterator[Counter]:
 
 
 @contextlib.contextmanager
-def _hanging_up(counter: Counter) -> Iterator[None]:
+def _hanging_up(counter: ClientCounter) -> Iterator[None]:
     """Hang up on the client at the end."""
     try:
         yield
@@ -172,7 +172,7 @@ async def serve_unix(gateway: Gateway, path: str | os.PathLike[str]) -> AsyncIte
 class _Datagrams(asyncio.DatagramProtocol, asyncio.WriteTransport):
     """The client's side of a datagram socket: a stream towards the gateway, datagrams towards who spoke last."""
 
-    def __init__(self, counter: Counter) -> None:
+    def __init__(self, counter: ClientCounter) -> None:
         super().__init__()
         self._counter = counter
         self._socket: asyncio.DatagramTransport | None = None

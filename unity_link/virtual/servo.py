@@ -55,7 +55,7 @@ def plan(distance: float, speed: float, most_speed: float, acceleration: float) 
     ]
 
 
-class Joint:
+class ServoJoint:
     """One joint: registers, and the motion that they command."""
 
     def __init__(self, kind: JointType) -> None:

@@ -22,7 +22,7 @@ from unity_link.virtual.robot import ServoRobot
 from unity_link.virtual.servo import JointType
 
 if TYPE_CHECKING:
-    from unity_link.virtual.servo import Joint
+    from unity_link.virtual.servo import ServoJoint
 
 BASE = 0x10
 """Address of the first joint."""
@@ -54,7 +54,7 @@ class Walker(ServoRobot):
         """Return the addresses of the device, in the order of its offsets."""
         return list(range(BASE, BASE + REGISTERS * len(self.joints)))
 
-    def find(self, offset: int) -> tuple[Joint, int]:
+    def find(self, offset: int) -> tuple[ServoJoint, int]:
         """Return the joint and the register at an offset."""
         number, register = divmod(offset, REGISTERS)
         return self.joints[number], register

@@ -12,7 +12,7 @@ from unity_link.transport.ft232h.eeprom_image import build_eeprom
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.ft232h.board import Board, GatewayBoard
 from unity_link.virtual.ft232h.chip import Chip, Mode
-from unity_link.virtual.ft232h.host import Status, Transfer, UsbHost
+from unity_link.virtual.ft232h.host import Transfer, TransferStatus, UsbHost
 from unity_link.virtual.ft232h.timing import Timing
 from unity_link.virtual.gateway import Gateway
 
@@ -164,7 +164,7 @@ def stream(seconds: float, *, mode: Mode, transfers: int, size: int, step: int) 
 
     def send(ended: Transfer | None = None) -> None:
         nonlocal sent
-        assert ended is None or ended.status is Status.DONE
+        assert ended is None or ended.status is TransferStatus.DONE
         if program.now < end:
             start = sent % (1 << 20)
             program.host.submit(Transfer(OUT, data=pattern[start : start + size], on_end=to_send.append), program.now)
@@ -172,7 +172,7 @@ def stream(seconds: float, *, mode: Mode, transfers: int, size: int, step: int) 
 
     def check(ended: Transfer) -> None:
         nonlocal received
-        assert ended.status is Status.DONE
+        assert ended.status is TransferStatus.DONE
         for start in range(0, len(ended.data), 512):
             packet = ended.data[start + 2 : start + 512]
             place = received % (1 << 20)
@@ -264,7 +264,7 @@ def test_unplugging_ends_every_transfer() -> None:
     program = new_program()
     transfers = [program.submit(Transfer(IN, size=512)), program.submit(Transfer(OUT, data=READ))]
     program.host.unplug(program.now)
-    assert [transfer.status for transfer in transfers] == [Status.GONE] * 2
+    assert [transfer.status for transfer in transfers] == [TransferStatus.GONE] * 2
     with pytest.raises(ConnectionError):
         program.submit(Transfer(IN, size=512))
 
@@ -272,9 +272,9 @@ def test_unplugging_ends_every_transfer() -> None:
 def test_a_halted_endpoint_stalls_until_it_is_cleared() -> None:
     program = new_program()
     program.host.halt(OUT, program.now)
-    assert program.write(READ).status is Status.STALLED
+    assert program.write(READ).status is TransferStatus.STALLED
     program.host.control_out(0x02, 0x01, 0, OUT, program.now)
-    assert program.write(READ).status is Status.DONE
+    assert program.write(READ).status is TransferStatus.DONE
 
 
 def test_a_cancelled_read_loses_no_byte() -> None:

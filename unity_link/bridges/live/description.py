@@ -19,7 +19,7 @@ WIDEST_EXACT = 53
 """Bits of a whole number that a double, and so the page, has exactly."""
 
 
-class Stream(msgspec.Struct, frozen=True):
+class SignalStream(msgspec.Struct, frozen=True):
     """Signals that are sampled together."""
 
     name: str
@@ -64,7 +64,7 @@ class About(msgspec.Struct, frozen=True, kw_only=True, tag_field="type", tag="ab
     """Whether there is a way to write, for those who have the token."""
     parts: dict[str, str]
     """Descriptions of the components by their paths."""
-    streams: list[Stream]
+    streams: list[SignalStream]
     signals: list[SignalAbout]
 
 
@@ -82,7 +82,7 @@ def describe(robot: Robot, groups: Sequence[SampledGroup], rates: Sequence[float
         gateway=gateway.partition("?")[0],
         writes=False,
         parts={part.path: part.doc for part in interface.root.walk()},
-        streams=[Stream(group.name, rate) for group, rate in zip(groups, rates, strict=True)],
+        streams=[SignalStream(group.name, rate) for group, rate in zip(groups, rates, strict=True)],
         signals=[_about(proxy, places.get(proxy)) for proxy in robot.signals if proxy in places or is_written(proxy)],
     )
 

@@ -61,7 +61,7 @@ def bind(port: int) -> socket.socket:
         raise port_error("TCP", LOOPBACK, port, error) from error
 
 
-class Status(msgspec.Struct, tag_field="type", tag="status"):
+class PageStatus(msgspec.Struct, tag_field="type", tag="status"):
     """How the link is."""
 
     connected: bool
@@ -171,7 +171,7 @@ class LivePage:
         while True:
             await asyncio.sleep(STATUS_EVERY)
             status = msgspec.json.encode(
-                Status(
+                PageStatus(
                     self._link.connected,
                     self._round_trips.refusal,
                     self.samples,

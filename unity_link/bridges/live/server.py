@@ -131,7 +131,7 @@ def _ending(conversation: HttpConversation | PageConversation) -> Iterator[None]
         conversation.transport.abort()
 
 
-class Server(uvicorn.Server):
+class PageServer(uvicorn.Server):
     """A server in a program that looks after signals itself."""
 
     @contextlib.contextmanager
@@ -140,7 +140,7 @@ class Server(uvicorn.Server):
         yield
 
 
-def make_server(app: ASGIApp) -> Server:
+def make_server(app: ASGIApp) -> PageServer:
     """Make a server of an application."""
     config = uvicorn.Config(
         app,
@@ -160,4 +160,4 @@ def make_server(app: ASGIApp) -> Server:
     )
     # It imports for long, which would lose samples once they come.
     config.load()
-    return Server(config)
+    return PageServer(config)

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, BinaryIO, NamedTuple
 import msgspec
 import numpy as np
 
-from unity_link.bridges.messages import Message, hex_to_words
+from unity_link.bridges.messages import RecordedMessage, hex_to_words
 from unity_link.bridges.recording.files import GATEWAY, INTERFACE, RecordingError, check_extra
 from unity_link.protocol.configuration import GatewayInfo
 from unity_link.spec import Interface
@@ -227,7 +227,7 @@ class Recording:
         return taken
 
     def _decode(self, group: RecordedGroup, rows: list[tuple[int, bytes]]) -> RecordedSamples:
-        decode = msgspec.json.Decoder(Message).decode
+        decode = msgspec.json.Decoder(RecordedMessage).decode
         try:
             messages = [decode(data) for _, data in rows]
             texts = [message.words for message in messages]

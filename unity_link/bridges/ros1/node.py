@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
-    from unity_link.bridges.ros1.outlet import Outlet
+    from unity_link.bridges.ros1.outlet import Ros1Outlet
     from unity_link.bridges.ros1.rows import Rows
     from unity_link.bridges.topics import CommandTopic, Topic
     from unity_link.data import Robot
@@ -36,7 +36,7 @@ LEAVES_WITHIN = 3.0
 """Seconds that it may take to tell the master of the end."""
 
 
-class Ros1Bridge(RosBridge["Outlet"]):
+class Ros1Bridge(RosBridge["Ros1Outlet"]):
     """Publishes what a robot publishes, and writes what it is told.
 
     Args:
@@ -102,10 +102,10 @@ class Ros1Bridge(RosBridge["Outlet"]):
         self._subscribers = [self._subscriber(topic) for topic in self._command_topics]
         self._describe()
 
-    def _open_outlet(self, name: str, package: str, kind: str) -> Outlet:
-        from unity_link.bridges.ros1.outlet import Outlet
+    def _open_outlet(self, name: str, package: str, kind: str) -> Ros1Outlet:
+        from unity_link.bridges.ros1.outlet import Ros1Outlet
 
-        return Outlet(f"{self._namespace}/{name}", _message(package, kind), self._faults.tell)
+        return Ros1Outlet(f"{self._namespace}/{name}", _message(package, kind), self._faults.tell)
 
     def _number_rows(self, kind: str, values: NDArray[Any]) -> Rows:
         return number_rows(kind, values)

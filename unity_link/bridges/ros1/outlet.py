@@ -22,7 +22,7 @@ MOST_WRITES = 1024
 """Writes that wait for a subscriber that does not read; after that the oldest are lost to it, and counted."""
 
 
-class Outlet:
+class Ros1Outlet:
     """A topic that is published.
 
     Args:

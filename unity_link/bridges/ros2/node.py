@@ -19,14 +19,14 @@ if TYPE_CHECKING:
 
     from unity_link.bridges.ros2.inlets import Inlets
     from unity_link.bridges.ros2.messages import MessageType
-    from unity_link.bridges.ros2.outlet import Outlet
+    from unity_link.bridges.ros2.outlet import Ros2Outlet
     from unity_link.data import Robot
 
 MOST_KEPT = 1 << 14
 """Values of a topic that wait for the link; beyond, who writes it waits."""
 
 
-class Ros2Bridge(RosBridge["Outlet"]):
+class Ros2Bridge(RosBridge["Ros2Outlet"]):
     """Publishes what a robot publishes, and writes what it is told.
 
     Args:
@@ -124,13 +124,13 @@ class Ros2Bridge(RosBridge["Outlet"]):
             *limits,
         )
 
-    def _open_outlet(self, name: str, package: str, kind: str) -> Outlet:
+    def _open_outlet(self, name: str, package: str, kind: str) -> Ros2Outlet:
         from unity_link.bridges.ros2.messages import JOINT_STATE, STANDARD
-        from unity_link.bridges.ros2.outlet import Outlet
+        from unity_link.bridges.ros2.outlet import Ros2Outlet
 
         message = STANDARD[kind] if package == "std_msgs" else JOINT_STATE
         quality = self._quality(name, message)
-        return Outlet(self._participant, self._topic(name, message), quality, self._faults.tell)
+        return Ros2Outlet(self._participant, self._topic(name, message), quality, self._faults.tell)
 
     def _reader(self, name: str, message: MessageType) -> Any:
         from cyclonedds.core import Policy

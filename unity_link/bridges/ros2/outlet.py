@@ -24,7 +24,7 @@ _library.dds_write_flush.argtypes = [ctypes.c_int32]
 _library.dds_wait_for_acks.argtypes = [ctypes.c_int32, ctypes.c_int64]
 
 
-class Outlet:
+class Ros2Outlet:
     """A topic that is published.
 
     Args:

@@ -15,8 +15,8 @@ import numpy as np
 from unity_link.bridges.serve.groups import ClientGroup, Settings
 from unity_link.bridges.serve.requests import Relayed, RelayedRows, answer_digits
 from unity_link.protocol.frames import LF
-from unity_link.protocol.messages import COMMANDS, Codec, ErrorCode, Repetition, Request, RequestError
-from unity_link.protocol.reception import Place, Reception, Sequence, group_fits
+from unity_link.protocol.messages import COMMANDS, Codec, DecodedRequest, ErrorCode, Repetition, RequestError
+from unity_link.protocol.reception import Reception, Sequence, SequencePlace, group_fits
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -103,7 +103,7 @@ class Conversation:
         else:
             self._in_sequence(request, request.id, plain=plain)
 
-    def _start_session(self, request: Request, *, plain: bool) -> None:
+    def _start_session(self, request: DecodedRequest, *, plain: bool) -> None:
         self._sequence.start(request.values[0])
         # What is under way belongs to the session before.
         self._awaited = bytearray(len(self._awaited))
@@ -114,20 +114,20 @@ class Conversation:
         self._choose_mode(ADAPTIVE)
         self._say(self._codec.response(request), plain=plain)
 
-    def _in_sequence(self, request: Request, number: int, *, plain: bool) -> None:
+    def _in_sequence(self, request: DecodedRequest, number: int, *, plain: bool) -> None:
         """Hand on the next request, and no other (docs/protocol.md, "Exactly once, in order")."""
         codec, place = self._codec, self._sequence.place(number)
-        if place is Place.NEXT:
+        if place is SequencePlace.NEXT:
             self._execute(request, plain=plain)
-        elif place is Place.FIRST_AHEAD:
+        elif place is SequencePlace.FIRST_AHEAD:
             self._say(codec.out_of_sequence(self._sequence.expected), plain=plain)
-        elif place is Place.REPETITION and self._awaited[number]:
+        elif place is SequencePlace.REPETITION and self._awaited[number]:
             # Its answer will come, for nothing is lost between the client and here; till then, a sign of life.
             self._client.write(LF)
-        elif place is Place.REPETITION:
+        elif place is SequencePlace.REPETITION:
             self._repeat(request, number, plain=plain)
 
-    def _repeat(self, request: Request, number: int, *, plain: bool) -> None:
+    def _repeat(self, request: DecodedRequest, number: int, *, plain: bool) -> None:
         """Answer a request that was executed before."""
         codec, repetition = self._codec, COMMANDS[request.command].repetition
         if repetition is Repetition.READ_AGAIN:
@@ -139,7 +139,7 @@ class Conversation:
 
     # Requests
 
-    def _execute(self, request: Request, *, plain: bool) -> None:
+    def _execute(self, request: DecodedRequest, *, plain: bool) -> None:
         """Hand a request on, or do it where it is about what only this client sees."""
         command, values = request.command, request.values
         if command == "GS":
@@ -156,7 +156,7 @@ class Conversation:
 
     def _relay(
         self,
-        request: Request,
+        request: DecodedRequest,
         fields: bytes,
         digits: int | None,
         *,
@@ -246,7 +246,7 @@ class Conversation:
 
     # Groups
 
-    def _set_up_group(self, request: Request, *, plain: bool) -> None:
+    def _set_up_group(self, request: DecodedRequest, *, plain: bool) -> None:
         number, flags, divisor, _, addresses = request.values
         if not group_fits(self._codec.info, number, flags, divisor, addresses):
             self._refuse(request, plain=plain)
@@ -260,7 +260,7 @@ class Conversation:
             after = self._shared.naming(group.slot, "GS", settings)
             self._relay(request, group.slot.text + settings.fields, 0, plain=plain, after=after)
 
-    def _change_group(self, request: Request, *, plain: bool) -> None:
+    def _change_group(self, request: DecodedRequest, *, plain: bool) -> None:
         group, command = self.groups.get(request.values[0]), request.command
         if group is None:
             self._refuse(request, plain=plain)
@@ -282,7 +282,7 @@ class Conversation:
 
     # Send-immediate
 
-    def _send_immediate(self, request: Request, *, plain: bool) -> None:
+    def _send_immediate(self, request: DecodedRequest, *, plain: bool) -> None:
         mode = request.values[0]
         if mode > ADAPTIVE:
             self._refuse(request, plain=plain)
@@ -296,7 +296,7 @@ class Conversation:
 
     # Answers
 
-    def _refuse(self, request: Request, *, plain: bool) -> None:
+    def _refuse(self, request: DecodedRequest, *, plain: bool) -> None:
         self._say(self._codec.error(ErrorCode.OUT_OF_RANGE, request.id), plain=plain)
 
     def _say(self, body: bytes, *, plain: bool) -> None:

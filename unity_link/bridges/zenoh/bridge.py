@@ -16,7 +16,7 @@ from unity_link.bridges.zenoh.streams import Streams
 from unity_link.errors import ConnectError, LinkLostError, first_error
 from unity_link.transport import DriverUrl, parse_url, prepare
 from unity_link.transport.zenoh_session import (
-    Declared,
+    Declaration,
     Network,
     UnreachableError,
     check_prefix,
@@ -172,11 +172,11 @@ async def _session(network: Network, report: Callable[[str], None]) -> AsyncIter
         await asyncio.to_thread(close_session, session)
 
 
-def _take_prefix(session: zenoh.Session, prefix: str) -> Declared:
+def _take_prefix(session: zenoh.Session, prefix: str) -> Declaration:
     """Show that there is a bridge with this prefix, unless there is one already. Blocks."""
     place = f"{prefix}/@bridge"
     own = f"{place}/{secrets.token_hex(8)}"
-    token: Declared = session.liveliness().declare_token(own)
+    token: Declaration = session.liveliness().declare_token(own)
     others = [
         str(reply.ok.key_expr)
         for reply in session.liveliness().get(f"{place}/*", timeout=LOOK)

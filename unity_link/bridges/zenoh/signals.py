@@ -36,7 +36,7 @@ if TYPE_CHECKING:
 
     from unity_link.bridges.serve.shared import SharedLink
     from unity_link.data import Proxy, Robot
-    from unity_link.transport.zenoh_session import Declared
+    from unity_link.transport.zenoh_session import Declaration
 
     Answering = Callable[[zenoh.KeyExpr, bytes], Awaitable[dict[str, Any]]]
     """Returns for a query's key and payload what is replied, by the names of keys below the prefix."""
@@ -89,7 +89,7 @@ class Signals:
         self._inbox = told = Inbox(self._take, MOST_PUTS)
         kinds = {"signals/**": self._signals, "read": self._read, "write": self._write, "info": self._info}
         asked: list[Inbox[zenoh.Query]] = [Inbox(functools.partial(self._begin, kind)) for kind in kinds.values()]
-        declared: list[Declared] = [
+        declared: list[Declaration] = [
             self._session.declare_queryable(f"{self._prefix}/{key}", inbox.give)
             for key, inbox in zip(kinds, asked, strict=True)
         ]

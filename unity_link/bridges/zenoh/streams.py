@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING
 from unity_link.bridges.serve.client import Client
 from unity_link.bridges.serve.door import MOST_CLIENTS
 from unity_link.transport.inbox import Inbox
-from unity_link.transport.zenoh_session import OPEN, Declared, KeyTransport
+from unity_link.transport.zenoh_session import OPEN, Declaration, KeyTransport
 
 if TYPE_CHECKING:
     import zenoh
@@ -41,11 +41,11 @@ class Streams:
         self._shared = shared
         self._there: set[str] = set()
         """Clients whose token was seen."""
-        self._open: dict[str, tuple[KeyTransport, Declared]] = {}
+        self._open: dict[str, tuple[KeyTransport, Declaration]] = {}
         asked: Inbox[zenoh.Query] = Inbox(self._answer)
         seen: Inbox[zenoh.Sample] = Inbox(self._watch)
 
-        self._declared: tuple[Declared, ...] = (
+        self._declared: tuple[Declaration, ...] = (
             session.liveliness().declare_subscriber(f"{self._place}/*/client", seen.give, history=True),
             session.declare_queryable(f"{prefix}/{OPEN}", asked.give),
         )
@@ -84,7 +84,7 @@ class Streams:
         if len(self._shared.clients) >= MOST_CLIENTS:
             return f"it has {MOST_CLIENTS} clients already"
         place = f"{self._place}/{name}"
-        token: Declared = self._session.liveliness().declare_token(f"{place}/bridge")
+        token: Declaration = self._session.liveliness().declare_token(f"{place}/bridge")
         client = Client(self._shared)
         over = functools.partial(self._over, name)
         transport = KeyTransport(self._session, f"{place}/down", f"{place}/up", client, over)

@@ -63,7 +63,7 @@ class Field(NamedTuple):
         return self.high - self.low + 1
 
 
-class Word(NamedTuple):
+class PageWord(NamedTuple):
     """A word of several fields, as a diagram: the highest bit first."""
 
     address: str
@@ -78,7 +78,7 @@ class Part(NamedTuple):
     title: str
     arguments: str
     rows: tuple[Row, ...]
-    words: tuple[Word, ...]
+    words: tuple[PageWord, ...]
     anchor: str
 
 
@@ -221,13 +221,13 @@ class Page:
     def _has_fields(self, address: int) -> bool:
         return any(signal.mask_at(address) != (1 << signal.word_bits) - 1 for signal in self._at[address])
 
-    def _word(self, address: int) -> Word:
+    def _word(self, address: int) -> PageWord:
         signals = self._at[address]
         read = self._lane(address, [signal for signal in signals if signal.access is not Access.WRITE])
         written = self._lane(address, [signal for signal in signals if signal.access is not Access.READ])
         if not _overlap(read, written):
-            return Word(self.hex(address), (("", self._lane(address, signals)),))
-        return Word(self.hex(address), (("read", read), ("written", written)))
+            return PageWord(self.hex(address), (("", self._lane(address, signals)),))
+        return PageWord(self.hex(address), (("read", read), ("written", written)))
 
     def _lane(self, address: int, signals: list[Signal]) -> tuple[Field, ...]:
         fields: list[Field] = []

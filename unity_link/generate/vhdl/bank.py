@@ -112,7 +112,7 @@ class Register(NamedTuple):
         return self.given_bits
 
 
-class Word(NamedTuple):
+class BankWord(NamedTuple):
     """One address of the bank."""
 
     address: int
@@ -134,7 +134,7 @@ class Word(NamedTuple):
         return f", word {self.address - signal.address} of {signal.words}" if signal.words > 1 else ""
 
 
-class Window(NamedTuple):
+class AddressWindow(NamedTuple):
     """Addresses that are handed on."""
 
     name: str
@@ -190,9 +190,9 @@ class Bank:
         )
 
     @property
-    def ports(self) -> tuple[Window, ...]:
+    def ports(self) -> tuple[AddressWindow, ...]:
         """All Wishbone masters: those of the modules, and the one for the addresses that belong to nothing."""
-        return (*self.windows, Window(ELSEWHERE, 0, (1 << self.interface.address_bits) - 1, None))
+        return (*self.windows, AddressWindow(ELSEWHERE, 0, (1 << self.interface.address_bits) - 1, None))
 
     @property
     def choices(self) -> Iterator[tuple[str, str]]:
@@ -256,7 +256,7 @@ def _is_bool(register: Register) -> bool:
     return register.signal.kind.name is KindName.BOOL
 
 
-def _words(registers: Iterable[Register]) -> Iterator[Word]:
+def _words(registers: Iterable[Register]) -> Iterator[BankWord]:
     reads: dict[int, list[Register]] = {}
     writes: dict[int, list[Register]] = {}
     for register in registers:
@@ -266,7 +266,7 @@ def _words(registers: Iterable[Register]) -> Iterator[Word]:
             if register.signal.access.writes:
                 writes.setdefault(address, []).append(register)
     for address in sorted(reads.keys() | writes.keys()):
-        yield Word(address, tuple(reads.get(address, ())), tuple(writes.get(address, ())))
+        yield BankWord(address, tuple(reads.get(address, ())), tuple(writes.get(address, ())))
 
 
 def _is_base_only(module: Module) -> bool:
@@ -284,7 +284,7 @@ def _owner(interface: Interface, index: int | None) -> int | None:
     return found
 
 
-def _windows(interface: Interface) -> Iterator[Window]:
+def _windows(interface: Interface) -> Iterator[AddressWindow]:
     modules = [module for index, module in enumerate(interface.modules) if _owner(interface, index) == index]
     sizes = {id(module): 1 if module.type == "FIFO" and module.words is None else module.words for module in modules}
     bases = sorted(module.base for module in modules)
@@ -295,7 +295,7 @@ def _windows(interface: Interface) -> Iterator[Window]:
         name = scope.unique(module.path or module.type)
         words = sizes[id(module)]
         if words is not None:
-            yield Window(name, module.base, module.base + words - 1, module)
+            yield AddressWindow(name, module.base, module.base + words - 1, module)
             continue
         other = open_at.setdefault(module.base, module)
         if other is not module:
@@ -304,4 +304,4 @@ def _windows(interface: Interface) -> Iterator[Window]:
                 "give one of them its SIZE, so that its addresses are known"
             )
         end = next((base for base in bases if base > module.base), 1 << interface.address_bits)
-        yield Window(name, module.base, end - 1, module)
+        yield AddressWindow(name, module.base, end - 1, module)

@@ -10,7 +10,7 @@ import enum
 from typing import TYPE_CHECKING, NamedTuple
 
 from unity_link.generate.vhdl.names import Scope
-from unity_link.generate.vhdl.types import EnumerationType, vhdl_type
+from unity_link.generate.vhdl.types import VhdlEnumeration, vhdl_type
 from unity_link.spec import Access, Component, KindName
 
 if TYPE_CHECKING:
@@ -93,7 +93,7 @@ class Records:
         self,
         interface: Interface,
         signals: Mapping[str, Signal],
-        enumerations: Mapping[str, EnumerationType],
+        enumerations: Mapping[str, VhdlEnumeration],
         scope: Scope,
     ) -> None:
         self._signals = signals

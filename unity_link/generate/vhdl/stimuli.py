@@ -16,7 +16,7 @@ from unity_link.spec import Access, KindName, Signal
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator
 
-    from unity_link.generate.vhdl.bank import Bank, Register, Word
+    from unity_link.generate.vhdl.bank import Bank, BankWord, Register
 
 ROUNDS = 3
 _UNUSED_ADDRESSES = 8
@@ -72,7 +72,7 @@ class Stimuli:
 
     # What stands where
 
-    def _struck(self, word: Word) -> list[Register]:
+    def _struck(self, word: BankWord) -> list[Register]:
         """Return the registers that pulse when a word is written."""
         return [
             register
@@ -89,7 +89,7 @@ class Stimuli:
         registers = self._word_at[address].read
         return sum(part_of(register.signal, self._raw_of(register), address) for register in registers)
 
-    def _readable(self) -> list[Word]:
+    def _readable(self) -> list[BankWord]:
         return [word for word in self._bank.words if word.read and not any(one.signal.fifo for one in word.read)]
 
     # Statements
@@ -121,7 +121,7 @@ class Stimuli:
         self._given[register.signal.path] = raw
         return f"{register.pins.given} <= {self._literal(register, raw)};"
 
-    def _write(self, word: Word, value: int) -> Iterator[str]:
+    def _write(self, word: BankWord, value: int) -> Iterator[str]:
         """Write a word, and see what hardware gets of it."""
         struck = self._struck(word)
         first = self._first_strobe[word.address]

@@ -33,7 +33,7 @@ class Literal(NamedTuple):
     doc: str
 
 
-class EnumerationType(NamedTuple):
+class VhdlEnumeration(NamedTuple):
     """An enumeration as a VHDL type; its last literal stands for all numbers that have no name."""
 
     source: Enumeration
@@ -44,7 +44,7 @@ class EnumerationType(NamedTuple):
     """Name of the function that gives a literal for bits."""
 
 
-def enumeration_type(enumeration: Enumeration, scope: Scope) -> EnumerationType:
+def enumeration_type(enumeration: Enumeration, scope: Scope) -> VhdlEnumeration:
     """Name the type of an enumeration and its literals, which begin with its name."""
     name = scope.unique(enumeration.name, "_t")
     literals = [
@@ -54,7 +54,7 @@ def enumeration_type(enumeration: Enumeration, scope: Scope) -> EnumerationType:
     numbers = {value.value for value in enumeration.values}
     free = next(number for number in range(len(numbers) + 1) if number not in numbers)
     unnamed = Literal(scope.unique(f"{name}_unnamed"), bit_literal(free, ENUMERATION_BITS), "")
-    return EnumerationType(enumeration, f"{name}_t", tuple(literals), unnamed, scope.unique(f"to_{name}"))
+    return VhdlEnumeration(enumeration, f"{name}_t", tuple(literals), unnamed, scope.unique(f"to_{name}"))
 
 
 def bit_literal(number: int, width: int) -> str:
@@ -72,7 +72,7 @@ def real_literal(number: float) -> str:
     return whole + (f"e{int(exponent)}" if exponent else "")
 
 
-def vhdl_type(kind: Kind, enumerations: Mapping[str, EnumerationType]) -> str:
+def vhdl_type(kind: Kind, enumerations: Mapping[str, VhdlEnumeration]) -> str:
     """Return the type of a signal of a kind."""
     if kind.name is KindName.BOOL:
         return "std_logic"
@@ -90,7 +90,7 @@ def to_bits(kind: Kind, expression: str) -> str:
     return f"std_logic_vector({expression})"
 
 
-def from_bits(kind: Kind, expression: str, enumerations: Mapping[str, EnumerationType]) -> str:
+def from_bits(kind: Kind, expression: str, enumerations: Mapping[str, VhdlEnumeration]) -> str:
     """Write the value of bits, a `std_logic_vector`; of a bool, of a `std_logic`."""
     if kind.name is KindName.BOOL:
         return expression

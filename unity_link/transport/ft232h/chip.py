@@ -81,7 +81,7 @@ TUNINGS: dict[SendImmediate, Tuning] = {
 once, with SIWU# wired or not. Adaptive: SIWU# sends what is urgent, and the latency timer soon after it the rest."""
 
 
-class Settings(msgspec.Struct, frozen=True):
+class ChipSettings(msgspec.Struct, frozen=True):
     """What a URL says of the chip; None where it leaves that to the driver."""
 
     mode: ChipMode
@@ -98,7 +98,7 @@ class Settings(msgspec.Struct, frozen=True):
         )
 
 
-def settings_of(url: DriverUrl) -> Settings:
+def settings_of(url: DriverUrl) -> ChipSettings:
     """Return what a URL says.
 
     Raises:
@@ -118,7 +118,7 @@ def settings_of(url: DriverUrl) -> Settings:
         raise ArgumentError(f"baud={baud} in {url.text} has no meaning in mode={mode}, only in mode=uart")
     if not 184 <= baud <= 12_000_000:
         raise ArgumentError(f"baud={baud} in {url.text} is not from 184 to 12000000")
-    return Settings(cast("ChipMode", mode), latency, character, baud)
+    return ChipSettings(cast("ChipMode", mode), latency, character, baud)
 
 
 class OpenChip:
@@ -128,7 +128,7 @@ class OpenChip:
     status of the first packet only, and forget how much was written when a write times out.
     """
 
-    def __init__(self, ftdi: Any, settings: Settings, url: DriverUrl) -> None:
+    def __init__(self, ftdi: Any, settings: ChipSettings, url: DriverUrl) -> None:
         self.ftdi = ftdi
         self.device = ftdi.usb_dev
         self.settings = settings

@@ -60,7 +60,7 @@ class BitMode(enum.IntEnum):
     SYNC_FIFO = 0x40
 
 
-class Request(enum.IntEnum):
+class ControlRequest(enum.IntEnum):
     """Vendor requests."""
 
     RESET = 0x00
@@ -222,22 +222,27 @@ class Chip:
 
     def _vendor_out(self, request: int, value: int, index: int, now: float) -> None:
         match request:
-            case Request.RESET:
+            case ControlRequest.RESET:
                 self._reset_or_purge(value, now)
-            case Request.SET_LATENCY:
+            case ControlRequest.SET_LATENCY:
                 self.latency = min(max(value & 0xFF, 1), LONGEST_LATENCY)
-            case Request.EVENT_CHARACTER:
+            case ControlRequest.EVENT_CHARACTER:
                 self.event_character = value & 0xFF if value & 0x100 else None
-            case Request.BIT_MODE:
+            case ControlRequest.BIT_MODE:
                 self.bit_mode = value >> 8
-            case Request.BAUD_RATE:
+            case ControlRequest.BAUD_RATE:
                 self.baud = _baud(value, index)
-            case Request.WRITE_EEPROM:
+            case ControlRequest.WRITE_EEPROM:
                 place = 2 * index % eeprom_image.SIZE
                 self.eeprom[place : place + 2] = value.to_bytes(2, "little")
-            case Request.ERASE_EEPROM:
+            case ControlRequest.ERASE_EEPROM:
                 self.eeprom[:] = eeprom_image.BLANK
-            case Request.MODEM_CONTROL | Request.FLOW_CONTROL | Request.DATA | Request.ERROR_CHARACTER:
+            case (
+                ControlRequest.MODEM_CONTROL
+                | ControlRequest.FLOW_CONTROL
+                | ControlRequest.DATA
+                | ControlRequest.ERROR_CHARACTER
+            ):
                 pass
             case _:
                 raise StallError
@@ -264,13 +269,13 @@ class Chip:
 
     def _vendor_in(self, request: int, index: int) -> bytes:
         match request:
-            case Request.MODEM_STATUS:
+            case ControlRequest.MODEM_STATUS:
                 return self._status()
-            case Request.GET_LATENCY:
+            case ControlRequest.GET_LATENCY:
                 return bytes([self.latency])
-            case Request.PINS:
+            case ControlRequest.PINS:
                 return b"\x00"
-            case Request.READ_EEPROM:
+            case ControlRequest.READ_EEPROM:
                 place = 2 * index % eeprom_image.SIZE
                 return bytes(self.eeprom[place : place + 2])
             case _:

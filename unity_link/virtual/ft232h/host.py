@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 _DIRECTION_IN = 0x80
 
 
-class Status(enum.Enum):
+class TransferStatus(enum.Enum):
     """How a transfer ended."""
 
     DONE = "done"
@@ -56,7 +56,7 @@ class Transfer:
         """What came, or is to be sent."""
         self.sent = 0
         self.on_end = on_end
-        self.status: Status | None = None
+        self.status: TransferStatus | None = None
         """None while it is under way."""
         self.starts_at = self.ends_at = 0.0
 
@@ -95,7 +95,7 @@ class UsbHost:
             raise ConnectionError("the device is gone")
         transfer.starts_at = self.chip.timing.boundary_after(now)
         if transfer.endpoint in self.chip.halted:
-            self._end(transfer, Status.STALLED, transfer.starts_at)
+            self._end(transfer, TransferStatus.STALLED, transfer.starts_at)
             return
         (self._in if transfer.endpoint & _DIRECTION_IN else self._out).append(transfer)
 
@@ -105,7 +105,7 @@ class UsbHost:
         queue = self._in if transfer.endpoint & _DIRECTION_IN else self._out
         if transfer in queue:
             queue.remove(transfer)
-            self._end(transfer, Status.CANCELLED, now)
+            self._end(transfer, TransferStatus.CANCELLED, now)
             self._tell(now)
 
     def control_out(self, kind: int, request: int, value: int, index: int, now: float) -> float:
@@ -148,7 +148,7 @@ class UsbHost:
         self._on_bus = None
         for queue in (self._in, self._out):
             while queue:
-                self._end(queue.popleft(), Status.GONE, now)
+                self._end(queue.popleft(), TransferStatus.GONE, now)
         for transfer in self._ended:
             # Also those that had ended before, and were to be told with the microframe's end.
             transfer.ends_at = now
@@ -166,7 +166,7 @@ class UsbHost:
         self.chip.halted.add(endpoint)
         queue = self._in if endpoint & _DIRECTION_IN else self._out
         while queue:
-            self._end(queue.popleft(), Status.STALLED, self.chip.timing.boundary_after(now))
+            self._end(queue.popleft(), TransferStatus.STALLED, self.chip.timing.boundary_after(now))
 
     # Time
 
@@ -235,19 +235,19 @@ class UsbHost:
             left = transfer.size - len(transfer.data)
             transfer.data += packet[:left]
             if len(packet) > left:
-                self._finish(self._in, Status.OVERFLOW, now)
+                self._finish(self._in, TransferStatus.OVERFLOW, now)
             elif len(packet) < PACKET_SIZE or len(packet) == left:
-                self._finish(self._in, Status.DONE, now)
+                self._finish(self._in, TransferStatus.DONE, now)
         else:
             self.chip.take(packet)
             transfer.sent += len(packet)
             if transfer.status is None and transfer.sent >= len(transfer.data):
-                self._finish(self._out, Status.DONE, now)
+                self._finish(self._out, TransferStatus.DONE, now)
 
-    def _finish(self, queue: deque[Transfer], status: Status, now: float) -> None:
+    def _finish(self, queue: deque[Transfer], status: TransferStatus, now: float) -> None:
         self._end(queue.popleft(), status, self.chip.timing.boundary_after(now))
 
-    def _end(self, transfer: Transfer, status: Status, when: float) -> None:
+    def _end(self, transfer: Transfer, status: TransferStatus, when: float) -> None:
         transfer.status = status
         transfer.ends_at = when
         self._ended.append(transfer)

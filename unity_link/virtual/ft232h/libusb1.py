@@ -20,7 +20,7 @@ import threading
 from typing import TYPE_CHECKING, Any
 
 from unity_link.virtual.ft232h.bus import LoopClock
-from unity_link.virtual.ft232h.host import Status, Transfer
+from unity_link.virtual.ft232h.host import Transfer, TransferStatus
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -31,11 +31,11 @@ if TYPE_CHECKING:
 TRANSFER_COMPLETED, TRANSFER_ERROR, TRANSFER_TIMED_OUT, TRANSFER_CANCELLED = 0, 1, 2, 3
 TRANSFER_STALL, TRANSFER_NO_DEVICE, TRANSFER_OVERFLOW = 4, 5, 6
 _STATUSES = {
-    Status.DONE: TRANSFER_COMPLETED,
-    Status.STALLED: TRANSFER_STALL,
-    Status.OVERFLOW: TRANSFER_OVERFLOW,
-    Status.CANCELLED: TRANSFER_CANCELLED,
-    Status.GONE: TRANSFER_NO_DEVICE,
+    TransferStatus.DONE: TRANSFER_COMPLETED,
+    TransferStatus.STALLED: TRANSFER_STALL,
+    TransferStatus.OVERFLOW: TRANSFER_OVERFLOW,
+    TransferStatus.CANCELLED: TRANSFER_CANCELLED,
+    TransferStatus.GONE: TRANSFER_NO_DEVICE,
 }
 
 

@@ -16,7 +16,7 @@ from usb.backend import IBackend
 from unity_link.virtual.ft232h import descriptors
 from unity_link.virtual.ft232h.bus import BUS_NUMBER, VirtualBus, VirtualFt232h
 from unity_link.virtual.ft232h.chip import StallError
-from unity_link.virtual.ft232h.host import Status, Transfer
+from unity_link.virtual.ft232h.host import Transfer, TransferStatus
 
 if TYPE_CHECKING:
     from array import array
@@ -34,7 +34,7 @@ _ERRORS = {
 _DIRECTION_IN = 0x80
 
 
-class Handle:
+class OpenDevice:
     """An open device."""
 
     def __init__(self, device: VirtualFt232h) -> None:
@@ -102,51 +102,51 @@ class Backend(IBackend):  # type: ignore[misc]  # pyusb has no types
 
     # Life
 
-    def open_device(self, dev: VirtualFt232h) -> Handle:
+    def open_device(self, dev: VirtualFt232h) -> OpenDevice:
         """Open."""
         if dev.denied:
             raise _error(_LIBUSB_ERROR_ACCESS)
         if not dev.host.plugged:
             raise _error(_LIBUSB_ERROR_NO_DEVICE)
-        return Handle(dev)
+        return OpenDevice(dev)
 
-    def close_device(self, dev_handle: Handle) -> None:
+    def close_device(self, dev_handle: OpenDevice) -> None:
         """Close."""
         if dev_handle.device.claimed_by is dev_handle:
             dev_handle.device.claimed_by = None
 
-    def get_configuration(self, dev_handle: Handle) -> int:
+    def get_configuration(self, dev_handle: OpenDevice) -> int:
         """Return the configuration; a host sets the only one by itself when a device is plugged in."""
         return dev_handle.device.chip.configuration or 1
 
-    def set_configuration(self, dev_handle: Handle, config_value: int) -> None:
+    def set_configuration(self, dev_handle: OpenDevice, config_value: int) -> None:
         """Set the configuration."""
         if dev_handle.device.claimed_by not in (None, dev_handle):
             raise _error(_LIBUSB_ERROR_BUSY)
         self.ctrl_transfer(dev_handle, 0x00, 0x09, config_value, 0, None, 0)
 
-    def claim_interface(self, dev_handle: Handle, intf: int) -> None:  # noqa: ARG002
+    def claim_interface(self, dev_handle: OpenDevice, intf: int) -> None:  # noqa: ARG002
         """Take the interface for this handle."""
         if dev_handle.device.claimed_by not in (None, dev_handle):
             raise _error(_LIBUSB_ERROR_BUSY)
         dev_handle.device.claimed_by = dev_handle
 
-    def release_interface(self, dev_handle: Handle, intf: int) -> None:  # noqa: ARG002
+    def release_interface(self, dev_handle: OpenDevice, intf: int) -> None:  # noqa: ARG002
         """Let go of the interface."""
         if dev_handle.gone:
             raise _error(_LIBUSB_ERROR_NO_DEVICE)
         if dev_handle.device.claimed_by is dev_handle:
             dev_handle.device.claimed_by = None
 
-    def is_kernel_driver_active(self, dev_handle: Handle, intf: int) -> bool:  # noqa: ARG002
+    def is_kernel_driver_active(self, dev_handle: OpenDevice, intf: int) -> bool:  # noqa: ARG002
         """Say that no other driver has it."""
         return False
 
-    def reset_device(self, dev_handle: Handle) -> None:
+    def reset_device(self, dev_handle: OpenDevice) -> None:
         """Reset the device."""
         self.ctrl_transfer(dev_handle, 0x40, 0, 0, 0, None, 0)
 
-    def clear_halt(self, dev_handle: Handle, ep: int) -> None:
+    def clear_halt(self, dev_handle: OpenDevice, ep: int) -> None:
         """Have a halted endpoint work again."""
         self.ctrl_transfer(dev_handle, 0x02, 0x01, 0, ep, None, 0)
 
@@ -154,7 +154,7 @@ class Backend(IBackend):  # type: ignore[misc]  # pyusb has no types
 
     def ctrl_transfer(
         self,
-        dev_handle: Handle,
+        dev_handle: OpenDevice,
         bmRequestType: int,  # noqa: N803
         bRequest: int,  # noqa: N803
         wValue: int,  # noqa: N803
@@ -177,19 +177,19 @@ class Backend(IBackend):  # type: ignore[misc]  # pyusb has no types
             raise _error(_LIBUSB_ERROR_NO_DEVICE) from None
         return _fill(data, answer)
 
-    def bulk_read(self, dev_handle: Handle, ep: int, intf: int, buff: array[int], timeout: int) -> int:  # noqa: ARG002
+    def bulk_read(self, dev_handle: OpenDevice, ep: int, intf: int, buff: array[int], timeout: int) -> int:  # noqa: ARG002
         """Read into `buff`; gives how many bytes came. `timeout` is in ms, 0 for none."""
         transfer = Transfer(ep, size=len(buff))
         self._run(dev_handle, transfer, timeout)
         return _fill(buff, transfer.data)
 
-    def bulk_write(self, dev_handle: Handle, ep: int, intf: int, data: array[int], timeout: int) -> int:  # noqa: ARG002
+    def bulk_write(self, dev_handle: OpenDevice, ep: int, intf: int, data: array[int], timeout: int) -> int:  # noqa: ARG002
         """Write; gives how many bytes went. `timeout` is in ms, 0 for none."""
         transfer = Transfer(ep, data=data.tobytes())
         self._run(dev_handle, transfer, timeout)
         return transfer.sent
 
-    def _run(self, handle: Handle, transfer: Transfer, timeout: int) -> None:
+    def _run(self, handle: OpenDevice, transfer: Transfer, timeout: int) -> None:
         if handle.gone:
             raise _error(_LIBUSB_ERROR_NO_DEVICE)
         if handle.device.claimed_by is not handle:
@@ -199,13 +199,13 @@ class Backend(IBackend):  # type: ignore[misc]  # pyusb has no types
         except ConnectionError:
             raise _error(_LIBUSB_ERROR_NO_DEVICE) from None
         status = transfer.status
-        if status is Status.CANCELLED and not transfer.moved:
+        if status is TransferStatus.CANCELLED and not transfer.moved:
             raise usb.core.USBTimeoutError("Operation timed out", _LIBUSB_ERROR_TIMEOUT, errno.ETIMEDOUT)
-        if status is Status.STALLED:
+        if status is TransferStatus.STALLED:
             raise _error(_LIBUSB_ERROR_PIPE)
-        if status is Status.OVERFLOW:
+        if status is TransferStatus.OVERFLOW:
             raise _error(_LIBUSB_ERROR_OVERFLOW)
-        if status is Status.GONE:
+        if status is TransferStatus.GONE:
             raise _error(_LIBUSB_ERROR_NO_DEVICE)
 
 

@@ -19,7 +19,7 @@ from typing import TYPE_CHECKING
 from unity_link.virtual.ft232h import descriptors
 from unity_link.virtual.ft232h.bus import BUS_NUMBER, VirtualFt232h
 from unity_link.virtual.ft232h.chip import StallError
-from unity_link.virtual.ft232h.host import Status, Transfer
+from unity_link.virtual.ft232h.host import Transfer, TransferStatus
 from unity_link.virtual.ft232h.libusb1 import ThreadHost
 
 if TYPE_CHECKING:
@@ -51,11 +51,11 @@ _FAILED = 1
 MOST_BYTES = 1 << 20
 """In one transfer: more than a kernel submits, and less than would harm."""
 _ERRORS = {
-    Status.DONE: 0,
-    Status.STALLED: -errno.EPIPE,
-    Status.OVERFLOW: -errno.EOVERFLOW,
-    Status.CANCELLED: -errno.ECONNRESET,
-    Status.GONE: -errno.ESHUTDOWN,
+    TransferStatus.DONE: 0,
+    TransferStatus.STALLED: -errno.EPIPE,
+    TransferStatus.OVERFLOW: -errno.EOVERFLOW,
+    TransferStatus.CANCELLED: -errno.ECONNRESET,
+    TransferStatus.GONE: -errno.ESHUTDOWN,
 }
 
 
@@ -63,7 +63,7 @@ _ERRORS = {
 async def serve_usbip(device: VirtualFt232h, port: int = PORT, host: str = "127.0.0.1") -> AsyncIterator[str]:
     """Serve a chip; gives how a Linux attaches it."""
     device.address = device.address or 2
-    server = Server(device)
+    server = UsbipServer(device)
     listener = await asyncio.start_server(server.serve, host, port)
     try:
         address, number = listener.sockets[0].getsockname()[:2]
@@ -73,7 +73,7 @@ async def serve_usbip(device: VirtualFt232h, port: int = PORT, host: str = "127.
         await server.close()
 
 
-class Server:
+class UsbipServer:
     """All connections to one chip."""
 
     def __init__(self, device: VirtualFt232h) -> None:
@@ -87,7 +87,7 @@ class Server:
         self._tasks.add(task)
         try:
             if await self._negotiate(reader, writer):
-                await Import(self._device, reader, writer).run()
+                await UsbipImport(self._device, reader, writer).run()
         except (asyncio.IncompleteReadError, ConnectionError, asyncio.CancelledError, ProtocolError):
             pass
         finally:
@@ -152,7 +152,7 @@ class ProtocolError(Exception):
     """What came is not what the protocol has; the connection ends."""
 
 
-class Import:
+class UsbipImport:
     """One client that has the device."""
 
     def __init__(self, device: VirtualFt232h, reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
@@ -218,7 +218,7 @@ class Import:
         assert transfer.status is not None
         is_in = transfer.endpoint & _DIRECTION_IN
         self._reply(number, _ERRORS[transfer.status], transfer.moved, bytes(transfer.data) if is_in else b"")
-        if transfer.status is Status.GONE:
+        if transfer.status is TransferStatus.GONE:
             self._writer.close()
 
     def _unlink(self, number: int, unlinked: int) -> None:
