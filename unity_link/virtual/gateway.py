@@ -107,7 +107,7 @@ class VirtualGateway(BareGateway):
 
     Args:
         info: the configuration that it reports and keeps to.
-        node: its number on a shared medium (docs/protocol.md, "Addressed frames"), 0 to 254, or None for one of its own.
+        node: its number on a shared medium, 0 to 254 (docs/protocol.md, "Addressed frames"); None for one of its own.
 
     Raises:
         ArgumentError: for a node number that does not fit.
