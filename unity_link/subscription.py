@@ -196,7 +196,8 @@ class Groups:
     async def _set_up(self, group: int, subscription: Subscription) -> None:
         schedule = subscription.schedule
         addresses = np.array(schedule.addresses, np.uint64)
-        await self._submit("GS", group, int(schedule.flags), schedule.divisor, len(addresses), addresses, kind=OfSession)
+        settings = (int(schedule.flags), schedule.divisor, len(addresses), addresses)
+        await self._submit("GS", group, *settings, kind=OfSession)
         if self._held.get(group) is subscription:
             subscription.restart()
             self._exchange.publishes[b"%02X" % group] = subscription.receive

@@ -13,8 +13,6 @@ from typing import TYPE_CHECKING, Any
 from unity_link.virtual.modelled_time import DeadlockError
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
     from simulation.medium import Network
 
 
@@ -52,12 +50,6 @@ class SimulatedLoop(asyncio.BaseEventLoop):
 
     def _write_to_self(self) -> None:
         """Do nothing: no other thread wakes this loop."""
-
-    def run_in_executor(self, executor: Any, func: Callable[..., Any], *args: Any) -> asyncio.Future[Any]:
-        """Run at once what others give to a thread."""
-        future = self.create_future()
-        future.set_result(func(*args))
-        return future
 
     async def create_connection(self, protocol_factory: Any, host: Any = None, port: Any = None, **_: Any) -> Any:
         """Connect over the network."""

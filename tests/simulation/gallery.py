@@ -45,6 +45,14 @@ class Bug(NamedTuple):
 
 
 BUGS: list[Bug] = []
+UNSEEN = frozenset(
+    {
+        "a restored group takes another's addresses",
+        "a server gives a slot away that still publishes for another client",
+        "samples in bursts reach the subscriber of another group",
+    }
+)
+"""Bugs that 700 seeds did not show: the worlds have too few bursts, and too few groups that change hands, for them."""
 
 
 def bug(
@@ -67,12 +75,13 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
     async def set_up(self: Any, group: int, held: Any) -> None:
         schedule = held.schedule
         addresses = np.array(schedule.addresses, np.uint64)
-        await self._submit("GS", group, int(schedule.flags), schedule.divisor, len(addresses), addresses)
+        settings = (int(schedule.flags), schedule.divisor, len(addresses), addresses)
+        await self._submit("GS", group, *settings, kind=requests.OfSession)
         if self._held.get(group) is held:
             held.restart()
             self._exchange.publishes[b"%02X" % group] = held.receive
             self._exchange.publish_rows[b"P%02X" % group] = PublishRows(held.length, held.receive_rows)
-            await self._submit("GN", group)
+            await self._submit("GN", group, kind=requests.OfSession)
 
     monkeypatch.setattr(subscription.Groups, "_set_up", set_up)
 
