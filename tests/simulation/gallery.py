@@ -17,8 +17,8 @@ from unity_link.bridges.serve import client, shared
 from unity_link.bridges.serve import groups as served_groups
 from unity_link.bridges.serve import requests as served_requests
 from unity_link.errors import LinkLostError, Outcome
-from unity_link.link import exchange, link, requests, subscription
 from unity_link.link.exchange import FEWEST_PUBLISHES, PublishRows
+from unity_link.link.link import exchange, link, requests, subscription
 from unity_link.link.requests import Request
 from unity_link.protocol import reception, window
 from unity_link.protocol.messages import COMMANDS, Repetition
@@ -46,6 +46,14 @@ class Bug(NamedTuple):
 
 
 BUGS: list[Bug] = []
+UNSEEN = frozenset(
+    {
+        "a restored group takes another's addresses",
+        "a server gives a slot away that still publishes for another client",
+        "samples in bursts reach the subscriber of another group",
+    }
+)
+"""Bugs that 700 seeds did not show: the worlds have too few bursts, and too few groups that change hands, for them."""
 
 
 def bug(
@@ -68,12 +76,13 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
     async def set_up(self: Any, group: int, held: Any) -> None:
         schedule = held.schedule
         addresses = np.array(schedule.addresses, np.uint64)
-        await self._submit("GS", group, int(schedule.flags), schedule.divisor, len(addresses), addresses)
+        settings = (int(schedule.flags), schedule.divisor, len(addresses), addresses)
+        await self._submit("GS", group, *settings, kind=requests.OfSession)
         if self._held.get(group) is held:
             held.restart()
             self._exchange.publishes[b"%02X" % group] = held.receive
             self._exchange.publish_rows[b"P%02X" % group] = PublishRows(held.length, held.receive_rows)
-            await self._submit("GN", group)
+            await self._submit("GN", group, kind=requests.OfSession)
 
     monkeypatch.setattr(subscription.HeldGroups, "_set_up", set_up)
 

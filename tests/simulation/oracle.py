@@ -433,6 +433,8 @@ class Oracle:
 
     def _judge_posted(self, log: LinkLog) -> None:
         """Check that a fence tells of each posted write before it that was not executed."""
+        if log.shared and "posted writes behind a server" in self._without:
+            return
         posted = [ask for ask in log.asks if ask.kind in _POSTED and ask.error is None and ask.told is not None]
         recorder = log.recorder
         for fence in log.asks:

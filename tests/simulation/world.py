@@ -31,6 +31,7 @@ KNOWN = frozenset(
         "clients that leave while a server sets up groups",
         "exits of lost links",
         "fences that fail",
+        "posted writes behind a server",
         "reads behind an error",
         "resets behind open lines",
         "counts of groups that are set up again",
