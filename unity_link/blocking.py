@@ -25,7 +25,7 @@ from concurrent.futures import CancelledError, Future
 from typing import TYPE_CHECKING, Any, Self, TypeVar
 
 from unity_link.errors import ArgumentError, LinkClosedError, Outcome
-from unity_link.link.link import link as asynchronous
+from unity_link.link import link as asynchronous
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Coroutine

@@ -480,3 +480,52 @@ async def test_what_is_asked_of_a_group_in_a_short_absence_finds_it_set_up_again
         await until(lambda: client.heard.count(b"P00") > 10)
         answers = [frame for frame in client.take().splitlines() if not frame.startswith(b"P")]
         assert answers == [b"GX00", b"GN00"]
+
+
+@on_simulated_time
+async def test_an_answer_of_the_server_itself_waits_for_posted_writes_before_it() -> None:
+    valve = Valve(VirtualGateway())
+    async with sharing(valve) as shared:
+        client = call(shared)
+        valve.requests_pass = False
+        client.transport.write(b"ws000A00000001\rgs0103000001010B\rgx0203\rh05\r")
+        await asyncio.sleep(0.01)
+        # Each of these would say that the posted write was executed.
+        assert client.take() == b""
+        valve.requests_pass = True
+        await settle(shared)
+        assert client.take() == b"gs01\r\ngx02\r\nn03\r\n"
+        assert valve.memory[0x0A] == 1
+
+
+@on_simulated_time
+async def test_a_server_whose_gateway_is_away_refuses_posted_writes_in_their_order() -> None:
+    valve = Valve(VirtualGateway())
+    async with sharing(valve) as shared:
+        client = call(shared)
+        client.transport.write(b"H\r")
+        await settle(shared)
+        client.take()
+        valve.requests_pass = False
+        cut(shared)  # type: ignore[arg-type]
+        await asyncio.sleep(0.01)
+        client.transport.write(b"w000A00000001\rws010A00000002\rh02\rws030A00000003\rr040A\r")
+        await asyncio.sleep(PATIENCE + 1)
+        assert client.take() == b"x0005\r\nx0105\r\nx0205\r\nx0305\r\nx0405\r\n"
+
+
+@on_simulated_time
+async def test_a_posted_write_that_was_lost_is_told_before_what_was_asked_behind_it() -> None:
+    valve = Valve(VirtualGateway())
+    async with sharing(valve) as shared:
+        client = call(shared)
+        client.transport.write(b"H\r")
+        await settle(shared)
+        client.take()
+        valve.answers_pass = False
+        client.transport.write(b"r000A\rws010A00000002\rh02\r")
+        await asyncio.sleep(0.001)
+        cut(shared)  # type: ignore[arg-type]
+        valve.answers_pass = True
+        await until(lambda: client.heard.count(b"\n") == 3)
+        assert client.take() == b"r0000000002\r\nx0105\r\nh02\r\n"

@@ -17,8 +17,8 @@ from unity_link.bridges.serve import client, shared
 from unity_link.bridges.serve import groups as served_groups
 from unity_link.bridges.serve import requests as served_requests
 from unity_link.errors import LinkLostError, Outcome
+from unity_link.link import exchange, link, requests, subscription
 from unity_link.link.exchange import FEWEST_PUBLISHES, PublishRows
-from unity_link.link.link import exchange, link, requests, subscription
 from unity_link.link.requests import Request
 from unity_link.protocol import reception, window
 from unity_link.protocol.messages import COMMANDS, Repetition

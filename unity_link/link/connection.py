@@ -14,6 +14,7 @@ import msgspec
 
 from unity_link.errors import (
     ConnectError,
+    GatewayError,
     LinkClosedError,
     LinkLostError,
     Outcome,
@@ -193,11 +194,13 @@ class Connection:
         await self.open(timeout)
         try:
             await self._restore()
-        except UnansweredError as error:
-            # On a bad line this attempt has failed; the next one begins with a connection of its own.
+        except (UnansweredError, GatewayError) as error:
+            # On a bad line, or where a server has no group free, this attempt has failed; the next one begins with a
+            # connection of its own.
+            reason = error.reason if isinstance(error, UnansweredError) else str(error)
             if self._stream is not None:
-                self._lose(error.reason)
-            raise
+                self._lose(reason)
+            raise LinkLostError(reason) from error
         if self._stream is None:
             raise LinkLostError("the connection was lost again")
 

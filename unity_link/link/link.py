@@ -16,6 +16,7 @@ import numpy as np
 
 from unity_link.errors import (
     ArgumentError,
+    LinkClosedError,
     LinkLostError,
     UnansweredError,
     UnityLinkError,
@@ -124,11 +125,13 @@ class Link(Connection):
         A gateway that is away is not waited for: what is not known of posted writes is then one of their errors.
         """
         try:
-            if error is None and self._posted and not self._closed:
+            if error is None and self._posted:
                 if self.connected:
                     with contextlib.suppress(LinkLostError):
                         await self._fence(leaving=True)
-                self._raise_posted()
+                # A program that closes its link in the block knows that it gives up what is under way.
+                if not isinstance(self._posted_error, LinkClosedError):
+                    self._raise_posted()
         finally:
             await self.aclose()
 
@@ -233,10 +236,10 @@ class Link(Connection):
                 first.add_note(f"{count - 1} more posted writes failed as well")
             raise first
 
-    def _note_posted(self, error: UnityLinkError) -> None:
-        """Keep the first error of the writes posted since the last fence, and count the others."""
+    def _note_posted(self, error: UnityLinkError, count: int = 1) -> None:
+        """Keep the first error of the writes posted since the last fence, and count how many have failed."""
         self._posted_error = self._posted_error or error
-        self._posted_failures += 1
+        self._posted_failures += count
 
     # Blocks
 

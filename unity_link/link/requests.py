@@ -554,7 +554,7 @@ class PostedBatch:
         addresses: Words,
         values: Words,
         loop: asyncio.AbstractEventLoop,
-        report: Callable[[UnityLinkError], None],
+        report: Callable[[UnityLinkError, int], None],
     ) -> None:
         self.codec = codec
         self.report = report
@@ -600,7 +600,7 @@ class PostedRun(Message):
 
     __slots__ = ("_fields", "_frames", "_report")
 
-    def __init__(self, codec: Codec, fields: NDArray[np.uint8], report: Callable[[UnityLinkError], None]) -> None:
+    def __init__(self, codec: Codec, fields: NDArray[np.uint8], report: Callable[[UnityLinkError, int], None]) -> None:
         super().__init__(codec, "WS", fields.shape[1], None, len(fields))
         self._fields = fields
         self._report = report
@@ -618,7 +618,11 @@ class PostedRun(Message):
 
     def fail(self, error: UnityLinkError) -> None:
         """Keep the error for the next fence."""
-        self._report(error)
+        self._report(error, 1)
+
+    def fail_part(self, offset: int, count: int, error: UnityLinkError) -> None:  # noqa: ARG002
+        """Keep the error of so many requests for the next fence."""
+        self._report(error, count)
 
     def fields_at(self, offset: int) -> bytes:
         """Return the fields of one request."""

@@ -131,6 +131,8 @@ class HeldGroups:
         self._held: dict[int, Subscription] = {}
         self._stopping: set[Request] = set()
         self._free: deque[int] | None = None
+        self._awaited: dict[int, asyncio.Future[None]] = {}
+        """Groups that the next session sets up, with what waits for that."""
         self.epoch = -1
         """Number of the session."""
         self.samples = 0
@@ -149,6 +151,9 @@ class HeldGroups:
         """Set up all subscriptions again in a new session."""
         for group, subscription in list(self._held.items()):
             await self._set_up(group, subscription)
+            awaited = self._awaited.pop(group, None) if self._held.get(group) is subscription else None
+            if awaited is not None and not awaited.done():
+                awaited.set_result(None)
 
     def interrupted(self, error: LinkLostError) -> None:
         """Record that the session has ended, and with it every request to stop a group."""
@@ -160,6 +165,9 @@ class HeldGroups:
         """End all subscriptions."""
         for subscription in list(self._held.values()):
             subscription.fail(error)
+        for awaited in self._awaited.values():
+            if not awaited.done():
+                awaited.set_exception(error)
 
     async def hold(self, subscription: Subscription) -> int:
         """Take a free group and start it for a subscription; while the connection is being opened again, wait for it.
@@ -211,6 +219,11 @@ class HeldGroups:
 
     async def _set_up_in_any_session(self, group: int, subscription: Subscription) -> None:
         while True:
+            if self._exchange.suspended and not self._exchange.ended:
+                # A new session sets up every group that is held, and this one must not be set up twice.
+                self._awaited[group] = asyncio.get_running_loop().create_future()
+                await self._awaited[group]
+                return
             try:
                 await self._set_up(group, subscription)
             except LinkLostError:
@@ -247,6 +260,7 @@ class HeldGroups:
         self._exchange.publishes.pop(b"%02X" % group, None)
         self._exchange.publish_rows.pop(b"P%02X" % group, None)
         self._held.pop(group, None)
+        self._awaited.pop(group, None)
 
 
 class Subscription:

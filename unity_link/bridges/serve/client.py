@@ -45,6 +45,12 @@ class Client(asyncio.Protocol):
         self._transport: asyncio.Transport | None = None
         self._rest = b""
         self._pending: deque[Relayed | RelayedRows | Said] = deque()
+        self._asked = 0
+        """How many times the client has asked for something."""
+        self._last_posted = 0
+        """Place of the last posted write among all that the client has asked for."""
+        self._last_answered = 0
+        """Place of the last request that was answered: all before it was executed, posted writes too."""
         self._under_way = 0
         self._out: list[bytes] = []
         self._flushing = False
@@ -135,10 +141,18 @@ class Client(asyncio.Protocol):
         """Bytes of requests and answers that may still be under way."""
         return MOST_UNDER_WAY - self._under_way
 
+    @property
+    def posts_unconfirmed(self) -> bool:
+        """Whether there are posted writes of which it is not known yet that they were executed."""
+        return self._last_posted > self._last_answered
+
     def hand_on(self, relayed: Relayed, awaited: bytearray) -> None:
         """Put a request into the line; where it has an ID, note it in `awaited` until it is answered."""
         self._under_way += relayed.cost
-        if not relayed.posted:
+        self._asked = relayed.order = self._asked + 1
+        if relayed.posted:
+            self._last_posted = relayed.order
+        else:
             if relayed.number is not None:
                 awaited[relayed.number] = 1
                 relayed.awaited = awaited
@@ -153,6 +167,7 @@ class Client(asyncio.Protocol):
     def hand_on_rows(self, rows: RelayedRows, awaited: bytearray) -> None:
         """Put many requests into the line."""
         self._under_way += rows.cost * rows.count
+        self._asked = rows.order = self._asked + 1
         _mark(rows.number, rows.count, awaited, 1)
         rows.awaited = awaited
         self._pending.append(rows)
@@ -163,7 +178,8 @@ class Client(asyncio.Protocol):
     def say(self, frame: bytes) -> None:
         """Answer without the gateway, behind what is under way."""
         if self._pending:
-            self._pending.append(Said(frame))
+            self._asked += 1
+            self._pending.append(Said(frame, self._asked))
             self._under_way += len(frame)
         else:
             self.write(frame)
@@ -178,7 +194,8 @@ class Client(asyncio.Protocol):
     def refuse_all(self) -> None:
         """Tell the client that the gateway is away; nothing that it waits for will be executed any more."""
         dropped = self._shared.turns.leave(self.queue)
-        for entry in (*self._pending, *dropped):
+        # Posted writes are in the queue alone, and have their errors told before what was asked behind them.
+        for entry in sorted((*self._pending, *dropped), key=lambda entry: entry.order):
             if isinstance(entry, RelayedRows) or (isinstance(entry, Relayed) and entry.reply is None):
                 entry.refuse()
 
@@ -195,14 +212,24 @@ class Client(asyncio.Protocol):
             request.reply = framing.plain_reply(body) if request.plain else framing.checked(body)
         self._over(request)
         if request.posted:
-            # A call that waits for one behind it learns of its error first.
-            self.write(request.reply)
+            self._answer_posted(request.reply, request.order)
             return
+        self._last_answered = max(self._last_answered, request.order)
         if self._pending and self._pending[0] is request:
             self._answer_on()
 
+    def _answer_posted(self, frame: bytes, order: int) -> None:
+        """Send the error of a posted write behind the answers to what was asked before it, and before all others."""
+        place = sum(entry.order < order for entry in self._pending)
+        if not place:
+            self.write(frame)
+        elif frame:
+            self._pending.insert(place, Said(frame, order))
+            self._under_way += len(frame)
+
     def answer_rows(self, rows: RelayedRows) -> None:
         """Record answers to many requests."""
+        self._last_answered = max(self._last_answered, rows.order)
         if self._pending and self._pending[0] is rows:
             self._answer_on()
 

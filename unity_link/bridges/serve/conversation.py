@@ -112,7 +112,7 @@ class Conversation:
                 # Also where it does not run: behind the answer to this, none of its samples may come.
                 self._relay_silently("GX", group.slot)
         self._choose_mode(ADAPTIVE)
-        self._say(self._codec.response(request), plain=plain)
+        self._say(self._codec.response(request), request.id, plain=plain)
 
     def _in_sequence(self, request: DecodedRequest, number: int, *, plain: bool) -> None:
         """Hand on the next request, and no other (docs/protocol.md, "Exactly once, in order")."""
@@ -133,9 +133,9 @@ class Conversation:
         if repetition is Repetition.READ_AGAIN:
             self._execute(request, plain=plain)
         elif repetition is Repetition.REFUSE:
-            self._say(codec.error(ErrorCode.ALREADY_EXECUTED, number), plain=plain)
+            self._say(codec.error(ErrorCode.ALREADY_EXECUTED, number), number, plain=plain)
         elif repetition is Repetition.ACKNOWLEDGE:
-            self._say(codec.response(request), plain=plain)
+            self._say(codec.response(request), number, plain=plain)
 
     # Requests
 
@@ -255,7 +255,7 @@ class Conversation:
         group = self.groups.setdefault(number, ClientGroup(number, self._client, settings))
         group.settings = settings
         if group.slot is None:
-            self._say(self._codec.response(request), plain=plain)
+            self._say(self._codec.response(request), request.id, plain=plain)
         else:
             after = self._shared.naming(group.slot, "GS", settings)
             self._relay(request, group.slot.text + settings.fields, 0, plain=plain, after=after)
@@ -268,10 +268,10 @@ class Conversation:
         slot = group.slot
         if self._shared.away and command != "GX":
             # Nothing is to begin by itself when the gateway is back.
-            self._say(self._codec.error(ErrorCode.BUS_TIMEOUT, request.id), plain=plain)
+            self._say(self._codec.error(ErrorCode.BUS_TIMEOUT, request.id), request.id, plain=plain)
             return
         if slot is None and command == "GX":
-            self._say(self._codec.response(request), plain=plain)
+            self._say(self._codec.response(request), request.id, plain=plain)
             return
         if slot is None and (slot := self._shared.slots.take(group)) is not None:
             self._relay_silently("GS", slot, group.settings)
@@ -288,7 +288,7 @@ class Conversation:
             self._refuse(request, plain=plain)
             return
         self._choose_mode(mode)
-        self._say(self._codec.response(request), plain=plain)
+        self._say(self._codec.response(request), request.id, plain=plain)
 
     def _choose_mode(self, mode: int) -> None:
         self.mode = mode
@@ -297,9 +297,17 @@ class Conversation:
     # Answers
 
     def _refuse(self, request: DecodedRequest, *, plain: bool) -> None:
-        self._say(self._codec.error(ErrorCode.OUT_OF_RANGE, request.id), plain=plain)
+        self._say(self._codec.error(ErrorCode.OUT_OF_RANGE, request.id), request.id, plain=plain)
 
-    def _say(self, body: bytes, *, plain: bool) -> None:
-        """Answer without the gateway, behind what is under way."""
+    def _say(self, body: bytes, number: int | None = None, *, plain: bool) -> None:
+        """Answer a request without the gateway, behind what is under way.
+
+        An answer with an ID says that all before it was executed. So where that is not known of posted writes, it waits
+        for an ``h`` that the gateway answers behind them.
+        """
         framing = self._codec.framing
-        self._client.say(framing.plain_reply(body) if plain else framing.checked(body))
+        if self._client.posts_unconfirmed and body[:1].islower():
+            fence = Relayed(self._codec, "H", b"", 0, self._client, body, number, plain=plain)
+            self._client.hand_on(fence, self._awaited)
+        else:
+            self._client.say(framing.plain_reply(body) if plain else framing.checked(body))

@@ -72,6 +72,7 @@ class Relayed(Message):
         "fields",
         "head",
         "number",
+        "order",
         "plain",
         "reply",
         "sent",
@@ -99,6 +100,8 @@ class Relayed(Message):
         """Whether the client did not ask for this, and is not answered."""
         self.cost = self.size + self.reply_size
         """Bytes that it takes of the gateway's line."""
+        self.order = 0
+        """Its place among all that the client has asked for."""
         self.sent = False
         """Whether it is on its way to the gateway, and an answer is to come."""
         self.reply: bytes | None = None
@@ -200,6 +203,8 @@ class RelayedRows:
         self.cost = self.size + codec.head_sizes[command] + digits
         """Bytes that each takes of the gateway's line."""
         self.given_up = False
+        self.order = 0
+        """Its place among all that the client has asked for."""
         self.awaited: bytearray
         self.answered = 0
         """How many have been answered to the client."""
@@ -379,7 +384,8 @@ def _code_of(error: UnityLinkError, command: str) -> ErrorCode | None:
 class Said:
     """An answer that needs nothing of the gateway, in line behind those that do."""
 
-    __slots__ = ("reply",)
+    __slots__ = ("order", "reply")
 
-    def __init__(self, reply: bytes) -> None:
+    def __init__(self, reply: bytes, order: int) -> None:
         self.reply = reply
+        self.order = order
