@@ -14,6 +14,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 import pytest
+import typer
 
 from unity_link import cli
 
@@ -154,13 +155,15 @@ def test_a_reader_of_the_output_may_go_before_its_end(command: str) -> None:
 def test_what_the_system_refuses_is_told_as_that(
     error: OSError, words: str, monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]
 ) -> None:
-    def refuse(**_: object) -> None:
+    program = typer.Typer()
+
+    @program.command()
+    def refuse() -> None:
         raise error
 
-    monkeypatch.setattr(cli, "app", refuse)
     monkeypatch.setattr(sys, "argv", ["unity-link"])
     with pytest.raises(SystemExit) as ended:
-        cli.main()
+        cli.main(program)
     assert ended.value.code == 1
     print("stdout is still there", flush=True)  # noqa: T201
     told = capfd.readouterr()

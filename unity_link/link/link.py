@@ -218,6 +218,10 @@ class Link(Connection):
         self._posted = False
         try:
             await self._fence(leaving=False)
+        except UnansweredError:
+            # The link is lost for good, and this error says of the posted writes what can be said.
+            self._posted_error, self._posted_failures = None, 0
+            raise
         except BaseException:
             self._posted = True
             raise

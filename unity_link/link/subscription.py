@@ -17,6 +17,7 @@ import numpy as np
 
 from unity_link.errors import (
     ArgumentError,
+    BusTimeoutError,
     LinkLostError,
     OutOfRangeError,
     SamplesLostError,
@@ -199,8 +200,8 @@ class HeldGroups:
         assert self._free is not None
         self._forget(group)
         try:
-            # A gateway that is gone has stopped it, one that was reset knows it no more.
-            with contextlib.suppress(LinkLostError, OutOfRangeError):
+            # A gateway that is gone has stopped it, also one behind a server, and one that was reset knows it no more.
+            with contextlib.suppress(LinkLostError, BusTimeoutError, OutOfRangeError):
                 if not self._exchange.suspended:
                     await self._stop(group)
         finally:

@@ -42,8 +42,9 @@ out sends the same once more: what waits in the FIFO must have left it.
 Something was *heard* if it can be about a request; samples are not. A request that is given up, or that is not wanted
 any more, keeps its ID, for those behind it build on it; when it is sent again, it is sent as ``h``.
 
-The time out is RFC 6298's, with the clock of the caller. One request at a time is timed, and none that was sent twice.
-The doubling is undone by the answer to a request that was sent once, and by any progress after a sign of loss.
+The time out is RFC 6298's, but never less than twice the round trip, with the clock of the caller. One request at a
+time is timed, and none that was sent twice. The doubling is undone by the answer to a request that was sent once, and
+by any progress after a sign of loss.
 """
 
 from __future__ import annotations
@@ -461,5 +462,5 @@ class Window(Generic[R]):
             self._variation += (abs(self.smoothed_round_trip - round_trip) - self._variation) / 4
             self.smoothed_round_trip += (round_trip - self.smoothed_round_trip) / 8
         self._least_round_trip = min(self._least_round_trip, round_trip)
-        wanted = self.smoothed_round_trip + 4 * self._variation
+        wanted = self.smoothed_round_trip + max(4 * self._variation, self.smoothed_round_trip)
         self._measured_timeout = self._timeout = min(max(wanted, self._shortest_timeout), LONGEST_TIMEOUT)
