@@ -269,6 +269,9 @@ class Exchange:
                 break
             if end != start:
                 self._receive_line(data[start:end], now)
+            else:
+                # A server's sign that what was repeated is still under way.
+                window.heard = True
             start = end + 1
             if start == len(data):
                 break
