@@ -55,7 +55,7 @@ entity unity_link is
     timestamps     : boolean := true;
     triggers       : boolean := true;
     send_immediate : boolean := true;
-    -- Number of this node on a medium that several share (docs/protocol.md, "Addressed frames"), 0 to 254, or -1: not shared.
+    -- Number of this node on a medium that several share (protocol section 7), 0 to 254, or -1: not shared.
     node : integer := -1;
     -- What `Q` reports as the build identifier.
     build_id : std_logic_vector(31 downto 0) := x"00000000"
@@ -89,7 +89,7 @@ entity unity_link is
     out_valid : out   std_logic;
     out_ready : in    std_logic                    := '0';
     out_flush : out   std_logic;
-    -- A rising edge makes the group of that number due (docs/protocol.md, "Groups", flag 1).
+    -- A rising edge makes the group of that number due (protocol section 2, group flag 1).
     trigger : in    std_logic_vector(maximum(groups, 1) - 1 downto 0) := (others => '0');
     -- Wishbone B4 master; wb_sel is all ones, wb_stall counts with wb_pipelined only.
     wb_cyc   : out   std_logic;

@@ -57,7 +57,7 @@ entity unity_link_core is
     timestamps     : boolean := true;
     triggers       : boolean := true;
     send_immediate : boolean := true;
-    -- Number of this node on a medium that several share (docs/protocol.md, "Addressed frames"), 0 to 254, or -1: not shared.
+    -- Number of this node on a medium that several share (protocol section 7), 0 to 254, or -1: not shared.
     node : integer := -1;
     -- What `Q` reports as the build identifier.
     build_id : std_logic_vector(31 downto 0) := x"00000000"
@@ -76,7 +76,7 @@ entity unity_link_core is
     tx_valid : out   std_logic;
     tx_ready : in    std_logic;
     flush    : out   std_logic;
-    -- A rising edge makes the group of that number due (docs/protocol.md, "Groups", flag 1).
+    -- A rising edge makes the group of that number due (protocol section 2, group flag 1).
     trigger : in    std_logic_vector(maximum(groups, 1) - 1 downto 0) := (others => '0');
     -- Bus-independent interface.
     bus_request    : out   std_logic;
@@ -133,7 +133,7 @@ architecture rtl of unity_link_core is
 
   end function digits;
 
-  -- What `Q` answers (docs/protocol.md, "Configuration").
+  -- What `Q` answers (protocol section 5).
   function q_answer return std_logic_vector is
   begin
 

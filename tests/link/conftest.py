@@ -57,6 +57,12 @@ def make_bare(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -
     return MAKERS.get(request.param, simulated)
 
 
+@pytest.fixture(params=["sim", RTL])
+def make_direct(request: pytest.FixtureRequest) -> Maker:
+    """Make gateways whose line is the link's own, for simulated time: elsewhere a server meets what happens to it."""
+    return MAKERS[request.param]
+
+
 @pytest.fixture(params=["sim", "serve", "zenoh", RTL, *SCHEMES])
 def make_gateway(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> Iterator[Maker]:
     """Make gateways of each kind in turn, and have links to them go the way of the kind."""

@@ -34,8 +34,9 @@ def now() -> float:
 
 
 async def until(condition: Callable[[], bool]) -> None:
-    while not condition():  # noqa: ASYNC110  (turn by turn of the loop)
-        await asyncio.sleep(0)
+    """Wait until something is true, in steps so short that little else happens, but in which simulated time passes."""
+    while not condition():  # noqa: ASYNC110
+        await asyncio.sleep(1e-5)
 
 
 # Fences
@@ -218,9 +219,9 @@ async def test_a_group_that_changes_hands_while_subscriptions_are_set_up_again_i
 @pytest.mark.parametrize("reset", [True, False])
 @on_simulated_time
 async def test_time_goes_on_over_a_reconnection_and_samples_tell_their_session(
-    make_bare: Maker, *, reset: bool
+    make_direct: Maker, *, reset: bool
 ) -> None:
-    gateway = make_bare(**SLOW, clock_hz=400_000_000)
+    gateway = make_direct(**SLOW, clock_hz=400_000_000)
     samples: list[Sample] = []
     async with (
         unity_link.connect(gateway, reconnect=True) as link,
@@ -241,9 +242,9 @@ async def test_time_goes_on_over_a_reconnection_and_samples_tell_their_session(
 
 
 @on_simulated_time
-async def test_a_line_so_bad_that_subscriptions_are_not_set_up_again_is_tried_again(make_bare: Maker) -> None:
+async def test_a_line_so_bad_that_subscriptions_are_not_set_up_again_is_tried_again(make_direct: Maker) -> None:
     """The setting up is damaged each time until the link gives it up; then the line is good again."""
-    gateway = Spoiled(make_bare(**SLOW))
+    gateway = Spoiled(make_direct(**SLOW))
     async with (
         unity_link.connect(gateway, reconnect=Reconnect(longest_pause=1)) as link,
         link.subscribe([1], rate_hz=100) as samples,
@@ -274,8 +275,8 @@ class Spoiled(Valve):
 
 
 @on_simulated_time
-async def test_a_link_on_which_only_samples_get_through_is_lost_in_seconds(make_bare: Maker) -> None:
-    gateway = Valve(make_bare(**SLOW))
+async def test_a_link_on_which_only_samples_get_through_is_lost_in_seconds(make_direct: Maker) -> None:
+    gateway = Valve(make_direct(**SLOW))
     async with unity_link.connect(gateway) as link, link.subscribe([1], rate_hz=100) as samples:
         await asyncio.sleep(1)
         gateway.requests_pass = False
@@ -314,9 +315,9 @@ async def test_a_transport_that_takes_nothing_for_good_ends_the_link(make_bare: 
 
 @on_simulated_time
 async def test_a_round_trip_longer_than_the_patience_of_the_handshake_is_not_measured_too_short(
-    make_bare: Maker,
+    make_direct: Maker,
 ) -> None:
-    gateway = Late(make_bare(**SLOW), 0.35)
+    gateway = Late(make_direct(**SLOW), 0.35)
     async with unity_link.connect(gateway, timeout=60) as link:
         assert link.statistics.round_trip is not None
         assert link.statistics.round_trip == pytest.approx(0.35)

@@ -1,4 +1,4 @@
--- Application layer, second half: executes a request once it is whole, and has it answered (docs/protocol.md, "Requests and responses", "Exactly once, in order").
+-- Application layer, second half: executes a request once it is whole, and has it answered (protocol sections 2 and 3).
 --
 -- One request at a time, from `request_valid` to the moment at which the frame writer begins the answer. The order of
 -- the checks is that of the protocol: frame, command, form (the decoder's verdict), sequence, range, bus.

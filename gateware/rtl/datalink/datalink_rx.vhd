@@ -1,4 +1,4 @@
--- Datalink layer, inwards: takes frames apart and checks them (docs/protocol.md, "Frames", "Addressed frames").
+-- Datalink layer, inwards: takes frames apart and checks them (protocol sections 1 and 7).
 --
 -- What stands before the check of a frame goes out character by character; what was found out about the frame follows
 -- as an event of its own, `out_last`, which carries no character. Whoever acts waits for that.
