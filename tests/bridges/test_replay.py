@@ -89,7 +89,8 @@ def recordings(draw: st.DrawFn) -> Batches:
     """Draw batches of three groups: each is in order, and its batches stand anywhere among those of the others."""
     batches = []
     for group, addresses in enumerate(ADDRESSES):
-        steps = draw(st.lists(st.integers(0, 400), min_size=group == 0, max_size=30))
+        # A group has one sample at an instant.
+        steps = draw(st.lists(st.integers(1, 400), min_size=group == 0, max_size=30))
         words = st.tuples(*(st.integers(1, 0xFFFF_FFFF) for _ in addresses))
         rows = [(EPOCH + at / 128, draw(words)) for at in itertools.accumulate(steps)]
         while rows:

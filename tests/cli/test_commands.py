@@ -149,7 +149,7 @@ def test_a_reader_of_the_output_may_go_before_its_end(command: str) -> None:
     ("error", "words"),
     [
         (OSError(errno.EMFILE, "Too many open files"), "error: Too many open files"),
-        (PermissionError(errno.EACCES, "Permission denied", "/root/x"), "error: /root/x: Permission denied"),
+        (PermissionError(errno.EACCES, "Permission denied", "/some/file"), "error: /some/file: Permission denied"),
     ],
 )
 def test_what_the_system_refuses_is_told_as_that(

@@ -11,7 +11,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import unity_link
-from makers import SLOW, Maker
+from makers import SLOW, Maker, simulated
 from scripted import Scripted
 from simulated_time import on_simulated_time, run_simulated
 from unity_link.protocol.crc import Crc
@@ -138,8 +138,8 @@ async def test_samples_of_two_groups_in_bursts_reach_the_subscription_that_asked
 
 
 @on_simulated_time
-async def test_answers_of_the_length_of_samples_reach_their_calls(make_bare: Maker) -> None:
-    gateway = make_bare(**SLOW, id_digits=3)
+async def test_answers_of_the_length_of_samples_reach_their_calls() -> None:
+    gateway = simulated(**SLOW, id_digits=3)
     gateway.memory[1] = 0x5A
     for address in range(40):
         gateway.memory[0x40 + address] = address
@@ -153,9 +153,9 @@ async def test_answers_of_the_length_of_samples_reach_their_calls(make_bare: Mak
 
 
 @on_simulated_time
-async def test_answers_behind_samples_in_one_read_reach_their_calls(make_bare: Maker) -> None:
+async def test_answers_behind_samples_in_one_read_reach_their_calls() -> None:
     """Twenty samples and forty answers of their length arrive together."""
-    gateway = Scripted(make_bare(**SLOW, id_digits=3))
+    gateway = Scripted(simulated(**SLOW, id_digits=3))
     speaker = Speaker(None)
     for address in range(40):
         gateway.memory[0x40 + address] = address
