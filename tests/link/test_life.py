@@ -548,6 +548,7 @@ async def test_posted_writes_under_way_raise_in_the_fence_that_waits(make_bare: 
         cut(link)
         with pytest.raises(LinkLostError):
             await fence
+        await link.aclose()
 
 
 @on_simulated_time

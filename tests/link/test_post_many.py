@@ -100,6 +100,7 @@ async def test_a_link_that_is_lost_on_the_way_leaves_open_what_was_executed(make
         cut(link)
         with pytest.raises(LinkLostError) as caught:
             await posting
+        await link.aclose()
     assert caught.value.outcome is Outcome.UNKNOWN
 
 

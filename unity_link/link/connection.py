@@ -63,7 +63,7 @@ class Connection:
         self._reconnection: asyncio.Task[None] | None = None
         self._sessions = 0
         self._bytes_before = (0, 0)
-        self._closed = False
+        self._closed = self._closed_by_program = False
 
     # What builds on this says
 
@@ -214,6 +214,7 @@ class Connection:
 
     async def aclose(self) -> None:
         """End the link: what still waits raises `LinkClosedError`. May be called twice."""
+        self._closed_by_program = True
         stream, task = self._stream, self._reconnection
         self._end(LinkClosedError("the link was closed", Outcome.UNKNOWN))
         if task is not None:

@@ -114,10 +114,9 @@ class Exchange:
         """End for good: every call that waits raises."""
         self._stop()
         self._closed = error
-        # First the calls that wait for more to be sent: what they raise covers the posted writes that they have sent.
+        self._end_sent(error, keep=False)
         while self._waiting:
             self._waiting.popleft().fail(error.about(Outcome.NOT_EXECUTED))
-        self._end_sent(error, keep=False)
 
     def _stop(self) -> None:
         if self._stream is not None:

@@ -16,7 +16,6 @@ import numpy as np
 
 from unity_link.errors import (
     ArgumentError,
-    LinkClosedError,
     LinkLostError,
     UnansweredError,
     UnityLinkError,
@@ -130,7 +129,7 @@ class Link(Connection):
                     with contextlib.suppress(LinkLostError):
                         await self._fence(leaving=True)
                 # A program that closes its link in the block knows that it gives up what is under way.
-                if not isinstance(self._posted_error, LinkClosedError):
+                if not self._closed_by_program:
                     self._raise_posted()
         finally:
             await self.aclose()
@@ -218,10 +217,6 @@ class Link(Connection):
         self._posted = False
         try:
             await self._fence(leaving=False)
-        except UnansweredError:
-            # The link is lost for good, and this error says of the posted writes what can be said.
-            self._posted_error, self._posted_failures = None, 0
-            raise
         except BaseException:
             self._posted = True
             raise

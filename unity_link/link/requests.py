@@ -576,12 +576,7 @@ class PostedBatch:
         # Only now, while those before them are on the line.
         where = hex_rows(self._addresses[start:end], info.address_digits)
         what = hex_rows(self._values[start:end], info.data_digits)
-        return PostedRun(self.codec, np.concatenate((where, what), axis=1), self._report_sent)
-
-    def _report_sent(self, error: UnityLinkError, count: int) -> None:
-        """Report what was sent and failed, unless the call itself has raised for it."""
-        if not (self.future.done() and not self.future.cancelled() and self.future.exception() is not None):
-            self.report(error, count)
+        return PostedRun(self.codec, np.concatenate((where, what), axis=1), self.report)
 
     def exhausted(self) -> bool:
         """Return whether all has been taken."""
