@@ -153,7 +153,7 @@ class Group:
 
         Raises:
             ArgumentError: for a value that its signal does not take, or one of another group. Nothing was sent.
-            GatewayError: the first error; the other writes may have been executed.
+            GatewayError: the first error; the other writes are done all the same.
         """
         await write_values(self._by_proxy(values))
 

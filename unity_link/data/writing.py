@@ -28,7 +28,7 @@ async def write_values(values: Mapping[Proxy[Any], Any], *, posted: bool = False
 
     Raises:
         ArgumentError: for a value that its signal does not take. Nothing was sent.
-        GatewayError: the first error; the other writes may have been executed.
+        GatewayError: the first error; the other writes are done all the same.
     """
     encoded = [(proxy, _encode(proxy, value)) for proxy, value in values.items()]
     by_bus: dict[int, tuple[Bus, list[tuple[Proxy[Any], tuple[int, ...]]]]] = {}

@@ -61,7 +61,7 @@ class Pump:
         self._arm()
 
     def block(self) -> None:
-        """Record that the medium takes nothing more. Give nothing to `feed` until it does."""
+        """Record that the medium takes nothing more; `feed` must not be called until it does."""
         self.blocked = True
         self._disarm()
 

@@ -106,7 +106,7 @@ class Client(asyncio.Protocol):
         for entry in self._pending:
             if isinstance(entry, Relayed):
                 entry.sent = False
-                # What names a group is waited for: nobody else may take the group before it is over.
+                # A request that names a group is waited for: the group must not change hands before it is over.
                 entry.given_up = entry.after is None
             elif isinstance(entry, RelayedRows):
                 entry.given_up = True
