@@ -57,6 +57,14 @@ def make_bare(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -
     return MAKERS.get(request.param, simulated)
 
 
+@pytest.fixture(params=["sim", "serve"])
+def make_modelled(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> Maker:
+    """Make models, for simulated time and configurations that the gateware was not compiled with."""
+    if request.param == "serve":
+        monkeypatch.setattr(WAY, connect_through_server)
+    return simulated
+
+
 @pytest.fixture(params=["sim", RTL])
 def make_direct(request: pytest.FixtureRequest) -> Maker:
     """Make gateways whose line is the link's own, for simulated time: elsewhere a server meets what happens to it."""

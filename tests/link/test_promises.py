@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 import unity_link
-from makers import BUS_ERROR, BUS_TIMEOUT, SLOW, Maker, with_failing
+from makers import BUS_ERROR, BUS_TIMEOUT, SLOW, Maker, simulated, with_failing
 from recorded_bus import RecordedBus
 from scripted import Scripted
 from simulated_time import on_simulated_time
@@ -200,9 +200,9 @@ async def test_leaving_the_block_of_a_subscription_does_not_wait_for_a_gateway_t
 
 @on_simulated_time
 async def test_a_group_that_changes_hands_while_subscriptions_are_set_up_again_is_its_last_holders(
-    make_bare: Maker,
+    make_modelled: Maker,
 ) -> None:
-    gateway = Valve(bare := make_bare(**TWO_GROUPS))
+    gateway = Valve(bare := make_modelled(**TWO_GROUPS))
     for address in (0x0A, 0x0B, 0x0C):
         bare.memory[address] = address
     async with unity_link.connect(gateway, reconnect=True) as link, link.subscribe([0x0A], rate_hz=100) as staying:
@@ -218,10 +218,8 @@ async def test_a_group_that_changes_hands_while_subscriptions_are_set_up_again_i
 
 @pytest.mark.parametrize("reset", [True, False])
 @on_simulated_time
-async def test_time_goes_on_over_a_reconnection_and_samples_tell_their_session(
-    make_direct: Maker, *, reset: bool
-) -> None:
-    gateway = make_direct(**SLOW, clock_hz=400_000_000)
+async def test_time_goes_on_over_a_reconnection_and_samples_tell_their_session(*, reset: bool) -> None:
+    gateway = simulated(**SLOW, clock_hz=400_000_000)
     samples: list[Sample] = []
     async with (
         unity_link.connect(gateway, reconnect=True) as link,
@@ -402,8 +400,8 @@ def test_a_timeout_is_a_number_of_seconds(timeout: Any) -> None:
 
 
 @on_simulated_time
-async def test_a_subscription_is_entered_once(make_bare: Maker) -> None:
-    async with unity_link.connect(make_bare(**TWO_GROUPS)) as link:
+async def test_a_subscription_is_entered_once(make_modelled: Maker) -> None:
+    async with unity_link.connect(make_modelled(**TWO_GROUPS)) as link:
         samples = link.subscribe([1], rate_hz=100)
         async with samples:
             with pytest.raises(ArgumentError, match="has been entered before"):

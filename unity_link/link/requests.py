@@ -79,7 +79,7 @@ class Source(Protocol):
         """Whether the next request is a posted write."""
 
     def least(self) -> int:
-        """Return for how many requests room is wanted before the next turn."""
+        """Return for how many requests room is wanted before the next turn; 0 for no turn before an answer has come."""
 
     def take(self, room: int) -> Message:
         """Return the next run, of at most `room` requests."""

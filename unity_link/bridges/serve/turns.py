@@ -28,7 +28,6 @@ LEAST_AHEAD = 4096
 """Bytes that may be under way on any line, however slow."""
 _SPAN = 0.005
 """Seconds over which the line is watched."""
-_NEVER = 1 << 30
 
 
 class Queue:
@@ -148,10 +147,10 @@ class Turns:
         return self._first().requests[0].posted
 
     def least(self) -> int:
-        """Return for how many requests room is wanted; more than there ever is, while enough is under way."""
+        """Return for how many requests room is wanted; 0 while enough is under way, so that nothing is to be sent."""
         queue = self._first()
         others = len(self._line) > 1 or self._under_way > queue.under_way
-        return _NEVER if others and self._under_way >= self._pace.most_ahead else queue.requests[0].least()
+        return 0 if others and self._under_way >= self._pace.most_ahead else queue.requests[0].least()
 
     def take(self, room: int) -> Message:
         """Return what the next client may send in one go."""
