@@ -12,7 +12,7 @@ import msgspec
 
 from unity_link.errors import UnsupportedError
 
-PROTOCOL_VERSION = 1
+PROTOCOL_VERSION = 2
 _HEX_DIGITS = b"0123456789ABCDEFabcdef"
 
 
@@ -27,6 +27,10 @@ class Feature(enum.IntFlag):
     MASKED_WRITE = 32
     QUEUE_COMMANDS = 64
     ADDRESSED = 128
+    FINGERPRINT = 256
+    """The build identifier is the fingerprint of the map of a spec."""
+    HALF_DUPLEX = 512
+    """Only one side may send at a time."""
 
 
 class GatewayInfo(msgspec.Struct, frozen=True, kw_only=True):
@@ -37,10 +41,10 @@ class GatewayInfo(msgspec.Struct, frozen=True, kw_only=True):
     """Width of a word, 8 to 64 bits."""
     address_bits: int = 8
     """Width of an address, 8 to 32 bits. Addresses count words."""
-    id_digits: int = 2
+    id_digits: int = 3
     """Hex digits of a message ID, 2 or 3."""
-    crc_bits: int = 8
-    crc_polynomial: int = 0x07
+    crc_bits: int = 16
+    crc_polynomial: int = 0x1021
     block_words: int = 255
     """Most words in one block or queue request."""
     groups: int = 256
@@ -108,8 +112,9 @@ class GatewayInfo(msgspec.Struct, frozen=True, kw_only=True):
             position += digits
             if name == "protocol_version" and values[name] != PROTOCOL_VERSION:
                 raise UnsupportedError(
-                    f"the gateway speaks version {values[name]} of the protocol and this program version "
-                    f"{PROTOCOL_VERSION}: install a unity-link that matches the gateware"
+                    f"the gateway speaks version {values[name]:02X} of the protocol and this program version "
+                    f"{PROTOCOL_VERSION:02X}: build the gateway anew with this version of unity-link, or install one "
+                    f"that speaks {values[name]:02X}"
                 )
         info = cls(**{**values, "features": Feature(values["features"])})  # type: ignore[arg-type]
         info.check()

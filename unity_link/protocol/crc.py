@@ -34,13 +34,14 @@ class Crc:
 
     Args:
         bits: 8, 16 or 32.
-        polynomial: without its highest term, 0 to 2**bits - 1; CRC-8/CCITT is ``Crc(8, 0x07)``.
+        polynomial: without its highest term, 0 to 2**bits - 1; the default is CRC-16/XMODEM, and CRC-8/CCITT is
+            ``Crc(8, 0x07)``.
 
     Raises:
         ValueError: for another width, or a polynomial that does not fit in it.
     """
 
-    def __init__(self, bits: int = 8, polynomial: int = 0x07) -> None:
+    def __init__(self, bits: int = 16, polynomial: int = 0x1021) -> None:
         if bits not in _DTYPES:
             raise ValueError(f"a CRC has 8, 16 or 32 bits, not {bits}")
         if not 0 < polynomial < 1 << bits:

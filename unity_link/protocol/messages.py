@@ -85,6 +85,7 @@ class ErrorCode(enum.IntEnum):
     TOO_LONG = 7
     ALREADY_EXECUTED = 8
     RECEIVE_OVERFLOW = 9
+    NO_SESSION = 10
 
 
 class GroupFlag(enum.IntFlag):

@@ -79,6 +79,9 @@ def group_fits(info: GatewayInfo, number: int, flags: int, divisor: int, address
 class SequencePlace(enum.Enum):
     """Where a request with an ID stands in the order (docs/protocol.md, "Exactly once, in order")."""
 
+    NO_SESSION = enum.auto()
+    """No session has begun since reset: nothing with an ID is executed."""
+
     NEXT = enum.auto()
     """It is the one expected, and now counted."""
     FIRST_AHEAD = enum.auto()
@@ -89,7 +92,7 @@ class SequencePlace(enum.Enum):
 
 
 class Sequence:
-    """The one number that a gateway keeps: the next ID expected.
+    """The one number that a gateway keeps: the next ID expected, -1 before the first session since reset.
 
     Args:
         ring: number of IDs.
@@ -100,13 +103,18 @@ class Sequence:
     def __init__(self, ring: int) -> None:
         self.mask = ring - 1
         self._half = ring // 2
-        self.start(0)
+        self.reset()
+
+    def reset(self) -> None:
+        """Go back to the state after reset: no session has begun."""
+        self.expected = -1
+        self.gap_told = False
+        """Whether the host knows of the gap before the requests that come now."""
 
     def start(self, expected: int) -> None:
         """Begin a session."""
         self.expected = expected
         self.gap_told = False
-        """Whether the host knows of the gap before the requests that come now."""
 
     def advance(self, count: int = 1) -> None:
         """Count requests that were the expected ones."""
@@ -114,7 +122,9 @@ class Sequence:
         self.gap_told = False
 
     def place(self, number: int) -> SequencePlace:
-        """Say where a request stands, and count it if it is the next."""
+        """Return where a request stands, and count it if it is the next."""
+        if self.expected < 0:
+            return SequencePlace.NO_SESSION
         distance = number - self.expected & self.mask
         if distance == 0:
             self.advance()

@@ -136,7 +136,7 @@ class VirtualGateway(BareGateway):
 
     def reset(self) -> None:
         """Go back to the state after power-up. What is behind the bus stays as it is."""
-        self._sequence.start(0)
+        self._sequence.reset()
         self._tail = b""
         self._bytes_lost = False
         self.groups.reset()
@@ -144,12 +144,12 @@ class VirtualGateway(BareGateway):
 
     @property
     def expected(self) -> int:
-        """The next ID expected."""
+        """The next ID expected, -1 before the first session since reset."""
         return self._sequence.expected
 
     @expected.setter
     def expected(self, number: int) -> None:
-        self._sequence.expected = number
+        self._sequence.start(number)
 
     # What is behind the bus
 
@@ -307,10 +307,16 @@ class VirtualGateway(BareGateway):
         place = self._sequence.place(number)
         if place is SequencePlace.NEXT:
             return self._execute(request, now)
+        if place is SequencePlace.NO_SESSION:
+            return self._codec.error(ErrorCode.NO_SESSION, number)
         if place is SequencePlace.FIRST_AHEAD:
             return self._codec.out_of_sequence(self._sequence.expected)
         if place is SequencePlace.AHEAD:
             return b""
+        return self._repeat(request, number, now)
+
+    def _repeat(self, request: DecodedRequest, number: int, now: float) -> bytes:
+        """Answer a request that was executed before."""
         repetition = COMMANDS[request.command].repetition
         if repetition is Repetition.READ_AGAIN:
             return self._execute(request, now)

@@ -119,6 +119,8 @@ class Conversation:
         codec, place = self._codec, self._sequence.place(number)
         if place is SequencePlace.NEXT:
             self._execute(request, plain=plain)
+        elif place is SequencePlace.NO_SESSION:
+            self._say(codec.error(ErrorCode.NO_SESSION, number), plain=plain)
         elif place is SequencePlace.FIRST_AHEAD:
             self._say(codec.out_of_sequence(self._sequence.expected), plain=plain)
         elif place is SequencePlace.REPETITION and self._awaited[number]:
@@ -199,6 +201,8 @@ class Conversation:
         else:
             return start
         codec, expected = self._codec, self._sequence.expected
+        if expected < 0:
+            return start
         last = start + (FEWEST_ROWS - 1) * size
         number = codec.id_text[expected + FEWEST_ROWS - 1 & self._sequence.mask]
         if data[last : last + 1 + self._id_digits] != letter + number or self._shared.away:
