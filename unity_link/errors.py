@@ -75,6 +75,13 @@ class LinkLostError(UnansweredError):
     """The link ended before the call was answered."""
 
 
+class GatewayResetError(LinkLostError):
+    """The gateway was reset before it answered the call: it has forgotten its groups.
+
+    The link goes on by itself: it sets its subscriptions up again.
+    """
+
+
 class LinkClosedError(LinkLostError):
     """The link was closed by this program."""
 

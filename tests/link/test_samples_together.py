@@ -38,7 +38,7 @@ lines = st.lists(
 
 def frames_of(link: Link, samples: Subscription, arriving: list[Arriving], *, stamped: bool) -> list[bytes]:
     """Return the frames of samples, whose values are their numbers, damaged where that is wanted."""
-    codec, group = link._exchange._codec, samples._group
+    codec, group = link._codec, samples._group
     assert group is not None
     number, frames = -1, []
     for step, damage in arriving:
@@ -64,7 +64,7 @@ async def received(arriving: list[Arriving], *, stamped: bool, together: bool, b
     ):
         frames = frames_of(link, samples, arriving, stamped=stamped)
         for piece in [b"".join(frames)] if together else frames:
-            assert link._exchange.receive(piece) == len(piece)
+            assert link.receive(piece) == len(piece)
         seen = [
             (sample.sequence, sample.time, sample.values.tolist(), sample.values.dtype, sample.lost)
             for sample in (await samples.take() if samples._buffer else [])

@@ -1,14 +1,15 @@
 """Layer 2, the life of a link: it is opened, lost, opened again and closed.
 
-`Connection` is what a link and the bridges that hand on requests of others have in common: a driver's stream, the
-handshake on it, and the exchange that moves requests over it. What is asked for, and what must be set up again in a new
-session, is the matter of those who build on it.
+`Connection` is what a link and the bridges that hand on requests of others have in common: it joins a session, which
+does no I/O, with a driver's stream, the clock of the event loop, and the futures of the calls that wait. It decides
+when a connection is opened again. What else the events of the session are for is the matter of those who build on it.
 """
 
 from __future__ import annotations
 
 import asyncio
-from typing import TYPE_CHECKING
+import random
+from typing import TYPE_CHECKING, Any
 
 import msgspec
 
@@ -19,18 +20,26 @@ from unity_link.errors import (
     LinkLostError,
     Outcome,
     UnansweredError,
-    UnsupportedError,
+    UnityLinkError,
 )
-from unity_link.link.exchange import Exchange
-from unity_link.link.handshake import LAST_ANSWER, Handshake
-from unity_link.protocol.configuration import Feature, GatewayInfo
-from unity_link.protocol.window import Window
+from unity_link.protocol.group_table import GroupsRestored
+from unity_link.protocol.requests import Batch, Fence, PostedFailure, Request
+from unity_link.protocol.session import Interrupted, Opened, Session, Unusable
 from unity_link.transport import DriverUrl, load_driver
 from unity_link.transport.stream import Stream
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from unity_link.protocol.configuration import GatewayInfo
     from unity_link.protocol.messages import Codec
+    from unity_link.protocol.requests import Events, Source
     from unity_link.transport import Medium
+
+_SEED_BITS = 16
+"""Enough to choose any ID by."""
+_LATE = 0.05
+"""Seconds by which a timer may be behind the deadline before it is set anew: progress may have brought that forward."""
 
 
 class Reconnect(msgspec.Struct, frozen=True, kw_only=True):
@@ -40,6 +49,11 @@ class Reconnect(msgspec.Struct, frozen=True, kw_only=True):
     longest_pause: float = 5.0
     give_up_after: float | None = None
     """Seconds after which the link is lost for good; None: never."""
+
+
+def choose_seed() -> int:
+    """Return a number by which the first ID of a session is chosen."""
+    return random.getrandbits(_SEED_BITS)  # no secret: it tells this session's answers from those of the last
 
 
 class Connection:
@@ -58,23 +72,43 @@ class Connection:
         self._target = target
         self._reconnect = reconnect
         self._loop = asyncio.get_running_loop()
-        self._exchange = Exchange(self._lose)
+        self._now = self._loop.time
+        node = target.node if isinstance(target, DriverUrl) else None
+        self._session = Session(node, choose_seed, resumes=reconnect is not None)
         self._stream: Stream | None = None
+        self._timer: asyncio.TimerHandle | None = None
+        self._timer_at = 0.0
+        self._opened: asyncio.Future[None] = self._loop.create_future()
+        """Done when the connection that is being opened is of use, or is known not to be."""
+        self._restored: asyncio.Future[None] = self._loop.create_future()
+        """Done when all groups are set up again in a new session."""
         self._reconnection: asyncio.Task[None] | None = None
+        self._resumption: asyncio.Task[None] | None = None
         self._sessions = 0
         self._bytes_before = (0, 0)
         self._closed = self._closed_by_program = False
+        self._handlers: dict[type, Callable[[Any], None]] = {
+            Request: _settle,
+            Fence: _settle,
+            Batch: _settle,
+            PostedFailure: self._ignore,
+            Opened: self._session_opened,
+            Interrupted: self._gateway_was_reset,
+            Unusable: self._connection_failed,
+            GroupsRestored: self._groups_restored,
+        }
 
     # What builds on this says
 
     def _begin(self, codec: Codec) -> None:
-        """Record a gateway that has said what it is, before its session starts."""
+        """Record that a session has begun with a gateway."""
 
     async def _restore(self) -> None:
-        """Set up again what a new session of the same link needs."""
+        """Set up again what a new session of the same link needs, or wait until it is."""
+        await self._restored
 
     def _interrupted(self, reason: str) -> None:
-        """Record that the connection was lost and is being opened again."""
+        """Record that the session was lost, and that another is being opened."""
 
     def _unreachable(self, error: BaseException | None) -> None:
         """Record that an attempt to open the connection failed, and that there will be another."""
@@ -82,12 +116,153 @@ class Connection:
     def _ended(self, error: LinkLostError) -> None:
         """Record that the link has ended for good."""
 
-    # Life
+    # The session
 
     @property
     def connected(self) -> bool:
-        """Whether there is a session now; not while the connection is being opened again, nor after the end."""
-        return not self._exchange.suspended
+        """Whether there is a session now; not while it is being opened again, nor after the end."""
+        return self._session.is_open
+
+    def _submit(self, source: Source) -> None:
+        """Have the session send what a source has.
+
+        Raises:
+            LinkLostError: where the link has ended.
+        """
+        session = self._session
+        events = session.submit(source, self._now())
+        if events:
+            self._handle(events)
+        self._send()
+        if self._timer is None or source.posted:
+            self._set_timer()
+
+    async def _answer(self, request: Request | Batch) -> Any:
+        """Have a request done, and return its answer; one that is cancelled is given up."""
+        request.owner = waiter = self._loop.create_future()
+        self._submit(request)
+        try:
+            return await waiter
+        except asyncio.CancelledError:
+            request.cancel()
+            raise
+
+    def _go_on(self, events: Events) -> None:
+        """Do what follows from a call of the session."""
+        if events:
+            self._handle(events)
+        self._send()
+        self._set_timer()
+
+    def _handle(self, events: Events) -> None:
+        handlers = self._handlers
+        for event in events:
+            handlers[type(event)](event)
+
+    def _ignore(self, event: object) -> None:
+        """Do nothing."""
+
+    def _send(self) -> None:
+        """Send what the session has to: a lone request at once, all else together with what follows in this turn."""
+        data = self._session.take_output()
+        if data and self._stream is not None:
+            if self._session.in_flight == 1:
+                self._stream.send(data)
+            else:
+                self._stream.send_soon(data)
+
+    def _set_timer(self) -> None:
+        """Have `_tick` called by the session's deadline; a timer that comes too early sets itself again."""
+        deadline = self._session.deadline
+        if self._timer is not None:
+            if deadline is None or self._timer_at <= deadline:
+                return
+            self._timer.cancel()
+        if deadline is None:
+            self._timer = None
+        else:
+            # Kept here, for a timer of uvloop that is due at once cannot tell it.
+            self._timer_at = deadline
+            self._timer = self._loop.call_at(deadline, self._tick)
+
+    def _tick(self) -> None:
+        self._timer = None
+        self._go_on(self._session.expire(self._now()))
+
+    # Called by the stream
+
+    def receive(self, data: bytes) -> int:
+        """Take what has arrived."""
+        now = self._now()
+        events = self._session.receive(data, now)
+        if events:
+            self._handle(events)
+        self._send()
+        if self._timer is None or self._timer_at - now > _LATE:
+            self._set_timer()
+        return len(data)
+
+    def disconnected(self, reason: Exception | None) -> None:
+        """Record that the stream has ended."""
+        if not self._opened.done():
+            self._opened.set_exception(self._session.connection_error(reason))
+        elif self._stream is not None:
+            self._lose(f"the connection was lost ({reason})" if reason else "the other side closed the connection")
+
+    def _pause(self) -> None:
+        if self._stream is not None and self._stream.paused:
+            self._session.blocked = True
+        else:
+            self._go_on(self._session.resume_writing(self._now()))
+
+    # Events
+
+    def _session_opened(self, event: Opened) -> None:
+        self.gateway = event.info
+        self._codec = self._session.codec
+        self._sessions += 1
+        self._restored = self._loop.create_future()
+        self._begin(self._codec)
+        if self._opened.done():
+            self._resumption = self._loop.create_task(self._resume())
+        else:
+            self._opened.set_result(None)
+
+    def _groups_restored(self, event: GroupsRestored) -> None:
+        if event.error is not None:
+            self._fail_restoring(event.error)
+        elif not self._restored.done():
+            self._restored.set_result(None)
+
+    def _gateway_was_reset(self, event: Interrupted) -> None:
+        self._session_ended(event.error)
+
+    def _session_ended(self, error: LinkLostError) -> None:
+        self._fail_restoring(error)
+        self._interrupted(error.reason)
+
+    def _fail_restoring(self, error: UnityLinkError) -> None:
+        if not self._restored.done():
+            self._restored.set_exception(error)
+            # No call may be waiting at this moment.
+            self._restored.exception()
+
+    def _connection_failed(self, event: Unusable) -> None:
+        if not self._opened.done():
+            self._opened.set_exception(event.error)
+        else:
+            error = event.error
+            self._lose(error.reason if isinstance(error, UnansweredError) else str(error))
+
+    async def _resume(self) -> None:
+        """Set up in a new session on the same connection what a gateway has forgotten that was reset."""
+        try:
+            await self._restore()
+        except (UnansweredError, GatewayError) as error:
+            if self._session.is_open:
+                self._lose(error.reason if isinstance(error, UnansweredError) else str(error))
+
+    # Life
 
     async def open(self, timeout: float) -> None:  # noqa: ASYNC109  (it is an argument of `connect`)
         """Connect and start a session.
@@ -98,19 +273,16 @@ class Connection:
         """
         name = self._target.text if isinstance(self._target, DriverUrl) else "the given gateway"
         stream = Stream()
-        handshake = None
         try:
             async with asyncio.timeout(timeout):
                 await self._connect_stream(stream)
-                handshake = Handshake(stream, self._target.node if isinstance(self._target, DriverUrl) else None)
-                codec, round_trip = await handshake.run()
-                self._start(stream, codec, round_trip)
+                await self._open_session(stream)
         except BaseException as error:
-            stream.receiver = None
+            heard = self._session.describe_silence()
+            self._leave(stream)
             # A port is not free for the next attempt before it has been closed.
             await stream.close()
             if isinstance(error, TimeoutError):
-                heard = "the connection was not accepted" if handshake is None else handshake.describe()
                 raise ConnectError(f"no gateway answered at {name} within {timeout:g} s; {heard}") from None
             if isinstance(error, ConnectError):
                 raise ConnectError(f"{name}: {error}") from error
@@ -122,32 +294,35 @@ class Connection:
         else:
             await self._target.open(stream)
 
-    def _start(self, stream: Stream, codec: Codec, round_trip: float) -> None:
-        """Begin a session on a stream whose gateway has said what it is."""
-        info = codec.info
+    async def _open_session(self, stream: Stream) -> None:
         if stream.closed:
-            raise ConnectError("the connection ended when the gateway had just answered")
-        if self._sessions and info != self.gateway:
-            raise UnsupportedError(f"another gateway answers after the reconnection: {info} instead of {self.gateway}")
-        self._sessions += 1
-        self._codec = codec
+            raise self._session.connection_error(None)
+        self._opened = self._loop.create_future()
         self._stream = stream
-        self.gateway = info
-        credit = None if Feature.FLOW_CONTROL in info.features else info.receive_fifo_bytes
-        self._begin(codec)
-        byte_time = round_trip / LAST_ANSWER
-        self._exchange.start(stream, codec, Window(codec.ring, credit, byte_time, round_trip, stream.shortest_timeout))
+        stream.receiver, stream.on_pause = self, self._pause
+        self._session.connect(self._now(), stream.shortest_timeout)
+        self._go_on([])
+        await self._opened
+
+    def _leave(self, stream: Stream) -> None:
+        """Record that nothing comes of a stream."""
+        stream.receiver = stream.on_pause = None
+        if self._opened.done() and not self._opened.cancelled():
+            self._opened.exception()
+        if self._stream is stream:
+            self._drop_stream()
+            self._go_on(self._session.disconnect("the connection could not be opened"))
 
     def _lose(self, reason: str) -> None:
-        """End the session; and the link, if it is not to reconnect."""
+        """End the session and its connection; and the link, if it is not to reconnect."""
         self._drop_stream()
         if self._closed:
             return
         if self._reconnect is None:
             self._end(LinkLostError(reason))
             return
-        self._exchange.suspend(reason)
-        self._interrupted(reason)
+        self._go_on(self._session.disconnect(reason))
+        self._session_ended(LinkLostError(reason))
         if self._reconnection is None:
             self._reconnection = self._loop.create_task(self._reopen(reason, self._reconnect))
 
@@ -157,12 +332,12 @@ class Connection:
             self._reconnection = self._loop.create_task(self._reopen("", self._reconnect))
 
     def _drop_stream(self) -> None:
-        if self._stream is not None:
+        stream, self._stream = self._stream, None
+        if stream is not None:
             sent, received = self._bytes_before
-            self._bytes_before = (sent + self._stream.bytes_sent, received + self._stream.bytes_received)
-            self._stream.receiver = None
-            self._stream.abort()
-            self._stream = None
+            self._bytes_before = (sent + stream.bytes_sent, received + stream.bytes_received)
+            stream.receiver = stream.on_pause = None
+            stream.abort()
 
     async def _reopen(self, reason: str, reconnect: Reconnect) -> None:
         from tenacity import AsyncRetrying, RetryError, retry_if_exception_type
@@ -209,7 +384,8 @@ class Connection:
             return
         self._closed = True
         self._drop_stream()
-        self._exchange.end(error)
+        self._go_on(self._session.close(error))
+        self._fail_restoring(error)
         self._ended(error)
 
     async def aclose(self) -> None:
@@ -222,3 +398,14 @@ class Connection:
             await asyncio.wait([task])
         if stream is not None:
             await stream.close()
+
+
+def _settle(request: Request | Batch) -> None:
+    """Give the answer or the error of a request to the call that waits for it."""
+    waiter = request.owner
+    if waiter is None or waiter.done():
+        return
+    if request.error is None:
+        waiter.set_result(request.answer)
+    else:
+        waiter.set_exception(request.error)

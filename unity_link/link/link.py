@@ -7,6 +7,7 @@
 from __future__ import annotations
 
 import contextlib
+from asyncio import CancelledError
 from collections.abc import Sequence
 from operator import index
 from typing import TYPE_CHECKING, Any, Literal, Self, cast
@@ -22,21 +23,10 @@ from unity_link.errors import (
     UnsupportedError,
 )
 from unity_link.link.connection import Connection, Reconnect
-from unity_link.link.requests import (
-    Batch,
-    BatchSource,
-    BlockSource,
-    Fence,
-    Posted,
-    PostedBatch,
-    Request,
-    WordRequest,
-    WordsRequest,
-    common_outcome,
-)
-from unity_link.link.subscription import HeldGroups, Overflow, Sample, Schedule, Subscription, check_addresses
+from unity_link.link.subscription import Overflow, Publishing, Sample, Schedule, Subscription, check_addresses
 from unity_link.protocol.configuration import Feature
-from unity_link.protocol.messages import Codec, GroupFlag, Words, hex_rows
+from unity_link.protocol.messages import Codec, GroupFlag, Words
+from unity_link.protocol.requests import Batch, Block, Fence, PostedFailure, Request, common_outcome
 from unity_link.transport import DriverUrl, parse_url, prepare
 
 if TYPE_CHECKING:
@@ -92,26 +82,21 @@ class Link(Connection):
 
     def __init__(self, target: DriverUrl | Medium, reconnect: Reconnect | None) -> None:
         super().__init__(target, reconnect)
-        self._groups = HeldGroups(self._exchange)
+        self._publishing = Publishing(self._session, self._go_on, self._answer)
         self._posted = False
         self._posted_error: UnityLinkError | None = None
         self._posted_failures = 0
+        self._handlers |= {PostedFailure: self._note_posted, **self._publishing.handlers}
 
     # Life
 
     def _begin(self, codec: Codec) -> None:
         self._highest_address = (1 << codec.info.address_bits) - 1
         self._highest_word = (1 << codec.info.data_bits) - 1
-        self._groups.start(codec)
-
-    async def _restore(self) -> None:
-        await self._groups.restore()
-
-    def _interrupted(self, reason: str) -> None:
-        self._groups.interrupted(LinkLostError(reason))
+        self._publishing.start(codec)
 
     def _ended(self, error: LinkLostError) -> None:
-        self._groups.end(error)
+        self._publishing.end(error)
 
     async def __aenter__(self) -> Self:
         return self
@@ -137,12 +122,12 @@ class Link(Connection):
     @property
     def statistics(self) -> Statistics:
         """What the link has seen since it was opened."""
-        counters = self._exchange.counters
+        counters = self._session.counters
         sent, received = self._bytes_before
         return Statistics(
             requests=counters.requests,
             responses=counters.responses,
-            in_flight=self._exchange.in_flight,
+            in_flight=self._session.in_flight,
             repetitions=counters.repetitions,
             timeouts=counters.timeouts,
             errors=counters.errors,
@@ -150,10 +135,10 @@ class Link(Connection):
             stray_frames=counters.stray,
             bytes_sent=sent + (self._stream.bytes_sent if self._stream else 0),
             bytes_received=received + (self._stream.bytes_received if self._stream else 0),
-            samples=self._groups.samples,
-            samples_lost=self._groups.samples_lost,
+            samples=self._publishing.samples,
+            samples_lost=self._publishing.samples_lost,
             reconnections=max(0, self._sessions - 1),
-            round_trip=self._exchange.round_trip,
+            round_trip=self._session.round_trip,
         )
 
     # Words
@@ -162,9 +147,15 @@ class Link(Connection):
         """Read the word at `address`."""
         self._check_address(address)
         codec = self._codec
-        request = WordRequest(codec, "R", codec.fields("R", address), codec.info.data_digits, self._loop)
-        self._exchange.submit(request)
-        word: int = await request.future
+        request = Request(codec, "R", codec.fields("R", address), codec.info.data_digits)
+        # As `_answer` would: this is the most frequent call.
+        request.owner = waiter = self._loop.create_future()
+        self._submit(request)
+        try:
+            word: int = await waiter
+        except CancelledError:
+            request.cancel()
+            raise
         return word
 
     async def write(self, address: int, value: int) -> None:
@@ -189,9 +180,7 @@ class Link(Connection):
         self._check_word(mask)
         codec = self._codec
         fields = codec.fields("WK", address, mask, value)
-        request = WordRequest(codec, "WK", fields, codec.info.data_digits, self._loop)
-        self._exchange.submit(request)
-        word: int = await request.future
+        word: int = await self._answer(Request(codec, "WK", fields, codec.info.data_digits))
         return word
 
     async def post(self, address: int, value: int) -> None:
@@ -203,10 +192,9 @@ class Link(Connection):
         self._check_address(address)
         self._check_word(value)
         codec = self._codec
-        request = Posted(codec, codec.fields("WS", address, value), self._loop, self._note_posted)
+        request = Request(codec, "WS", codec.fields("WS", address, value), None)
         self._posted = True
-        self._exchange.submit(request)
-        await request.future
+        await self._post(request)
 
     async def fence(self) -> None:
         """Wait until everything that was asked for before has been executed.
@@ -223,9 +211,7 @@ class Link(Connection):
         self._raise_posted()
 
     async def _fence(self, *, leaving: bool) -> None:
-        fence = Fence(self._codec, self._loop, leaving=leaving)
-        self._exchange.submit(fence)
-        await fence.future
+        await self._answer(Fence(self._codec, of_session=leaving))
 
     def _raise_posted(self) -> None:
         first, count = self._posted_error, self._posted_failures
@@ -235,10 +221,10 @@ class Link(Connection):
                 first.add_note(f"{count - 1} more posted writes failed as well")
             raise first
 
-    def _note_posted(self, error: UnityLinkError, count: int = 1) -> None:
+    def _note_posted(self, failure: PostedFailure) -> None:
         """Keep the first error of the writes posted since the last fence, and count how many have failed."""
-        self._posted_error = self._posted_error or error
-        self._posted_failures += count
+        self._posted_error = self._posted_error or failure.error
+        self._posted_failures += failure.writes
 
     # Blocks
 
@@ -290,8 +276,8 @@ class Link(Connection):
         Raises:
             GatewayError: the first error; the other reads are done all the same.
         """
-        fields = hex_rows(self._addresses(addresses), self.gateway.address_digits)
-        return await self._batch("R", fields)
+        where = self._addresses(addresses)
+        return await self._batch("R", (where, self.gateway.address_digits))
 
     async def write_many(self, addresses: ArrayLike, values: ArrayLike) -> None:
         """Write one word to each of many addresses, in order, in one pipelined batch.
@@ -301,8 +287,7 @@ class Link(Connection):
         """
         where, what = self._write_arguments(addresses, values)
         info = self.gateway
-        fields = np.concatenate((hex_rows(where, info.address_digits), hex_rows(what, info.data_digits)), axis=1)
-        await self._batch("W", fields)
+        await self._batch("W", (where, info.address_digits), (what, info.data_digits))
 
     async def post_many(self, addresses: ArrayLike, values: ArrayLike) -> None:
         """Send many writes as `post` does; returns when the last one is sent.
@@ -311,10 +296,9 @@ class Link(Connection):
         """
         where, what = self._write_arguments(addresses, values)
         self._check_count(len(where))
-        batch = PostedBatch(self._codec, where, what, self._loop, self._note_posted)
+        info = self.gateway
         self._posted = True
-        self._exchange.submit(batch)
-        await batch.future
+        await self._post(Batch(self._codec, "WS", [(where, info.address_digits), (what, info.data_digits)]))
 
     # Publishing
 
@@ -376,7 +360,7 @@ class Link(Connection):
         several: ArrayLike = [int(addresses)] if isinstance(addresses, int | np.integer) else addresses
         where = check_addresses(self._addresses(several), self.gateway.group_words)
         schedule = Schedule(where, self._divisor(rate_hz, divisor), flags)
-        return Subscription(self._groups, schedule, buffer=buffer, overflow=overflow, callback=callback)
+        return Subscription(self._publishing, schedule, buffer=buffer, overflow=overflow, callback=callback)
 
     async def send_immediate(self, mode: SendImmediate) -> None:
         """Choose when an FT232H sends a short packet at once (docs/protocol.md, "Send-immediate").
@@ -401,9 +385,19 @@ class Link(Connection):
     async def _ask(self, command: str, *values: Any) -> None:
         """Have a request done that is answered by an acknowledgement."""
         codec = self._codec
-        request = Request(codec, command, codec.fields(command, *values), 0, self._loop)
-        self._exchange.submit(request)
-        await request.future
+        await self._answer(Request(codec, command, codec.fields(command, *values), 0))
+
+    async def _post(self, posted: Request | Batch) -> None:
+        """Have posted writes sent; what has found room at once is not waited for."""
+        posted.owner = waiter = self._loop.create_future()
+        self._submit(posted)
+        if posted.sent == posted.count or waiter.done():
+            return
+        try:
+            await waiter
+        except CancelledError:
+            posted.cancel()
+            raise
 
     async def _read_words(self, command: str, address: int, count: int, step: int) -> Words:
         codec, info = self._codec, self.gateway
@@ -411,7 +405,7 @@ class Link(Connection):
         for start in range(0, count, info.block_words):
             part = min(info.block_words, count - start)
             fields = codec.fields(command, address + step * start, part)
-            requests.append(WordsRequest(codec, command, fields, part * info.data_digits, self._loop))
+            requests.append(Request(codec, command, fields, part * info.data_digits))
         parts = await self._all(requests)
         return parts[0] if len(parts) == 1 else np.concatenate(parts)
 
@@ -419,28 +413,29 @@ class Link(Connection):
         codec, most = self._codec, self.gateway.block_words
         await self._all(
             [
-                Request(
-                    codec,
-                    command,
-                    codec.fields(command, address + step * start, words[start : start + most]),
-                    0,
-                    self._loop,
-                )
+                Request(codec, command, codec.fields(command, address + step * start, words[start : start + most]), 0)
                 for start in range(0, len(words), most)
             ]
         )
 
     async def _all(self, requests: list[Request]) -> list[Any]:
-        """Have requests done in order, and give their answers; if one fails, the rest is not waited for."""
-        self._exchange.submit(requests[0] if len(requests) == 1 else BlockSource(requests))
+        """Have requests done in order, and return their answers; if one fails, the rest is not waited for."""
+        if len(requests) == 1:
+            return [await self._answer(requests[0])]
+        waiters = []
+        for request in requests:
+            request.owner = self._loop.create_future()
+            waiters.append(request.owner)
+        self._submit(Block(requests))
         try:
-            return [await request.future for request in requests]
+            return [await waiter for waiter in waiters]
         except UnansweredError as error:
             raise error.about(common_outcome(requests)) from None
         finally:
-            for request in requests:
-                if not request.future.cancel() and not request.future.cancelled():
-                    request.future.exception()
+            for request, waiter in zip(requests, waiters, strict=True):
+                request.cancel()
+                if not waiter.cancel() and not waiter.cancelled():
+                    waiter.exception()
 
     def _write_arguments(self, addresses: ArrayLike, values: ArrayLike) -> tuple[Words, Words]:
         where, what = self._addresses(addresses), self._words(values)
@@ -448,11 +443,10 @@ class Link(Connection):
             raise ArgumentError(f"{len(where)} addresses were given, and {len(what)} values")
         return where, what
 
-    async def _batch(self, command: str, fields: NDArray[np.uint8]) -> Words:
-        self._check_count(len(fields))
-        batch = Batch(self._codec, command, fields, self._loop)
-        self._exchange.submit(BatchSource(batch, 0, len(fields)))
-        return await batch.future
+    async def _batch(self, command: str, *columns: tuple[NDArray[Any], int]) -> Words:
+        self._check_count(len(columns[0][0]))
+        words: Words = await self._answer(Batch(self._codec, command, columns))
+        return words
 
     def _divisor(self, rate_hz: float | None, divisor: int | None) -> int:
         base = self.gateway.base_frequency_hz

@@ -19,22 +19,26 @@ from unity_link.errors import (
     ArgumentError,
     BusTimeoutError,
     LinkLostError,
+    Outcome,
     OutOfRangeError,
     SamplesLostError,
     UnityLinkError,
-    UnsupportedError,
 )
-from unity_link.link.exchange import PublishRows
-from unity_link.link.requests import OfSession, Request, Unawaited
+from unity_link.protocol.exchange import Sampled, SampledRows
+from unity_link.protocol.group_table import GroupBegun, GroupRefused, GroupStarted
 from unity_link.protocol.messages import Codec, GroupFlag, Words, parse_rows, parse_words
+from unity_link.protocol.requests import Request
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Coroutine
     from types import TracebackType
 
     from numpy.typing import NDArray
 
-    from unity_link.link.exchange import Exchange
+    from unity_link.protocol.configuration import GatewayInfo
+    from unity_link.protocol.group_table import HeldGroup
+    from unity_link.protocol.requests import Events
+    from unity_link.protocol.session import Session
 
 Overflow = Literal["drop_oldest", "fail"]
 NOT_OPEN = "the subscription is not open: write `async with ...subscribe(...) as samples:`, or `with` in blocking code"
@@ -121,147 +125,97 @@ class Schedule(msgspec.Struct, frozen=True):
     flags: GroupFlag
 
 
-class HeldGroups:
-    """The groups of one gateway, and the subscription that holds each.
+class Publishing:
+    """What the subscriptions of one link share: the way to the gateway's groups, the time, and the counts.
 
-    A group that was given back longest ago is taken first, so that samples still under way find no new holder.
+    Args:
+        session: of the link.
+        go_on: does what follows from a call of the session.
+        answer: has a request done, and returns its answer.
     """
 
-    def __init__(self, exchange: Exchange) -> None:
-        self._exchange = exchange
-        self._held: dict[int, Subscription] = {}
-        self._stopping: set[Request] = set()
-        self._free: deque[int] | None = None
-        self._awaited: dict[int, asyncio.Future[None]] = {}
-        """Groups that the next session sets up, with what waits for that."""
-        self.epoch = -1
-        """Number of the session."""
+    def __init__(
+        self,
+        session: Session,
+        go_on: Callable[[Events], None],
+        answer: Callable[[Request], Coroutine[Any, Any, Any]],
+    ) -> None:
+        self.clock: GatewayClock
         self.samples = 0
         self.samples_lost = 0
+        self._session = session
+        self._go_on = go_on
+        self._answer = answer
+        self._loop = asyncio.get_running_loop()
+        self.handlers: dict[type, Callable[[Any], None]] = {
+            Sampled: lambda event: event.owner.receive(event.body, self._loop.time()),
+            SampledRows: lambda event: event.owner.receive_rows(event.bodies, self._loop.time()),
+            GroupBegun: lambda event: event.group.owner.restart(),
+            GroupStarted: lambda event: event.group.owner.started(),
+            GroupRefused: lambda event: event.group.owner.refused(event.error),
+        }
+        """What is to be called for each class of events."""
+
+    @property
+    def epoch(self) -> int:
+        """Number of the session."""
+        return self._session.epoch
+
+    @property
+    def info(self) -> GatewayInfo:
+        """What the gateway says of itself."""
+        return self._session.codec.info
 
     def start(self, codec: Codec) -> None:
-        """Begin with a new session: all groups are stopped."""
-        self.codec = codec
-        self.epoch += 1
-        if self._free is None:
-            self._free = deque(range(codec.info.groups))
+        """Begin with a new session."""
+        if not hasattr(self, "clock"):
             self.clock = GatewayClock(codec.info.clock_hz)
         self.clock.resume()
 
-    async def restore(self) -> None:
-        """Set up all subscriptions again in a new session."""
-        for group, subscription in list(self._held.items()):
-            await self._set_up(group, subscription)
-            awaited = self._awaited.pop(group, None) if self._held.get(group) is subscription else None
-            if awaited is not None and not awaited.done():
-                awaited.set_result(None)
-
-    def interrupted(self, error: LinkLostError) -> None:
-        """Record that the session has ended, and with it every request to stop a group."""
-        for request in list(self._stopping):
-            request.given_up = True
-            request.fail(error)
-
     def end(self, error: LinkLostError) -> None:
         """End all subscriptions."""
-        for subscription in list(self._held.values()):
-            subscription.fail(error)
-        for awaited in self._awaited.values():
-            if not awaited.done():
-                awaited.set_exception(error)
+        if self._session.epoch >= 0:
+            for group in self._session.groups.end():
+                group.owner.fail(error)
 
-    async def hold(self, subscription: Subscription) -> int:
-        """Take a free group and start it for a subscription; while the connection is being opened again, wait for it.
+    async def hold(self, subscription: Subscription, started: asyncio.Future[None]) -> HeldGroup:
+        """Take a free group and start it for a subscription; while there is no session, wait for one.
+
+        Args:
+            subscription: takes the samples.
+            started: is done when it is started.
 
         Raises:
             UnsupportedError: where no group is free.
             LinkLostError: where the link ends.
         """
-        if self._free is None or not self._free:
-            raise UnsupportedError(
-                f"all {self.codec.info.groups} groups of the gateway are in use: end a subscription first, "
-                "or put its addresses into one"
-            )
-        group = self._free.popleft()
-        self._held[group] = subscription
+        session, schedule = self._session, subscription.schedule
+        if session.closed is not None:
+            raise session.closed.about(Outcome.NOT_EXECUTED)
+        group = session.hold(schedule.flags, schedule.divisor, schedule.addresses, subscription.length, subscription)
         try:
-            await self._set_up_in_any_session(group, subscription)
+            self._go_on(session.start(group, self._loop.time()))
+            await started
         except BaseException:
-            self._forget(group)
-            self._free.append(group)
             # Whatever of it was sent may still be executed.
-            with contextlib.suppress(LinkLostError):
-                self._exchange.submit(self._request(Unawaited, "GX", group))
+            _, events = session.release(group, self._loop.time())
+            self._go_on(events)
             raise
         return group
 
-    async def release(self, group: int) -> None:
+    async def release(self, group: HeldGroup) -> None:
         """Stop a group and give it back."""
-        assert self._free is not None
-        self._forget(group)
-        try:
+        request, events = self._session.release(group, self._loop.time())
+        if request is not None:
+            request.owner = waiter = self._loop.create_future()
+            self._go_on(events)
             # A gateway that is gone has stopped it, also one behind a server, and one that was reset knows it no more.
             with contextlib.suppress(LinkLostError, BusTimeoutError, OutOfRangeError):
-                if not self._exchange.suspended:
-                    await self._stop(group)
-        finally:
-            self._free.append(group)
+                await asyncio.shield(waiter)
 
-    async def _stop(self, group: int) -> None:
-        request = self._request(Request, "GX", group)
-        self._stopping.add(request)
-        request.future.add_done_callback(lambda _: self._stopping.discard(request))
-        self._exchange.submit(request)
-        await asyncio.shield(request.future)
-
-    async def publish(self, group: int) -> None:
+    async def publish(self, group: HeldGroup) -> None:
         """Have a group published once, now."""
-        await self._submit("GP", group)
-
-    async def _set_up_in_any_session(self, group: int, subscription: Subscription) -> None:
-        while True:
-            if self._exchange.suspended and not self._exchange.ended:
-                # A new session sets up every group that is held, and this one must not be set up twice.
-                self._awaited[group] = asyncio.get_running_loop().create_future()
-                await self._awaited[group]
-                return
-            try:
-                await self._set_up(group, subscription)
-            except LinkLostError:
-                # A new session stops all groups, so whatever was executed before is undone: it can be asked again.
-                if self._exchange.ended:
-                    raise
-            else:
-                return
-
-    async def _set_up(self, group: int, subscription: Subscription) -> None:
-        if self._held.get(group) is not subscription:
-            # It has ended while those before it were set up, and the group may be another's.
-            return
-        schedule = subscription.schedule
-        addresses = np.array(schedule.addresses, np.uint64)
-        await self._submit(
-            "GS", group, int(schedule.flags), schedule.divisor, len(addresses), addresses, kind=OfSession
-        )
-        if self._held.get(group) is subscription:
-            subscription.restart()
-            self._exchange.publishes[b"%02X" % group] = subscription.receive
-            self._exchange.publish_rows[b"P%02X" % group] = PublishRows(subscription.length, subscription.receive_rows)
-            await self._submit("GN", group, kind=OfSession)
-
-    def _submit(self, command: str, *values: Any, kind: type[Request] = Request) -> asyncio.Future[None]:
-        request = self._request(kind, command, *values)
-        self._exchange.submit(request)
-        return request.future
-
-    def _request(self, kind: type[Request], command: str, *values: Any) -> Request:
-        return kind(self.codec, command, self.codec.fields(command, *values), 0, asyncio.get_running_loop())
-
-    def _forget(self, group: int) -> None:
-        self._exchange.publishes.pop(b"%02X" % group, None)
-        self._exchange.publish_rows.pop(b"P%02X" % group, None)
-        self._held.pop(group, None)
-        self._awaited.pop(group, None)
+        await self._answer(Request(self._session.codec, "GP", group.text, 0))
 
 
 class Subscription:
@@ -278,7 +232,7 @@ class Subscription:
 
     def __init__(
         self,
-        groups: HeldGroups,
+        publishing: Publishing,
         schedule: Schedule,
         *,
         buffer: int,
@@ -300,7 +254,7 @@ class Subscription:
         """Samples that arrived so far."""
         self.length = 0
         """Characters of a publish."""
-        self._groups = groups
+        self._publishing = publishing
         self._buffer: deque[Sample] = deque()
         self._buffer_size = buffer
         self._overflow = overflow
@@ -308,7 +262,8 @@ class Subscription:
         self._dropped = 0
         self._waiter: asyncio.Future[None] | None = None
         self._entered = False
-        self._group: int | None = None
+        self._group: HeldGroup | None = None
+        self._started: asyncio.Future[None] = asyncio.get_running_loop().create_future()
         self._error: UnityLinkError | None = None
         self._ended = False
         self._sequence = -1
@@ -321,24 +276,23 @@ class Subscription:
         """The rate that the gateway publishes at, in Hz; None for a subscription that is not periodic."""
         if GroupFlag.PERIODIC not in self.schedule.flags:
             return None
-        return self._groups.codec.info.base_frequency_hz / self.schedule.divisor
+        return self._publishing.info.base_frequency_hz / self.schedule.divisor
 
     async def publish(self) -> None:
         """Have one sample taken now, besides those that are due by themselves."""
         if self._group is None:
             raise ArgumentError(NOT_OPEN)
-        await self._groups.publish(self._group)
+        await self._publishing.publish(self._group)
 
     async def __aenter__(self) -> Self:
         if self._entered:
             raise ArgumentError("this subscription has been entered before: make another one by `subscribe`")
         self._entered = True
-        codec = self._groups.codec
         timestamped = GroupFlag.TIMESTAMP in self.schedule.flags
         self._words_at = _HEAD + (_TIMESTAMP_DIGITS if timestamped else 0)
-        self.length = self._words_at + codec.info.data_digits * len(self.schedule.addresses)
+        self.length = self._words_at + self._publishing.info.data_digits * len(self.schedule.addresses)
         try:
-            self._group = await self._groups.hold(self)
+            self._group = await self._publishing.hold(self, self._started)
         except BaseException:
             self._entered = False
             raise
@@ -351,7 +305,7 @@ class Subscription:
         self._wake()
         if self._group is not None:
             group, self._group = self._group, None
-            await self._groups.release(group)
+            await self._publishing.release(group)
 
     def __aiter__(self) -> Self:
         return self
@@ -392,7 +346,17 @@ class Subscription:
             finally:
                 self._waiter = None
 
-    # Called by the groups and the exchange
+    # Called for the events of the session
+
+    def started(self) -> None:
+        """Record that samples come from now on."""
+        if not self._started.done():
+            self._started.set_result(None)
+
+    def refused(self, error: UnityLinkError) -> None:
+        """Record that there will be no samples."""
+        if not self._started.done():
+            self._started.set_exception(error)
 
     def restart(self) -> None:
         """Begin to count anew: the gateway's sequence stands at 0."""
@@ -404,6 +368,7 @@ class Subscription:
         """End the stream with an error, behind the samples that wait."""
         if self._error is None:
             self._error = error
+        self.refused(error)
         self._wake()
 
     def receive(self, body: bytes, now: float) -> None:
@@ -411,64 +376,72 @@ class Subscription:
         if len(body) != self.length:
             return
         try:
-            values = parse_words(body[self._words_at :], self._groups.codec.info.data_digits)
+            values = parse_words(body[self._words_at :], self._publishing.info.data_digits)
             sequence = int(body[3:_HEAD], 16)
             timestamp = int(body[_HEAD : self._words_at], 16) if self._words_at != _HEAD else None
         except ValueError:
             return
-        instant = None if timestamp is None else self._groups.clock.seconds(timestamp, now)
+        instant = None if timestamp is None else self._publishing.clock.seconds(timestamp, now)
         lost = self._count_lost(sequence, instant)
-        self._keep(Sample(self._sequence, instant, time.time(), values, lost, self._groups.epoch))
+        self._keep(Sample(self._sequence, instant, time.time(), values, lost, self._publishing.epoch))
 
-    def receive_rows(self, bodies: NDArray[np.uint8], now: float) -> int:
-        """Take publishes of the group that arrived together, as long as none is missing between them.
+    def receive_rows(self, bodies: NDArray[np.uint8], now: float) -> None:
+        """Take samples of the group that arrived together: the same as `receive` of each.
 
         Args:
             bodies: shape (n, length).
             now: when they arrived, on the loop's clock.
-
-        Returns:
-            How many of the first ones were taken.
         """
-        digits, stamped = self._groups.codec.info.data_digits, self._words_at != _HEAD
+        digits, stamped = self._publishing.info.data_digits, self._words_at != _HEAD
         try:
             values = parse_rows(bodies[:, self._words_at :].reshape(-1, digits)).reshape(len(bodies), -1)
             sequences = parse_rows(bodies[:, 3:_HEAD])
             timestamps = parse_rows(bodies[:, _HEAD : self._words_at]) if stamped else None
         except ValueError:
-            return 0
-        count = self._side_by_side(sequences, timestamps)
-        instants: list[float] | list[None] = [None] * count
-        if timestamps is not None:
-            instants = self._groups.clock.seconds_of(timestamps[:count], now).tolist()
-        lost, first, arrived = self._count_lost(int(sequences[0]), instants[0]), self._sequence, time.time()
-        epoch = self._groups.epoch
-        self._sequence += count - 1
-        self._sampled_at = instants[-1]
-        samples = [
-            Sample(first + offset, instant, arrived, words.copy(), 0 if offset else lost, epoch)
-            for offset, (instant, words) in enumerate(zip(instants, values[:count], strict=True))
-        ]
-        self._keep_all(samples)
-        return count
+            for body in bodies:
+                self.receive(body.tobytes(), now)
+            return
+        ends = [*self._gaps(sequences, timestamps), len(bodies)]
+        for start, end in zip([0, *ends], ends, strict=False):
+            stamps = None if timestamps is None else timestamps[start:end]
+            self._receive_run(int(sequences[start]), stamps, values[start:end], now)
 
-    def _side_by_side(
+    def _receive_run(
+        self, sequence: int, timestamps: NDArray[np.unsignedinteger] | None, values: Words, now: float
+    ) -> None:
+        """Take samples with none missing between them; the first has a sequence."""
+        instants: list[float] | list[None] = [None] * len(values)
+        if timestamps is not None:
+            instants = self._publishing.clock.seconds_of(timestamps, now).tolist()
+        lost, first, arrived = self._count_lost(sequence, instants[0]), self._sequence, time.time()
+        epoch = self._publishing.epoch
+        self._sequence += len(values) - 1
+        self._sampled_at = instants[-1]
+        self._keep_all(
+            [
+                Sample(first + offset, instant, arrived, words.copy(), 0 if offset else lost, epoch)
+                for offset, (instant, words) in enumerate(zip(instants, values, strict=True))
+            ]
+        )
+
+    def _gaps(
         self, sequences: NDArray[np.unsignedinteger], timestamps: NDArray[np.unsignedinteger] | None
-    ) -> int:
-        """Return how many of the first samples follow each other with none missing."""
+    ) -> list[int]:
+        """Return the places of the samples before which some may be missing, but for the first."""
         steady = np.diff(sequences) == 1
         if timestamps is not None and self._due_hz is not None:
             # Two digits may also have gone round.
-            due = np.diff(timestamps) * (self._due_hz / self._groups.codec.info.clock_hz)
+            due = np.diff(timestamps) * (self._due_hz / self._publishing.info.clock_hz)
             steady &= due < 0x80
-        return len(sequences) if steady.all() else int(steady.argmin()) + 1
+        places: list[int] = (np.flatnonzero(~steady) + 1).tolist()
+        return places
 
     def _keep_all(self, samples: list[Sample]) -> None:
         room = self._buffer_size - len(self._buffer)
         if self._callback is None and self._error is None and len(samples) <= room:
             self._keep(samples[0])
             self.received += len(samples) - 1
-            self._groups.samples += len(samples) - 1
+            self._publishing.samples += len(samples) - 1
             self._buffer.extend(samples[1:])
             return
         for sample in samples:
@@ -486,7 +459,7 @@ class Subscription:
 
     def _keep(self, sample: Sample) -> None:
         self.received += 1
-        self._groups.samples += 1
+        self._publishing.samples += 1
         if sample.lost:
             self._lose(sample.lost)
         if self._error is not None:
@@ -508,7 +481,7 @@ class Subscription:
 
     def _lose(self, count: int) -> None:
         self.lost += count
-        self._groups.samples_lost += count
+        self._publishing.samples_lost += count
 
     def _call(self, callback: Callable[[Sample], object], sample: Sample) -> None:
         try:

@@ -143,7 +143,7 @@ class Codec:
     def __init__(self, info: GatewayInfo, node: int | None = None) -> None:
         self.info = info
         self.framing = Framing(Crc(info.crc_bits, info.crc_polynomial), node)
-        self.ring = 16**info.id_digits
+        self.ring: int = 16**info.id_digits
         """Number of IDs."""
         self.digits = {
             "a": info.address_digits,

@@ -49,8 +49,10 @@ by any progress after a sign of loss.
 
 from __future__ import annotations
 
+from itertools import chain
 from typing import TYPE_CHECKING, Generic, NamedTuple, TypeVar
 
+from unity_link.errors import Outcome
 from unity_link.protocol.constants import (
     FENCE_DELAY,
     FEWEST_IN_FLIGHT,
@@ -94,12 +96,12 @@ R = TypeVar("R", bound=Run)
 
 
 class Unanswered(NamedTuple, Generic[R]):
-    """Part of a run that is not done: `size` requests from `offset` on; whether they are known to be executed."""
+    """Part of a run that is not done: `size` requests from `offset` on, and what is known of them."""
 
     run: R
     offset: int
     size: int
-    executed: bool
+    outcome: Outcome
 
 
 class Window(Generic[R]):
@@ -107,6 +109,7 @@ class Window(Generic[R]):
 
     Args:
         ring: number of IDs, 16**id_digits.
+        first: the first ID of the session.
         byte_limit: most unconfirmed request bytes, or None where flow control protects the gateway's receive FIFO.
         byte_time: seconds that one byte may need on the wire, at most; round trips of many bytes show where it is less.
         round_trip: a first measurement in seconds, if there is one.
@@ -116,6 +119,7 @@ class Window(Generic[R]):
     def __init__(
         self,
         ring: int,
+        first: int = 0,
         byte_limit: int | None = None,
         byte_time: float = 0.0,
         round_trip: float | None = None,
@@ -126,8 +130,8 @@ class Window(Generic[R]):
         self._byte_limit = byte_limit
         self._byte_time = self._reply_byte_time = byte_time
         self._slots: list[R | None] = [None] * ring
-        self.oldest = self.executed = self.next = 0
-        self._to_repeat = 0
+        self.oldest = self.executed = self.next = first
+        self._to_repeat = first
         """The next ID that is to be sent again; `next` where none is."""
         self._allowed = self._half
         self._bytes = 0
@@ -144,7 +148,7 @@ class Window(Generic[R]):
         self._shortest_timeout = shortest_timeout if byte_limit is None else SHORTEST_TIMEOUT
         self._least_round_trip = 0.0 if round_trip is None else round_trip
         self._measured_timeout = self._timeout = FIRST_TIMEOUT
-        self._sent_once_from = 0
+        self._sent_once_from = first
         """The first ID that was not under way when the window last went back."""
         self._since = 0.0
         self._silent_since = 0.0
@@ -237,12 +241,33 @@ class Window(Generic[R]):
             return
         end = self.next if most >= self.in_flight else self.oldest + most & self._mask
         self._to_repeat = end
-        for part in self._unanswered(start, end):
-            yield part.run.first + part.offset & self._mask, part.run, part.offset, part.size
+        for run, offset, count in self._parts(start, end):
+            yield run.first + offset & self._mask, run, offset, count
 
-    def unanswered(self) -> Iterator[Unanswered[R]]:
-        """Return all that is not done, in order."""
-        return self._unanswered(self.oldest, self.next)
+    def unanswered(self, refused: int | None = None) -> Iterator[Unanswered[R]]:
+        """Return all that is not done, in order.
+
+        Args:
+            refused: the ID of a request that met a gateway without a session: it and those behind it are known not to
+                be executed, as far as they were sent only once (docs/protocol.md, "The host").
+        """
+        never = self.next
+        if refused is not None and self._distance(refused) < self.in_flight:
+            never = max(refused, self._sent_once, key=self._distance)
+        executed = self._outcomes(self.oldest, self.executed, Outcome.EXECUTED)
+        if self._distance(never) < self._distance(self.executed):
+            never = self.executed
+        unknown = self._outcomes(self.executed, never, Outcome.UNKNOWN)
+        return chain(executed, unknown, self._outcomes(never, self.next, Outcome.NOT_EXECUTED))
+
+    def _outcomes(self, position: int, last: int, outcome: Outcome) -> Iterator[Unanswered[R]]:
+        for run, offset, count in self._parts(position, last):
+            yield Unanswered(run, offset, count, outcome)
+
+    @property
+    def _sent_once(self) -> int:
+        """The first ID in flight from which on nothing was sent again."""
+        return self._sent_once_from if self._distance(self._sent_once_from) <= self.in_flight else self.oldest
 
     def _before_answer(self) -> int:
         """Return how many of the oldest IDs are followed by no answer, for they are posted writes, or answered."""
@@ -251,16 +276,15 @@ class Window(Generic[R]):
             position = position + 1 & self._mask
         return self._distance(position)
 
-    def _unanswered(self, position: int, last: int) -> Iterator[Unanswered[R]]:
+    def _parts(self, position: int, last: int) -> Iterator[tuple[R, int, int]]:
+        """Return the runs that wait for answers between two IDs: run, offset in the run, count."""
         while position != last:
             run = self._slots[position]
-            executed = self._distance(position) < self._distance(self.executed)
-            end = self.executed if executed and self._distance(self.executed) < self._distance(last) else last
             count = 1
-            while (position + count & self._mask) != end and self._slots[position + count & self._mask] is run:
+            while (position + count & self._mask) != last and self._slots[position + count & self._mask] is run:
                 count += 1
             if run is not None:
-                yield Unanswered(run, position - run.first & self._mask, count, executed)
+                yield run, position - run.first & self._mask, count
             position = position + count & self._mask
 
     # Receiving

@@ -36,8 +36,8 @@ class Stream(asyncio.Protocol):
 
     def __init__(self) -> None:
         self.receiver: Receiver | None = None
-        self.on_writable: Callable[[], None] | None = None
-        """Is called when the transport takes bytes again after a pause."""
+        self.on_pause: Callable[[], None] | None = None
+        """Is called when `paused` has changed."""
         self.bytes_received = 0
         self.bytes_sent = 0
         self.closed = False
@@ -125,13 +125,15 @@ class Stream(asyncio.Protocol):
     def pause_writing(self) -> None:
         """Hold back what is sent from now on."""
         self.paused = True
+        if self.on_pause is not None:
+            self.on_pause()
 
     def resume_writing(self) -> None:
         """Send what was held back."""
         self.paused = False
         self._flush()
-        if self.on_writable is not None:
-            self.on_writable()
+        if self.on_pause is not None:
+            self.on_pause()
 
     def connection_lost(self, exc: Exception | None) -> None:
         """Tell the receiver."""

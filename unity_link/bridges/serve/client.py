@@ -270,7 +270,7 @@ class Client(asyncio.Protocol):
     def _over(self, request: Relayed) -> None:
         """Forget a request that is answered or dropped."""
         self._under_way -= request.cost
-        if request.sent:
+        if request.sent and not request.posted:
             self._shared.turns.arrived(self.queue, request.cost)
         if request.after is not None:
             after, request.after = request.after, None

@@ -195,9 +195,9 @@ class Conversation:
         """Hand on the reads or writes of one word that stand side by side; return where they end."""
         letter = data[start : start + 1]
         if letter == b"r":
-            command, size, digits = "R", self._read_size + 1, self._data_digits
+            command, size = "R", self._read_size + 1
         elif letter == b"w":
-            command, size, digits = "W", self._write_size + 1, 0
+            command, size = "W", self._write_size + 1
         else:
             return start
         codec, expected = self._codec, self._sequence.expected
@@ -217,7 +217,7 @@ class Conversation:
         if not count:
             return start
         self._sequence.advance(count)
-        rows = RelayedRows(codec, command, fields[:count], digits, self._client, expected)
+        rows = RelayedRows(codec, command, fields[:count], self._client, expected)
         self._client.hand_on_rows(rows, self._awaited)
         return start + count * size
 

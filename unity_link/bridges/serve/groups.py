@@ -24,7 +24,7 @@ from unity_link.protocol.messages import GroupFlag
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from unity_link.link.exchange import Exchange
+    from unity_link.protocol.group_table import GroupTable
     from unity_link.protocol.messages import Codec
 
 _SEQUENCE = slice(3, 5)
@@ -91,7 +91,7 @@ class ClientGroup:
             self._next += max(1, int(seconds_missed / settings.seconds_each))
         self._offset = self._next
 
-    def receive(self, body: bytes, _: float) -> None:
+    def receive(self, body: bytes) -> None:
         """Hand on a publish of the gateway under the client's numbers."""
         settings = self._begun
         if settings is None or len(body) != settings.size:
@@ -141,12 +141,12 @@ class Slots:
     """All groups of the gateway, and the holder of each. The one that was let go longest ago is taken first.
 
     Args:
-        exchange: of the link, which hands publishes out.
+        table: of the link's session, which tells whose a sample is.
         count: how many groups the gateway has.
     """
 
-    def __init__(self, exchange: Exchange, count: int) -> None:
-        self._publishes = exchange.publishes
+    def __init__(self, table: GroupTable, count: int) -> None:
+        self._table = table
         self._free = deque(Slot(number) for number in range(count))
         self.held: list[Slot] = []
         """Slots that are not free."""
@@ -168,11 +168,11 @@ class Slots:
         assert slot.group is not None
         slot.settings = settings
         slot.group.begin(settings, seconds_missed)
-        self._publishes[slot.text] = slot.group.receive
+        self._table.deliver(slot.text, slot.group)
 
     def abandon(self, slot: Slot) -> None:
         """Take a slot from its group; what it publishes from now on is dropped."""
-        self._publishes.pop(slot.text, None)
+        self._table.drop(slot.text)
         slot.settings = None
         slot.change(running=False)
         if slot.group is not None:

@@ -9,8 +9,8 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Protocol
 
 from unity_link.errors import GatewayError, Outcome, UnansweredError, UnityLinkError, UnsupportedError
-from unity_link.link.requests import REPEATABLE, Message, Rows
 from unity_link.protocol.messages import COMMANDS, Codec, ErrorCode, Repetition
+from unity_link.protocol.requests import Batch, BatchRun, Request
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -18,10 +18,7 @@ if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
-    from unity_link.link.requests import Source
-
-SMALLEST_RUN = 64
-"""Requests for which room is waited for while others are under way: half the window of a gateway with short IDs."""
+    from unity_link.protocol.requests import Events
 
 
 class Asker(Protocol):
@@ -48,7 +45,7 @@ class RowsAsker(Protocol):
         """Record that some of the answers to many requests are there."""
 
 
-class Relayed(Message):
+class Relayed(Request):
     """One request of a client.
 
     Args:
@@ -64,18 +61,15 @@ class Relayed(Message):
 
     __slots__ = (
         "_asker",
-        "_frame",
         "after",
         "awaited",
         "cost",
         "executed",
-        "fields",
         "head",
         "number",
         "order",
         "plain",
         "reply",
-        "sent",
         "silent",
     )
 
@@ -91,8 +85,7 @@ class Relayed(Message):
         *,
         plain: bool = False,
     ) -> None:
-        super().__init__(codec, command, len(fields), digits)
-        self.fields = fields
+        super().__init__(codec, command, fields, digits)
         self.head = head
         self.number = number
         self.plain = plain
@@ -102,8 +95,6 @@ class Relayed(Message):
         """Bytes that it takes of the gateway's line."""
         self.order = 0
         """Its place among all that the client has asked for."""
-        self.sent = False
-        """Whether it is on its way to the gateway, and an answer is to come."""
         self.reply: bytes | None = None
         """The frame for the client, once there is one."""
         self.awaited: bytearray | None = None
@@ -113,122 +104,79 @@ class Relayed(Message):
         self.after: Callable[[bool], None] | None = None
         """Called when it is over, with `executed`."""
         self._asker = asker
-        self._frame = b""
 
-    def encode(self, offset: int, count: int) -> bytes:  # noqa: ARG002  (a request is a run of one)
-        """Return the frame."""
-        if not self._frame:
-            self._frame = self.codec.request(self.command, self.first, self.fields)
-        return self._frame
+    def decode(self, body: bytes, position: int) -> bytes:
+        """Return the data as they stand in the response."""
+        return body[position:]
 
-    def accept(self, offset: int, body: bytes, position: int) -> bool:  # noqa: ARG002
-        """Hand on the answer."""
-        command = self.codec.lower[self.command]
-        if not body.startswith(command) or len(body) + self.codec.framing.overhead != self.reply_size:
-            return False
-        self.executed = True
-        self._asker.answer(self, self.head + body[position:])
-        return True
+    def fail(self, error: UnityLinkError, events: Events) -> None:
+        """End it with an error; so is a posted write that was sent, of which nothing else is heard."""
+        if not self.done:
+            self.done = True
+            self.error = error
+            events.append(self)
 
-    def unwanted(self) -> bool:
-        """Return whether it is not awaited any more."""
-        return self.given_up
-
-    def fail(self, error: UnityLinkError) -> None:
-        """Tell the client what the protocol has words for."""
-        code = _code_of(error, self.command)
-        self.executed = code is None
-        self._asker.answer(self, self.head if code is None else self.codec.error(code, self.number))
+    def tell(self) -> None:
+        """Tell the client what has become of it, in the words that the protocol has."""
+        if not self.done:
+            self._asker.posted(self)
+        elif self.error is None:
+            self.executed = True
+            self._asker.answer(self, self.head + self.answer)
+        else:
+            code = _code_of(self.error, self.command)
+            self.executed = code is None
+            self._asker.answer(self, self.head if code is None else self.codec.error(code, self.number))
 
     def refuse(self) -> None:
         """End it without an answer of the gateway: nothing on the bus answered."""
         self.given_up = True
         self._asker.answer(self, self.codec.error(ErrorCode.BUS_TIMEOUT, self.number))
 
-    def fields_at(self, offset: int) -> bytes:  # noqa: ARG002
-        """Return the fields."""
-        return self.fields
 
-    def again(self, offset: int, count: int) -> Source | None:  # noqa: ARG002
-        """Return the request itself where it changes nothing."""
-        if self.command not in REPEATABLE:
-            return None
-        self._frame = b""
-        return self
-
-    # A request is a source of itself, when a new session takes it again.
-
-    def least(self) -> int:
-        """Return one."""
-        return 1
-
-    def take(self, room: int) -> Message:  # noqa: ARG002
-        """Return the request itself."""
-        if self.posted:
-            self._asker.posted(self)
-        else:
-            self.sent = True
-        return self
-
-    def exhausted(self) -> bool:
-        """Say that one turn is enough."""
-        return True
-
-
-class RelayedRows:
+class RelayedRows(Batch):
     """Many requests of one client for single words: a source of runs, and one place in the order of the answers.
 
     Args:
         codec: the messages of the gateway, and of the client.
         command: ``R`` or ``W``.
         fields: hex digits, shape (n, width).
-        digits: hex digits of the data of each answer.
         asker: who is answered.
         number: the client's ID of the first.
     """
 
-    posted = False
+    smallest_turn = 64
 
-    def __init__(
-        self, codec: Codec, command: str, fields: NDArray[np.uint8], digits: int, asker: RowsAsker, number: int
-    ) -> None:
-        self.codec = codec
-        self.command = command
-        self.fields = fields
-        self.digits = digits
-        self.asker = asker
+    def __init__(self, codec: Codec, command: str, fields: NDArray[np.uint8], asker: RowsAsker, number: int) -> None:
+        super().__init__(codec, command, [(fields, fields.shape[1])])
         self.number = number
-        self.count = len(fields)
-        self.size: int = codec.head_sizes[command] + fields.shape[1]
-        self.cost = self.size + codec.head_sizes[command] + digits
+        self.cost = self.size + codec.head_sizes[command] + (self.reply_digits or 0)
         """Bytes that each takes of the gateway's line."""
-        self.given_up = False
         self.order = 0
         """Its place among all that the client has asked for."""
         self.awaited: bytearray
         self.answered = 0
         """How many have been answered to the client."""
-        self._sent = 0
+        self._fields = fields
+        self._asker = asker
         self._early: dict[int, tuple[int, bytes]] = {}
 
-    def take(self, room: int) -> Message:
-        """Return the next run, of at most `room` requests."""
-        run = RelayedRun(self, self._sent, min(room, self.count - self._sent))
-        self._sent += run.count
-        return run
+    def fields(self, start: int, count: int) -> NDArray[np.uint8]:
+        """Return the hex digits of the fields of some requests."""
+        return self._fields[start : start + count]
 
-    def exhausted(self) -> bool:
-        """Return whether all has been taken."""
-        return self._sent == self.count
+    def run(self, start: int, count: int) -> RelayedRun:
+        """Return some of the requests."""
+        return RelayedRun(self, start, count)
 
-    def least(self) -> int:
-        """Return a number that is worth a turn."""
-        return min(SMALLEST_RUN, self.count - self._sent)
-
-    def answer(self, offset: int, count: int, frames: bytes) -> None:
-        """Take the frames that answer some of the requests, and hand on those that are next in the order."""
+    def take_frames(self, offset: int, count: int, frames: bytes, events: Events) -> None:
+        """Take the frames that answer some of the requests."""
         self._early.setdefault(offset, (count, frames))
-        self.asker.answer_rows(self)
+        events.append(self)
+
+    def tell(self) -> None:
+        """Tell the client what has been answered in order."""
+        self._asker.answer_rows(self)
 
     def ready(self) -> tuple[int, bytes]:
         """Return how many more can be answered in order, and the frames."""
@@ -245,10 +193,10 @@ class RelayedRows:
         known = {offset + index for offset, (count, _) in self._early.items() for index in range(count)}
         for offset in range(self.answered, self.count):
             if offset not in known:
-                self._early[offset] = (1, self.error(offset, ErrorCode.BUS_TIMEOUT))
-        self.asker.answer_rows(self)
+                self._early[offset] = (1, self.error_frame(offset, ErrorCode.BUS_TIMEOUT))
+        self.tell()
 
-    def error(self, offset: int, code: ErrorCode) -> bytes:
+    def error_frame(self, offset: int, code: ErrorCode) -> bytes:
         """Return the frame of an error for the client."""
         return self.codec.framing.checked(self.codec.error(code, self._number(offset)))
 
@@ -262,11 +210,10 @@ class RelayedRows:
         return self.codec.request_rows(self.command, self._number(offset), data)
 
     def _number(self, offset: int) -> int:
-        number: int = self.number + offset & self.codec.ring - 1
-        return number
+        return self.number + offset & self.codec.ring - 1
 
 
-class RelayedRun(Rows):
+class RelayedRun(BatchRun):
     """Some of the requests, under the IDs that the link's window has given them.
 
     Args:
@@ -275,94 +222,35 @@ class RelayedRun(Rows):
         count: how many.
     """
 
-    __slots__ = ("_frames", "_rows", "_start")
+    __slots__ = ("_rows",)
 
     def __init__(self, rows: RelayedRows, start: int, count: int) -> None:
-        super().__init__(rows.codec, rows.command, rows.fields.shape[1], rows.digits, count)
+        super().__init__(rows, start, count)
         self._rows = rows
-        self._start = start
-        self._frames = b""
 
-    def encode(self, offset: int, count: int) -> bytes:
-        """Return the frames of `count` requests from `offset` on."""
-        if not self._frames:
-            fields = self._rows.fields[self._start : self._start + self.count]
-            self._frames = self.codec.request_rows(self.command, self.first, fields)
-        return self._frames[offset * self.size : (offset + count) * self.size]
-
-    def accept(self, offset: int, body: bytes, position: int) -> bool:
+    def accept(self, offset: int, body: bytes, position: int, events: Events) -> bool:
         """Hand on the answer to one request."""
         command = self.codec.lower[self.command]
         if not body.startswith(command) or len(body) + self.codec.framing.overhead != self.reply_size:
             return False
-        self._rows.answer(self._start + offset, 1, self._rows.reply(self._start + offset, body[position:]))
+        place = self._start + offset
+        self._rows.take_frames(place, 1, self._rows.reply(place, body[position:]), events)
         return True
 
-    def accept_rows(self, offset: int, frames: bytes) -> int:
+    def accept_rows(self, offset: int, frames: bytes, events: Events) -> int:
         """Hand on the answers to requests from `offset` on, as far as the frames are that."""
-        number = self.first + offset & self.codec.ring - 1
-        data = self.codec.matching_rows(self.command, number, frames, self._rows.digits)
+        number, place = self.first + offset & self.codec.ring - 1, self._start + offset
+        data = self.codec.matching_rows(self.command, number, frames, self._rows.reply_digits or 0)
         if len(data):
-            self._rows.answer(self._start + offset, len(data), self._rows.replies(self._start + offset, data))
+            self._rows.take_frames(place, len(data), self._rows.replies(place, data), events)
         return len(data)
 
-    def unwanted(self) -> bool:
-        """Return whether it is not awaited any more."""
-        return self.given_up or self._rows.given_up
-
-    def fail(self, error: UnityLinkError) -> None:
-        """Tell the client what the protocol has words for, of all that is not answered."""
-        self.fail_part(0, self.count, error)
-
-    def fail_part(self, offset: int, count: int, error: UnityLinkError) -> None:
-        """Tell the same of some."""
+    def fail_part(self, offset: int, count: int, error: UnityLinkError, events: Events) -> None:
+        """Tell the client of some requests what the protocol has words for."""
         rows, code = self._rows, _code_of(error, self.command)
-        for position in range(self._start + offset, self._start + offset + count):
-            rows.answer(position, 1, rows.reply(position, b"") if code is None else rows.error(position, code))
-
-    def fields_at(self, offset: int) -> bytes:
-        """Return the fields of one request."""
-        fields: bytes = self._rows.fields[self._start + offset].tobytes()
-        return fields
-
-    def again(self, offset: int, count: int) -> Source | None:
-        """Return some of the requests where they change nothing."""
-        if self.command not in REPEATABLE:
-            return None
-        return Again(self._rows, self._start + offset, count)
-
-
-class Again:
-    """Requests of a lost session that a new one takes again."""
-
-    posted = False
-
-    def __init__(self, rows: RelayedRows, start: int, count: int) -> None:
-        self._rows, self._start, self._count = rows, start, count
-        self.size = rows.size
-
-    def least(self) -> int:
-        """Return a number that is worth a turn."""
-        return min(SMALLEST_RUN, self._count)
-
-    def take(self, room: int) -> Message:
-        """Return the next run, of at most `room` requests."""
-        run = RelayedRun(self._rows, self._start, min(room, self._count))
-        self._start += run.count
-        self._count -= run.count
-        return run
-
-    def exhausted(self) -> bool:
-        """Return whether all has been taken."""
-        return not self._count
-
-    def unwanted(self) -> bool:
-        """Return whether it is not awaited any more."""
-        return self._rows.given_up
-
-    def fail(self, error: UnityLinkError) -> None:
-        """Tell the client."""
-        RelayedRun(self._rows, self._start, self._count).fail(error)
+        for place in range(self._start + offset, self._start + offset + count):
+            frame = rows.reply(place, b"") if code is None else rows.error_frame(place, code)
+            rows.take_frames(place, 1, frame, events)
 
 
 def _code_of(error: UnityLinkError, command: str) -> ErrorCode | None:

@@ -14,12 +14,14 @@ from typing import TYPE_CHECKING, Any
 import msgspec
 
 from unity_link.bridges.serve.groups import Slots
+from unity_link.bridges.serve.requests import Relayed, RelayedRows
 from unity_link.bridges.serve.turns import Turns
 from unity_link.errors import ArgumentError, ConnectError, LinkLostError, UnansweredError, UnityLinkError
 from unity_link.link.connection import Connection, Reconnect
-from unity_link.link.requests import OfSession
 from unity_link.protocol.configuration import Feature
+from unity_link.protocol.exchange import Sampled
 from unity_link.protocol.messages import Codec
+from unity_link.protocol.requests import Request
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Coroutine
@@ -51,7 +53,7 @@ class SharedLink(Connection):
         """The messages towards clients; None before the gateway has said for the first time what it is."""
         self.away = True
         """Whether requests are refused because the gateway has been away too long."""
-        self.turns = Turns(self._exchange)
+        self.turns = Turns(self._submit)
         self.slots: Slots
         self.clients: set[Client] = set()
         self.strangers: dict[Door, None] = {}
@@ -65,6 +67,11 @@ class SharedLink(Connection):
         self._last_words = ""
         self._patience: asyncio.TimerHandle | None = None
         self._errands: set[asyncio.Task[None]] = set()
+        self._handlers |= {
+            Relayed: lambda request: request.tell(),
+            RelayedRows: lambda rows: rows.tell(),
+            Sampled: lambda sample: sample.owner.receive(sample.body),
+        }
 
     # Clients
 
@@ -126,9 +133,9 @@ class SharedLink(Connection):
 
     async def _stop_in_this_session(self, slot: Slot) -> None:
         # A new session has stopped all groups.
-        if not self._exchange.suspended:
+        if self.connected:
             with contextlib.suppress(UnityLinkError):
-                await self._submit("GX", slot.text)
+                await self._do("GX", slot.text)
         slot.stopping = False
         self.slots.settle(slot)
 
@@ -146,7 +153,7 @@ class SharedLink(Connection):
         while self._stream is not None and (mode := self._wanted_mode()) != self._mode:
             self._mode = mode
             with contextlib.suppress(UnityLinkError):
-                await self._submit("I", b"%02X" % mode)
+                await self._do("I", b"%02X" % mode)
                 # A new session, in which it was executed, may have begun meanwhile.
                 self._mode = mode
             if self._stream is not None:
@@ -158,11 +165,9 @@ class SharedLink(Connection):
 
     # The gateway
 
-    def _submit(self, command: str, fields: bytes) -> asyncio.Future[None]:
+    async def _do(self, command: str, fields: bytes) -> None:
         """Have a request of the server's own done."""
-        request = OfSession(self._codec, command, fields, 0, self.loop)
-        self._exchange.submit(request)
-        return request.future
+        await self._answer(Request(self._codec, command, fields, 0, of_session=True))
 
     def _run(self, errand: Coroutine[Any, Any, None]) -> asyncio.Task[None]:
         """Do something that no request waits for; a connection that fails it tells so itself."""
@@ -181,7 +186,7 @@ class SharedLink(Connection):
         if self.codec is None:
             features = codec.info.features & ~Feature.ADDRESSED | Feature.FLOW_CONTROL
             self.codec = Codec(msgspec.structs.replace(codec.info, features=features))
-            self.slots = Slots(self._exchange, codec.info.groups)
+            self.slots = Slots(self._session.groups, codec.info.groups)
 
     async def _restore(self) -> None:
         """Set up groups and mode in a new session; then let requests through.
@@ -225,11 +230,11 @@ class SharedLink(Connection):
             LinkLostError: where it was not executed; the session has ended.
         """
         try:
-            await self._submit(command, fields)
+            await self._do(command, fields)
         except UnityLinkError as error:
             told = error.reason if isinstance(error, UnansweredError) else error
             reason = f"the groups of the clients could not be set up again ({told})"
-            if not self._exchange.suspended:
+            if self.connected:
                 self._lose(reason)
             raise LinkLostError(reason) from error
 
@@ -269,7 +274,7 @@ class SharedLink(Connection):
         for client in list(self.clients):
             client.hang_up()
             self.leave(client)
-        if self._errands and not self._exchange.suspended:
+        if self._errands and self.connected:
             await asyncio.wait(self._errands, timeout=1.0)
         if self._patience is not None:
             self._patience.cancel()

@@ -17,10 +17,11 @@ from collections import deque
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     from unity_link.bridges.serve.requests import Relayed, RelayedRows
     from unity_link.errors import UnityLinkError
-    from unity_link.link.exchange import Exchange
-    from unity_link.link.requests import Message
+    from unity_link.protocol.requests import Events, Message, Source
 
 LONGEST_WAIT = 0.005
 """Seconds that a request waits behind those that are under way."""
@@ -69,11 +70,11 @@ class Turns:
     """All queues, as one source of requests.
 
     Args:
-        exchange: of the link.
+        submit: has the link's session send what a source has.
     """
 
-    def __init__(self, exchange: Exchange) -> None:
-        self._exchange = exchange
+    def __init__(self, submit: Callable[[Source], None]) -> None:
+        self._send = submit
         self._pace = Pace()
         self._now = asyncio.get_running_loop().time
         self._line: deque[Queue] = deque()
@@ -119,7 +120,7 @@ class Turns:
     def _submit(self) -> None:
         if self._line and not self._held and not self._submitted:
             self._submitted = True
-            self._exchange.submit(self)
+            self._send(self)
 
     @property
     def _quantum(self) -> int:
@@ -134,7 +135,7 @@ class Turns:
             queue = line[0]
         return queue
 
-    # A source, called by the exchange
+    # A source, asked by the session
 
     @property
     def size(self) -> int:
@@ -152,12 +153,12 @@ class Turns:
         others = len(self._line) > 1 or self._under_way > queue.under_way
         return 0 if others and self._under_way >= self._pace.most_ahead else queue.requests[0].least()
 
-    def take(self, room: int) -> Message:
+    def take(self, room: int, events: Events) -> Message:
         """Return what the next client may send in one go."""
         queue, alone = self._first(), len(self._line) == 1
         request = queue.requests[0]
         cost = request.cost
-        run = request.take(room if alone else min(room, -(-queue.balance // cost)))
+        run = request.take(room if alone else min(room, -(-queue.balance // cost)), events)
         queue.balance -= cost * run.count
         if not request.posted:
             queue.under_way += cost * run.count
@@ -172,7 +173,7 @@ class Turns:
         return run
 
     def exhausted(self) -> bool:
-        """Return whether there is nothing to send; the exchange forgets this source then."""
+        """Return whether there is nothing to send; the session forgets this source then."""
         self._submitted = bool(self._line) and not self._held
         return not self._submitted
 
@@ -180,7 +181,7 @@ class Turns:
         """Say the same before a turn."""
         return self.exhausted()
 
-    def fail(self, error: UnityLinkError) -> None:  # noqa: ARG002  (the clients are hung up on)
+    def fail(self, error: UnityLinkError, events: Events) -> None:  # noqa: ARG002  (the clients are hung up on)
         """Drop all requests: the link has ended."""
         self._submitted = False
         for queue in list(self._line):

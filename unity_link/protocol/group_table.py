@@ -1,0 +1,183 @@
+"""The groups of a gateway, as its host holds them (docs/protocol.md, "Groups: samples without asking").
+
+A group is set up by `GS` and started by `GN`, again in every session as long as it is held. Samples are the holder's
+from the moment on at which its `GS` is known to be executed: what comes before was read for a former holder. So a
+group may be handed on at once: whatever stops it stands before the next holder's `GS` in the order of requests.
+"""
+
+from __future__ import annotations
+
+from collections import deque
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from unity_link.errors import LinkLostError, UnityLinkError, UnsupportedError
+from unity_link.protocol.requests import Events, Step
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from unity_link.protocol.messages import Codec
+
+
+class HeldGroup:
+    """A group, and what it is set up to.
+
+    Args:
+        number: of the gateway's groups.
+        settings: hex digits of the fields of `GS` behind the number.
+        length: characters of the body of a sample.
+        owner: what its samples are for; the session does not look at it.
+    """
+
+    __slots__ = ("length", "number", "owner", "settings", "started", "text")
+
+    def __init__(self, number: int, settings: bytes, length: int, owner: Any) -> None:
+        self.number = number
+        self.text = b"%02X" % number
+        self.settings = settings
+        self.length = length
+        self.owner = owner
+        self.started = False
+        """Whether it has been set up and started, in this session or in an earlier one."""
+
+
+class GroupBegun(NamedTuple):
+    """Event: the gateway has stored the settings of a group, and its sequence stands at 00."""
+
+    group: HeldGroup
+
+
+class GroupStarted(NamedTuple):
+    """Event: a group is set up and started, for the first time."""
+
+    group: HeldGroup
+
+
+class GroupRefused(NamedTuple):
+    """Event: a group could not be set up, and is not held any more."""
+
+    group: HeldGroup
+    error: UnityLinkError
+
+
+class GroupsRestored(NamedTuple):
+    """Event: every group that is held is set up again in a new session, or could not be."""
+
+    error: UnityLinkError | None
+
+
+class GroupTable:
+    """All groups of a gateway.
+
+    Args:
+        count: how many it has.
+        submit: puts a request into the window.
+    """
+
+    def __init__(self, count: int, submit: Callable[[Step, Events], None]) -> None:
+        self.begun: dict[bytes, HeldGroup] = {}
+        """The groups whose settings the gateway has stored in this session, by their two digits."""
+        self._count = count
+        self._free = deque(range(count))
+        self._held: dict[int, HeldGroup] = {}
+        self._submit = submit
+        self._restoring: set[int] | None = None
+
+    def hold(self, settings: bytes, length: int, owner: Any) -> HeldGroup:
+        """Return a group that is free; the one that was given back longest ago is taken first.
+
+        Raises:
+            UnsupportedError: where none is.
+        """
+        if not self._free:
+            raise UnsupportedError(
+                f"all {self._count} groups of the gateway are in use: end a subscription first, "
+                "or put its addresses into one"
+            )
+        group = HeldGroup(self._free.popleft(), settings, length, owner)
+        self._held[group.number] = group
+        return group
+
+    def release(self, group: HeldGroup) -> bool:
+        """Give a group back; return whether it was held."""
+        if self._held.get(group.number) is not group:
+            return False
+        del self._held[group.number]
+        self.begun.pop(group.text, None)
+        self._free.append(group.number)
+        return True
+
+    def deliver(self, text: bytes, owner: Any) -> None:
+        """Have the samples of a group that is not held told to be for `owner`, as long as the session lasts."""
+        self.begun[text] = HeldGroup(int(text, 16), b"", 0, owner)
+
+    def drop(self, text: bytes) -> None:
+        """Have the samples of such a group dropped."""
+        self.begun.pop(text, None)
+
+    # Sessions
+
+    def start(self, codec: Codec, events: Events) -> None:
+        """Set up all that is held in a new session, which has stopped all groups."""
+        self.begun.clear()
+        self._restoring = {*self._held}
+        for group in list(self._held.values()):
+            self.set_up(codec, group, events)
+        self._settle(None, None, events)
+
+    def set_up(self, codec: Codec, group: HeldGroup, events: Events) -> None:
+        """Set up a group and start it."""
+
+        def stored(error: UnityLinkError | None, events: Events) -> None:
+            if self._held.get(group.number) is not group:
+                self._settle(group, None, events)
+            elif error is not None:
+                self._failed(group, error, events)
+            else:
+                self.begun[group.text] = group
+                events.append(GroupBegun(group))
+                self._submit(Step(codec, "GN", group.text, started), events)
+
+        def started(error: UnityLinkError | None, events: Events) -> None:
+            if error is not None and self._held.get(group.number) is group:
+                self._failed(group, error, events)
+                return
+            if error is None and not group.started:
+                group.started = True
+                events.append(GroupStarted(group))
+            self._settle(group, None, events)
+
+        self._submit(Step(codec, "GS", group.text + group.settings, stored), events)
+
+    def _failed(self, group: HeldGroup, error: UnityLinkError, events: Events) -> None:
+        if isinstance(error, LinkLostError):
+            # The next session sets it up again.
+            self._restoring = None
+        elif group.started:
+            self._settle(group, error, events)
+        else:
+            self._settle(group, None, events)
+            self.release(group)
+            events.append(GroupRefused(group, error))
+
+    def _settle(self, group: HeldGroup | None, error: UnityLinkError | None, events: Events) -> None:
+        """Record that a group is set up again in a new session, or could not be."""
+        if self._restoring is None:
+            return
+        if group is not None:
+            self._restoring.discard(group.number)
+        if error is not None or not self._restoring:
+            self._restoring = None
+            events.append(GroupsRestored(error))
+
+    def interrupted(self) -> None:
+        """Record that the session has ended: no sample is anybody's before the next one has set its group up."""
+        self.begun.clear()
+        self._restoring = None
+
+    def end(self) -> list[HeldGroup]:
+        """Return the groups that are held, when no session will come any more."""
+        held = list(self._held.values())
+        for group in held:
+            self.release(group)
+        return held

@@ -1,0 +1,211 @@
+"""The first words on a connection: what the gateway is, and the start of a session (docs/protocol.md, "The host").
+
+`Q` is asked in plain form, because nothing is known yet, and again in the checked form that follows from the answer;
+only if both agree is the answer believed. `K` then starts the session: the gateway expects the ID that it names, and
+publishes nothing. A plain answer has no CRC, so whatever is wrong with one may be damage: it is asked for again.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import math
+
+from unity_link.errors import UnsupportedError
+from unity_link.protocol.configuration import GatewayInfo
+from unity_link.protocol.crc import Crc
+from unity_link.protocol.frames import LF, FrameError, Framing
+from unity_link.protocol.messages import Codec
+
+FIRST_TRY = 0.1
+"""Seconds until a question is asked again, doubled each time."""
+LONGEST_TRY = 1.0
+LAST_ANSWER = len("K000CCCC\n")
+"""Bytes of the last answer, at most for the usual widths."""
+CHECKED_TRIES = 4
+"""How often the checked `Q` is asked before the plain answer is doubted."""
+DAMAGE_PAUSE = 0.002
+"""Seconds from a line that is no answer to the next question."""
+DAMAGE_PATIENCE = 16
+"""How many times as long as a line took that was no answer, the next answer is waited for."""
+SHORTEST_TRY = 0.005
+DAMAGE_COST = 1 / 16
+"""What part of a try a question counts that was answered by something else."""
+_LONGEST_TEXT = 120
+"""Characters of what is not understood that a message quotes."""
+
+
+class Handshake:
+    """One conversation with what is at the other end of a connection.
+
+    Args:
+        node: number of the node on a shared medium, or None.
+        seed: by which the first ID of the session is chosen, any number from 0 on.
+        now: the time in seconds.
+    """
+
+    def __init__(self, node: int | None, seed: int, now: float) -> None:
+        self._node = node
+        self._seed = seed
+        self._out: list[bytes] = []
+        self._heard = 0
+        self._text = ""
+        """What was said last that is no frame."""
+        self._doubtful = b""
+        """An answer that no other has confirmed."""
+        self._believed = b""
+        """The answer that a checked one must repeat."""
+        self._codec: Codec | None = None
+        self.complete = False
+        """Whether the session has begun: `codec`, `first` and `round_trip` say how."""
+        self.round_trip = 0.0
+        """Seconds from the last question to its answer."""
+        self._pausing = False
+        self._ask_plain(now)
+
+    @property
+    def codec(self) -> Codec:
+        """The messages of the gateway, once it has said what it is."""
+        assert self._codec is not None
+        return self._codec
+
+    @property
+    def first(self) -> int:
+        """The first ID of the session."""
+        return self._seed & self.codec.ring - 1
+
+    def take_output(self) -> bytes:
+        """Return the bytes to send."""
+        data = b"".join(self._out)
+        self._out.clear()
+        return data
+
+    def describe(self) -> str:
+        """Return what was heard, for the message of a time out."""
+        if self._doubtful:
+            return f"what answers is no gateway: it said {self._doubtful[:80]!r}"
+        if self._heard:
+            return f"{self._heard} bytes arrived, none of them an answer: check the speed of the port"
+        return "nothing arrived: check that the gateway is powered, the port and the wiring"
+
+    def describe_end(self, reason: Exception | None) -> str:
+        """Return what can be known of an end of the connection: a line of text may have said why."""
+        why = f'"{self._text}"' if self._text else reason or "does it serve another program, or want a token?"
+        return f"the connection ended before the gateway answered: {why}"
+
+    # The questions
+
+    def _ask_plain(self, now: float) -> None:
+        # A line end first, for what an earlier program left unfinished; LF, for CR would execute it unchecked.
+        self._framing, self._plain = Framing(Crc(), self._node), True
+        self._begin(LF + self._framing.plain_request(b"Q"), b"Q", now)
+
+    def _ask_checked(self, now: float) -> None:
+        self._framing, self._plain = self.codec.framing, False
+        self._begin(self._framing.checked(b"Q"), b"Q", now, tries=CHECKED_TRIES)
+
+    def _ask_session(self, now: float, patience: float = FIRST_TRY) -> None:
+        session = b"K" + self.codec.id_text[self.first]
+        self._begin(self._framing.checked(session), session, now, patience)
+
+    def _begin(
+        self, question: bytes, beginning: bytes, now: float, patience: float = FIRST_TRY, tries: float = math.inf
+    ) -> None:
+        """Ask until an answer comes that begins as expected, `tries` times at most."""
+        self._question, self._beginning = question, beginning
+        self._patience, self._tries, self._asked = patience, tries, 0
+        self._send(now)
+
+    def _send(self, now: float) -> None:
+        self._out.append(self._question)
+        self._asked += 1
+        self._asked_at = now
+        self._damaged = False
+        self.deadline = now + self._patience
+
+    def expire(self, now: float) -> None:
+        """Ask again, if the time has come."""
+        if self.complete or now < self.deadline:
+            return
+        if self._pausing:
+            self._pausing = False
+            self._ask_session(now, 2 * self.round_trip)
+            return
+        if self._damaged:
+            self._tries -= DAMAGE_COST
+        else:
+            self._patience = min(2 * self._patience, LONGEST_TRY)
+            self._tries -= 1
+        if self._tries > 0:
+            self._send(now)
+        else:
+            self._doubtful = b""
+            self._ask_plain(now)
+
+    # The answers
+
+    def receive(self, data: bytes, now: float) -> int:
+        """Look for the answer in a read; return where the first line begins that was not looked at."""
+        self._heard += len(data)
+        start = 0
+        while not self.complete and (end := data.find(LF, start)) >= 0:
+            self._receive_line(data[start:end], now)
+            start = end + 1
+        return start
+
+    def _receive_line(self, line: bytes, now: float) -> None:
+        body = b""
+        if line.endswith(b"\r") == self._plain:
+            with contextlib.suppress(FrameError):
+                body = self._framing.open(line)
+        if self._pausing:
+            return
+        if body.startswith(self._beginning):
+            self._answered(body, now)
+            return
+        text = line[:_LONGEST_TEXT].decode("ascii", "replace").strip()
+        self._text = text if text.isprintable() else ""
+        if not self._damaged:
+            # Perhaps a damaged answer; what answers so soon will not take much longer for the next one.
+            self._damaged = True
+            self._patience = min(max(DAMAGE_PATIENCE * (now - self._asked_at), SHORTEST_TRY), LONGEST_TRY)
+            self.deadline = now + DAMAGE_PAUSE
+
+    def _answered(self, body: bytes, now: float) -> None:
+        if self._beginning != b"Q":
+            self._session_begun(now)
+        elif self._plain:
+            self._believe(body, now)
+        elif body == self._believed:
+            self._ask_session(now)
+        else:
+            self._doubtful = self._believed
+            self._believe(body, now)
+
+    def _believe(self, answer: bytes, now: float) -> None:
+        """Read what the gateway says it is; what it says twice in the same words is no damage.
+
+        Raises:
+            UnsupportedError: for another protocol version, or impossible widths.
+        """
+        try:
+            self._codec = Codec(GatewayInfo.from_hex(answer[1:]), self._node)
+        except UnsupportedError:
+            if answer == self._doubtful:
+                raise
+        except ValueError:
+            pass
+        else:
+            self._believed = answer
+            self._ask_checked(now)
+            return
+        self._doubtful = answer
+        self._ask_plain(now)
+
+    def _session_begun(self, now: float) -> None:
+        self.round_trip = now - self._asked_at
+        if self._asked == 1:
+            self.complete = True
+        else:
+            # An answer does not say to which question it is: once more, when those to the others have come.
+            self._pausing = True
+            self.deadline = now + self.round_trip

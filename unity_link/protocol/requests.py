@@ -1,0 +1,584 @@
+"""What a host asks of a gateway: messages that know how they are sent and what their answers mean.
+
+A session takes them from *sources*. A `Request` is one message and a source of itself. A `Block` is a source of several
+requests, because the gateway limits their length. A `Batch` has many messages for single words and is a source of
+`BatchRun`, which numpy encodes and decodes together.
+
+What ends, and what a program that waits is to be told, is put into a list of events, for the session to return: a
+request or batch whose answer or error is known, or which is on its way where that is all that is waited for.
+"""
+
+from __future__ import annotations
+
+from collections import deque
+from typing import TYPE_CHECKING, Any, NamedTuple, Protocol
+
+import numpy as np
+
+from unity_link.errors import (
+    AnswerLostError,
+    BusError,
+    BusTimeoutError,
+    GatewayError,
+    Outcome,
+    OutOfRangeError,
+    UnansweredError,
+    UnityLinkError,
+)
+from unity_link.protocol.messages import Codec, Words, hex_rows, parse_words
+from unity_link.protocol.window import Run
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterable, Sequence
+
+    from numpy.typing import NDArray
+
+SMALLEST_BATCH = 32
+"""Messages of a batch that are worth a turn of numpy: room for so many is waited for while others are under way."""
+_POSTED_RUNS = 8
+"""One run of posted writes takes this part of the ring: a quarter of the window, behind which a fence is due."""
+REPEATABLE = frozenset({"R", "RM", "H"})
+"""Commands that change nothing: a new session may send them again."""
+_MANY_WORDS = frozenset({"RM", "RQ"})
+_ERRORS: dict[int, tuple[type[GatewayError], str]] = {
+    4: (BusError, "the bus refused the access"),
+    5: (BusTimeoutError, "nothing on the bus answered"),
+    6: (OutOfRangeError, "the gateway says that a value is out of its range"),
+    8: (AnswerLostError, "the request was executed once, but its answer was lost"),
+}
+_NAMES = {
+    "R": "read",
+    "RM": "block read",
+    "RQ": "queue read",
+    "W": "write",
+    "WM": "block write",
+    "WQ": "queue write",
+    "WK": "masked write",
+    "WS": "posted write",
+    "GS": "setting up a group",
+    "GN": "starting a group",
+    "GX": "stopping a group",
+    "GP": "publishing a group",
+    "I": "setting send-immediate",
+    "H": "fence",
+}
+
+
+def gateway_error(code: int, what: str) -> GatewayError:
+    """Return the exception for an error code of the gateway; `what` names the request."""
+    kind, text = _ERRORS.get(code, (GatewayError, f"the gateway answered error {code:02X}"))
+    return kind(f"{what}: {text}", code)
+
+
+class PostedFailure(NamedTuple):
+    """Event: posted writes have failed that no call waits for any more."""
+
+    error: UnityLinkError
+    writes: int
+    """How many."""
+
+
+Events = list[Any]
+"""What a session has to tell, in the order in which it happened: what has ended, `PostedFailure`, and what the session
+defines."""
+
+
+class Source(Protocol):
+    """Something that has messages to send."""
+
+    @property
+    def size(self) -> int:
+        """Characters of the next message."""
+
+    @property
+    def posted(self) -> bool:
+        """Whether the next message is a posted write."""
+
+    def least(self) -> int:
+        """Return for how many messages room is wanted before the next turn; 0 for no turn before an answer has come."""
+
+    def take(self, room: int, events: Events) -> Message:
+        """Return the next run, of at most `room` messages."""
+
+    def exhausted(self) -> bool:
+        """Return whether all has been taken."""
+
+    def unwanted(self) -> bool:
+        """Return whether it is not awaited any more."""
+
+    def fail(self, error: UnityLinkError, events: Events) -> None:
+        """End what has not been taken yet."""
+
+
+class Message(Run):
+    """A run that knows its messages.
+
+    Args:
+        codec: the messages of the gateway.
+        command: in upper case.
+        fields_size: characters of the fields of each message.
+        reply_digits: hex digits behind the ID of each answer, None for a posted write.
+        count: number of messages.
+    """
+
+    __slots__ = ("codec", "command", "given_up")
+
+    def __init__(self, codec: Codec, command: str, fields_size: int, reply_digits: int | None, count: int = 1) -> None:
+        head = codec.head_sizes[command]
+        super().__init__(count, head + fields_size, 0 if reply_digits is None else head + reply_digits)
+        self.codec = codec
+        self.command = command
+        self.given_up = False
+        """Whether it will never be answered, and is sent as ``h`` from now on."""
+
+    def encode(self, offset: int, count: int) -> bytes:
+        """Return the frames of `count` messages from `offset` on, under the IDs that the window gave."""
+        raise NotImplementedError
+
+    def accept(self, offset: int, body: bytes, position: int, events: Events) -> bool:
+        """Take the response to one message, with its data from `position` on; False where it is no response to it."""
+        raise NotImplementedError
+
+    def unwanted(self) -> bool:
+        """Return whether the answer is not awaited any more."""
+        return self.given_up
+
+    def fail_part(self, offset: int, count: int, error: UnityLinkError, events: Events) -> None:
+        """Record that there will be no answer to these messages of the run."""
+        raise NotImplementedError
+
+    def describe(self, offset: int) -> str:
+        """Return the name of one message for an error."""
+        fields = self.fields_at(offset).decode()
+        if self.command[0] not in "RW":
+            return _NAMES[self.command]
+        return f"{_NAMES[self.command]} at 0x{fields[: self.codec.info.address_digits]}"
+
+    def fields_at(self, offset: int) -> bytes:
+        """Return the fields of one message."""
+        raise NotImplementedError
+
+    def again(self, offset: int, count: int) -> Source | None:
+        """Return what a new session has to send for this part of the run, None where that could execute it twice."""
+        raise NotImplementedError
+
+
+class Request(Message):
+    """One message, and what became of it: a source of itself.
+
+    Args:
+        codec: the messages of the gateway.
+        command: in upper case.
+        fields: hex digits.
+        reply_digits: hex digits behind the ID of the answer, None for a posted write.
+        of_session: whether it has a meaning in the session alone in which it was made.
+    """
+
+    __slots__ = ("_command", "answer", "done", "error", "fields", "frame", "of_session", "owner", "sent")
+
+    def __init__(
+        self, codec: Codec, command: str, fields: bytes, reply_digits: int | None, *, of_session: bool = False
+    ) -> None:
+        # As `Message` would: this is on the way of every read.
+        head = codec.head_sizes[command]
+        self.first = 0
+        self.count = 1
+        self.size = head + len(fields)
+        self.posted = reply_digits is None
+        self.reply_size = 0 if reply_digits is None else head + reply_digits
+        self.codec = codec
+        self.command = command
+        self.given_up = False
+        self._command = codec.lower[command]
+        self.fields = fields
+        self.of_session = of_session
+        self.frame = b""
+        self.sent = False
+        """Whether it was given an ID."""
+        self.done = False
+        """Whether `answer` or `error` is known."""
+        self.answer: Any = None
+        """The word or words read; None for an acknowledgement."""
+        self.error: UnityLinkError | None = None
+        self.owner: Any = None
+        """What waits for it: nothing that the session looks at."""
+
+    def encode(self, offset: int, count: int) -> bytes:  # noqa: ARG002  (a request is a run of one)
+        """Return the frame."""
+        if not self.frame:
+            codec = self.codec
+            self.frame = codec.framing.checked(self._command + codec.id_text[self.first] + self.fields)
+        return self.frame
+
+    def accept(self, offset: int, body: bytes, position: int, events: Events) -> bool:  # noqa: ARG002
+        """Take the response."""
+        if not body.startswith(self._command) or len(body) + self.codec.framing.overhead != self.reply_size:
+            return False
+        try:
+            answer = self.decode(body, position)
+        except ValueError:
+            return False
+        if not self.done:
+            self.done = True
+            self.answer = answer
+            events.append(self)
+        return True
+
+    def decode(self, body: bytes, position: int) -> Any:
+        """Return what the response says."""
+        if position == len(body):
+            return None
+        if self.command in _MANY_WORDS:
+            return parse_words(body[position:], self.codec.info.data_digits)
+        return int(body[position:], 16)
+
+    def cancel(self) -> None:
+        """Record that no call waits for it any more: it is not sent, or the gateway does as it was asked unheard."""
+        if not (self.posted and self.sent):
+            self.given_up = True
+
+    def fail(self, error: UnityLinkError, events: Events) -> None:
+        """End it with an error; that of a posted write which was sent is told by a `PostedFailure`."""
+        if self.posted and self.sent:
+            events.append(PostedFailure(error, 1))
+        elif not self.done:
+            self.done = True
+            self.error = error
+            events.append(self)
+
+    def fail_part(self, offset: int, count: int, error: UnityLinkError, events: Events) -> None:  # noqa: ARG002
+        """End it with an error."""
+        self.fail(error, events)
+
+    def fields_at(self, offset: int) -> bytes:  # noqa: ARG002
+        """Return the fields."""
+        return self.fields
+
+    def again(self, offset: int, count: int) -> Source | None:  # noqa: ARG002
+        """Return the request itself where it changes nothing."""
+        if self.of_session or self.command not in REPEATABLE:
+            return None
+        self.frame = b""
+        return self
+
+    # A source of itself
+
+    def least(self) -> int:
+        """Return one."""
+        return 1
+
+    def take(self, room: int, events: Events) -> Message:  # noqa: ARG002
+        """Return the request itself; a posted write that has waited for room is told as sent."""
+        self.sent = True
+        if self.posted:
+            events.append(self)
+        return self
+
+    def exhausted(self) -> bool:
+        """Return True: one turn is enough."""
+        return True
+
+
+class Step(Request):
+    """A request of the session itself.
+
+    Args:
+        codec: the messages of the gateway.
+        command: in upper case.
+        fields: hex digits.
+        follow: is called when it has ended, with its error or None.
+    """
+
+    __slots__ = ("_follow",)
+
+    def __init__(
+        self, codec: Codec, command: str, fields: bytes, follow: Callable[[UnityLinkError | None, Events], None]
+    ) -> None:
+        super().__init__(codec, command, fields, 0, of_session=True)
+        self._follow = follow
+
+    def accept(self, offset: int, body: bytes, position: int, events: Events) -> bool:
+        """Take the response, and go on."""
+        ended: Events = []
+        accepted = super().accept(offset, body, position, ended)
+        if ended:
+            self._follow(None, events)
+        return accepted
+
+    def fail(self, error: UnityLinkError, events: Events) -> None:
+        """End it, and go on with its error."""
+        ended: Events = []
+        super().fail(error, ended)
+        if ended:
+            self._follow(error, events)
+
+
+class Fence(Request):
+    """An ``h`` that is not sent before all that was asked for earlier.
+
+    Args:
+        codec: the messages of the gateway.
+        of_session: whether it ends with its session, where a new one would send it again.
+    """
+
+    __slots__ = ("earlier",)
+
+    def __init__(self, codec: Codec, *, of_session: bool = False) -> None:
+        super().__init__(codec, "H", b"", 0, of_session=of_session)
+        self.earlier: list[Source] = []
+        """Sources of several turns that were asked for before."""
+
+
+class Block:
+    """A source of several requests that are sent in order and answered one by one."""
+
+    posted = False
+
+    def __init__(self, requests: list[Request]) -> None:
+        self._requests = deque(requests)
+
+    @property
+    def size(self) -> int:
+        """Characters of the next request."""
+        return self._requests[0].size
+
+    def least(self) -> int:
+        """Return one."""
+        return 1
+
+    def take(self, room: int, events: Events) -> Message:
+        """Return the next request."""
+        return self._requests.popleft().take(room, events)
+
+    def exhausted(self) -> bool:
+        """Return whether all have been taken."""
+        return not self._requests
+
+    def unwanted(self) -> bool:
+        """Return whether the next request was given up, and with it all behind it."""
+        return self._requests[0].given_up
+
+    def fail(self, error: UnityLinkError, events: Events) -> None:
+        """End the requests that have not been sent."""
+        for request in self._requests:
+            request.fail(error, events)
+
+
+def common_outcome(requests: Iterable[Request]) -> Outcome:
+    """Return what is known of requests that were asked for together: `Outcome.UNKNOWN` where they fared differently."""
+    outcomes = {_outcome(request) for request in requests}
+    return outcomes.pop() if len(outcomes) == 1 else Outcome.UNKNOWN
+
+
+def _outcome(request: Request) -> Outcome:
+    if not request.done:
+        return Outcome.UNKNOWN
+    return request.error.outcome if isinstance(request.error, UnansweredError) else Outcome.EXECUTED
+
+
+class Batch:
+    """Many messages of one command for single words, and what became of them: a source of runs.
+
+    `smallest_turn` is the number of messages for which room is waited for while others are under way.
+
+    Args:
+        codec: the messages of the gateway.
+        command: ``R``, ``W`` or ``WS``.
+        columns: the numbers that stand in the fields, each of shape (n,), and how many hex digits each has.
+    """
+
+    smallest_turn = SMALLEST_BATCH
+
+    def __init__(self, codec: Codec, command: str, columns: Sequence[tuple[NDArray[Any], int]]) -> None:
+        self.codec = codec
+        self.command = command
+        self.posted = command == "WS"
+        self.count = len(columns[0][0])
+        self.size = codec.head_sizes[command] + sum(digits for _, digits in columns)
+        self.reply_digits = None if self.posted else codec.info.data_digits if command == "R" else 0
+        self.sent = 0
+        """How many were given an ID; a new session may send some of them again."""
+        self.done = False
+        """Whether `answer` or `error` is known; of posted writes, whether all were sent."""
+        self.answer: Words = np.zeros(0 if self.posted else self.count, codec.word_type)
+        self.error: UnityLinkError | None = None
+        self.owner: Any = None
+        self.given_up = False
+        """Whether no call waits for it any more."""
+        self._columns = columns
+        self._unanswered = self.count
+        self._refusal: tuple[int, GatewayError] | None = None
+        """The first message that the gateway refused, and how."""
+
+    # A source
+
+    def least(self) -> int:
+        """Return a number that is worth a turn."""
+        return min(self.smallest_turn, self.count - self.sent)
+
+    def take(self, room: int, events: Events) -> Message:
+        """Return the next run; of posted writes a part of the window, so that a fence confirms it beside the next."""
+        most = self.codec.ring // _POSTED_RUNS if self.posted else room
+        run = self.run(self.sent, min(room, most, self.count - self.sent))
+        self.sent += run.count
+        if self.posted and self.exhausted():
+            self._end(events)
+        return run
+
+    def run(self, start: int, count: int) -> BatchRun:
+        """Return some of the messages."""
+        return BatchRun(self, start, count)
+
+    def exhausted(self) -> bool:
+        """Return whether all have been taken."""
+        return self.sent == self.count
+
+    def unwanted(self) -> bool:
+        """Return whether no call waits for it any more, or it has failed."""
+        return self.given_up or self.error is not None
+
+    def cancel(self) -> None:
+        """Record that no call waits for it any more: what was not sent never is."""
+        self.given_up = not self.done
+
+    def fail(self, error: UnityLinkError, events: Events) -> None:
+        """End it with an error that is about a part of it."""
+        if isinstance(error, UnansweredError) and self.sent and self.count > 1:
+            error = error.about(Outcome.UNKNOWN)
+        self._end(events, error)
+
+    def _end(self, events: Events, error: UnityLinkError | None = None) -> None:
+        if not self.done:
+            self.done, self.error = True, error
+            events.append(self)
+
+    # The answers, told by the runs
+
+    def fields(self, start: int, count: int) -> NDArray[np.uint8]:
+        """Return the hex digits of the fields of some messages, shape (count, width)."""
+        rows = [hex_rows(values[start : start + count], digits) for values, digits in self._columns]
+        return rows[0] if len(rows) == 1 else np.concatenate(rows, axis=1)
+
+    def put(self, offset: int, words: Words, events: Events) -> None:
+        """Take the words of answers, in order; zeros for acknowledgements."""
+        self.answer[offset : offset + len(words)] = words
+        self._answered(len(words), events)
+
+    def take_refusal(self, offset: int, error: GatewayError, events: Events) -> None:
+        """Take the refusal of one message; the others are done all the same."""
+        if self._refusal is None or offset < self._refusal[0]:
+            self._refusal = offset, error
+        self._answered(1, events)
+
+    def _answered(self, count: int, events: Events) -> None:
+        self._unanswered -= count
+        if not self._unanswered:
+            self._end(events, None if self._refusal is None else self._refusal[1])
+
+
+class BatchRun(Message):
+    """The messages of a batch that are sent in one turn, and whose answers are taken many at a time.
+
+    Args:
+        batch: the whole.
+        start: the first of its messages that is in the run.
+        count: how many are.
+    """
+
+    __slots__ = ("_batch", "_frames", "_start")
+
+    def __init__(self, batch: Batch, start: int, count: int) -> None:
+        codec = batch.codec
+        width = batch.size - codec.head_sizes[batch.command]
+        super().__init__(codec, batch.command, width, batch.reply_digits, count)
+        self._batch = batch
+        self._start = start
+        self._frames = b""
+
+    def encode(self, offset: int, count: int) -> bytes:
+        """Return the frames of `count` messages from `offset` on."""
+        if not self._frames:
+            fields = self._batch.fields(self._start, self.count)
+            self._frames = self.codec.request_rows(self.command, self.first, fields)
+        return self._frames[offset * self.size : (offset + count) * self.size]
+
+    def accept(self, offset: int, body: bytes, position: int, events: Events) -> bool:
+        """Take the response to one message."""
+        command = self.codec.lower[self.command]
+        if not body.startswith(command) or len(body) + self.codec.framing.overhead != self.reply_size:
+            return False
+        try:
+            word = int(body[position:] or b"0", 16)
+        except ValueError:
+            return False
+        self._batch.put(self._start + offset, np.array([word], self.codec.word_type), events)
+        return True
+
+    def accept_rows(self, offset: int, frames: bytes, events: Events) -> int:
+        """Take the responses to messages from `offset` on; return how many of the frames were such responses."""
+        number = self.first + offset & self.codec.ring - 1
+        words = self.codec.response_rows(self.command, number, frames, self._batch.reply_digits or 0)
+        if words is None:
+            return 0
+        self._batch.put(self._start + offset, words, events)
+        return len(words)
+
+    def fail_part(self, offset: int, count: int, error: UnityLinkError, events: Events) -> None:
+        """Keep the refusal of a message until the others are done; whatever else it is, it ends the batch."""
+        if self.posted:
+            events.append(PostedFailure(error, count))
+        elif isinstance(error, GatewayError):
+            self._batch.take_refusal(self._start + offset, error, events)
+        else:
+            self._batch.fail(error, events)
+
+    def fields_at(self, offset: int) -> bytes:
+        """Return the fields of one message."""
+        return self._batch.fields(self._start + offset, 1).tobytes()
+
+    def unwanted(self) -> bool:
+        """Return whether the batch is not awaited any more; what was posted always is."""
+        return self.given_up or (not self.posted and self._batch.unwanted())
+
+    def again(self, offset: int, count: int) -> Source | None:
+        """Return the part of a batch of reads that is to be sent again."""
+        return BatchPart(self._batch, self._start + offset, count) if self.command in REPEATABLE else None
+
+
+class BatchPart:
+    """Messages of a batch that a new session sends again: a source of runs.
+
+    Args:
+        batch: the whole.
+        start: the first of its messages that is meant.
+        count: how many are.
+    """
+
+    posted = False
+
+    def __init__(self, batch: Batch, start: int, count: int) -> None:
+        self._batch, self._start, self._count = batch, start, count
+        self.size = batch.size
+
+    def least(self) -> int:
+        """Return a number that is worth a turn."""
+        return min(self._batch.smallest_turn, self._count)
+
+    def take(self, room: int, events: Events) -> Message:  # noqa: ARG002  (what is repeated is not posted)
+        """Return the next run."""
+        run = self._batch.run(self._start, min(room, self._count))
+        self._start += run.count
+        self._count -= run.count
+        return run
+
+    def exhausted(self) -> bool:
+        """Return whether all have been taken."""
+        return not self._count
+
+    def unwanted(self) -> bool:
+        """Return whether the batch is not awaited any more."""
+        return self._batch.unwanted()
+
+    def fail(self, error: UnityLinkError, events: Events) -> None:
+        """End them with an error."""
+        self._batch.run(self._start, self._count).fail_part(0, self._count, error, events)

@@ -1,0 +1,405 @@
+"""The host's whole side of the protocol, without I/O.
+
+What programs ask for, bytes and the time go in; bytes to send, events and a deadline come out. A `Session` goes on from
+one connection to the next, and from one life of the gateway to the next. Each time it begins with the handshake, and of
+everything that was under way at an end it says what is known of it:
+
+    =========  =====================================  ==================================================
+    state      begins with                            ends with
+    =========  =====================================  ==================================================
+    away       the end of a connection                `connect`
+    opening    `connect`, or the news of a reset      the answer to `K`: `Opened`; or `disconnect`
+    open       the answer to `K`                      the news of a reset: `Interrupted`; or `disconnect`
+    =========  =====================================  ==================================================
+
+Requests may be made at any time; while the session is not open they wait. Every call in which something can happen
+returns events, in the order in which it happened: a `Request` or `Batch` that has ended, samples, and the classes of
+events of these modules. The session calls no program and looks at no clock: `now` is a time in seconds that never goes
+back.
+"""
+
+from __future__ import annotations
+
+from collections import deque
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from unity_link.errors import (
+    ConnectError,
+    GatewayResetError,
+    LinkLostError,
+    Outcome,
+    UnityLinkError,
+    UnsupportedError,
+)
+from unity_link.protocol.configuration import Feature, GatewayInfo
+from unity_link.protocol.constants import LONGEST_SILENCE
+from unity_link.protocol.exchange import Counters, Exchange
+from unity_link.protocol.group_table import GroupTable, HeldGroup
+from unity_link.protocol.handshake import LAST_ANSWER, Handshake
+from unity_link.protocol.requests import Events, Fence, Request, Source, Step
+from unity_link.protocol.window import Window
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Sequence
+
+    from unity_link.protocol.messages import Codec, GroupFlag
+
+LONGEST_FRAME = 16_384
+"""Bytes without a line end that are kept: more than the longest message, a sample of 255 words of 64 bits, has."""
+SILENT = "the gateway does not answer any more"
+RESET = "the gateway was reset"
+
+
+class Opened(NamedTuple):
+    """Event: a session has begun with a gateway."""
+
+    info: GatewayInfo
+
+
+class Interrupted(NamedTuple):
+    """Event: the gateway was reset; the next session is being opened on the same connection."""
+
+    error: GatewayResetError
+
+
+class Unusable(NamedTuple):
+    """Event: the connection is of no more use."""
+
+    error: UnityLinkError
+
+
+class Session:
+    """The host's side of one link.
+
+    Args:
+        node: number of the gateway on a medium that several share, None for a medium of its own.
+        choose: returns any number from 0 on, by which the first ID of a session is chosen.
+        resumes: whether requests that change nothing are sent again in a new session; otherwise they end with the old.
+    """
+
+    def __init__(self, node: int | None, choose: Callable[[], int], *, resumes: bool = False) -> None:
+        self.counters = Counters()
+        self.closed: LinkLostError | None = None
+        """Why there will be no session any more."""
+        self.epoch = -1
+        """Number of the session, counted from 0; -1 before the first."""
+        self._node = node
+        self._choose = choose
+        self._resumes = resumes
+        self._now = 0.0
+        self._rest = b""
+        self._out: list[bytes] = []
+        self._waiting: deque[Source] = deque()
+        self._codec: Codec | None = None
+        self._groups: GroupTable | None = None
+        self._handshake: Handshake | None = None
+        self._give_up_at: float | None = None
+        """When a gateway that was reset must have answered."""
+        self._shortest_timeout = 0.0
+        self._exchange: Exchange | None = None
+
+    # State
+
+    @property
+    def is_open(self) -> bool:
+        """Whether requests are sent now."""
+        return self._exchange is not None
+
+    @property
+    def codec(self) -> Codec:
+        """The messages of the gateway; there are none before it has said for the first time what it is."""
+        assert self._codec is not None
+        return self._codec
+
+    @property
+    def groups(self) -> GroupTable:
+        """The groups of the gateway; as `codec`."""
+        assert self._groups is not None
+        return self._groups
+
+    @property
+    def in_flight(self) -> int:
+        """Number of requests that were sent and not answered."""
+        return 0 if self._exchange is None else self._exchange.window.in_flight
+
+    @property
+    def round_trip(self) -> float | None:
+        """Smoothed round trip in seconds, None before the first answer of a session."""
+        return None if self._exchange is None else self._exchange.window.smoothed_round_trip
+
+    @property
+    def deadline(self) -> float | None:
+        """When `expire` must be called; None while there is nothing to wait for."""
+        if self._exchange is not None:
+            return self._exchange.window.deadline
+        return None if self._handshake is None else self._handshake.deadline
+
+    @property
+    def blocked(self) -> bool:
+        """Whether the medium takes no bytes: what was sent is still held back, so nothing is sent again."""
+        return self._exchange is not None and self._exchange.blocked
+
+    @blocked.setter
+    def blocked(self, blocked: bool) -> None:
+        if self._exchange is not None:
+            self._exchange.blocked = blocked
+
+    def take_output(self) -> bytes:
+        """Return the bytes to send, which are forgotten here."""
+        out = self._out
+        if not out:
+            return b""
+        data = out[0] if len(out) == 1 else b"".join(out)
+        out.clear()
+        return data
+
+    def describe_silence(self) -> str:
+        """Return what was heard of a gateway that has not answered, for an error."""
+        return "the connection was not accepted" if self._handshake is None else self._handshake.describe()
+
+    # Connections
+
+    def connect(self, now: float, shortest_timeout: float) -> None:
+        """Begin on a new connection.
+
+        Args:
+            now: the time.
+            shortest_timeout: seconds that the medium may hold an answer back, and some more.
+        """
+        self._shortest_timeout = shortest_timeout
+        self._rest = b""
+        self._out.clear()
+        self._begin(now)
+
+    def _begin(self, now: float) -> None:
+        self._handshake = Handshake(self._node, self._choose(), now)
+        self._out.append(self._handshake.take_output())
+
+    def disconnect(self, reason: str) -> Events:
+        """End what the connection carried: it is closed, or about to be.
+
+        Returns:
+            The events of what has ended; what can be sent again in a new session waits for it.
+        """
+        events: Events = []
+        self._handshake = None
+        self._give_up_at = None
+        if self._exchange is not None:
+            self._end_exchange(LinkLostError(reason), events)
+        return events
+
+    def connection_error(self, reason: Exception | None) -> ConnectError:
+        """Return what can be known of the end of a connection before the gateway has answered."""
+        if self._handshake is None:
+            return ConnectError("the connection ended when the gateway had just answered")
+        return ConnectError(self._handshake.describe_end(reason))
+
+    def close(self, error: LinkLostError) -> Events:
+        """End for good: everything that waits ends."""
+        events: Events = []
+        self.closed = error
+        self._handshake = None
+        if self._exchange is not None:
+            for run, offset, size, outcome in self._exchange.window.unanswered():
+                run.fail_part(offset, size, error.about(outcome), events)
+            self._exchange = None
+        while self._waiting:
+            self._waiting.popleft().fail(error.about(Outcome.NOT_EXECUTED), events)
+        return events
+
+    def _end_exchange(self, error: LinkLostError, events: Events) -> None:
+        """End a session, keeping what may be sent again for the next one."""
+        assert self._exchange is not None
+        window, refused = self._exchange.window, self._exchange.refused
+        self._exchange = None
+        self.groups.interrupted()
+        again: list[Source] = []
+        for run, offset, size, outcome in window.unanswered(refused):
+            source = run.again(offset, size) if self._resumes and not run.unwanted() else None
+            if source is not None:
+                again.append(source)
+            else:
+                run.fail_part(offset, size, error.about(outcome), events)
+        self._waiting.extendleft(reversed(again))
+        self._drop_of_session(error, events)
+        earlier: list[Source] = []
+        for source in self._waiting:
+            if isinstance(source, Fence):
+                source.earlier += earlier
+            elif not source.exhausted():
+                earlier.append(source)
+
+    def _drop_of_session(self, error: LinkLostError, events: Events) -> None:
+        for request in [source for source in self._waiting if isinstance(source, Request) and source.of_session]:
+            self._waiting.remove(request)
+            request.fail(error.about(Outcome.NOT_EXECUTED), events)
+
+    # Requests
+
+    def submit(self, source: Source, now: float) -> Events:
+        """Send what `source` has as soon as there is room.
+
+        Raises:
+            LinkLostError: where there will be no session any more.
+        """
+        events: Events = []
+        self._now = now
+        if self._exchange is not None:
+            self._exchange.submit(source, now, events)
+        elif self.closed is not None:
+            raise self.closed.about(Outcome.NOT_EXECUTED)
+        else:
+            if isinstance(source, Fence):
+                source.earlier = [other for other in self._waiting if not other.exhausted()]
+            self._waiting.append(source)
+        return events
+
+    # Groups
+
+    def hold(self, flags: GroupFlag, divisor: int, addresses: Sequence[int], length: int, owner: Any) -> HeldGroup:
+        """Take a free group, to be set up in this session and in each later one; `start` does it the first time.
+
+        Args:
+            flags: of the group.
+            divisor: of the base publish frequency.
+            addresses: what is sampled.
+            length: characters of the body of a sample.
+            owner: what its samples are told to be for.
+
+        Raises:
+            UnsupportedError: where no group is free.
+        """
+        layout = self.codec.fields("GS", 0, int(flags), divisor, len(addresses), addresses)
+        return self.groups.hold(layout[2:], length, owner)
+
+    def start(self, group: HeldGroup, now: float) -> Events:
+        """Set up a group that is held; while the session is not open, the next one does."""
+        events: Events = []
+        self._now = now
+        if self._exchange is not None:
+            self.groups.set_up(self.codec, group, events)
+        return events
+
+    def release(self, group: HeldGroup, now: float) -> tuple[Request | None, Events]:
+        """Give a group back, and stop it.
+
+        Returns:
+            The request that stops it, None where nothing is left to stop; and events.
+        """
+        if not self.groups.release(group) or self._exchange is None:
+            return None, []
+        request = Request(self.codec, "GX", group.text, 0, of_session=True)
+        return request, self.submit(request, now)
+
+    def _submit_step(self, step: Step, events: Events) -> None:
+        if self._exchange is not None:
+            self._exchange.submit(step, self._now, events)
+        else:
+            step.fail(LinkLostError(SILENT, Outcome.NOT_EXECUTED), events)
+
+    # What arrives, and time
+
+    def receive(self, data: bytes, now: float) -> Events:
+        """Take bytes of the connection, cut anywhere."""
+        events: Events = []
+        self._now = now
+        if self._rest:
+            data = self._rest + data
+        while data:
+            taken = self._receive(data, now, events)
+            data = data[taken:]
+            if not taken:
+                break
+        # Noise without a line end is no frame; what is kept of it must not grow.
+        self._rest = data if len(data) <= LONGEST_FRAME else b""
+        if self._exchange is not None:
+            self._exchange.go_on(now, events)
+        return events
+
+    def _receive(self, data: bytes, now: float, events: Events) -> int:
+        """Hand bytes to what is expecting them; return how many were taken."""
+        exchange = self._exchange
+        if exchange is not None:
+            taken = exchange.receive(data, now, events)
+            if exchange.refused is not None:
+                self._gateway_was_reset(now, events)
+            return taken
+        if self._handshake is None:
+            return len(data)
+        try:
+            taken = self._handshake.receive(data, now)
+        except UnsupportedError as error:
+            self._fail_handshake(error, events)
+            return len(data)
+        self._advance_handshake(now, events)
+        return taken
+
+    def resume_writing(self, now: float) -> Events:
+        """Send what has waited for a medium that takes bytes again."""
+        events: Events = []
+        self._now = now
+        if self._exchange is not None:
+            self._exchange.blocked = False
+            self._exchange.go_on(now, events)
+        return events
+
+    def expire(self, now: float) -> Events:
+        """Let time pass, if `deadline` has come."""
+        events: Events = []
+        self._now = now
+        exchange = self._exchange
+        if exchange is not None:
+            exchange.expire(now, events)
+            if exchange.window.lost:
+                events.append(Unusable(LinkLostError(SILENT)))
+        elif self._handshake is not None:
+            self._handshake.expire(now)
+            self._advance_handshake(now, events)
+            if self._give_up_at is not None and now >= self._give_up_at and self._handshake is not None:
+                events.append(Unusable(LinkLostError(f"{RESET}, and has not answered since")))
+        return events
+
+    def _gateway_was_reset(self, now: float, events: Events) -> None:
+        error = GatewayResetError(RESET)
+        self._end_exchange(error, events)
+        events.append(Interrupted(error))
+        self._give_up_at = now + LONGEST_SILENCE
+        self._begin(now)
+
+    # The handshake
+
+    def _advance_handshake(self, now: float, events: Events) -> None:
+        """Send what the handshake has to ask, and open the session when it is complete."""
+        handshake = self._handshake
+        assert handshake is not None
+        question = handshake.take_output()
+        if question:
+            self._out.append(question)
+        if handshake.complete:
+            self._handshake = None
+            self._give_up_at = None
+            self._open(handshake, now, events)
+
+    def _open(self, handshake: Handshake, now: float, events: Events) -> None:
+        codec = handshake.codec
+        info = codec.info
+        if self._codec is None or self._groups is None:
+            self._codec, self._groups = codec, GroupTable(info.groups, self._submit_step)
+        elif info != self._codec.info:
+            message = f"another gateway answers after the reconnection: {info} instead of {self._codec.info}"
+            self._fail_handshake(UnsupportedError(message), events)
+            return
+        credit = None if Feature.FLOW_CONTROL in info.features else info.receive_fifo_bytes
+        byte_time = handshake.round_trip / LAST_ANSWER
+        window: Window[Any] = Window(
+            codec.ring, handshake.first, credit, byte_time, handshake.round_trip, self._shortest_timeout
+        )
+        self.epoch += 1
+        self._exchange = Exchange(self._codec, window, self._waiting, self._groups, self.counters, self._out)
+        events.append(Opened(info))
+        self._exchange.admit(now, events)
+        self._groups.start(self._codec, events)
+
+    def _fail_handshake(self, error: UnityLinkError, events: Events) -> None:
+        self._handshake = None
+        events.append(Unusable(error))
