@@ -9,7 +9,7 @@ import msgspec
 import pytest
 
 import unity_link
-from benchmarks.responder import GATEWAY, BareLoop, exchange, responder
+from benchmarks.responder import GATEWAY, exchange, responder
 
 pytestmark = pytest.mark.skipif(
     not any(shutil.which(name) for name in ("cc", "gcc", "clang")), reason="no C compiler: apt install gcc"
