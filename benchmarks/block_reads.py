@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import msgspec
+
 import unity_link
 from benchmarks.concurrent_reads import transfer
 from benchmarks.measure import Row, compare, rate_row, seconds
-from benchmarks.responder import responder
+from benchmarks.responder import GATEWAY, exchange, responder
 
 WORDS = 65_280
 BLOCK = 255
@@ -15,9 +17,10 @@ LEAST = 3_000_000
 
 async def measure() -> Row:
     """Compare long blocks with the same bytes through a bare loop."""
-    request, response = b"rm000000FF00\n", b"0" * (4 + 8 * BLOCK + 3)
+    info = msgspec.structs.replace(GATEWAY, address_bits=16)
+    request, response = exchange(info, "RM", 0, BLOCK, reads=[0] * BLOCK)
     total = REPEATS * WORDS
-    with responder(address_digits=4) as path:
+    with responder(info) as path:
 
         async def ours() -> float:
             async with unity_link.connect(f"serial:{path}") as link:

@@ -6,11 +6,11 @@ import asyncio
 
 import unity_link
 from benchmarks.measure import Row, compare, rate_row, seconds
-from benchmarks.responder import BareLoop, responder
+from benchmarks.responder import GATEWAY, BareLoop, exchange, responder
 
 TASKS = 256
 READS_A_TASK = 100
-REQUEST, RESPONSE = b"r000A2B\n", b"r000A0A0A0A00\n"
+REQUEST, RESPONSE = exchange(GATEWAY, "R", 0x0A, reads=0)
 IN_FLIGHT = 128
 LEAST = 150_000
 

@@ -1,6 +1,6 @@
 """Which way between an FT232H and the event loop is quickest? `python -m benchmarks.ft232h_ways` asks a virtual chip.
 
-Three ways move the same 6 bytes out and 14 back: one hop to a thread for each transaction, which writes and reads; the
+Three ways move the same 8 bytes out and 16 back: one hop to a thread for each transaction, which writes and reads; the
 reading and writing threads of ``ftdi://``; the posted transfers of ``ftdi-async://``. Runs of them alternate. The chip
 without time (microframes of 1 us) shows what the way itself costs, the one with USB's microframes what a user sees. A
 stream of answers then compares how fast both drivers take what comes, and a batch of reads on a UART of 12 Mbaud, which
@@ -17,6 +17,8 @@ from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any
 
 import unity_link
+from unity_link.protocol.configuration import GatewayInfo
+from unity_link.protocol.messages import Codec
 from unity_link.transport import parse_url
 from unity_link.transport.ft232h import with_libusb, with_pyftdi
 from unity_link.transport.ft232h.chip import IN_ENDPOINT, OUT_ENDPOINT, open_chip
@@ -30,7 +32,8 @@ from unity_link.virtual.ft232h.timing import Timing
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
-REQUEST, ANSWER = b"R0ACB\n", 14
+FRAMING = Codec(GatewayInfo()).framing
+REQUEST, ANSWER = FRAMING.checked(b"R0A"), len(FRAMING.checked(b"R0A00000000"))
 ROUND_TRIPS = 500
 RUNS = 7
 BATCHES = 10
@@ -129,7 +132,7 @@ async def stream(module: Any) -> float:
 async def overruns(scheme: str) -> int:
     """Read a batch on a UART; gives 1 if bytes were lost, so that the link had to repeat."""
     logging.getLogger("unity_link.ft232h").setLevel(logging.ERROR)
-    url = f"{scheme}://virtual?mode=uart&baud=12000000&id_digits=3&receive_fifo_bytes=4096"
+    url = f"{scheme}://virtual?mode=uart&baud=12000000&receive_fifo_bytes=4096"
     async with unity_link.connect(url) as link:
         await link.read_many([0] * 5000)
         return int(link.statistics.repetitions > 0)

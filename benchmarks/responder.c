@@ -1,10 +1,10 @@
 /* The other end of the benchmarks: a gateway that costs next to nothing, so that what is measured is the host.
  *
- * It speaks the wire protocol in checked form (32-bit data, CRC-8; addresses of 2 to 4 digits, IDs of 2 or 3) and
- * executes r, rm, w, wm, ws, h and the group commands on plain memory. It trusts its wire: no sequence rules, no errors.
+ * It speaks the wire protocol in checked form (words of 32 bits, addresses of up to 16) and executes r, rm, w, wm, ws, h
+ * and the group commands on plain memory. It trusts its wire: no session, no sequence rules, no errors.
  * A running group publishes as fast as the wire takes it, without timestamps.
  *
- * usage: responder FD ID_DIGITS ADDRESS_DIGITS     (FD: an open pseudo-terminal or socket)
+ * usage: responder FD CONFIGURATION     (an open pseudo-terminal or socket; the answer to Q, by which it sends)
  */
 #include <errno.h>
 #include <poll.h>
@@ -16,22 +16,24 @@
 
 enum { DATA = 8, MOST = 1 << 16, WORDS = 1 << 16, PUBLISHES = 256 };
 
-static uint8_t crc_table[256];
+static uint32_t crc_table[256];
 static uint32_t memory[WORDS];
 static char out[MOST * 4];
 static size_t out_length;
-static int fd, id_digits, address_digits;
+static const char *configuration;
+static int fd, id_digits, address_digits, crc_bits;
 static int running, words, group, sequence;
 static uint16_t addresses[256];
 
 static const char digit[] = "0123456789ABCDEF";
 
-static void make_table(void)
+/* A CRC of any width stands at the upper end of 32 bits, so that one table does. */
+static void make_table(uint32_t polynomial)
 {
-    for (int byte = 0; byte < 256; byte++) {
-        uint8_t crc = (uint8_t)byte;
+    for (uint32_t byte = 0; byte < 256; byte++) {
+        uint32_t crc = byte << 24;
         for (int bit = 0; bit < 8; bit++)
-            crc = (uint8_t)(crc & 0x80 ? crc << 1 ^ 0x07 : crc << 1);
+            crc = crc & 0x80000000u ? crc << 1 ^ polynomial : crc << 1;
         crc_table[byte] = crc;
     }
 }
@@ -63,10 +65,10 @@ static void put(const char *text, size_t length)
 
 static void end_frame(size_t start)
 {
-    uint8_t crc = 0;
+    uint32_t crc = 0;
     for (size_t i = start; i < out_length; i++)
-        crc = crc_table[crc ^ (uint8_t)out[i]];
-    put_hex(crc, 2);
+        crc = crc_table[crc >> 24 ^ (uint8_t)out[i]] ^ crc << 8;
+    put_hex(crc >> (32 - crc_bits), crc_bits / 4);
     out[out_length++] = '\n';
 }
 
@@ -78,24 +80,14 @@ static uint32_t get_hex(const char *text, int digits)
     return value;
 }
 
-static void configuration(void)
+/* Its fields are those of the wire protocol: version, data bits, address bits, ID digits, CRC bits, polynomial, ... */
+static void configure(const char *text)
 {
-    put_hex(1, 2);           /* protocol version */
-    put_hex(4 * DATA, 2);    /* data bits */
-    put_hex(4 * (uint32_t)address_digits, 2); /* address bits */
-    put_hex((uint32_t)id_digits, 2);
-    put_hex(8, 2); /* CRC bits */
-    put_hex(7, 8); /* CRC polynomial */
-    put_hex(255, 2);
-    put_hex(256, 4);
-    put_hex(255, 2);
-    put_hex(0, 2);
-    put_hex(100000000, 8); /* base frequency, mHz: ten digits with the two before */
-    put_hex(50000000, 8);  /* clock, Hz */
-    put_hex(4096, 4);
-    put_hex(4096, 4);
-    put_hex(0x11, 4); /* groups, flow control */
-    put_hex(0, 8);
+    configuration = text;
+    address_digits = (int)(get_hex(text + 4, 2) + 3) / 4;
+    id_digits = (int)get_hex(text + 6, 2);
+    crc_bits = (int)get_hex(text + 8, 2);
+    make_table(get_hex(text + 10, 8) << (32 - crc_bits));
 }
 
 static void answer(const char *frame, size_t length)
@@ -108,7 +100,7 @@ static void answer(const char *frame, size_t length)
     if (frame[0] == 'Q' || frame[0] == 'K') {
         put(frame, 1);
         if (frame[0] == 'Q')
-            configuration();
+            put(configuration, strlen(configuration));
         else
             put(frame + 1, (size_t)id_digits);
         running = 0;
@@ -130,7 +122,7 @@ static void answer(const char *frame, size_t length)
             put_hex(memory[(address + i) & (WORDS - 1)], DATA);
     } else if (frame[0] == 'w') {
         address = get_hex(fields, address_digits);
-        for (const char *word = fields + address_digits; word + DATA <= frame + length - 2; word += DATA)
+        for (const char *word = fields + address_digits; word + DATA <= frame + length - crc_bits / 4; word += DATA)
             memory[address++ & (WORDS - 1)] = get_hex(word, DATA);
     } else if (frame[0] == 'g' && frame[1] == 's') {
         group = (int)get_hex(fields, 2);
@@ -162,12 +154,10 @@ int main(int argc, char **argv)
     static char in[MOST];
     size_t held = 0;
 
-    if (argc != 4)
+    if (argc != 3)
         return 2;
     fd = atoi(argv[1]);
-    id_digits = atoi(argv[2]);
-    address_digits = atoi(argv[3]);
-    make_table();
+    configure(argv[2]);
     for (uint32_t i = 0; i < WORDS; i++)
         memory[i] = i * 0x01010101u;
     for (;;) {

@@ -1,4 +1,4 @@
-"""Starts the responder, and gives what both ways of talking to it share: a pseudo-terminal and the bare event loop."""
+"""Starts the responder, and gives what benchmarks send to it: frames, through a link or through a bare event loop."""
 
 from __future__ import annotations
 
@@ -10,17 +10,32 @@ import tempfile
 import tty
 from contextlib import contextmanager
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
+
+from unity_link.protocol.configuration import Feature, GatewayInfo
+from unity_link.protocol.messages import Codec, DecodedRequest
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
 SOURCE = Path(__file__).with_name("responder.c")
+GATEWAY = GatewayInfo(features=Feature.GROUPS | Feature.FLOW_CONTROL, receive_fifo_bytes=4096, transmit_fifo_bytes=4096)
+"""What the responder usually is."""
+
+
+def exchange(info: GatewayInfo, command: str, *values: Any, reads: Any = None) -> tuple[bytes, bytes]:
+    """Return a request with ID 0 and its response."""
+    codec = Codec(info)
+    response = codec.response(DecodedRequest(command, 0, values), reads)
+    return codec.request(command, 0, codec.fields(command, *values)), codec.framing.checked(response)
 
 
 @contextmanager
-def responder(*, id_digits: int = 2, address_digits: int = 2) -> Iterator[str]:
+def responder(info: GatewayInfo = GATEWAY) -> Iterator[str]:
     """Run the responder in another process behind a pseudo-terminal, and return the path of ours.
+
+    Args:
+        info: what it answers to ``Q``, of words of 32 bits and addresses of at most 16.
 
     Raises:
         FileNotFoundError: where there is no C compiler.
@@ -33,7 +48,7 @@ def responder(*, id_digits: int = 2, address_digits: int = 2) -> Iterator[str]:
         subprocess.run([compiler, "-O2", "-Wall", "-Wextra", "-o", program, SOURCE], check=True)
         theirs, ours = os.openpty()
         tty.setraw(ours)
-        arguments = [str(program), str(theirs), str(id_digits), str(address_digits)]
+        arguments = [str(program), str(theirs), info.to_hex().decode()]
         with subprocess.Popen(arguments, pass_fds=[theirs]) as process:
             os.close(theirs)
             try:

@@ -15,7 +15,7 @@ from rich.console import Console
 
 import unity_link
 from benchmarks.measure import seconds
-from unity_link.protocol.crc import Crc
+from unity_link.protocol.messages import Codec
 from unity_link.virtual.rtl import RtlGateway
 
 if TYPE_CHECKING:
@@ -38,10 +38,8 @@ def quickest(work: Callable[[], object]) -> float:
 
 def cycles_of_reads(gateway: RtlGateway) -> tuple[float, float]:
     """Return cycles a second while reads are streamed in, and the cycles that each takes."""
-    crc = Crc()
-    requests = b"".join(
-        body + crc.text(body) + b"\n" for body in (b"R%02X" % (number % 256) for number in range(READS))
-    )
+    checked = Codec(gateway.info).framing.checked
+    requests = b"".join(checked(b"R%02X" % (number % 256)) for number in range(READS))
     before = gateway.cycles
     gateway.receive(requests, 0.0)
     cycles = gateway.cycles - before

@@ -6,11 +6,13 @@ import time
 
 import unity_link
 from benchmarks.measure import Row, compare, rate_row, seconds
-from benchmarks.responder import BareLoop, responder
+from benchmarks.responder import GATEWAY, BareLoop, exchange, responder
+from unity_link.protocol.messages import Codec
 
 SAMPLES = 100_000
 LEAST = 80_000
-_PUBLISH = len("P00000A0A0A0A00\n")
+_CODEC = Codec(GATEWAY)
+_PUBLISH = len(_CODEC.framing.checked(_CODEC.publish(0, 0, None, [0])))
 
 
 async def measure() -> Row:
@@ -32,9 +34,9 @@ async def measure() -> Row:
 
         async def bare() -> float:
             loop = BareLoop(path)
-            loop.send(b"gs00000100010" + b"10A00\ngn010000\n")
+            loop.send(exchange(GATEWAY, "GS", 0, 0, 1, 1, [0x0A])[0] + exchange(GATEWAY, "GN", 0)[0])
             taken = await seconds(loop.receive(SAMPLES * _PUBLISH)) / SAMPLES
-            loop.send(b"gx020000\n")
+            loop.send(exchange(GATEWAY, "GX", 0)[0])
             loop.close()
             return taken
 

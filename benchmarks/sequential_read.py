@@ -7,14 +7,14 @@ import time
 
 import unity_link
 from benchmarks.measure import Row, compare
-from benchmarks.responder import BareLoop, responder
+from benchmarks.responder import GATEWAY, BareLoop, exchange, responder
 
 READS = 4000
 MOST = 1.25
 
 
 async def measure() -> Row:
-    """Compare `await link.read(...)` with the same 8 and 14 bytes through a bare loop, median of the round trips."""
+    """Compare `await link.read(...)` with the same bytes through a bare loop, median of the round trips."""
     with responder() as path:
 
         async def ours() -> float:
@@ -27,12 +27,13 @@ async def measure() -> Row:
                 return statistics.median(times)
 
         async def bare() -> float:
+            request, response = exchange(GATEWAY, "R", 0x0A, reads=0)
             loop = BareLoop(path)
             times = []
             for _ in range(READS):
                 start = time.perf_counter()
-                loop.send(b"r000A2B\n")
-                await loop.receive(len(b"r000A0A0A0A00\n"))
+                loop.send(request)
+                await loop.receive(len(response))
                 times.append(time.perf_counter() - start)
             loop.close()
             return statistics.median(times)

@@ -11,13 +11,14 @@ from typing import TYPE_CHECKING, NamedTuple
 import msgspec
 
 import unity_link
+from benchmarks.paper.build import MODEL
 from benchmarks.paper.checks import check
 from benchmarks.paper.gateware import measure_gateware
 from benchmarks.paper.latency import measure_latencies
 from benchmarks.paper.publishing import measure_limits, measure_sustained
 from benchmarks.paper.results import STACKS, Burst, Latency, Parameters, Results, Throughput
 from benchmarks.paper.throughput import measure_bursts, measure_throughputs
-from benchmarks.paper.workbench import MODEL, GatewayKind, Workbench, available_gateway
+from benchmarks.paper.workbench import GatewayKind, Workbench, available_gateway
 from unity_link.transport.ft232h import with_libusb
 
 if TYPE_CHECKING:

@@ -5,10 +5,13 @@ The medium there takes and gives a byte in every cycle. The messages are the pap
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
+from benchmarks.paper.build import checked, compiled_gateway
 from benchmarks.paper.results import GatewareFigures
-from benchmarks.paper.workbench import CONFIGURATION
-from unity_link.protocol.crc import Crc
-from unity_link.virtual.rtl import RtlGateway
+
+if TYPE_CHECKING:
+    from unity_link.virtual.rtl import RtlGateway
 
 ADDRESS, WORD = 0x0A, 0x12
 _PIPELINED = 500
@@ -18,9 +21,9 @@ _PATIENCE = 10_000
 
 def measure_gateware() -> GatewareFigures:
     """Count the cycles of a read, of a write and of pipelined reads."""
-    gateway = RtlGateway(CONFIGURATION)
-    read, _ = _count(gateway, _checked(b"R%02X" % ADDRESS), answer_size=14)
-    write, effect = _count(gateway, _checked(b"W%02X%08X" % (ADDRESS, WORD)), answer_size=6)
+    gateway = compiled_gateway()
+    read, _ = _count(gateway, checked(b"R%02X" % ADDRESS), answer_size=14)
+    write, effect = _count(gateway, checked(b"W%02X%08X" % (ADDRESS, WORD)), answer_size=6)
     assert effect is not None
     return GatewareFigures(
         clock_hz=gateway.info.clock_hz,
@@ -49,8 +52,10 @@ def _count(gateway: RtlGateway, request: bytes, answer_size: int) -> tuple[int, 
 
 
 def _pipelined(gateway: RtlGateway) -> float:
-    """Return the bytes that leave in a cycle while reads come as fast as they are taken."""
-    rest = b"".join(_checked(b"r%03X%02X" % (number, ADDRESS)) for number in range(_PIPELINED))
+    """Return the bytes that leave in a cycle while reads, which have IDs, come as fast as they are taken."""
+    session = checked(b"K000")
+    _count(gateway, session, len(session))
+    rest = b"".join(checked(b"r%03X%02X" % (number, ADDRESS)) for number in range(_PIPELINED))
     size = 15 * _PIPELINED
     first = None
     sent = 0
@@ -64,7 +69,3 @@ def _pipelined(gateway: RtlGateway) -> float:
             assert first is not None
             return size / (cycle - first + 1)
     raise AssertionError(f"the gateware has answered with {sent} of {size} bytes")
-
-
-def _checked(body: bytes) -> bytes:
-    return body + Crc().text(body) + b"\n"

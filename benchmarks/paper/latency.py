@@ -6,10 +6,8 @@ import asyncio
 import statistics
 from typing import TYPE_CHECKING
 
+from benchmarks.paper.build import checked, compiled_gateway
 from benchmarks.paper.results import ACCESSES, MODES, RHYTHMS, Latency, Rhythm, SendImmediate
-from benchmarks.paper.workbench import CONFIGURATION
-from unity_link.protocol.crc import Crc
-from unity_link.virtual.rtl import RtlGateway
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Coroutine, Iterator
@@ -67,11 +65,12 @@ def _measuring(
 
 def _gateware(stack: StackName, access: Access) -> float:
     """Count what a request and its answer take at the pins and in the gateware, in microseconds."""
-    gateway = RtlGateway(CONFIGURATION)
+    gateway = compiled_gateway()
+    gateway.receive(checked(b"K000"), 0.0)
     gateway.set_pace(8e6)
     if stack == "low-level":
         body = b"R0A" if access == "read" else b"W0A00000012"
     else:
         body = b"r0000A" if access == "read" else b"w0000A00000012"
-    passage = gateway.pass_pins(body + Crc().text(body) + b"\n", 10_000, 1024)
+    passage = gateway.pass_pins(checked(body), 10_000, 1024)
     return passage.cycles / gateway.info.clock_hz * 1e6

@@ -6,6 +6,7 @@ import asyncio
 import math
 from typing import TYPE_CHECKING, NamedTuple
 
+from benchmarks.paper.build import checked
 from benchmarks.paper.results import PublishLimit, Sustained
 from benchmarks.paper.stacks import link_of
 
@@ -15,7 +16,7 @@ if TYPE_CHECKING:
     from benchmarks.paper.stacks import Stack
     from benchmarks.paper.workbench import Workbench
 
-HEAD_BYTES = 8
+HEAD_BYTES = len(checked(b"P0000"))
 """Of a publish without timestamp: letter, group, sequence, check and line end."""
 WORD_BYTES = 8
 _RING_WORDS = 1024

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Any, Literal, Protocol
 
 import numpy as np
 
+from benchmarks.paper.build import checked
 from unity_link.link.link import connect
-from unity_link.protocol.crc import Crc
 from unity_link.transport import parse_url
 
 if TYPE_CHECKING:
@@ -97,12 +97,12 @@ class LowLevel(asyncio.Protocol):
         self._ended: asyncio.Future[None] = self._loop.create_future()
         self._transport: asyncio.Transport
         self._requests: dict[Access, bytes] = {
-            "read": _checked(b"R%02X" % ADDRESS),
-            "write": _checked(b"W%02X%08X" % (ADDRESS, WORD)),
-            "post": _checked(b"WS%02X%08X" % (ADDRESS, WORD)),
+            "read": checked(b"R%02X" % ADDRESS),
+            "write": checked(b"W%02X%08X" % (ADDRESS, WORD)),
+            "post": checked(b"WS%02X%08X" % (ADDRESS, WORD)),
         }
-        answer = len(_checked(b"R%02X%08X" % (ADDRESS, WORD)))
-        self._answers: dict[Access, int] = {"read": answer, "write": len(_checked(b"W%02X" % ADDRESS)), "post": 0}
+        answer = len(checked(b"R%02X%08X" % (ADDRESS, WORD)))
+        self._answers: dict[Access, int] = {"read": answer, "write": len(checked(b"W%02X" % ADDRESS)), "post": 0}
         self.line_bytes: dict[Access, int] = {
             "read": answer,
             "write": len(self._requests["write"]),
@@ -126,7 +126,7 @@ class LowLevel(asyncio.Protocol):
 
     async def send_immediate(self, mode: SendImmediate) -> None:
         """Choose a mode."""
-        request = _checked(b"I%02X" % ("off", "always", "adaptive").index(mode))
+        request = checked(b"I%02X" % ("off", "always", "adaptive").index(mode))
         await self._exchange(request, len(request))
         await self._transport.get_extra_info("send_immediate")(mode)
 
@@ -162,13 +162,6 @@ class LowLevel(asyncio.Protocol):
             self._arrived.set_exception(exc)
         if not self._ended.done():
             self._ended.set_result(None)
-
-
-_CRC = Crc()
-
-
-def _checked(body: bytes) -> bytes:
-    return body + _CRC.text(body) + b"\n"
 
 
 def link_of(stack: Any) -> Link:

@@ -9,16 +9,15 @@ from typing import TYPE_CHECKING, Literal, TypeVar
 
 import msgspec
 
+from benchmarks.paper.build import MODEL, compiled_gateway
 from benchmarks.paper.stacks import FullStack, LowLevel
 from unity_link.errors import ConnectError
-from unity_link.protocol.configuration import GatewayInfo
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.ft232h.board import GatewayBoard
 from unity_link.virtual.ft232h.bus import LoopClock, VirtualBus, VirtualFt232h
 from unity_link.virtual.ft232h.rtl_board import RtlBoard
 from unity_link.virtual.ft232h.timing import Timing
 from unity_link.virtual.modelled_time import ModelledTimeLoop
-from unity_link.virtual.rtl import RtlGateway
 
 if TYPE_CHECKING:
     from collections.abc import AsyncIterator, Callable, Coroutine, Iterable, Sequence
@@ -29,10 +28,6 @@ if TYPE_CHECKING:
 GatewayKind = Literal["rtl", "model"]
 T = TypeVar("T")
 
-CONFIGURATION = "ft232h"
-"""The build of the gateware, of `unity_link.virtual.rtl.configurations()`."""
-MODEL = GatewayInfo(id_digits=3, groups=16, base_frequency_millihertz=1_000_000_000)
-"""The same, as far as it counts here, of the model."""
 OPENING = 60.0
 """Seconds of modelled time that opening may take: no answer is late on a virtual chip."""
 
@@ -40,7 +35,7 @@ OPENING = 60.0
 def available_gateway() -> GatewayKind:
     """Return what can stand behind the chip on this machine: the RTL, where there is a C++ compiler."""
     try:
-        RtlGateway(CONFIGURATION)
+        compiled_gateway()
     except ConnectError:
         return "model"
     return "rtl"
@@ -107,4 +102,4 @@ class Workbench(msgspec.Struct, frozen=True):
     def _board(self) -> Board:
         if self.gateway == "model":
             return GatewayBoard(VirtualGateway(MODEL))
-        return RtlBoard(RtlGateway(CONFIGURATION), self.timing.fifo_bytes_per_second)
+        return RtlBoard(compiled_gateway(), self.timing.fifo_bytes_per_second)

@@ -24,7 +24,7 @@ from unity_link.spec import Access, compile_text
 from unity_link.virtual import VirtualGateway
 
 if TYPE_CHECKING:
-    from unity_link.spec import Signal, Value
+    from unity_link.spec import Signal, Spec, Value
 
 ROBOT = unity_link.load(
     compile_text("""
@@ -310,6 +310,28 @@ def test_a_gateway_of_other_widths_is_refused(info: GatewayInfo, message: str) -
                 unity_link.load(spec)(link)
 
     check()
+
+
+def generated_from(spec: Spec) -> VirtualGateway:
+    """Return a gateway that says of itself what a design says that was generated from a spec."""
+    features = GatewayInfo().features | Feature.FINGERPRINT
+    return VirtualGateway(GatewayInfo(features=features, build_id=spec.interface().fingerprint))
+
+
+@on_simulated_time
+async def test_a_gateway_that_was_generated_from_another_spec_is_refused_by_naming_both_maps() -> None:
+    ours, other = compile_text("public robot() { @x = 1: READ(); }"), compile_text("public robot() { @x = 2: READ(); }")
+    async with unity_link.connect(generated_from(ours)) as link:
+        assert await unity_link.load(ours)(link).x.get() == 0
+        maps = f"the map {ours.interface().fingerprint:08X}, and .* the map {other.interface().fingerprint:08X}: load"
+        with pytest.raises(UnsupportedError, match=maps):
+            unity_link.load(other)(link)
+
+
+@on_simulated_time
+async def test_a_build_identifier_that_is_no_fingerprint_is_not_compared() -> None:
+    async with unity_link.connect(VirtualGateway(GatewayInfo(build_id=0xCAFE))) as link:
+        assert await ROBOT(link).angle.get() == 0
 
 
 @on_simulated_time

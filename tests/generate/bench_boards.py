@@ -13,13 +13,14 @@ import cocotb
 from cocotb.clock import Clock
 from cocotb.triggers import ClockCycles, FallingEdge, Timer
 
-from unity_link.generate.vhdl import fingerprint
-from unity_link.protocol.crc import Crc
+from unity_link.protocol.configuration import Feature, GatewayInfo
+from unity_link.protocol.messages import Codec
 from unity_link.spec import compile_file, compile_text
 
 if TYPE_CHECKING:
     from unity_link.spec import Interface
 
+FRAMING = Codec(GatewayInfo()).framing
 PERIOD_NS = 40
 BIT_CYCLES = 4
 WALKER = compile_file(Path(__file__).parents[2] / "examples" / "walker.ul")
@@ -78,13 +79,12 @@ class Board:
             await ClockCycles(self.dut.clk, 40)
         frames = bytes(self.received).splitlines()
         del self.received[:]
-        assert [frame[-2:] for frame in frames] == [Crc().text(frame[:-2]) for frame in frames]
         assert len(frames) == count
-        return [frame[:-2].decode() for frame in frames]
+        return [FRAMING.open(frame).decode() for frame in frames]
 
     async def ask(self, body: str, count: int = 1) -> list[str]:
         """Send a checked frame, and return the bodies of the frames that come."""
-        for byte in body.encode() + Crc().text(body.encode()) + b"\n":
+        for byte in FRAMING.checked(body.encode()):
             for bit in (0, *(byte >> index & 1 for index in range(8)), 1):
                 self.dut.uart_rxd.value = bit
                 await ClockCycles(self.dut.clk, BIT_CYCLES)
@@ -114,7 +114,9 @@ async def the_walker_is_what_its_spec_says(dut: Any) -> None:
 
     # The gateway says which map it was built for, and refuses what is not on it.
     (configuration,) = await board.ask("Q")
-    assert configuration.endswith(fingerprint(walker))
+    info = GatewayInfo.from_hex(configuration[1:].encode())
+    assert Feature.FINGERPRINT in info.features
+    assert info.build_id == walker.fingerprint
     assert await board.ask("R00") == ["X04"]
     assert await board.ask("W1000000001") == ["X04"]
 

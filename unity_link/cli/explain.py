@@ -35,6 +35,7 @@ ERRORS = {
     7: "longer than this gateway's longest request",
     8: "already executed, and its answer is gone",
     9: "bytes were lost: the gateway's receive FIFO was full",
+    10: "no session has begun since the gateway's reset: begin with {session}",
 }
 _MODES = {0: "off", 1: "always", 2: "adaptive"}
 _TIMESTAMP_DIGITS = 8
@@ -146,7 +147,8 @@ class Interpreter:
 
     def _error(self, response: DecodedResponse) -> str:
         code = response.fields["e"]
-        text = f"error {code:02X}: {ERRORS.get(code, 'unknown to this program')}"
+        meaning = ERRORS.get(code, "unknown to this program").format(session=f"K{self._id(0)}")
+        text = f"error {code:02X}: {meaning}"
         return text if response.id is None else f"{text} (ID {self._id(response.id)})"
 
     def _publish(self, fields: Mapping[str, Any]) -> str:

@@ -74,9 +74,11 @@ def _print(url: str, gateway: GatewayInfo, round_trip: float) -> None:
 
 def describe(gateway: GatewayInfo) -> list[tuple[str, str]]:
     """Say what a gateway is, as pairs of a name and a text with units."""
+    from unity_link.protocol.configuration import Feature
+
     base = gateway.base_frequency_hz
     return [
-        ("protocol", f"version {gateway.protocol_version}"),
+        ("protocol", f"version {gateway.protocol_version:02X}"),
         ("words", f"{gateway.data_bits} bits"),
         ("addresses", f"{gateway.address_bits} bits, 0x{0:0{gateway.address_digits}X} to 0x{_highest(gateway):X}"),
         ("message IDs", f"{gateway.id_digits} hex digits, {16**gateway.id_digits // 2} requests in flight"),
@@ -86,7 +88,7 @@ def describe(gateway: GatewayInfo) -> list[tuple[str, str]]:
         ("clock", f"{gateway.clock_hz:,} Hz"),
         ("FIFOs", f"{gateway.receive_fifo_bytes} bytes in, {gateway.transmit_fifo_bytes} bytes out"),
         ("features", ", ".join(feature_name(feature.name) for feature in gateway.features) or "none"),
-        ("build", f"0x{gateway.build_id:08X}"),
+        ("map" if Feature.FINGERPRINT in gateway.features else "build", f"0x{gateway.build_id:08X}"),
     ]
 
 

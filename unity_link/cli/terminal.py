@@ -36,7 +36,7 @@ NEAR = 0.05
 _READ_SIZE = 65_536
 _HELP = """\
 Type a request; the CRC is added.
-With ID: lower case, and the ID behind the command.
+With ID: lower case, and the ID behind the command; K000 begins a session, and 000 comes first.
   R0A                   read the word at 0A
   RM0A04                read 4 words from 0A
   W0A0000002A           write 2A to it; with --plain, W0A2A will do
@@ -45,7 +45,7 @@ With ID: lower case, and the ID behind the command.
   GSgg01vvvvnnaa...     group gg: every vvvv ticks, nn addresses
   GNgg, GXgg, GPgg      start group gg, stop it, ask it once
   Q                     what are you?
-  H, Kii, Imm           nothing; next ID expected; send-immediate mode
+  H, Kiii, Imm          nothing; session from ID iii on; send-immediate mode
 !R0A00 sends as it stands, without adding a CRC.
 Ctrl-D or quit ends."""
 
@@ -110,7 +110,7 @@ async def _connect(target: DriverUrl, stream: Stream) -> Codec:
     except (TimeoutError, ConnectError) as error:
         if stream.closed:
             raise ConnectError(f"{target.text}: the connection ended at once") from error
-        print_note("The gateway does not say what it is; 32-bit words, 8-bit addresses and CRC-8 are assumed.")
+        print_note("The gateway does not say what it is; 32-bit words, 8-bit addresses and CRC-16 are assumed.")
         return Codec(GatewayInfo(), target.node)
     return codec
 

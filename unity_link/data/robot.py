@@ -19,6 +19,7 @@ from unity_link.data.ports import Port, ReadPort, WritePort
 from unity_link.data.proxies import Proxy, Readable, ReadWrite, Writable
 from unity_link.errors import ArgumentError, UnsupportedError
 from unity_link.hardware import Module, module_type
+from unity_link.protocol.configuration import Feature
 from unity_link.spec.model import Access, ComponentArray, ParameterReference
 
 if TYPE_CHECKING:
@@ -88,7 +89,8 @@ class Robot(Component):
 
         Raises:
             ArgumentError: for a parameter that there is not.
-            UnsupportedError: where the gateway's words are not those of the spec, or its addresses too few.
+            UnsupportedError: where the gateway's words are not those of the spec, its addresses are too few, or it was
+                generated from another spec.
         """
         interface = self.interface
         _check_gateway(interface, link)
@@ -250,6 +252,11 @@ def _check_gateway(interface: model.Interface, link: Link) -> None:
         raise UnsupportedError(
             f"the spec of {interface.name} has addresses up to {highest:#x}, and those of the gateway end at "
             f"{(1 << info.address_bits) - 1:#x}"
+        )
+    if Feature.FINGERPRINT in info.features and info.build_id != interface.fingerprint:
+        raise UnsupportedError(
+            f"the gateway was built for the map {info.build_id:08X}, and the spec of {interface.name} is that of the map "
+            f"{interface.fingerprint:08X}: load the spec that the gateway was built from, or build it from this one"
         )
 
 

@@ -15,6 +15,7 @@ from __future__ import annotations
 
 import enum
 import functools
+import hashlib
 from collections.abc import Iterator, Sequence  # noqa: TC003  (msgspec reads the annotations)
 
 import msgspec
@@ -269,6 +270,19 @@ class Interface(msgspec.Struct, frozen=True, kw_only=True, dict=True):
     def signals(self) -> dict[str, Signal]:
         """All signals by their paths, in the order of the spec."""
         return {signal.path: signal for part in self.root.walk() for signal in part.signals}
+
+    @functools.cached_property
+    def fingerprint(self) -> int:
+        """32 bits that name the map: those of another layout, access or kind are others.
+
+        A gateway that was generated from the interface has them as its build identifier.
+        """
+        lines = (
+            f"{signal.path} {signal.address} {signal.lowest_bit} {signal.kind} {signal.access} {signal.fifo}"
+            for signal in self.signals.values()
+        )
+        widths = f"{self.name} {self.address_bits} {self.data_bits}"
+        return int.from_bytes(hashlib.sha256("\n".join([widths, *lines]).encode()).digest()[:4])
 
 
 class SourceFile(msgspec.Struct, frozen=True):

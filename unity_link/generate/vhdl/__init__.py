@@ -10,7 +10,6 @@ The bank is a Wishbone B4 slave; `registers.vhd.jinja` says at its top how it be
 
 from __future__ import annotations
 
-import hashlib
 import math
 from typing import TYPE_CHECKING, Any
 
@@ -79,7 +78,7 @@ def gateway_generics(interface: Interface) -> dict[str, int | str]:
         "group_words": words,
         "sample_depth": max(_LEAST_SAMPLE_DEPTH, 1 << (2 * (words + 2) - 1).bit_length()),
         "base_frequency_millihertz": _base_hz(published) * 1000,
-        "build_id": fingerprint(interface),
+        "build_id": f"{interface.fingerprint:08X}",
     }
 
 
@@ -93,13 +92,3 @@ def _base_hz(groups: list[Group]) -> int:
         return _BASE_HZ
     common = math.lcm(*(int(rate) for rate in rates))
     return _BASE_HZ if common > _BASE_HZ else _BASE_HZ // common * common
-
-
-def fingerprint(interface: Interface) -> str:
-    """Return 8 hex digits that name the map: those of another layout, access or kind are others."""
-    lines = (
-        f"{signal.path} {signal.address} {signal.lowest_bit} {signal.kind} {signal.access} {signal.fifo}"
-        for signal in interface.signals.values()
-    )
-    widths = f"{interface.name} {interface.address_bits} {interface.data_bits}"
-    return hashlib.sha256("\n".join([widths, *lines]).encode()).hexdigest()[:8].upper()

@@ -1,0 +1,28 @@
+"""The build of the gateware that the experiment asks for: the paper's check, and what a board with an FT232H has."""
+
+from __future__ import annotations
+
+from unity_link.protocol.configuration import GatewayInfo
+from unity_link.protocol.messages import Codec
+from unity_link.virtual.rtl import RtlGateway, choose
+
+FIELDS = {"clock_hz": 50_000_000, "id_digits": 3, "crc_bits": 8, "crc_polynomial": 0x07}
+"""What the compiled gateware must have. Fewer digits would leave too few requests under way for a USB."""
+MODEL = GatewayInfo(**FIELDS, groups=16, base_frequency_millihertz=1_000_000_000)
+"""The same, as far as it counts here, of the model."""
+CODEC = Codec(MODEL)
+"""Its messages."""
+
+
+def compiled_gateway() -> RtlGateway:
+    """Return the gateware itself.
+
+    Raises:
+        ConnectError: where it can't be compiled here.
+    """
+    return RtlGateway(choose(FIELDS).name)
+
+
+def checked(body: bytes) -> bytes:
+    """Return the checked frame of a message."""
+    return CODEC.framing.checked(body)

@@ -1,0 +1,54 @@
+"""The responder of the benchmarks: a gateway in C, of whatever widths it is told to have."""
+
+from __future__ import annotations
+
+import asyncio
+import shutil
+
+import msgspec
+import pytest
+
+import unity_link
+from benchmarks.responder import GATEWAY, exchange, responder
+
+pytestmark = pytest.mark.skipif(
+    not any(shutil.which(name) for name in ("cc", "gcc", "clang")), reason="no C compiler: apt install gcc"
+)
+WIDTHS = [
+    GATEWAY,
+    msgspec.structs.replace(GATEWAY, id_digits=2, crc_bits=8, crc_polynomial=0x07),
+    msgspec.structs.replace(GATEWAY, address_bits=13, crc_bits=32, crc_polynomial=0x04C11DB7),
+]
+
+
+@pytest.mark.parametrize("info", WIDTHS, ids=["usual", "short", "long"])
+def test_it_answers_a_link_with_the_widths_it_was_told(info: unity_link.GatewayInfo) -> None:
+    async def work(path: str) -> None:
+        async with unity_link.connect(f"serial:{path}", timeout=60) as link:
+            assert link.gateway == info
+            assert await link.read(0x0B) == 0x0B0B0B0B
+            await link.write_block(0x10, [1, 2, 3])
+            assert (await link.read_many([0x11, 0x12, 0x13])).tolist() == [2, 3, 0x13131313]
+            async with link.subscribe([0x10, 0x11], divisor=1, timestamps=False) as samples:
+                assert (await anext(samples)).values.tolist() == [1, 2]
+            assert link.statistics.damaged_frames == 0
+
+    with responder(info) as path:
+        asyncio.run(work(path))
+
+
+@pytest.mark.parametrize("info", WIDTHS, ids=["usual", "short", "long"])
+def test_the_bare_loop_is_given_the_bytes_that_the_responder_sends(info: unity_link.GatewayInfo) -> None:
+    async def work(path: str) -> bytes:
+        loop = asyncio.get_running_loop()
+        reader = asyncio.StreamReader()
+        with open(path, "r+b", buffering=0) as port:  # noqa: ASYNC230, PTH123  (a pseudo-terminal)
+            transport, _ = await loop.connect_read_pipe(lambda: asyncio.StreamReaderProtocol(reader), port)
+            port.write(request)
+            found = await reader.readexactly(len(response))
+            transport.close()
+            return found
+
+    request, response = exchange(info, "RM", 0x0A, 2, reads=[0x0A0A0A0A, 0x0B0B0B0B])
+    with responder(info) as path:
+        assert asyncio.run(work(path)) == response

@@ -1,0 +1,42 @@
+"""The fingerprint of a map: the same for the same map, wherever it was read from, and another for any other map."""
+
+import msgspec
+import pytest
+
+from spec_examples import interface_of
+from unity_link.spec import Interface
+
+MAP = '@x = 0x10[3:0]: unsigned READ(UNIT="mm"); @y = 0x12: unsigned 16 WRITE();'
+
+
+def test_the_same_map_has_the_same_fingerprint_wherever_it_was_read_from() -> None:
+    interface = interface_of(MAP)
+    again = msgspec.json.decode(msgspec.json.encode(interface), type=Interface)
+    assert again.fingerprint == interface.fingerprint == interface_of(MAP.replace("; ", ";\n")).fingerprint
+    assert 0 < interface.fingerprint < 1 << 32
+
+
+def test_what_a_program_alone_sees_of_a_signal_is_not_in_it() -> None:
+    assert interface_of(MAP.replace("mm", "m")).fingerprint == interface_of(MAP).fingerprint
+
+
+@pytest.mark.parametrize(
+    ("text", "other"),
+    [
+        ("0x12", "0x13"),
+        ("[3:0]", "[4:1]"),
+        ("unsigned 16", "signed 16"),
+        ("unsigned 16", "unsigned 17"),
+        ("READ(", "READWRITE("),
+        ("WRITE()", "WRITE(FIFO)"),
+        ("@y", "@z"),
+    ],
+    ids=["address", "bits", "kind", "width", "access", "queue", "name"],
+)
+def test_another_map_has_another_fingerprint(text: str, other: str) -> None:
+    assert text in MAP
+    assert interface_of(MAP.replace(text, other)).fingerprint != interface_of(MAP).fingerprint
+
+
+def test_other_widths_of_the_gateway_are_another_map() -> None:
+    assert interface_of(MAP, data_bits=64).fingerprint != interface_of(MAP).fingerprint
