@@ -25,15 +25,16 @@ FAULTS = {
     "a body does not wait for its reader": ("datalink_rx", "advance", "1'b1"),
     "a frame does not wait for its reader": ("datalink_tx", "advance", "1'b1"),
     "a request comes into a sample": ("bus_master", "grant", "request & ~(sample & ~exclusive) & (state == 0)"),
+    "no session is needed": ("request_executor", r"(?P<bit>\w+)(?= = r\[3\];.*\n.* = ~(?P=bit);)", "1'b1"),
 }
-"""The entity, a signal of it, and what drives it in place of what should."""
+"""The entity, a signal of it (a regular expression), and what drives it in place of what should."""
 
 
 def _prove(proof: Proof, fault: tuple[str, str] | None = None) -> str | None:
     def change(verilog: str) -> str:
         if fault is None:
             return verilog
-        changed, count = re.subn(rf"assign {fault[0]} = [^;]+;", f"assign {fault[0]} = {fault[1]};", verilog)
+        changed, count = re.subn(rf"(assign {fault[0]} =) [^;]+;", rf"\1 {fault[1]};", verilog)
         assert count == 1
         return changed
 

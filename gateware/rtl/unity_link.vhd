@@ -27,13 +27,13 @@ entity unity_link is
     -- Widths: 8 to 64 bits a word, 8 to 32 bits an address (which counts words), 2 or 3 digits an ID.
     data_bits    : positive := 32;
     address_bits : positive := 8;
-    id_digits    : positive := 2;
+    id_digits    : positive := 3;
     -- Without them there is no datalink layer: all frames are plain, for a person at a terminal (a host needs checked
     -- ones).
     checked_frames : boolean := true;
     -- 8, 16 or 32 bits; the polynomial without its highest term, right-aligned.
-    crc_bits       : positive                      := 8;
-    crc_polynomial : std_logic_vector(31 downto 0) := x"00000007";
+    crc_bits       : positive                      := 16;
+    crc_polynomial : std_logic_vector(31 downto 0) := x"00001021";
     -- Most words in one block or queue request, 1 to 255.
     block_words : positive := 255;
     -- Publish groups, 0 to 256, and the most addresses in one, 1 to 255.
@@ -55,10 +55,14 @@ entity unity_link is
     timestamps     : boolean := true;
     triggers       : boolean := true;
     send_immediate : boolean := true;
-    -- Number of this node on a medium that several share (protocol section 7), 0 to 254, or -1: not shared.
+    -- Number of this node on a medium that several share (docs/protocol.md, "Addressed frames"), 0 to 254, or -1: not
+    -- shared.
     node : integer := -1;
-    -- What `Q` reports as the build identifier.
-    build_id : std_logic_vector(31 downto 0) := x"00000000"
+    -- Whether only one side may send at a time (docs/protocol.md, "Half-duplex"): groups publish only when asked by GP.
+    half_duplex : boolean := false;
+    -- What `Q` reports as the build identifier, and whether that is the fingerprint of a spec's map.
+    build_id    : std_logic_vector(31 downto 0) := x"00000000";
+    fingerprint : boolean                       := false
   );
   port (
     clk : in    std_logic;
@@ -89,7 +93,7 @@ entity unity_link is
     out_valid : out   std_logic;
     out_ready : in    std_logic                    := '0';
     out_flush : out   std_logic;
-    -- A rising edge makes the group of that number due (protocol section 2, group flag 1).
+    -- A rising edge makes the group of that number due (docs/protocol.md, "Groups", flag 02).
     trigger : in    std_logic_vector(maximum(groups, 1) - 1 downto 0) := (others => '0');
     -- Wishbone B4 master; wb_sel is all ones, wb_stall counts with wb_pipelined only.
     wb_cyc   : out   std_logic;
@@ -158,7 +162,9 @@ begin
       triggers                  => triggers,
       send_immediate            => send_immediate,
       node                      => node,
-      build_id                  => build_id
+      half_duplex               => half_duplex,
+      build_id                  => build_id,
+      fingerprint               => fingerprint
     )
     port map (
       clk            => clk,

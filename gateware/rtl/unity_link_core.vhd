@@ -29,13 +29,13 @@ entity unity_link_core is
     -- Widths: 8 to 64 bits a word, 8 to 32 bits an address (which counts words), 2 or 3 digits an ID.
     data_bits    : positive := 32;
     address_bits : positive := 8;
-    id_digits    : positive := 2;
+    id_digits    : positive := 3;
     -- Without them there is no datalink layer: all frames are plain, for a person at a terminal (a host needs checked
     -- ones).
     checked_frames : boolean := true;
     -- 8, 16 or 32 bits; the polynomial without its highest term, right-aligned.
-    crc_bits       : positive                      := 8;
-    crc_polynomial : std_logic_vector(31 downto 0) := x"00000007";
+    crc_bits       : positive                      := 16;
+    crc_polynomial : std_logic_vector(31 downto 0) := x"00001021";
     -- Most words in one block or queue request, 1 to 255.
     block_words : positive := 255;
     -- Publish groups, 0 to 256, and the most addresses in one, 1 to 255.
@@ -57,10 +57,14 @@ entity unity_link_core is
     timestamps     : boolean := true;
     triggers       : boolean := true;
     send_immediate : boolean := true;
-    -- Number of this node on a medium that several share (protocol section 7), 0 to 254, or -1: not shared.
+    -- Number of this node on a medium that several share (docs/protocol.md, "Addressed frames"), 0 to 254, or -1: not
+    -- shared.
     node : integer := -1;
-    -- What `Q` reports as the build identifier.
-    build_id : std_logic_vector(31 downto 0) := x"00000000"
+    -- Whether only one side may send at a time (docs/protocol.md, "Half-duplex"): groups publish only when asked by GP.
+    half_duplex : boolean := false;
+    -- What `Q` reports as the build identifier, and whether that is the fingerprint of a spec's map.
+    build_id    : std_logic_vector(31 downto 0) := x"00000000";
+    fingerprint : boolean                       := false
   );
   port (
     clk : in    std_logic;
@@ -76,7 +80,7 @@ entity unity_link_core is
     tx_valid : out   std_logic;
     tx_ready : in    std_logic;
     flush    : out   std_logic;
-    -- A rising edge makes the group of that number due (protocol section 2, group flag 1).
+    -- A rising edge makes the group of that number due (docs/protocol.md, "Groups", flag 02).
     trigger : in    std_logic_vector(maximum(groups, 1) - 1 downto 0) := (others => '0');
     -- Bus-independent interface.
     bus_request    : out   std_logic;
@@ -120,8 +124,9 @@ architecture rtl of unity_link_core is
   function features return std_logic_vector is
   begin
 
-    return x"00" & to_std_logic(node >= 0) & to_std_logic(queue_commands) & to_std_logic(masked_write)
-           & to_std_logic(flow_control) & to_std_logic(send_immediate) & to_std_logic(timestamps and has_groups)
+    return "000000" & to_std_logic(half_duplex) & to_std_logic(fingerprint) & to_std_logic(node >= 0)
+           & to_std_logic(queue_commands) & to_std_logic(masked_write) & to_std_logic(flow_control)
+           & to_std_logic(send_immediate) & to_std_logic(timestamps and has_groups)
            & to_std_logic(triggers and has_groups) & to_std_logic(has_groups);
 
   end function features;
@@ -133,11 +138,11 @@ architecture rtl of unity_link_core is
 
   end function digits;
 
-  -- What `Q` answers (protocol section 5).
+  -- What `Q` answers (docs/protocol.md, "Configuration").
   function q_answer return std_logic_vector is
   begin
 
-    return x"01" & digits(data_bits, 8) & digits(address_bits, 8) & digits(id_digits, 8) & digits(crc_bits, 8)
+    return x"02" & digits(data_bits, 8) & digits(address_bits, 8) & digits(id_digits, 8) & digits(crc_bits, 8)
            & crc_polynomial & digits(block_words, 8) & digits(groups, 16) & digits(group_words, 8)
            & digits(base_frequency_millihertz, 40) & digits(clock_hz, 32) & digits(rx_fifo_depth, 16)
            & digits(tx_fifo_depth, 16) & features & build_id;
@@ -391,7 +396,8 @@ begin
       queue_commands => queue_commands,
       timestamps     => timestamps,
       triggers       => triggers,
-      send_immediate => send_immediate
+      send_immediate => send_immediate,
+      half_duplex    => half_duplex
     )
     port map (
       clk                  => clk,

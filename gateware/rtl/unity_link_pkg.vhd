@@ -1,5 +1,5 @@
 -- The protocol's numbers as the gateware needs them: command codes, error codes, and the widths that follow from the
--- generics. The host's twin of the latter is `unity_link/wire/gateway_info.py`; both follow docs/protocol.md.
+-- generics. The host's twin of the latter is `unity_link/protocol/configuration.py`; both follow docs/protocol.md.
 --
 -- A command is four bits. The codes are chosen so that bits tell what is asked everywhere: bit 3 low is an access to the
 -- bus (bit 2: it writes), "10xx" is about groups. What is sent in reply adds three that no request has, with bit 4.
@@ -36,7 +36,7 @@ package unity_link_pkg is
   constant message_out_of_sequence : message_t := "10001";
   constant message_publish         : message_t := "10010";
 
-  -- Errors (protocol section 2); two digits on the wire, the upper one is always 0.
+  -- Errors (docs/protocol.md, "Errors"); two digits on the wire, the upper one is always 0.
   subtype error_t is std_logic_vector(3 downto 0);
 
   constant error_none      : error_t := x"0";
@@ -49,12 +49,13 @@ package unity_link_pkg is
   constant error_too_long  : error_t := x"7";
   constant error_repeated  : error_t := x"8";
   constant error_overflow  : error_t := x"9";
+  constant error_session   : error_t := x"A";
 
   constant character_lf : std_logic_vector(7 downto 0) := x"0A";
   constant character_cr : std_logic_vector(7 downto 0) := x"0D";
   constant character_z  : std_logic_vector(7 downto 0) := x"5A";
 
-  -- Group flags (protocol section 2), by bit number.
+  -- Group flags (docs/protocol.md, "Groups"), by bit number.
   constant flag_periodic  : natural := 0;
   constant flag_trigger   : natural := 1;
   constant flag_immediate : natural := 2;
@@ -77,6 +78,8 @@ package unity_link_pkg is
   constant group_stop     : group_operation_t := "010";
   constant group_publish  : group_operation_t := "011";
   constant group_stop_all : group_operation_t := "100";
+  -- Only waits for the turn of an operation, between two samples.
+  constant group_nothing : group_operation_t := "101";
 
   -- Hex digits of a field of this many bits.
   function digits_of (bits : positive) return positive;

@@ -1,4 +1,4 @@
-"""Proves what `gateware/formal/*.sv` says of the FIFOs, the datalink layer and the bus master, by SymbiYosys and z3.
+"""Proves what `gateware/formal/*.sv` says of FIFOs, datalink layer, bus master and executor, by SymbiYosys and z3.
 
 PSL does not survive the way through Verilog, so each property file is a SystemVerilog module around the converted
 entity. The proofs are by induction, so they hold for every number of cycles. A property file that forbids too much by
@@ -50,6 +50,7 @@ PROOFS = [
     Proof("datalink_rx", {"longest": 3}, cover_steps=20, induction_steps=6),
     Proof("datalink_tx"),
     Proof("bus_master", {"data_bits": 8, "timeout": 3}, cover_steps=20, induction_steps=4),
+    Proof("request_executor", {"data_bits": 8, "id_digits": 2, "room_bits": 3}),
 ]
 
 _MOST_SECONDS = 900

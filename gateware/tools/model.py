@@ -38,15 +38,17 @@ _FEATURES = {
 # is so slow that a minute costs little.
 _CLOCK = {"clock_hz": 500_000, "base_frequency_millihertz": 10_000_000}
 _SLOW_CLOCK = {"clock_hz": 50_000, "base_frequency_millihertz": 1_000_000, "groups": 4}
+_CRC_8 = {"crc_bits": 8, "crc_polynomial": 0x07}
 _CRC_32 = {"crc_bits": 32, "crc_polynomial": 0x04C11DB7}
 CONFIGURATIONS: dict[str, dict[str, int]] = {
     "default": {**_CLOCK, "sample_depth": 1024},
-    # What a board with an FT232H has, at its true clock: nobody waits for these seconds to pass. Three digits of ID
-    # keep enough requests under way for the turn-around of a USB; a fine base tick finds the limit of publishing.
+    # The widths of the paper's gateway.
+    "short": {**_CLOCK, "id_digits": 2, **_CRC_8},
+    # What a board with an FT232H has, at its true clock, because its time is modelled. A fine base tick finds the limit
+    # of publishing.
     "ft232h": {
         "clock_hz": 50_000_000,
         "base_frequency_millihertz": 1_000_000_000,
-        "id_digits": 3,
         "group_words": 255,
         "sample_depth": 1024,
     },
@@ -56,7 +58,6 @@ CONFIGURATIONS: dict[str, dict[str, int]] = {
         **_CRC_32,
         "data_bits": 64,
         "address_bits": 32,
-        "id_digits": 3,
         "groups": 20,
         "group_words": 255,
         "sample_depth": 4096,
@@ -67,8 +68,7 @@ CONFIGURATIONS: dict[str, dict[str, int]] = {
         **_CLOCK,
         "data_bits": 9,
         "address_bits": 13,
-        "crc_bits": 16,
-        "crc_polynomial": 0x1021,
+        "id_digits": 2,
         "block_words": 10,
         "build_id": 0xCAFE,
     },
@@ -86,7 +86,7 @@ CONFIGURATIONS: dict[str, dict[str, int]] = {
     "node": {**_CLOCK, "node": 5},
     "slow": _SLOW_CLOCK,
     "crc_32": {**_SLOW_CLOCK, **_CRC_32},
-    "long_ids": {**_SLOW_CLOCK, **_CRC_32, "id_digits": 3},
+    "short_ids": {**_SLOW_CLOCK, **_CRC_32, "id_digits": 2},
     # Behind a UART of three wires, which stops nobody.
     "uart": {**_SLOW_CLOCK, **_CRC_32, "flow_control": False, "rx_fifo_depth": 64, "tx_fifo_depth": 64},
 }

@@ -48,7 +48,7 @@ def _checked(body: bytes) -> bytes:
 
 def test_memory_is_what_requests_read_and_write(gateway: RtlGateway) -> None:
     gateway.memory[0x0A] = 0x12
-    assert gateway.receive(b"R0ACB\n", 0.0) == b"R0A000000122C\n"
+    assert gateway.receive(_checked(b"R0A"), 0.0) == _checked(b"R0A00000012")
     assert gateway.receive(_checked(b"W0B89ABCDEF"), 0.0) == _checked(b"W0B")
     assert dict(gateway.memory) == {0x0A: 0x12, 0x0B: 0x89ABCDEF}
 
@@ -118,7 +118,7 @@ def test_a_bug_of_a_device_is_a_bus_error_and_logged_and_an_interruption_reaches
 
 def test_an_overflow_is_answered_by_error_09(gateway: RtlGateway) -> None:
     gateway.overflow()
-    assert gateway.receive(b"R0ACB\nR0ACB\n", 0.0) == _checked(b"X09") + b"R0A0000000037\n"
+    assert gateway.receive(2 * _checked(b"R0A"), 0.0) == _checked(b"X09") + _checked(b"R0A00000000")
 
 
 def test_time_passes_while_no_group_runs(gateway: RtlGateway) -> None:
@@ -163,7 +163,7 @@ def test_a_running_group_publishes_at_its_rate_until_the_session_starts_anew(gat
     frames = published.split(b"\r\n")[:-1]
     assert len(frames) == pytest.approx(50, abs=1)
     assert [frame[:5] for frame in frames] == [b"P00%02X" % number for number in range(len(frames))]
-    assert gateway.receive(b"K00\r", 5.06).endswith(b"K00\r\n")
+    assert gateway.receive(b"K000\r", 5.06).endswith(b"K000\r\n")
     assert gateway.next_due is None
     assert gateway.advance(6.0) == b""
 
@@ -197,7 +197,9 @@ def test_an_unknown_configuration_is_named() -> None:
         ({"data_bits": 64}, None, "wide"),
         ({"groups": 0}, None, "minimal"),
         ({"crc_bits": 32}, None, "crc_32"),
-        ({"id_digits": 3}, None, "long_ids"),
+        ({"id_digits": 2}, None, "short"),
+        ({"crc_bits": 8}, None, "short"),
+        ({"crc_bits": 32, "id_digits": 2}, None, "short_ids"),
         ({"clock_hz": 50_000_000}, None, "ft232h"),
         ({}, 5, "node"),
     ],

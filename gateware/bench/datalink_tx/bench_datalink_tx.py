@@ -14,6 +14,9 @@ from unity_link.protocol.crc import Crc
 if TYPE_CHECKING:
     from cocotb.handle import SimHandleBase
 
+POLYNOMIAL = 0x1021
+"""The default, of which a CRC takes what it has room for."""
+
 
 def _joined(dut: SimHandleBase) -> Joined:
     return Joined((dut.in_data, 8), (dut.in_last, 1), (dut.in_plain, 1), (dut.in_mark, 2))
@@ -38,7 +41,8 @@ async def _send(dut: SimHandleBase, bodies: list[tuple[bytes, int, int]], pause:
 
 
 def _frames(dut: SimHandleBase, bodies: list[tuple[bytes, int, int]]) -> list[tuple[int, ...]]:
-    crc, node = Crc(int(dut.crc_bits.value), 0x07), int(dut.node.value)
+    bits, node = int(dut.crc_bits.value), int(dut.node.value)
+    crc = Crc(bits, POLYNOMIAL % 2**bits)
     # A negative generic is read as a large number.
     prefix = b"" if node > 254 else b"Z%02X" % node
     expected = []

@@ -86,18 +86,18 @@ async def each_command_gives_its_fields(dut: SimHandleBase) -> None:
     decoder = await _begin(dut)
     for body, command, fields in (
         (b"R0A", "R", {"address": 0x0A, "count": 1}),
-        (b"rm120A10", "RM", {"address": 0x0A, "count": 0x10, "id": 0x12}),
+        (b"rm1230A10", "RM", {"address": 0x0A, "count": 0x10, "id": 0x123}),
         (b"RQ0bfF", "RQ", {"address": 0x0B, "count": 0xFF}),
         (b"W0A00000012", "W", {"address": 0x0A, "count": 1, "word": 0x12}),
-        (b"wm000A1111111122222222", "WM", {"count": 2, "word": 0x22222222}),
+        (b"wm0000A1111111122222222", "WM", {"count": 2, "word": 0x22222222}),
         (b"WK0AFFFF000012345678", "WK", {"count": 1, "word": 0x12345678}),
-        (b"gs0703000102030102", "GS", {}),
-        (b"GS03190102020A0B", "GS", {"group": 3, "flags": 0x19, "divisor": 0x0102, "count": 2}),
+        (b"gs00703000102030102", "GS", {}),
+        (b"GS03180102020A0B", "GS", {"group": 3, "flags": 0x18, "divisor": 0x0102, "count": 2}),
         (b"GN0F", "GN", {"group": 0x0F}),
         (b"I02", "I", {"group": 2}),
-        (b"h7F", "H", {"id": 0x7F}),
+        (b"h7FE", "H", {"id": 0x7FE}),
         (b"Q", "Q", {}),
-        (b"KA5", "K", {"id": 0xA5}),
+        (b"KA5C", "K", {"id": 0xA5C}),
     ):
         await decoder.body(body)
         if body.startswith(b"gs"):
@@ -151,7 +151,7 @@ async def what_is_no_command_is_unknown(dut: SimHandleBase) -> None:
         b"rM0A01",
         b"RMM0A01",
         b"q",
-        b"k00",
+        b"k000",
         b"G00",
         b"GZ00",
         b"WX",
@@ -170,16 +170,16 @@ async def fields_of_the_wrong_width_or_not_hex_are_malformed(dut: SimHandleBase)
             b"R0",
             b"R0AB",
             b"R0G",
-            b"r0",
-            b"r000",
+            b"r00",
+            b"r0000",
             b"RM0A0",
             b"RM0A011",
             b"H0",
-            b"h0",
-            b"h000",
+            b"h00",
+            b"h0000",
             b"Q0",
-            b"K0",
-            b"K000",
+            b"K00",
+            b"K0000",
         ),
         *(
             b"WM10",
@@ -210,6 +210,16 @@ async def values_that_the_gateway_does_not_have_are_out_of_range(dut: SimHandleB
 
 
 @cocotb.test
+async def a_group_publishes_by_itself_unless_the_medium_is_half_duplex(dut: SimHandleBase) -> None:
+    decoder = await _begin(dut)
+    for flags in range(4):
+        await decoder.body(b"GS00%02X00010110" % flags)
+        assert decoder.field("error") == 0
+        assert decoder.field("out_of_range") == (flags != 0 and int(dut.half_duplex.value)), flags
+        await decoder.accept()
+
+
+@cocotb.test
 async def the_error_of_the_frame_goes_before_all_else(dut: SimHandleBase) -> None:
     decoder = await _begin(dut)
     for error in (1, 7, 9):
@@ -225,7 +235,7 @@ async def fields_stand_still_while_held_and_letters_and_id_go_on(dut: SimHandleB
     await decoder.body(b"R0A")
     dut.hold.value = 1
     await decoder.accept()
-    for byte in b"w12":
+    for byte in b"w123":
         assert await decoder.give(byte)
     assert not await decoder.give(ord("F"))
     assert decoder.field("address") == 0x0A
@@ -234,4 +244,4 @@ async def fields_stand_still_while_held_and_letters_and_id_go_on(dut: SimHandleB
         assert await decoder.give(byte)
     assert await decoder.give(0, last=True)
     await ReadOnly()
-    assert (decoder.field("address"), decoder.field("id"), decoder.field("word")) == (0xFF, 0x12, 1)
+    assert (decoder.field("address"), decoder.field("id"), decoder.field("word")) == (0xFF, 0x123, 1)

@@ -1,9 +1,13 @@
-"""The decoder of requests in the default configuration; the shared vectors cover the others."""
+"""The decoder of requests in the default configuration and half-duplex; the shared vectors cover the others."""
 
 from __future__ import annotations
+
+import pytest
 
 from gateware.bench.runner import run_bench
 
 
-def test_request_decoder() -> None:
-    run_bench("request_decoder", "gateware.bench.request_decoder.bench_request_decoder")
+@pytest.mark.parametrize("half_duplex", [False, True])
+def test_request_decoder(*, half_duplex: bool) -> None:
+    bench = "gateware.bench.request_decoder.bench_request_decoder"
+    run_bench("request_decoder", bench, generics={"half_duplex": half_duplex})

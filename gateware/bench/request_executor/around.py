@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 COMMANDS = ("R", "RM", "RQ", "WK", "W", "WM", "WQ", "WS", "GS", "GN", "GX", "GP", "I", "H", "Q", "K")
 ERROR, OUT_OF_SEQUENCE = 16, 17
 """Messages that no request has; the others are the numbers of the commands."""
-OPERATIONS = ("set", "start", "stop", "publish", "stop all")
+OPERATIONS = ("set", "start", "stop", "publish", "stop all", "nothing")
 
 
 @dataclass

@@ -8,18 +8,36 @@ from typing import TYPE_CHECKING
 import cocotb
 from cocotb.triggers import ClockCycles, RisingEdge
 
-from gateware.bench.request_executor.around import COMMANDS, ERROR, OUT_OF_SEQUENCE, Access, Answer, Around, Request
+from gateware.bench.request_executor.around import (
+    COMMANDS,
+    ERROR,
+    OUT_OF_SEQUENCE,
+    Access,
+    Answer,
+    Around,
+    Request,
+)
 
 if TYPE_CHECKING:
     from cocotb.handle import SimHandleBase
 
-BUS, TIMEOUT, RANGE, REPEATED = 4, 5, 6, 8
+BUS, TIMEOUT, RANGE, REPEATED, NO_SESSION = 4, 5, 6, 8, 10
+IDS = 16**3
 NONE, WHEN_IDLE, NOW = 0, 1, 2
 
 
 async def _begin(dut: SimHandleBase, **options: float) -> Around:
     around = Around(dut, **options)
     await around.begin()
+    return around
+
+
+async def _in_session(dut: SimHandleBase, number: int = 0, **options: float) -> Around:
+    """Return an executor in a session, of which nothing was noted."""
+    around = await _begin(dut, **options)
+    await around.execute(Request("K", number))
+    around.take()
+    around.operations.clear()
     return around
 
 
@@ -97,22 +115,22 @@ async def ids_are_executed_once_and_in_order(dut: SimHandleBase) -> None:
     around = await _begin(dut)
     await around.execute(Request("K", number=0x40))
     assert around.operations == [("stop all", [])]
-    around.take()
+    assert around.take() == ([], [_ok("K", number=0x40)])
     await around.execute(Request("W", number=0x40, address=1, word=5))
     await around.execute(Request("W", number=0x40, address=1, word=6))
     await around.execute(Request("R", number=0x40, address=1))
     await around.execute(Request("RQ", number=0x40, address=1, count=1))
-    await around.execute(Request("WK", number=0xC1, address=1, words=[1]))
+    await around.execute(Request("WK", number=0x41 + IDS // 2, address=1, words=[1]))
     await around.execute(Request("WS", number=0x40, address=1, word=7))
     await around.execute(Request("H", number=0x42))
-    await around.execute(Request("H", number=0xC0))
+    await around.execute(Request("H", number=0x40 + IDS // 2))
     await around.execute(Request("WS", number=0x41, address=1, word=8))
     await around.execute(Request("H", number=0x43))
     accesses, answers = around.take()
     assert accesses == [_write(1, 5), _read(1), _write(1, 8)]
     gap = Answer(OUT_OF_SEQUENCE, 0x41, address=False, pair=None, words=0, plain=False, mark=WHEN_IDLE)
     assert [(answer.message, answer.number) for answer in answers[:2]] == [(COMMANDS.index("W"), 0x40)] * 2
-    assert answers[2:5] == [_ok("R", number=0x40, words=1), _error(REPEATED, 0x40), _error(REPEATED, 0xC1)]
+    assert answers[2:5] == [_ok("R", number=0x40, words=1), _error(REPEATED, 0x40), _error(REPEATED, 0x41 + IDS // 2)]
     # Told once for the gap at 41, and again for the one at 42.
     assert [(answer.message, answer.number) for answer in answers[5:]] == [
         (gap.message, 0x41),
@@ -121,8 +139,31 @@ async def ids_are_executed_once_and_in_order(dut: SimHandleBase) -> None:
 
 
 @cocotb.test
-async def what_is_not_well_formed_is_answered_without_its_id_and_not_counted(dut: SimHandleBase) -> None:
+async def without_a_session_no_request_with_an_id_is_executed_and_each_is_answered_so(dut: SimHandleBase) -> None:
     around = await _begin(dut)
+    around.is_set = {3}
+    requests = [command for command in COMMANDS if command not in ("Q", "K")]
+    for command in requests:
+        await around.execute(Request(command, 7, group=3, count=2, words=[1, 2]))
+    accesses, answers = around.take()
+    assert accesses == []
+    assert answers == [_error(NO_SESSION, 7)] * len(requests)
+    assert {operation for operation, _ in around.operations} == {"nothing"}
+    # Nor is one to all nodes, which nobody answers; and what is not well-formed is that first.
+    await around.execute(Request("W", 7, address=1, word=5, silent=True))
+    await around.execute(Request("W", 7, address=1, word=5, error=3))
+    # One without an ID is.
+    await around.execute(Request("W", address=1, word=5))
+    assert around.take() == ([_write(1, 5)], [_error(3), _ok("W", address=True)])
+    # A session that all nodes are told of is one.
+    await around.execute(Request("K", 7, silent=True))
+    await around.execute(Request("R", 7, address=1))
+    assert around.take() == ([_read(1)], [_ok("R", number=7, words=1)])
+
+
+@cocotb.test
+async def what_is_not_well_formed_is_answered_without_its_id_and_not_counted(dut: SimHandleBase) -> None:
+    around = await _in_session(dut)
     for code in (1, 2, 3, 7, 9):
         await around.execute(Request("W", number=0, address=1, word=5, error=code))
     await around.execute(Request("W", number=0, address=1, out_of_range=True))
@@ -133,34 +174,44 @@ async def what_is_not_well_formed_is_answered_without_its_id_and_not_counted(dut
 
 
 @cocotb.test
-async def what_ends_samples_begins_an_epoch_if_it_is_answered(dut: SimHandleBase) -> None:
+async def what_is_about_groups_begins_an_epoch_between_two_samples_if_it_is_answered(dut: SimHandleBase) -> None:
     around = await _begin(dut, slow=0.3)
     around.is_set = {3}
     epoch = 0
-    for command in ("GS", "GN", "GX", "GP", "GX", "K", "K", "H", "GS"):
+    for command in ("GS", "GN", "GX", "GP", "K", "H", "R", "GS"):
         for silent in (True, False):
             number = 0 if command == "K" else None
             await around.execute(Request(command, number, group=3, count=2, words=[1, 2], silent=silent))
-            epoch ^= command in ("GS", "GX", "K") and not silent
+            epoch ^= command in ("GS", "GN", "GX", "GP", "K") and not silent
             assert dut.epoch.value == epoch, command
-    # What is refused, or was executed before, ends nothing.
-    await around.execute(Request("GX", group=4))
-    await around.execute(Request("GS", group=3, out_of_range=True))
-    await around.execute(Request("GX", 0xFF, group=3))
+    # What is refused as well, whatever is wrong with it.
+    for request in (
+        Request("GX", group=4),
+        Request("GS", group=3, out_of_range=True),
+        Request("GP", group=3, error=3),
+        Request("K", error=3),
+    ):
+        around.operations.clear()
+        await around.execute(request)
+        epoch ^= 1
+        assert (dut.epoch.value, around.operations) == (epoch, [("nothing", [])])
+    # The samples before one that was executed already stand before its first answer.
+    await around.execute(Request("GX", IDS - 1, group=3))
     assert dut.epoch.value == epoch
 
 
 @cocotb.test
 async def groups_are_set_with_their_addresses_and_asked_for_by_number(dut: SimHandleBase) -> None:
-    around = await _begin(dut)
+    around = await _in_session(dut)
     await around.execute(Request("GN", group=3))
     around.is_set = {3}
     await around.execute(Request("GS", group=3, count=4, words=[9, 8, 7, 6]))
     for command in ("GN", "GP", "GX"):
         await around.execute(Request(command, group=3))
     await around.execute(Request("GP", number=0, group=4))
-    operations = [("stop", []), ("set", [9, 8, 7, 6]), ("start", []), ("publish", []), ("stop", [])]
-    assert around.operations == operations
+    operations = ["nothing", "stop", "set", "start", "publish", "stop", "nothing"]
+    addresses = {"set": [9, 8, 7, 6]}
+    assert around.operations == [(operation, addresses.get(operation, [])) for operation in operations]
     assert around.take()[1] == [
         _error(RANGE),
         *(_ok(command, pair=3) for command in ("GS", "GN", "GP", "GX")),
@@ -214,7 +265,7 @@ async def silent_requests_are_executed_and_not_answered(dut: SimHandleBase) -> N
 
 @cocotb.test
 async def a_reset_in_any_state_begins_anew(dut: SimHandleBase) -> None:
-    around = await _begin(dut, slow=0.3)
+    around = await _in_session(dut, slow=0.3)
     rng = random.Random(4)
     for cycles in range(40):
         request = rng.choice((Request("RM", count=3), Request("WM", count=2, words=[1, 2]), Request("GS", count=2)))
@@ -227,13 +278,16 @@ async def a_reset_in_any_state_begins_anew(dut: SimHandleBase) -> None:
         dut.rst.value = 0
         await ClockCycles(dut.clk, 12)
         around.take()
+        # The session before it is over.
         await around.execute(Request("H", number=0))
-        assert [answer.message for answer in around.take()[1]] == [COMMANDS.index("H")]
+        await around.execute(Request("K", number=0))
+        await around.execute(Request("H", number=0))
+        assert around.take()[1] == [_error(NO_SESSION, 0), _ok("K", number=0), _ok("H", number=0)]
 
 
 @cocotb.test
 async def random_requests_are_executed_as_the_rules_say_under_back_pressure(dut: SimHandleBase) -> None:
-    around = await _begin(dut, slow=0.5)
+    around = await _in_session(dut, slow=0.5)
     around.failures = {13: BUS, 14: TIMEOUT}
     rng, memory, expected = random.Random(12), {}, 0
     for _ in range(250):
@@ -241,17 +295,17 @@ async def random_requests_are_executed_as_the_rules_say_under_back_pressure(dut:
         count = rng.randrange(1, 6) if command in ("RM", "WM") else 1
         address, words = rng.randrange(12), [rng.getrandbits(32) for _ in range(count)]
         address = rng.choice((13, 14)) if rng.random() < 0.1 else address
-        number = (expected + rng.choice((0, 0, 0, -1, -100, 1, 100))) % 256
-        distance = (number - expected) % 256
+        number = (expected + rng.choice((0, 0, 0, -1, -2000, 1, 2000))) % IDS
+        distance = (number - expected) % IDS
         mask = words[0]
         request = Request(command, number, address, count, word=words[-1], words=words)
         await around.execute(request)
         accesses, answers = around.take()
-        repeated_read = distance >= 128 and command in ("R", "RM")
+        repeated_read = distance >= IDS // 2 and command in ("R", "RM")
         if distance and not repeated_read:
             assert accesses == [], request
             continue
-        expected = (expected + (distance == 0)) % 256
+        expected = (expected + (distance == 0)) % IDS
         if command == "H":
             assert (accesses, answers) == ([], [_ok("H", number=number)])
             continue

@@ -21,7 +21,7 @@ entity frame_writer is
   generic (
     data_bits    : positive := 32;
     address_bits : positive := 8;
-    id_digits    : positive := 2;
+    id_digits    : positive := 3;
     -- What `Q` answers: 64 digits.
     q_fields : std_logic_vector(255 downto 0) := (others => '0')
   );

@@ -20,7 +20,7 @@ entity request_decoder is
   generic (
     data_bits      : positive := 32;
     address_bits   : positive := 8;
-    id_digits      : positive := 2;
+    id_digits      : positive := 3;
     block_words    : positive := 255;
     groups         : natural  := 16;
     group_words    : natural  := 32;
@@ -28,7 +28,8 @@ entity request_decoder is
     queue_commands : boolean  := true;
     timestamps     : boolean  := true;
     triggers       : boolean  := true;
-    send_immediate : boolean  := true
+    send_immediate : boolean  := true;
+    half_duplex    : boolean  := false
   );
   port (
     clk : in    std_logic;
@@ -336,7 +337,8 @@ architecture rtl of request_decoder is
 
   begin
 
-    missing(flag_trigger)   := to_std_logic(not triggers);
+    missing(flag_periodic)  := to_std_logic(half_duplex);
+    missing(flag_trigger)   := to_std_logic(half_duplex or not triggers);
     missing(flag_immediate) := to_std_logic(not send_immediate);
     missing(flag_timestamp) := to_std_logic(not timestamps);
     return missing;

@@ -1,15 +1,16 @@
--- Application layer, second half: executes a request once it is whole, and has it answered (protocol sections 2 and 3).
+-- Application layer, second half: executes a request once it is whole, and has it answered (docs/protocol.md, "Requests
+-- and responses" and "Exactly once, in order").
 --
 -- One request at a time, from `request_valid` to the moment at which the frame writer begins the answer. The order of
--- the checks is that of the protocol: frame, command, form (the decoder's verdict), sequence, range, bus.
+-- the checks is that of the protocol: frame, command, form (the decoder's verdict), session, sequence, range, bus.
 --
 -- What is read goes to the response ring before the answer begins, because an error further on makes the answer that
 -- error alone. The words of a block to write, and the mask of WK, stand in the request memory, whose read port follows
 -- `memory_index` one cycle later; a single word comes straight from the decoder.
 --
--- GX, GS and K each begin an epoch, of which the subscription manager makes a note in each sample: the frame writer
--- sends all samples of the epoch before first, and then the answer. A request that is not answered begins none, so that
--- two epochs can be told from each other by one bit.
+-- Each request about groups and each K begins an epoch, of which the subscription manager makes a note in each sample:
+-- the frame writer sends all samples of the epoch before first, and then the answer, also if that is an error. A request
+-- that is not answered begins none, so that two epochs can be told from each other by one bit.
 
 library ieee;
   use ieee.std_logic_1164.all;
@@ -23,7 +24,7 @@ entity request_executor is
   generic (
     data_bits      : positive := 32;
     address_bits   : positive := 8;
-    id_digits      : positive := 2;
+    id_digits      : positive := 3;
     groups         : natural  := 16;
     masked_write   : boolean  := true;
     send_immediate : boolean  := true;
@@ -105,9 +106,10 @@ architecture rtl of request_executor is
   type registers_t is record
     state : state_t;
     -- The session.
-    expected : unsigned(id_t'range);
-    gap_told : std_logic;
-    mode     : std_logic_vector(1 downto 0);
+    in_session : std_logic;
+    expected   : unsigned(id_t'range);
+    gap_told   : std_logic;
+    mode       : std_logic_vector(1 downto 0);
     -- How the ID of the request being looked at stands to the one expected.
     is_expected : std_logic;
     is_ahead    : std_logic;
@@ -136,6 +138,7 @@ architecture rtl of request_executor is
   constant after_reset : registers_t :=
   (
     state          => state_idle,
+    in_session     => '0',
     expected       => (others => '0'),
     gap_told       => '0',
     mode           => mode_adaptive,
@@ -169,10 +172,10 @@ architecture rtl of request_executor is
   end function half_ring;
 
   -- No sample that was taken before may come after the answer.
-  function ends_samples (operation : group_operation_t) return std_logic is
+  function ends_samples (command : command_t) return boolean is
   begin
 
-    return to_std_logic(operation /= group_start and operation /= group_publish);
+    return command(3 downto 2) = "10" or command = command_k;
 
   end function ends_samples;
 
@@ -279,15 +282,6 @@ begin
 
     variable v : registers_t;
 
-    procedure refuse (error : error_t; with_id : std_logic) is
-    begin
-
-      v.error  := error;
-      v.has_id := with_id;
-      v.state  := state_answer;
-
-    end procedure refuse;
-
     procedure begin_group_operation (operation : group_operation_t; state : state_t) is
     begin
 
@@ -299,12 +293,25 @@ begin
 
     end procedure begin_group_operation;
 
+    procedure refuse (error : error_t; with_id : std_logic) is
+    begin
+
+      v.error  := error;
+      v.has_id := with_id;
+      v.state  := state_answer;
+      if ends_samples(v.command) then
+        begin_group_operation(group_nothing, state_group);
+      end if;
+
+    end procedure refuse;
+
     procedure start_session is
     begin
 
-      v.expected := unsigned(request_id);
-      v.gap_told := '0';
-      v.mode     := mode_adaptive;
+      v.in_session := '1';
+      v.expected   := unsigned(request_id);
+      v.gap_told   := '0';
+      v.mode       := mode_adaptive;
       begin_group_operation(group_stop_all, state_group);
 
     end procedure start_session;
@@ -408,6 +415,8 @@ begin
         refuse(request_error, '0');
       elsif request_has_id = '0' then
         execute;
+      elsif r.in_session = '0' then
+        refuse(error_session, '1');
       elsif r.is_expected = '1' then
         v.expected := r.expected + 1;
         v.gap_told := '0';
@@ -509,7 +518,7 @@ begin
         when state_group =>
           if group_done = '1' then
             v.state := state_answer;
-            v.epoch := r.epoch xor (ends_samples(r.operation) and not r.silent);
+            v.epoch := r.epoch xor not r.silent;
           end if;
 
         when state_answer =>

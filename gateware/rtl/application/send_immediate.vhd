@@ -1,4 +1,5 @@
--- When to have a short packet sent at once (protocol section 4): watches the bytes that leave and what is still coming.
+-- When to have a short packet sent at once (docs/protocol.md, "Send-immediate"): watches the bytes that leave and what
+-- is still coming.
 --
 -- The mark beside the last byte of a frame says what its sender wants: `flush_now` pulses `flush` behind that byte,
 -- `flush_when_idle` as soon as nothing is on its way any more, no request either. A request that has begun to arrive

@@ -1,4 +1,4 @@
--- Takes the samples of all publish groups when they are due, and keeps their settings (protocol section 2).
+-- Takes the samples of all publish groups when they are due, and keeps their settings (docs/protocol.md, "Groups").
 --
 -- A group is due by the base tick (`group_timer`), by an edge of its trigger, or by GP. What is due is served at once
 -- and lowest number first: the words are read by accesses of their own, which the bus master prefers, into the sample
@@ -494,6 +494,9 @@ begin
         when group_stop =>
           running <= running and not one_hot(unsigned(group_number(group_bits - 1 downto 0)), '1');
           state   <= state_told;
+
+        when group_nothing =>
+          state <= state_told;
 
         when others =>
           state <= state_fetch;

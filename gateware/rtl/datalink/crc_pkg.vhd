@@ -1,4 +1,5 @@
--- The check of a frame (protocol section 1): a CRC of 8, 16 or 32 bits, not reflected, initial value 0, no final xor.
+-- The check of a frame (docs/protocol.md, "Frames"): a CRC of 8, 16 or 32 bits, not reflected, initial value 0, no final
+-- xor.
 
 library ieee;
   use ieee.std_logic_1164.all;

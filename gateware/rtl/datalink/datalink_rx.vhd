@@ -1,4 +1,4 @@
--- Datalink layer, inwards: takes frames apart and checks them (protocol sections 1 and 7).
+-- Datalink layer, inwards: takes frames apart and checks them (docs/protocol.md, "Frames" and "Addressed frames").
 --
 -- What stands before the check of a frame goes out character by character; what was found out about the frame follows
 -- as an event of its own, `out_last`, which carries no character. Whoever acts waits for that.
@@ -19,8 +19,8 @@ library work;
 
 entity datalink_rx is
   generic (
-    crc_bits       : positive                      := 8;
-    crc_polynomial : std_logic_vector(31 downto 0) := x"00000007";
+    crc_bits       : positive                      := 16;
+    crc_polynomial : std_logic_vector(31 downto 0) := x"00001021";
     -- Most characters before the end, prefix not counted.
     longest : positive := 2048;
     -- Number on a shared medium, 0 to 254, or -1.

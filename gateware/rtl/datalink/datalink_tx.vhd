@@ -14,8 +14,8 @@ library work;
 
 entity datalink_tx is
   generic (
-    crc_bits       : positive                      := 8;
-    crc_polynomial : std_logic_vector(31 downto 0) := x"00000007";
+    crc_bits       : positive                      := 16;
+    crc_polynomial : std_logic_vector(31 downto 0) := x"00001021";
     -- Number on a shared medium, 0 to 254, or -1.
     node : integer := -1
   );
