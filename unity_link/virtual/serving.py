@@ -248,6 +248,8 @@ async def serve_udp(
             yield f"udp://{host}:{transport.get_extra_info('sockname')[1]}"
         finally:
             transport.close()
+            # The port is free in the next turn of the loop.
+            await asyncio.sleep(0)
 
 
 class _PtySide(_Client):
