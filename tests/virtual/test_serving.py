@@ -14,13 +14,17 @@ import pytest
 
 import unity_link
 from unity_link.errors import ConnectError
+from unity_link.protocol.crc import Crc
+from unity_link.protocol.frames import Framing
 from unity_link.virtual import VirtualGateway
+from unity_link.virtual.line import SlowLine
 from unity_link.virtual.serving import BUSY, serve_pty, serve_tcp, serve_udp, serve_unix
 
 if TYPE_CHECKING:
     from collections.abc import AsyncIterator
     from pathlib import Path
 
+CHECKED = Framing(Crc()).checked
 Stream = tuple[asyncio.StreamReader, asyncio.StreamWriter]
 
 
@@ -86,6 +90,21 @@ async def datagram_client(url: str) -> Datagrams:
     loop = asyncio.get_running_loop()
     _, client = await loop.create_datagram_endpoint(Datagrams, remote_addr=("127.0.0.1", port_of(url)))
     return client
+
+
+def split(datagram: bytes) -> tuple[bytes, bytes]:
+    """Return the header of a datagram and the frames behind it."""
+    end = datagram.index(b"\n") + 1
+    return datagram[:end], datagram[end:]
+
+
+async def opened(client: Datagrams) -> bytes:
+    """Open a session and return how its headers begin."""
+    client.transport.sendto(b"Q\r")
+    session = (await client.next())[:9]
+    client.transport.sendto(session + b"00000001\rK000\r")
+    assert split(await client.next()) == (CHECKED(session + b"00000001"), b"K000\r\n")
+    return session
 
 
 @pytest.mark.asyncio
@@ -221,7 +240,7 @@ async def test_a_serial_port_is_raw() -> None:
         port = Port(url)
         gateway_hears = bytes(byte for byte in range(256) if byte not in b"\r\n")
         assert await port.ask(gateway_hears + b"\r") == b"X02\r\n"
-        assert await port.ask(b"R0ACB\n") == b"R0A0000000037\n"
+        assert await port.ask(CHECKED(b"R0A")) == CHECKED(b"R0A00000000")
         port.close()
 
 
@@ -237,7 +256,7 @@ async def test_a_serial_port_survives_a_client_that_left_with_samples_running() 
             await asyncio.sleep(0.001)
         port.close()
         port = Port(url)
-        os.write(port.descriptor, b"K00\rH\r")
+        os.write(port.descriptor, b"K000\rH\r")
         answer = b""
         while not answer.endswith(b"H\r\n"):
             answer = answer[-3:] + await asyncio.wait_for(asyncio.to_thread(os.read, port.descriptor, 65536), 10)
@@ -267,15 +286,16 @@ async def test_a_link_replaces_only_one_that_leads_nowhere(tmp_path: Path) -> No
 
 
 @pytest.mark.asyncio
-async def test_datagrams_hold_whole_frames() -> None:
+async def test_datagrams_hold_whole_frames_behind_a_header() -> None:
     async with serve_udp(VirtualGateway()) as url:
         client = await datagram_client(url)
         client.transport.sendto(b"RM00FF\r" + b"H\r" * 1000)
         received = b""
         while received.count(b"\n") < 1001:
-            datagram = await client.next()
+            header, datagram = split(await client.next())
+            assert header.endswith(b"00000000\r\n")
             assert datagram.endswith(b"\r\n")
-            assert len(datagram) <= 1400 or datagram.count(b"\n") == 1
+            assert len(header + datagram) <= 1400 or datagram.count(b"\n") == 1
             received += datagram
         assert received == b"RM00FF" + b"0" * 2040 + b"\r\n" + b"H\r\n" * 1000
         client.transport.close()
@@ -286,26 +306,61 @@ async def test_a_datagram_that_was_cut_does_not_spoil_the_next() -> None:
     async with serve_udp(VirtualGateway()) as url:
         client = await datagram_client(url)
         client.transport.sendto(b"W10000")
-        assert await client.next() == b"X011B\n"
+        assert split(await client.next())[1] == CHECKED(b"X01")
         client.transport.sendto(b"H\r")
-        assert await client.next() == b"H\r\n"
+        assert split(await client.next())[1] == b"H\r\n"
         client.transport.close()
 
 
 @pytest.mark.asyncio
-async def test_samples_go_to_the_client_that_spoke_last() -> None:
+async def test_samples_go_to_the_client_that_opened_the_session() -> None:
     gateway = VirtualGateway()
     async with serve_udp(gateway) as url:
         first, second = await datagram_client(url), await datagram_client(url)
-        first.transport.sendto(b"GS000200010110\rGN00\r")
-        assert await first.next() == b"GS00\r\nGN00\r\n"
+        session = await opened(first)
+        first.transport.sendto(session + b"00000002\rGS000200010110\rGN00\r")
+        assert split(await first.next())[1] == b"GS00\r\nGN00\r\n"
         second.transport.sendto(b"H\r")
-        assert await second.next() == b"H\r\n"
+        assert split(await second.next())[1] == b"H\r\n"
         gateway.trigger(asyncio.get_running_loop().time())
-        assert (await second.next()).startswith(b"P0000")
-        assert first.received.empty()
+        header, sample = split(await first.next())
+        assert header == CHECKED(session + b"00000003")
+        assert sample.startswith(b"P0000")
+        assert second.received.empty()
         first.transport.close()
         second.transport.close()
+
+
+@pytest.mark.asyncio
+async def test_a_gateway_that_was_reset_refuses_the_session_that_was_open() -> None:
+    gateway = VirtualGateway()
+    async with serve_udp(gateway) as url:
+        client = await datagram_client(url)
+        session = await opened(client)
+    gateway.reset()
+    async with serve_udp(gateway, port_of(url)):
+        client.transport.sendto(session + b"00000002\rw0001000000001\r")
+        assert await client.next() == session + b"00000000\r\nX0A\r\n"
+        assert gateway.memory[0x10] == 0
+        client.transport.close()
+
+
+@pytest.mark.asyncio
+async def test_datagrams_that_the_gateway_has_no_room_for_are_lost() -> None:
+    gateway = SlowLine(VirtualGateway(), 1000)
+    async with serve_udp(gateway) as url:
+        client = await datagram_client(url)
+        session = await opened(client)
+        tracemalloc.start()
+        try:
+            for count in range(2, 2000):
+                client.transport.sendto(session + b"%08X\r" % count + b"RM00FF\r" * 190)
+                await asyncio.sleep(0)
+            # 2.7 MB were sent, to which 800 MB are the answers.
+            assert tracemalloc.get_traced_memory()[1] < 2_000_000
+        finally:
+            tracemalloc.stop()
+        client.transport.close()
 
 
 @pytest.mark.asyncio

@@ -23,7 +23,7 @@ _CR_BYTE = CR[0]
 TOKEN_LINE = b"token "
 """What the first line of a connection begins with where a token is wanted; no command begins so."""
 LARGEST_DATAGRAM = 1400
-"""Bytes of frames that are put together into one datagram: what passes an Ethernet in one piece."""
+"""Bytes that are put together into one datagram, its header among them: what passes an Ethernet in one piece."""
 _FRAME = re.compile(rb"[^\r\n]*[\r\n]+")
 
 
@@ -101,11 +101,11 @@ class Framing:
         return rows[:count, len(self.prefix) : end]
 
 
-def datagrams(data: bytes) -> list[bytes]:
-    """Put frames into as few datagrams as they fit in; a frame is never cut."""
+def datagrams(data: bytes, room: int = LARGEST_DATAGRAM) -> list[bytes]:
+    """Return frames in as few pieces of at most `room` bytes as they fit in; a longer frame is not cut."""
     packed: list[bytes] = []
     for frame in _FRAME.findall(data):
-        if packed and len(packed[-1]) + len(frame) <= LARGEST_DATAGRAM:
+        if packed and len(packed[-1]) + len(frame) <= room:
             packed[-1] += frame
         else:
             packed.append(frame)

@@ -1,4 +1,7 @@
-"""``udp://host:port``: a gateway on the network. A datagram holds whole frames; the window makes up for lost ones."""
+"""``udp://host:port``: a gateway on the network. A datagram holds whole frames; the window makes up for lost ones.
+
+Each connection has a socket of its own, and so a port of its own, and one session with the gateway.
+"""
 
 from __future__ import annotations
 
@@ -7,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from unity_link.errors import ConnectError
 from unity_link.protocol.constants import QUICK_TIMEOUT
-from unity_link.protocol.frames import datagrams
+from unity_link.protocol.datagrams import HostDatagrams
 from unity_link.transport.tcp import address
 
 if TYPE_CHECKING:
@@ -21,7 +24,7 @@ async def connect(url: DriverUrl, protocol: asyncio.Protocol) -> asyncio.Transpo
     host, port = address(url)
     try:
         _, adapter = await asyncio.get_running_loop().create_datagram_endpoint(
-            lambda: DatagramAdapter(protocol), remote_addr=(host, port)
+            lambda: DatagramAdapter(protocol, url.node), remote_addr=(host, port)
         )
     except OSError as error:
         raise ConnectError(f"no socket for port {port} of {host} ({error.strerror or error})") from error
@@ -29,11 +32,18 @@ async def connect(url: DriverUrl, protocol: asyncio.Protocol) -> asyncio.Transpo
 
 
 class DatagramAdapter(asyncio.Transport, asyncio.DatagramProtocol):
-    """Looks like a stream to `protocol`, and sends datagrams."""
+    """Looks like a stream to `protocol`, and sends datagrams.
 
-    def __init__(self, protocol: asyncio.Protocol) -> None:
+    Args:
+        protocol: reads and writes.
+        node: number of the gateway on a shared medium, or None.
+    """
+
+    def __init__(self, protocol: asyncio.Protocol, node: int | None) -> None:
         super().__init__({"shortest_timeout": QUICK_TIMEOUT})
         self._protocol = protocol
+        self._datagrams = HostDatagrams(node)
+        self._over: ConnectError | None = None
         self._endpoint: asyncio.DatagramTransport | None = None
 
     def connection_made(self, transport: asyncio.DatagramTransport) -> None:  # type: ignore[override]
@@ -42,15 +52,22 @@ class DatagramAdapter(asyncio.Transport, asyncio.DatagramProtocol):
         self._protocol.connection_made(self)
 
     def datagram_received(self, data: bytes, addr: tuple[Any, ...]) -> None:  # noqa: ARG002
-        """Hand on the frames of a datagram; a cut one at its end is ended here."""
-        self._protocol.data_received(data if data.endswith(b"\n") else data + b"\n")
+        """Hand on the frames of a datagram that is neither late nor doubled; end where the session is over."""
+        try:
+            frames = self._datagrams.take(data)
+        except ConnectError as error:
+            self._over = error
+            self.abort()
+            return
+        if frames:
+            self._protocol.data_received(frames)
 
     def error_received(self, exc: Exception) -> None:
         """Ignore that a datagram was refused: it is as good as lost, and the gateway may come yet."""
 
     def connection_lost(self, exc: Exception | None) -> None:
         """Hand on the end."""
-        self._protocol.connection_lost(exc)
+        self._protocol.connection_lost(exc or self._over)
 
     def pause_writing(self) -> None:
         """Hand on."""
@@ -63,7 +80,7 @@ class DatagramAdapter(asyncio.Transport, asyncio.DatagramProtocol):
     def write(self, data: bytes | bytearray | memoryview) -> None:
         """Send whole frames."""
         if self._endpoint is not None:
-            for datagram in datagrams(bytes(data)):
+            for datagram in self._datagrams.put(bytes(data)):
                 self._endpoint.sendto(datagram)
 
     def is_closing(self) -> bool:

@@ -1,16 +1,19 @@
 """What can go wrong, on purpose and repeatably: addresses that fail, and bytes that are lost, damaged or doubled.
 
 `Failing` is a device, attached where the bus is to fail. `Noise` spoils one stream of bytes; `NoisyLine` puts two of
-them between a gateway and its host, and is a gateway itself.
+them between a gateway and its host, and is a gateway itself. `Straying` does to datagrams what networks do;
+`unity_link.virtual.relay` puts two of them between sockets.
 """
 
 from __future__ import annotations
 
+import heapq
+import itertools
 import math
 import random
 import sys
 from collections import deque
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Generic, TypeVar
 
 from unity_link.errors import ArgumentError
 from unity_link.protocol.messages import ErrorCode
@@ -18,7 +21,9 @@ from unity_link.virtual.bus import AccessError
 from unity_link.virtual.gateway import Gateway
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, MutableMapping
+    from collections.abc import Callable, Mapping, MutableMapping
+
+T = TypeVar("T")
 
 
 class Failing:
@@ -62,12 +67,7 @@ class Noise:
         stall_seconds: float = 0.01,
     ) -> None:
         chances = {"loss": loss, "flip": flip, "double": double, "stall": stall}
-        for name, chance in chances.items():
-            if not 0 <= chance <= 1:
-                raise ArgumentError(f"{name}={chance} is no probability: 0 to 1 was expected")
-        self._total = sum(chances.values())
-        if self._total > 1:
-            raise ArgumentError(f"the probabilities of {', '.join(chances)} are {self._total} together: at most 1")
+        self._total = _total(chances)
         self.stall_seconds = stall_seconds
         self._kinds = list(chances)
         self._weights = list(chances.values())
@@ -108,6 +108,60 @@ class Noise:
         if self._total == 1:
             return 0
         return int(math.log(1 - self._random.random()) / math.log(1 - self._total))
+
+
+class Straying(Generic[T]):
+    """What a network does to the datagrams of one direction: it loses, doubles and delays them, each by itself.
+
+    How late a datagram is counts in others, not in seconds: from one to `latest` of them overtake it, each power of two
+    as likely as the next. So neighbours change their places, and what is late by thousands comes as well. The same seed
+    does the same to the same datagrams.
+
+    Args:
+        seed: chooses one of many courses of events.
+        loss: probability that a datagram never arrives.
+        late: probability that it is late.
+        double: probability that it arrives at once, and once more, late.
+        latest: how many others a late one lets pass at most.
+
+    Raises:
+        ArgumentError: for probabilities that are none, or more than 1 in total.
+    """
+
+    def __init__(
+        self, seed: int = 0, *, loss: float = 0.0, late: float = 0.0, double: float = 0.0, latest: int = 1000
+    ) -> None:
+        chances = {"loss": loss, "late": late, "double": double}
+        self._kinds = [*chances, ""]
+        self._weights = [*chances.values(), 1 - _total(chances)]
+        self._latest = latest
+        self._random = random.Random(seed)  # noqa: S311  (repeatable is what is wanted)
+        self._numbers = itertools.count()
+        self._late: list[tuple[int, int, T]] = []
+        """What is still on its way, by the number of the datagram behind which it arrives."""
+
+    def carry(self, datagram: T) -> list[T]:
+        """Return what arrives when a datagram is sent."""
+        number = next(self._numbers)
+        kind = self._random.choices(self._kinds, self._weights)[0]
+        if kind in ("late", "double"):
+            lateness = round(self._latest ** self._random.random())
+            heapq.heappush(self._late, (number + lateness, number, datagram))
+        arrived = [] if kind in ("loss", "late") else [datagram]
+        while self._late and self._late[0][0] <= number:
+            arrived.append(heapq.heappop(self._late)[2])
+        return arrived
+
+
+def _total(chances: Mapping[str, float]) -> float:
+    """Return the sum of probabilities."""
+    for name, chance in chances.items():
+        if not 0 <= chance <= 1:
+            raise ArgumentError(f"{name}={chance} is no probability: 0 to 1 was expected")
+    total = sum(chances.values())
+    if total > 1:
+        raise ArgumentError(f"the probabilities of {', '.join(chances)} are {total} together: at most 1")
+    return total
 
 
 class _Direction:

@@ -3,7 +3,8 @@
 `serve_pty`, `serve_tcp`, `serve_unix` and `serve_udp` are asynchronous context managers that give the URL to use.
 A served gateway lives on between its clients, as a board does: what it publishes while none is there is lost. It has
 one client at a time. On TCP and Unix sockets a second one is told so in a line of text and hung up on, so that nobody
-takes a running robot away from its controller by accident; on UDP, answers and samples go to who spoke last.
+takes a running robot away from its controller by accident; on UDP a second one that opens a session takes the gateway,
+and the first is told (docs/protocol.md, "Datagrams").
 
 Everything passes through a `GatewayTransport`. When the client does not read, that one is told to pause, and when that
 one is full, the client is not read from; nothing in between grows.
@@ -20,7 +21,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, cast
 
 from unity_link.errors import ConnectError
-from unity_link.protocol.frames import datagrams
+from unity_link.protocol.datagrams import GatewayDatagrams
+from unity_link.protocol.messages import Codec
 from unity_link.transport.listening import LOOPBACK, listen_tcp, listen_unix, port_error
 from unity_link.virtual.transport import GatewayTransport
 
@@ -169,24 +171,24 @@ async def serve_unix(gateway: Gateway, path: str | os.PathLike[str]) -> AsyncIte
             yield url
 
 
-class _Datagrams(asyncio.DatagramProtocol, asyncio.WriteTransport):
-    """The client's side of a datagram socket: a stream towards the gateway, datagrams towards who spoke last."""
+class _DatagramClients(asyncio.DatagramProtocol, asyncio.Transport):
+    """The clients' side of a datagram socket: a stream towards the gateway, datagrams towards its clients."""
 
-    def __init__(self, counter: ClientCounter) -> None:
+    def __init__(self, counter: ClientCounter, codec: Codec) -> None:
         super().__init__()
+        self._socket: asyncio.DatagramTransport
+        self._datagrams: GatewayDatagrams[Any] = GatewayDatagrams(codec, counter.gateway.write, self._send)
         self._counter = counter
-        self._socket: asyncio.DatagramTransport | None = None
-        self._peer: Any = None
         self._rest = b""
-        counter.sender = self
+        self._reading = True
+        counter.sender = counter.reader = self
 
     def connection_made(self, transport: asyncio.DatagramTransport) -> None:  # type: ignore[override]
         self._socket = transport
 
     def datagram_received(self, data: bytes, addr: Any) -> None:
-        self._peer = addr
-        # A datagram holds whole frames: what has no end was cut on its way.
-        self._counter.gateway.write(data if data.endswith((b"\n", b"\r")) else data + b"\n")
+        if self._reading:
+            self._datagrams.take(data, addr)
 
     def error_received(self, exc: Exception) -> None:
         """Ignore that the host does not listen any more: a board would not hear of it."""
@@ -197,19 +199,38 @@ class _Datagrams(asyncio.DatagramProtocol, asyncio.WriteTransport):
     def resume_writing(self) -> None:
         self._counter.gateway.resume_reading()
 
+    # Called by the gateway's side
+
     def write(self, data: bytes | bytearray | memoryview) -> None:
         """Send whole frames; the beginning of one waits for its end."""
         data = self._rest + data
-        end = max(data.rfind(b"\n"), data.rfind(b"\r")) + 1
+        end = data.rfind(b"\n") + 1
         self._rest = data[end:] if len(data) - end <= _LONGEST_REST else b""
-        if self._peer is not None and self._socket is not None:
-            for datagram in datagrams(data[:end]):
-                self._socket.sendto(datagram, self._peer)
+        self._datagrams.put(data[:end])
+
+    def pause_reading(self) -> None:
+        """Lose the datagrams that come from now on, as a board does that has no room for them."""
+        self._reading = False
+
+    def resume_reading(self) -> None:
+        """Take datagrams again."""
+        self._reading = True
+
+    def _send(self, datagram: bytes, address: Any) -> None:
+        self._socket.sendto(datagram, address)
 
 
 @contextlib.asynccontextmanager
-async def serve_udp(gateway: Gateway, port: int = 0, host: str = LOOPBACK) -> AsyncIterator[str]:
+async def serve_udp(
+    gateway: Gateway, port: int = 0, host: str = LOOPBACK, *, node: int | None = None
+) -> AsyncIterator[str]:
     """Serve a gateway on a UDP port; 0 chooses a free one. Gives its URL.
+
+    Args:
+        gateway: what is served.
+        port: of this machine.
+        host: the network address to listen at.
+        node: the gateway's number on a shared medium, or None.
 
     Raises:
         ConnectError: where the port can't be opened.
@@ -217,13 +238,18 @@ async def serve_udp(gateway: Gateway, port: int = 0, host: str = LOOPBACK) -> As
     async with _counter(gateway) as counter:
         loop = asyncio.get_running_loop()
         try:
-            transport, _ = await loop.create_datagram_endpoint(lambda: _Datagrams(counter), local_addr=(host, port))
+            codec = Codec(gateway.info, node)
+            transport, _ = await loop.create_datagram_endpoint(
+                lambda: _DatagramClients(counter, codec), local_addr=(host, port)
+            )
         except (OSError, OverflowError) as error:
             raise port_error("UDP", host, port, error) from error
         try:
             yield f"udp://{host}:{transport.get_extra_info('sockname')[1]}"
         finally:
             transport.close()
+            # The port is free in the next turn of the loop.
+            await asyncio.sleep(0)
 
 
 class _PtySide(_Client):

@@ -1,0 +1,311 @@
+"""Both sides of datagrams: what they send, what they take, and what they tell the other."""
+
+from __future__ import annotations
+
+import itertools
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from unity_link.errors import ConnectError
+from unity_link.protocol.configuration import GatewayInfo
+from unity_link.protocol.datagrams import Counts, GatewayDatagrams, HostDatagrams
+from unity_link.protocol.frames import LARGEST_DATAGRAM
+from unity_link.protocol.messages import Codec
+
+OFFER = 0x4F1C0A32
+CODEC = Codec(GatewayInfo())
+CHECKED = CODEC.framing.checked
+ANSWER = b"Q" + GatewayInfo().to_hex() + b"\r\n"
+SESSION = CHECKED(b"U4F1C0A3200000001") + CHECKED(b"K5A0")
+
+
+class Gateway:
+    """The gateway's side, and what it executes and sends."""
+
+    def __init__(self, codec: Codec = CODEC) -> None:
+        self.executed: list[bytes] = []
+        self.sent: list[tuple[bytes, str]] = []
+        offers = itertools.count(OFFER)
+        self.side: GatewayDatagrams[str] = GatewayDatagrams(
+            codec, self.executed.append, lambda *answer: self.sent.append(answer), lambda: next(offers)
+        )
+
+    def opened(self) -> Gateway:
+        """Have A open the session that is offered first, and forget what was said."""
+        self.side.take(b"Q\r", "A")
+        self.side.put(ANSWER)
+        self.side.take(SESSION, "A")
+        self.side.put(CHECKED(b"K5A0"))
+        self.executed.clear()
+        self.sent.clear()
+        return self
+
+
+def opened_host(offer: int = OFFER) -> HostDatagrams:
+    host = HostDatagrams()
+    host.take(b"U%08X00000000\r\n" % offer + ANSWER)
+    host.put(CHECKED(b"K5A0"))
+    return host
+
+
+# Counts
+
+
+@given(start=st.integers(1, 0xFFFFFFFF), ahead=st.integers(0, 0xFFFFFFFF))
+def test_a_count_is_newer_by_less_than_half_of_all(start: int, ahead: int) -> None:
+    counts, count = Counts(), (start + ahead) % (1 << 32)
+    counts.taken = start
+    assert counts.takes(count) == (0 < ahead < 1 << 31 and count != 0)
+    assert counts.taken == (count if 0 < ahead < 1 << 31 and count else start)
+
+
+def test_counts_go_round_without_zero() -> None:
+    counts = Counts()
+    assert [counts.next(), counts.next()] == [1, 2]
+    counts.sent = 0xFFFFFFFE
+    assert [counts.next(), counts.next()] == [0xFFFFFFFF, 1]
+    counts.taken = 0xFFFFFFFF
+    assert counts.takes(1)
+    assert not counts.takes(0xFFFFFFFF)
+
+
+# The conversation of docs/protocol.md, "Datagrams"
+
+
+def test_a_host_opens_the_session_that_it_was_offered_and_counts_its_datagrams() -> None:
+    host = HostDatagrams()
+    assert host.put(b"\nQ\r") == [b"\nQ\r"]
+    assert host.take(b"U4F1C0A3200000000\r\n" + ANSWER) == ANSWER
+    assert host.put(CHECKED(b"Q")) == [CHECKED(b"Q")]
+    assert host.put(CHECKED(b"K5A0")) == [b"U4F1C0A32000000018428\nK5A05678\n"]
+    assert host.take(b"U4F1C0A32000000018428\nK5A05678\n") == b"K5A05678\n"
+    assert host.put(b"r5A00A6198\nr5A10B66CB\n") == [b"U4F1C0A3200000002B44B\nr5A00A6198\nr5A10B66CB\n"]
+    assert host.take(b"U4F1C0A3200000002B44B\nr5A000000012E884\n") == b"r5A000000012E884\n"
+    assert host.take(b"U4F1C0A3200000002B44B\nr5A000000012E884\n") == b""
+
+
+def test_a_gateway_offers_a_session_and_executes_each_datagram_of_it_once() -> None:
+    gateway = Gateway()
+    gateway.side.take(b"Q\r", "A")
+    assert gateway.executed == [b"Q\r\n"]
+    gateway.side.put(ANSWER)
+    gateway.side.take(SESSION, "A")
+    gateway.side.take(SESSION, "A")
+    assert gateway.executed[1:] == [b"K5A05678\n"]
+    gateway.side.put(b"K5A05678\n")
+    gateway.side.take(b"U4F1C0A3200000002B44B\nr5A00A6198\n", "A")
+    gateway.side.take(SESSION, "A")
+    assert gateway.executed[2:] == [b"r5A00A6198\n"]
+    gateway.side.put(b"r5A000000012E884\n")
+    assert gateway.sent == [
+        (b"U4F1C0A3200000000\r\n" + ANSWER, "A"),
+        (b"U4F1C0A32000000018428\nK5A05678\n", "A"),
+        (b"U4F1C0A3200000002B44B\nr5A000000012E884\n", "A"),
+    ]
+
+
+# The gateway
+
+
+@pytest.mark.parametrize(
+    ("datagram", "source"),
+    [
+        pytest.param(b"U4F1C0A32000000018428\nW0A\n", "A", id="one that was offered, and no K"),
+        pytest.param(SESSION, "B", id="another's"),
+        pytest.param(CHECKED(b"U0000000100000009") + CHECKED(b"K000"), "A", id="a former one"),
+        pytest.param(CHECKED(b"U0000000000000001") + CHECKED(b"K000"), "A", id="no session"),
+    ],
+)
+def test_another_session_is_refused_by_its_name_and_nothing_executed(datagram: bytes, source: str) -> None:
+    gateway = Gateway() if b"W0A" in datagram else Gateway().opened()
+    gateway.side.take(datagram, source)
+    assert not gateway.executed
+    assert gateway.sent == [(CHECKED(datagram[:9] + b"00000000") + CHECKED(b"X0A"), source)]
+
+
+def test_a_refusal_has_the_form_of_what_is_refused() -> None:
+    gateway = Gateway()
+    gateway.side.take(b"U0000000100000001\rr0000A\r", "A")
+    assert gateway.sent == [(b"U0000000100000000\r\nX0A\r\n", "A")]
+
+
+@pytest.mark.parametrize(
+    "header",
+    [b"U4F1C0A320000000584A8\n", b"U4F1C0A32000005\r", b"U4F1C0A320000000X\r", b"U4F1C0A32", b"U\r"],
+    ids=["its CRC", "its length", "its digits", "its end", "all of it"],
+)
+def test_a_datagram_with_a_damaged_header_is_dropped(header: bytes) -> None:
+    gateway = Gateway().opened()
+    gateway.side.take(header + CHECKED(b"W0A00000001"), "A")
+    assert not gateway.executed
+    assert not gateway.sent
+
+
+def test_a_header_may_be_in_lower_case_and_plain() -> None:
+    gateway = Gateway().opened()
+    covered = b"U4f1c0a320000000b"
+    gateway.side.take(covered + CODEC.framing.crc.text(covered).lower() + b"\nH\r", "A")
+    gateway.side.take(b"U4f1c0a320000000c\rH\r", "A")
+    assert gateway.executed == [b"H\r\n"] * 2
+
+
+def test_without_a_header_all_is_executed_that_needs_no_session() -> None:
+    gateway = Gateway()
+    gateway.side.take(b"\nH\rK000\rR0A\rw0000A1\r" + CHECKED(b"r0000A") + b"zzz\n", "A")
+    assert gateway.executed == [b"H\r", b"R0A\rw0000A1\r", b"zzz\n"]
+    assert gateway.sent == [
+        (b"U4F1C0A3200000000\r\nX0A\r\n", "A"),
+        (b"U4F1C0A3200000000\r\n" + CHECKED(b"x0000A"), "A"),
+    ]
+
+
+def test_an_offer_stands_until_it_is_taken_and_another_is_made_then() -> None:
+    gateway = Gateway()
+    for asker in "AB":
+        gateway.side.take(b"Q\r", asker)
+        gateway.side.put(ANSWER)
+    gateway.side.take(SESSION, "A")
+    gateway.side.take(b"Q\r", "B")
+    gateway.side.put(ANSWER)
+    offers = [(datagram[1:9], address) for datagram, address in gateway.sent]
+    assert offers == [(b"4F1C0A32", "A"), (b"4F1C0A32", "B"), (b"4F1C0A33", "B")]
+
+
+def test_answers_to_questions_go_to_who_asks_and_all_else_to_who_opened_the_session() -> None:
+    gateway = Gateway().opened()
+    gateway.side.take(CHECKED(b"Q"), "B")
+    gateway.side.put(b"P0000\nr000\nQ02\nK000\nX01\n")
+    assert [(datagram.partition(b"\n")[2], address) for datagram, address in gateway.sent] == [
+        (b"P0000\nr000\n", "A"),
+        (b"Q02\n", "B"),
+        (b"K000\n", "A"),
+        (b"X01\n", "B"),
+    ]
+    gateway.side.take(b"U4F1C0A3200000002\rQ\r", "A")
+    gateway.side.put(ANSWER)
+    assert gateway.sent[-1] == (CHECKED(b"U4F1C0A3200000004") + ANSWER, "A")
+
+
+def test_who_opens_a_session_takes_the_gateway_and_who_had_it_is_told() -> None:
+    gateway = Gateway().opened()
+    gateway.side.take(b"Q\r", "B")
+    gateway.side.put(ANSWER)
+    gateway.side.take(CHECKED(b"U4F1C0A3300000001") + CHECKED(b"K111"), "B")
+    refusal = CHECKED(b"U4F1C0A3200000000") + CHECKED(b"X0A")
+    assert gateway.executed == [b"Q\r\n", CHECKED(b"K111")]
+    assert gateway.sent[1:] == [(refusal, "A")]
+    gateway.side.take(b"U4F1C0A3200000002B44B\nr5A00A6198\n", "A")
+    assert gateway.sent[2:] == [(refusal, "A")]
+
+
+def test_what_is_for_nobody_is_lost() -> None:
+    gateway = Gateway()
+    gateway.side.put(b"P0000\n")
+    gateway.side.take(b"\n", "A")
+    gateway.side.put(b"P0000\n")
+    assert not gateway.sent
+
+
+def test_frames_and_their_header_fit_into_the_largest_datagram() -> None:
+    for codec in (CODEC, Codec(GatewayInfo(crc_bits=32, crc_polynomial=0x04C11DB7), node=5)):
+        gateway = Gateway(codec)
+        gateway.side.take(codec.framing.checked(b"Q"), "A")
+        for asks in (True, False):
+            if not asks:
+                session = codec.framing.checked(b"U4F1C0A3200000001") + codec.framing.checked(b"K000")
+                gateway.side.take(session, "A")
+            gateway.sent.clear()
+            gateway.side.put(codec.framing.checked(b"H") * 1000)
+            sizes = [len(datagram) for datagram, _ in gateway.sent]
+            frame = codec.framing.overhead + 1
+            assert all(LARGEST_DATAGRAM - frame < size <= LARGEST_DATAGRAM for size in sizes[:-1])
+
+
+# A node on a shared medium
+
+
+def test_headers_of_a_node_have_its_prefix() -> None:
+    codec = Codec(GatewayInfo(), node=5)
+    gateway, host, checked = Gateway(codec), HostDatagrams(node=5), codec.framing.checked
+    gateway.side.take(b"Z05Q\r", "A")
+    gateway.side.put(b"Z05" + ANSWER)
+    assert host.take(gateway.sent[0][0]) == b"Z05" + ANSWER
+    (opening,) = host.put(checked(b"K000"))
+    assert opening == checked(b"U4F1C0A3200000001") + checked(b"K000")
+    gateway.side.take(opening, "A")
+    assert gateway.executed == [b"Z05Q\r\n", checked(b"K000")]
+
+
+def test_a_session_cannot_be_opened_for_all_nodes_without_a_header() -> None:
+    gateway = Gateway(Codec(GatewayInfo(), node=5))
+    gateway.side.take(b"ZFFK000\rZFFW0A1\r", "A")
+    assert gateway.executed == [b"ZFFW0A1\r\n"]
+    assert not any(b"X" in datagram for datagram, _ in gateway.sent)
+
+
+# The host
+
+
+@pytest.mark.parametrize(
+    "datagram",
+    [
+        CHECKED(b"U4F1C0A3300000001") + CHECKED(b"r000"),
+        CHECKED(b"U4F1C0A3200000001") + CHECKED(b"r000"),
+        b"U4F1C0A3200000000\r\n" + ANSWER,
+        CHECKED(b"U4F1C0A3300000000") + CHECKED(b"X0A"),
+        CHECKED(b"r000"),
+        b"U4F1C0A32000000020000\n" + CHECKED(b"r000"),
+        b"",
+    ],
+    ids=["another session", "late", "a late offer", "another's refusal", "no header", "a damaged header", "nothing"],
+)
+def test_a_host_takes_nothing_else_than_newer_datagrams_of_its_session(datagram: bytes) -> None:
+    host = opened_host()
+    assert host.take(CHECKED(b"U4F1C0A3200000001") + CHECKED(b"K5A0")) == CHECKED(b"K5A0")
+    assert host.take(datagram) == b""
+    assert host.take(CHECKED(b"U4F1C0A3200000002") + CHECKED(b"r000")) == CHECKED(b"r000")
+
+
+@pytest.mark.parametrize("refusal", [CHECKED(b"U4F1C0A3200000000") + CHECKED(b"X0A"), b"U4F1C0A3200000000\r\nX0A\r\n"])
+def test_a_host_is_told_that_its_session_is_over(refusal: bytes) -> None:
+    with pytest.raises(ConnectError, match="the gateway was reset, or another program has opened a session with it"):
+        opened_host().take(refusal)
+
+
+def test_a_host_opens_the_session_that_it_was_offered_last() -> None:
+    host = HostDatagrams()
+    assert host.put(CHECKED(b"K000")) == []
+    for offer in (b"00000001", b"00000002", b"00000000"):
+        host.take(b"U" + offer + b"00000000\r\n" + ANSWER)
+    assert host.take(b"U0000000300000000\r\nX0A\r\n") == b""
+    assert host.take(CHECKED(b"U0000000300000001") + CHECKED(b"r000")) == b""
+    (opening,) = host.put(CHECKED(b"K000"))
+    assert opening.startswith(b"U0000000200000001")
+
+
+def test_a_host_takes_the_crc_of_headers_from_the_configuration() -> None:
+    codec = Codec(GatewayInfo(crc_bits=32, crc_polynomial=0x04C11DB7))
+    host = HostDatagrams()
+    host.take(b"U4F1C0A3200000000\r\nQ" + codec.info.to_hex() + b"\r\n")
+    for damaged in (b"Q02\r\n", b"Q" + b"F" * 64 + b"\r\n", b"Q\xff\r\n"):
+        assert host.take(b"U4F1C0A3200000000\r\n" + damaged) == damaged
+    assert host.put(codec.framing.checked(b"K000")) == [
+        codec.framing.checked(b"U4F1C0A3200000001") + codec.framing.checked(b"K000")
+    ]
+
+
+def test_a_host_hears_the_answer_of_a_gateway_that_has_no_headers() -> None:
+    assert HostDatagrams().take(b"Q0120\r\n") == b"Q0120\r\n"
+
+
+@given(data=st.binary(max_size=60))
+def test_no_datagram_upsets_either_side(data: bytes) -> None:
+    for datagram in (data, b"U" + data, b"U4F1C0A3200000002\r" + data):
+        assert isinstance(HostDatagrams().take(datagram), bytes)
+        assert isinstance(opened_host().take(datagram), bytes)
+        Gateway().side.take(datagram, "A")
+        gateway = Gateway().opened()
+        gateway.side.take(datagram, "A")
+        gateway.side.put(data)

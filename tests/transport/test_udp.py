@@ -1,0 +1,245 @@
+"""Links over datagrams that are lost, doubled and late, by real sockets: nothing is executed or answered twice."""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+import itertools
+import socket
+from typing import TYPE_CHECKING, Any
+
+import pytest
+
+import unity_link
+from unity_link import ConnectError, LinkLostError
+from unity_link.errors import Outcome, UnsupportedError
+from unity_link.protocol.configuration import GatewayInfo
+from unity_link.virtual import VirtualGateway
+from unity_link.virtual.faults import Straying
+from unity_link.virtual.relay import relay_udp
+from unity_link.virtual.serving import serve_udp
+
+if TYPE_CHECKING:
+    from collections.abc import AsyncIterator
+
+QUEUE = 0x20
+"""The address at which writes are noted; all others hold themselves."""
+SHORT_LAP = GatewayInfo(id_digits=2)
+
+
+class Noting:
+    """A device that notes what is written to it."""
+
+    def __init__(self) -> None:
+        self.written: list[int] = []
+
+    def read(self, offset: int, now: float) -> int:
+        return QUEUE
+
+    def write(self, offset: int, value: int, now: float) -> None:
+        self.written.append(value)
+
+
+class Recording(Straying[Any]):
+    """Delivers everything at once, and all of it again when it is told to."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._passed: list[Any] = []
+        self._again: list[Any] = []
+
+    def carry(self, datagram: Any) -> list[Any]:
+        arriving, self._again = [datagram, *self._again], []
+        self._passed.append(datagram)
+        return arriving
+
+    def replay(self) -> None:
+        """Have all that has passed arrive again, behind the next datagram."""
+        self._again = list(self._passed)
+
+
+def gateway_of(device: Noting) -> VirtualGateway:
+    gateway = VirtualGateway(SHORT_LAP)
+    for address in range(256):
+        gateway.memory[address] = address
+    gateway.attach(device, [QUEUE])
+    return gateway
+
+
+def port_of(url: str) -> int:
+    return int(url.rpartition(":")[2])
+
+
+@contextlib.asynccontextmanager
+async def recorded(gateway: VirtualGateway) -> AsyncIterator[tuple[str, Recording, Recording]]:
+    """Serve a gateway behind a network that can repeat all that has passed; gives that of both directions."""
+    towards, back = Recording(), Recording()
+    async with serve_udp(gateway) as url, relay_udp(port_of(url), towards, back) as relayed:
+        yield relayed, towards, back
+
+
+@pytest.mark.asyncio
+@pytest.mark.parametrize("seed", range(3))
+async def test_over_a_bad_network_all_is_executed_once_in_order_and_answered_right(seed: int) -> None:
+    device = Noting()
+    chances = {"loss": 0.02, "late": 0.03, "double": 0.1}
+    towards: Straying[Any] = Straying(2 * seed, latest=600, **chances)
+    back: Straying[Any] = Straying(2 * seed + 1, latest=600, **chances)
+    numbers = itertools.count()
+    async with (
+        serve_udp(gateway_of(device)) as url,
+        relay_udp(port_of(url), towards, back) as relayed,
+        unity_link.connect(relayed, timeout=60) as link,
+    ):
+        for start in range(300):
+            writes = [link.write(QUEUE, next(numbers)) for _ in range(2)]
+            reads = [link.read((start + place) % 256) for place in range(4)]
+            answers = await asyncio.gather(*writes, *reads)
+            assert answers[2:] == [(start + place) % 256 for place in range(4)]
+        assert link.statistics.repetitions
+    assert device.written == list(range(600))
+
+
+@pytest.mark.asyncio
+async def test_requests_of_an_earlier_lap_that_come_again_are_not_executed() -> None:
+    device = Noting()
+    async with recorded(gateway_of(device)) as (url, towards, _), unity_link.connect(url) as link:
+        for number in range(300):
+            await link.write_queue(QUEUE, [number])
+            if number % 50 == 17:
+                towards.replay()
+        assert await link.read(0x77) == 0x77
+    assert device.written == list(range(300))
+
+
+@pytest.mark.asyncio
+async def test_answers_of_an_earlier_lap_that_come_again_are_taken_for_no_other() -> None:
+    async with recorded(gateway_of(Noting())) as (url, _, back), unity_link.connect(url) as link:
+        for number in range(600):
+            address = number * 7 % 256
+            if number % 50 == 17:
+                back.replay()
+            words = await asyncio.gather(link.read(address), link.read(address ^ 1), link.read(address ^ 2))
+            assert words == [address, address ^ 1, address ^ 2]
+
+
+@pytest.mark.asyncio
+async def test_datagrams_of_an_earlier_session_that_come_again_are_neither_executed_nor_taken() -> None:
+    device = Noting()
+    async with recorded(gateway_of(device)) as (url, towards, back):
+        for session in range(3):
+            async with unity_link.connect(url) as link:
+                for number in range(20):
+                    await link.write_queue(QUEUE, [20 * session + number])
+                    if number % 5 == 0:
+                        towards.replay()
+                        back.replay()
+                    assert await link.read(number) == number
+    assert device.written == list(range(60))
+
+
+async def read_all(samples: unity_link.Subscription) -> None:
+    async for _ in samples:
+        pass
+
+
+@pytest.mark.asyncio
+async def test_a_second_host_takes_the_gateway_and_the_first_is_told() -> None:
+    async with (
+        serve_udp(VirtualGateway()) as url,
+        unity_link.connect(url) as first,
+        first.subscribe([0], rate_hz=10) as samples,
+    ):
+        await anext(samples)
+        async with unity_link.connect(url) as second:
+            # Told at once: it asks for nothing.
+            with pytest.raises(LinkLostError, match="another program has opened a session with it"):
+                await read_all(samples)
+            with pytest.raises(LinkLostError):
+                await first.write(1, 7)
+            assert await second.read(1) == 0
+
+
+@pytest.mark.asyncio
+async def test_a_first_host_that_reconnects_takes_the_gateway_again() -> None:
+    async with serve_udp(VirtualGateway()) as url, unity_link.connect(url, reconnect=True) as first:
+        await first.write(1, 7)
+        with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as second:
+            second.connect(("127.0.0.1", port_of(url)))
+            second.send(b"Q\r")
+            offer = await asyncio.to_thread(second.recv, 2000)
+            second.send(offer[:9] + b"00000001\rK000\r")
+            await asyncio.to_thread(second.recv, 2000)
+        with contextlib.suppress(LinkLostError):
+            await first.read(1)
+        assert await first.read(1) == 7
+        assert first.statistics.reconnections == 1
+
+
+@pytest.mark.asyncio
+async def test_a_reset_in_the_middle_of_a_session_loses_the_link_and_executes_nothing_twice() -> None:
+    device = Noting()
+    gateway = gateway_of(device)
+    async with serve_udp(gateway) as url:
+        link = await unity_link.connect(url)
+        for number in range(10):
+            await link.write_queue(QUEUE, [number])
+    gateway.reset()
+    writing = asyncio.ensure_future(link.write_queue(QUEUE, [10]))
+    await asyncio.sleep(0)
+    async with serve_udp(gateway, port_of(url)):
+        with pytest.raises(LinkLostError, match="the gateway was reset") as caught:
+            await writing
+        assert caught.value.outcome is Outcome.UNKNOWN
+        await link.aclose()
+        async with unity_link.connect(url) as again:
+            await again.write_queue(QUEUE, [11])
+    assert device.written == [*range(10), 11]
+
+
+# Gateways that are none of ours
+
+
+class Scripted(asyncio.DatagramProtocol):
+    """Answers each datagram by what stands for it in a script, if anything does."""
+
+    def __init__(self, script: dict[bytes, bytes]) -> None:
+        self._script = script
+
+    def connection_made(self, transport: Any) -> None:
+        self._transport = transport
+
+    def datagram_received(self, data: bytes, addr: Any) -> None:
+        answer = next((answer for question, answer in self._script.items() if question in data), None)
+        if answer is not None:
+            self._transport.sendto(answer, addr)
+
+
+@contextlib.asynccontextmanager
+async def scripted(script: dict[bytes, bytes]) -> AsyncIterator[str]:
+    loop = asyncio.get_running_loop()
+    transport, _ = await loop.create_datagram_endpoint(lambda: Scripted(script), local_addr=("127.0.0.1", 0))
+    yield f"udp://127.0.0.1:{transport.get_extra_info('sockname')[1]}"
+    transport.close()
+    await asyncio.sleep(0)
+
+
+@pytest.mark.asyncio
+async def test_a_session_that_another_host_opened_first_is_one_clear_error() -> None:
+    checked = unity_link.protocol.frames.Framing(unity_link.protocol.crc.Crc()).checked
+    body = b"Q" + GatewayInfo().to_hex()
+    script = {
+        b"Q\r": b"U0000000700000000\r\n" + body + b"\r\n",
+        checked(b"Q"): checked(b"U0000000700000000") + checked(body),
+        checked(b"U0000000700000001"): checked(b"U0000000700000000") + checked(b"X0A"),
+    }
+    async with scripted(script) as url:
+        with pytest.raises(ConnectError, match="another program has opened a session with it"):
+            await unity_link.connect(url)
+
+
+@pytest.mark.asyncio
+async def test_a_gateway_of_the_version_without_headers_is_told_by_its_version() -> None:
+    async with scripted({b"Q\r": b"Q012008020800000007FF0100FF0005F5E10002FAF0800100010000FF00000000\r\n"}) as url:
+        with pytest.raises(UnsupportedError, match="the gateway speaks version 01 of the protocol"):
+            await unity_link.connect(url)

@@ -1,0 +1,322 @@
+"""Frames in datagrams (docs/protocol.md, "Datagrams"): what comes late, twice or from another session is dropped.
+
+Each datagram begins with a header, the frame ``U s c`` of a session and a count. The gateway offers a session, a ``K``
+opens it, and in it a side takes only what has a newer count than all before. What is left is a line that keeps the
+order and may lose frames, which the window makes up for.
+
+`HostDatagrams` and `GatewayDatagrams` are the two sides, without I/O. What they take out of a datagram are whole
+frames: one that was cut at its end is ended, so that it does not spoil the next.
+"""
+
+from __future__ import annotations
+
+import re
+import secrets
+from itertools import groupby
+from typing import TYPE_CHECKING, Generic, NamedTuple, TypeVar
+
+from unity_link.errors import ConnectError, UnsupportedError
+from unity_link.protocol.configuration import GatewayInfo
+from unity_link.protocol.crc import Crc
+from unity_link.protocol.frames import LARGEST_DATAGRAM, FrameError, Framing, datagrams
+from unity_link.protocol.messages import ErrorCode, RequestError
+from unity_link.protocol.reception import Reception
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from unity_link.protocol.messages import Codec
+
+A = TypeVar("A")
+
+NO_SESSION = 0
+_OUTSIDE = 0
+"""The count of an offer and of a refusal, which belong to no session."""
+_LAST_COUNT = 0xFFFFFFFF
+_HEADER_SIZE = len("U") + 16
+_HEADER = re.compile(rb"U([0-9A-Fa-f]{8})([0-9A-Fa-f]{8})")
+_FIRST_FRAME = re.compile(rb"[\r\n]*([^\r\n]*\r?)\n?")
+_FRAME = re.compile(rb"[^\r\n]+[\r\n]+")
+_REFUSAL = b"X%02X" % ErrorCode.NO_SESSION
+_OF_SESSION = re.compile(rb"[g-zKP]")
+"""What only a session is answered by, and samples."""
+
+
+class Counts:
+    """What tells new datagrams from late and doubled ones: how many were sent, and the newest count that was taken."""
+
+    def __init__(self) -> None:
+        self.sent = self.taken = _OUTSIDE
+
+    def next(self) -> int:
+        """Return the count of the next datagram to send."""
+        self.sent = self.sent % _LAST_COUNT + 1
+        return self.sent
+
+    def takes(self, count: int) -> bool:
+        """Return whether a count is newer than all before; then it is the newest."""
+        if count == _OUTSIDE or not 0 < (count - self.taken & _LAST_COUNT) <= _LAST_COUNT >> 1:
+            return False
+        self.taken = count
+        return True
+
+
+class Datagram(NamedTuple):
+    """A datagram with a header."""
+
+    session: int
+    count: int
+    frames: bytes
+    """What stands behind the header."""
+    plain: bool
+    """Whether the header is a plain frame."""
+
+
+def read_header(datagram: bytes, framing: Framing) -> Datagram | None:
+    """Return what is in a datagram, None where it has no header.
+
+    Raises:
+        FrameError: for a header that is damaged.
+    """
+    first = _FIRST_FRAME.match(datagram)
+    assert first is not None
+    line = first[1]
+    if not line.startswith(framing.prefix + b"U"):
+        return None
+    digits = framing.crc.digits
+    fields = _HEADER.fullmatch(framing.open(line[:-digits] + line[-digits:].upper()))
+    if fields is None:
+        raise FrameError(f"malformed header {line!r}")
+    frames = _ended(datagram[first.end() :])
+    return Datagram(int(fields[1], 16), int(fields[2], 16), frames, plain=line.endswith(b"\r"))
+
+
+def _ended(frames: bytes) -> bytes:
+    return frames if frames.endswith(b"\n") else frames + b"\n"
+
+
+def _first_line(frames: bytes) -> bytes:
+    """Return what stands before the first LF, line ends before it left out."""
+    first = _FIRST_FRAME.match(frames)
+    assert first is not None
+    return first[1]
+
+
+def _with_header(framing: Framing, session: int, count: int, frames: bytes, *, plain: bool = False) -> bytes:
+    body = b"U%08X%08X" % (session, count)
+    return (framing.plain_reply(body) if plain else framing.checked(body)) + frames
+
+
+def _pack(framing: Framing, frames: bytes) -> list[bytes]:
+    """Put frames into as few datagrams as they fit in with a header."""
+    return datagrams(frames, LARGEST_DATAGRAM - _HEADER_SIZE - framing.overhead)
+
+
+class HostDatagrams:
+    """The host's side of one socket: it opens one session.
+
+    The CRC of the headers is that of the gateway's last answer to a plain ``Q``.
+
+    Args:
+        node: number of the gateway on a shared medium, or None.
+    """
+
+    def __init__(self, node: int | None = None) -> None:
+        self.session = NO_SESSION
+        self.offer = NO_SESSION
+        """The session that the gateway offered last."""
+        self.counts = Counts()
+        self._node = node
+        self._framing = Framing(Crc(), node)
+
+    def put(self, frames: bytes) -> list[bytes]:
+        """Return the datagrams in which frames go to the gateway; the first ``K`` opens the session."""
+        if self.session == NO_SESSION:
+            if not frames.lstrip(b"\r\n").startswith(self._framing.prefix + b"K"):
+                return datagrams(frames)
+            self.session = self.offer
+            if self.session == NO_SESSION:
+                # As good as lost: it will be asked for again.
+                return []
+        return [
+            _with_header(self._framing, self.session, self.counts.next(), packed)
+            for packed in _pack(self._framing, frames)
+        ]
+
+    def take(self, datagram: bytes) -> bytes:
+        """Return the frames of a datagram that are the host's, none of one that is late or damaged.
+
+        Raises:
+            ConnectError: where the gateway says that the session is over.
+        """
+        try:
+            read = read_header(datagram, self._framing)
+        except FrameError:
+            return b""
+        if self.session == NO_SESSION:
+            return self._take_offer(datagram, read)
+        if read is None or read.session != self.session:
+            return b""
+        if read.count == _OUTSIDE and self._is_refusal(read.frames):
+            raise ConnectError("the gateway was reset, or another program has opened a session with it")
+        return read.frames if self.counts.takes(read.count) else b""
+
+    def _take_offer(self, datagram: bytes, read: Datagram | None) -> bytes:
+        if read is None:
+            # A gateway of version 01 has no headers; its answer says so.
+            return _ended(datagram)
+        if read.count != _OUTSIDE or read.session == NO_SESSION or self._is_refusal(read.frames):
+            return b""
+        self.offer = read.session
+        if read.plain:
+            self._learn(read.frames)
+        return read.frames
+
+    def _learn(self, frames: bytes) -> None:
+        """Take the CRC from an answer to a plain ``Q``."""
+        try:
+            body = self._framing.open(_first_line(frames))
+            info = GatewayInfo.from_hex(body.removeprefix(b"Q"))
+        except (ValueError, UnsupportedError):
+            return
+        self._framing = Framing(Crc(info.crc_bits, info.crc_polynomial), self._node)
+
+    def _is_refusal(self, frames: bytes) -> bool:
+        try:
+            return self._framing.open(_first_line(frames)) == _REFUSAL
+        except FrameError:
+            return False
+
+
+class _Asker(NamedTuple, Generic[A]):
+    """Whose requests without a session were taken last, and in which form."""
+
+    address: A
+    plain: bool
+
+
+class GatewayDatagrams(Generic[A]):
+    """The gateway's side of a socket, from one reset to the next.
+
+    What the gateway sends goes to the address that opened the session; answers to requests without a header go to the
+    address that they came from. A response without an ID does not say whose it is: it is for the address whose datagram
+    was taken last.
+
+    Args:
+        codec: the messages of the gateway.
+        execute: takes frames for the gateway, and may call `put` at once.
+        send: takes a datagram and where it goes.
+        draw: returns a random number of 32 bits.
+    """
+
+    def __init__(
+        self,
+        codec: Codec,
+        execute: Callable[[bytes], object],
+        send: Callable[[bytes, A], object],
+        draw: Callable[[], int] = lambda: secrets.randbits(32),
+    ) -> None:
+        self.session = NO_SESSION
+        self.opener: A | None = None
+        """The address that opened the session."""
+        self.offer = NO_SESSION
+        """The session that can be opened next; none before it is first needed."""
+        self.counts = Counts()
+        self._codec = codec
+        self._framing = codec.framing
+        self._reception = Reception(codec)
+        self._asker: _Asker[A] | None = None
+        """Where answers without an ID go, if not to the opener."""
+        self._execute = execute
+        self._send = send
+        self._draw = draw
+
+    def take(self, datagram: bytes, source: A) -> None:
+        """Take a datagram that came from an address."""
+        try:
+            read = read_header(datagram, self._framing)
+        except FrameError:
+            return
+        if read is None:
+            self._take_questions(datagram, source)
+        elif (read.session, source) == (self.session, self.opener):
+            if self.counts.takes(read.count):
+                self._asker = None
+                self._execute(read.frames)
+        elif NO_SESSION != read.session == self.offer and self._begins_with_k(read.frames):
+            self._open(read, source)
+        else:
+            self._refuse(read.session, source, plain=read.plain)
+
+    def put(self, frames: bytes) -> None:
+        """Send frames of the gateway; those that are for no address are lost."""
+        if self._asker is None:
+            self._send_to_opener(frames)
+            return
+        for of_session, group in groupby(_FRAME.findall(frames), self._is_of_session):
+            (self._send_to_opener if of_session else self._send_to_asker)(b"".join(group))
+
+    # Sessions
+
+    def _open(self, read: Datagram, source: A) -> None:
+        """Begin the session that was offered; the one before is over, and its opener is told."""
+        if self.opener is not None:
+            self._refuse(self.session, self.opener, plain=False)
+        self.session, self.opener, self.offer = read.session, source, NO_SESSION
+        self.counts = Counts()
+        self.counts.takes(read.count)
+        self._asker = None
+        self._execute(read.frames)
+
+    def _begins_with_k(self, frames: bytes) -> bool:
+        return _first_line(frames).startswith(self._framing.prefix + b"K")
+
+    def _refuse(self, session: int, address: A, *, plain: bool) -> None:
+        frame = self._framing.plain_reply if plain else self._framing.checked
+        self._send(_with_header(self._framing, session, _OUTSIDE, frame(_REFUSAL), plain=plain), address)
+
+    def _send_to_opener(self, frames: bytes) -> None:
+        if self.opener is not None:
+            for packed in _pack(self._framing, frames):
+                self._send(_with_header(self._framing, self.session, self.counts.next(), packed), self.opener)
+
+    # Requests without a session
+
+    def _take_questions(self, datagram: bytes, source: A) -> None:
+        """Execute requests without an ID, and refuse the others."""
+        frames = _FRAME.findall(_ended(datagram))
+        if not frames:
+            return
+        self._asker = _Asker(source, plain=b"\r" in frames[0])
+        for refusal, group in groupby(frames, self._refusal):
+            if refusal is None:
+                self._execute(b"".join(group))
+            else:
+                for _ in group:
+                    self._send_to_asker(refusal)
+
+    def _refusal(self, frame: bytes) -> bytes | None:
+        """Return the answer to a request that needs a session, None for all that the gateway may see without one."""
+        line, plain = frame.rstrip(b"\r\n"), b"\r" in frame
+        size = len(self._framing.prefix)
+        try:
+            request = self._reception.read(line[size:], plain=plain, prefix=line[:size])
+        except RequestError:
+            return None
+        if request.id is None and request.command != "K":
+            return None
+        if line[:size] != self._framing.prefix:
+            return b""
+        error = self._codec.error(ErrorCode.NO_SESSION, request.id)
+        return self._framing.plain_reply(error) if plain else self._framing.checked(error)
+
+    def _send_to_asker(self, frames: bytes) -> None:
+        assert self._asker is not None
+        address, plain = self._asker
+        while self.offer in (NO_SESSION, self.session):
+            self.offer = self._draw()
+        for packed in _pack(self._framing, frames):
+            self._send(_with_header(self._framing, self.offer, _OUTSIDE, packed, plain=plain), address)
+
+    def _is_of_session(self, frame: bytes) -> bool:
+        return self.session != NO_SESSION and _OF_SESSION.match(frame, len(self._framing.prefix)) is not None
