@@ -219,6 +219,41 @@ async def test_a_lone_read_waits_for_one_turn_of_the_others_and_not_for_all_they
 
 
 @on_simulated_time
+async def test_a_new_session_begins_behind_the_writes_that_a_connection_which_may_be_dead_has_left() -> None:
+    gateway = VirtualGateway()
+    bus = RecordedBus(gateway)
+    async with sharing(SlowLine(gateway, 100_000)) as shared, PipedLink(shared) as before, PipedLink(shared) as reader:
+        reads = asyncio.create_task(reader.read_many([2] * 4000))
+        writes = asyncio.create_task(before.write_many([1] * 400, range(400)))
+        await asyncio.sleep(0.01)
+        # The same program by another connection: the server has not seen yet that the first one is cut.
+        async with PipedLink(shared) as after:
+            await after.write(1, 400)
+            # Reads change nothing: they are not waited for.
+            assert not reads.done()
+        await asyncio.gather(writes, reads)
+    assert bus.writes == [(1, value) for value in range(401)]
+
+
+@on_simulated_time
+async def test_a_new_session_does_not_wait_for_a_client_that_has_left() -> None:
+    gateway = VirtualGateway()
+    bus = RecordedBus(gateway)
+    async with sharing(SlowLine(gateway, 100_000)) as shared, PipedLink(shared) as before, PipedLink(shared) as reader:
+        reads = asyncio.create_task(reader.read_many([2] * 4000))
+        writes = asyncio.create_task(before.write_many([1] * 400, range(400)))
+        await asyncio.sleep(0.01)
+        async with PipedLink(shared) as after:
+            last = asyncio.create_task(after.write(1, 400))
+            await asyncio.sleep(0.01)
+            before.client.hang_up()
+            await last
+        await asyncio.gather(writes, reads, return_exceptions=True)
+    assert bus.writes[-1] == (1, 400)
+    assert 0 < len(bus.writes) < 400
+
+
+@on_simulated_time
 async def test_clients_that_move_blocks_and_clients_that_read_words_get_the_same_share_of_the_line() -> None:
     moved = {"blocks": 0, "words": 0}
 

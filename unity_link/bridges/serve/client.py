@@ -146,6 +146,13 @@ class Client(asyncio.Protocol):
         """Whether there are posted writes of which it is not known yet that they were executed."""
         return self._last_posted > self._last_answered
 
+    def follow_others(self) -> None:
+        """Have all that this client asks for executed behind the writes that are here: they may be its own.
+
+        Its former connection may be cut without anything having told so yet.
+        """
+        self._shared.turns.follow(self.queue, (other.queue for other in self._shared.clients if other is not self))
+
     def hand_on(self, relayed: Relayed, awaited: bytearray) -> None:
         """Put a request into the line; where it has an ID, note it in `awaited` until it is answered."""
         self._under_way += relayed.cost

@@ -104,6 +104,8 @@ class Conversation:
             self._in_sequence(request, request.id, plain=plain)
 
     def _start_session(self, request: DecodedRequest, *, plain: bool) -> None:
+        if self._sequence.expected < 0:
+            self._client.follow_others()
         self._sequence.start(request.values[0])
         # What is under way belongs to the session before.
         self._awaited = bytearray(len(self._awaited))

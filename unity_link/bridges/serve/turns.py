@@ -8,6 +8,9 @@ What is under way can't be overtaken any more. So while several clients are at i
 seen to carry in `LONGEST_WAIT`, answers included; a quantum is half of that. Long turns are what a quick line needs,
 for many requests of one client cost little more than one; short ones are what a slow line needs, so that no client
 waits long.
+
+One thing goes before fairness. A client whose connection was cut may be back by a new one while the server still holds
+writes that came by the old one. So a new session begins behind all writes that were received before it.
 """
 
 from __future__ import annotations
@@ -16,8 +19,10 @@ import asyncio
 from collections import deque
 from typing import TYPE_CHECKING
 
+from unity_link.protocol.requests import REPEATABLE
+
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Iterable
 
     from unity_link.bridges.serve.requests import Relayed, RelayedRows
     from unity_link.errors import UnityLinkError
@@ -34,14 +39,29 @@ _SPAN = 0.005
 class Queue:
     """What one client has asked for and is not sent."""
 
-    __slots__ = ("balance", "in_line", "requests", "under_way")
+    __slots__ = ("ahead", "balance", "followers", "in_line", "requests", "sent", "under_way")
 
     def __init__(self) -> None:
+        self.ahead = 0
+        """Other queues that hold writes which go before all that is in this one."""
+        self.followers: list[tuple[int, Queue]] = []
+        """What must have been sent, by the count of `sent`, and which queue waits for it."""
+        self.sent = 0
+        """How many requests have left this queue."""
         self.under_way = 0
         """Bytes of requests that were sent and of their answers."""
         self.requests: deque[Relayed | RelayedRows] = deque()
         self.balance = LEAST_AHEAD // 2
         self.in_line = False
+
+    def last_write(self) -> int:
+        """Return what `sent` will be when no request is left here that changes anything; `sent` where none is."""
+        place = self.sent + len(self.requests)
+        for request in reversed(self.requests):
+            if request.command not in REPEATABLE:
+                return place
+            place -= 1
+        return place
 
 
 class Pace:
@@ -84,10 +104,18 @@ class Turns:
 
     def join(self, queue: Queue) -> None:
         """Record that a queue has requests."""
-        if queue.requests and not queue.in_line:
+        if queue.requests and not queue.in_line and not queue.ahead:
             queue.in_line = True
             self._line.append(queue)
         self._submit()
+
+    def follow(self, queue: Queue, others: Iterable[Queue]) -> None:
+        """Have a queue wait until the writes that are in others now have been sent."""
+        for other in others:
+            place = other.last_write()
+            if place > other.sent:
+                other.followers.append((place, queue))
+                queue.ahead += 1
 
     def leave(self, queue: Queue) -> list[Relayed | RelayedRows]:
         """Empty a queue, and return what was in it."""
@@ -96,7 +124,16 @@ class Turns:
         if queue.in_line:
             queue.in_line = False
             self._line.remove(queue)
+        self._sent(queue, len(dropped))
         return dropped
+
+    def _sent(self, queue: Queue, count: int) -> None:
+        """Record requests that have left a queue, and let those join that have waited for them."""
+        queue.sent += count
+        while queue.followers and queue.followers[0][0] <= queue.sent:
+            _, follower = queue.followers.pop(0)
+            follower.ahead -= 1
+            self.join(follower)
 
     def arrived(self, queue: Queue, cost: int) -> None:
         """Record answers."""
@@ -170,6 +207,7 @@ class Turns:
             if not queue.requests:
                 queue.in_line = False
                 self._line.popleft()
+            self._sent(queue, 1)
         return run
 
     def exhausted(self) -> bool:
