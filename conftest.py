@@ -31,6 +31,12 @@ settings.register_profile("long", settings.get_profile("quick"), max_examples=10
 settings.load_profile("quick")
 
 
+@pytest.fixture(autouse=True)
+def first_ids(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Have the sessions of this process begin with ID 0, so that tests can say which ID a request has."""
+    monkeypatch.setattr("unity_link.link.connection.choose_seed", lambda: 0)
+
+
 def pytest_addoption(parser: pytest.Parser) -> None:
     """Add the option of this file."""
     parser.addoption("--fail-on-skip", action="store_true", help="fail the run if any test is skipped")

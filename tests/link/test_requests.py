@@ -387,5 +387,5 @@ async def test_statistics_count_what_happened(link: Link) -> None:
 
 async def test_a_range_error_of_the_gateway_is_an_error_of_its_own(link: Link) -> None:
     with pytest.raises(OutOfRangeError, match=r"publishing a group: .* out of its range") as caught:
-        await link._groups.publish(0xFE)
+        await link._ask("GP", 0xFE)
     assert caught.value.code == 6

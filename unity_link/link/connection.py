@@ -80,6 +80,8 @@ class Connection:
         self._timer_at = 0.0
         self._opened: asyncio.Future[None] = self._loop.create_future()
         """Done when the connection that is being opened is of use, or is known not to be."""
+        self._opening = False
+        """Whether `open` is under way."""
         self._restored: asyncio.Future[None] = self._loop.create_future()
         """Done when all groups are set up again in a new session."""
         self._reconnection: asyncio.Task[None] | None = None
@@ -206,7 +208,7 @@ class Connection:
         """Record that the stream has ended."""
         if not self._opened.done():
             self._opened.set_exception(self._session.connection_error(reason))
-        elif self._stream is not None:
+        elif not self._opening:
             self._lose(f"the connection was lost ({reason})" if reason else "the other side closed the connection")
 
     def _pause(self) -> None:
@@ -250,7 +252,7 @@ class Connection:
     def _connection_failed(self, event: Unusable) -> None:
         if not self._opened.done():
             self._opened.set_exception(event.error)
-        else:
+        elif not self._opening:
             error = event.error
             self._lose(error.reason if isinstance(error, UnansweredError) else str(error))
 
@@ -273,6 +275,7 @@ class Connection:
         """
         name = self._target.text if isinstance(self._target, DriverUrl) else "the given gateway"
         stream = Stream()
+        self._opening = True
         try:
             async with asyncio.timeout(timeout):
                 await self._connect_stream(stream)
@@ -287,6 +290,8 @@ class Connection:
             if isinstance(error, ConnectError):
                 raise ConnectError(f"{name}: {error}") from error
             raise
+        finally:
+            self._opening = False
 
     async def _connect_stream(self, stream: Stream) -> None:
         if isinstance(self._target, DriverUrl):
@@ -295,14 +300,15 @@ class Connection:
             await self._target.open(stream)
 
     async def _open_session(self, stream: Stream) -> None:
-        if stream.closed:
-            raise self._session.connection_error(None)
         self._opened = self._loop.create_future()
         self._stream = stream
         stream.receiver, stream.on_pause = self, self._pause
         self._session.connect(self._now(), stream.shortest_timeout)
-        self._go_on([])
-        await self._opened
+        if not stream.closed:
+            self._go_on([])
+            await self._opened
+        if stream.closed:
+            raise self._session.connection_error(None)
 
     def _leave(self, stream: Stream) -> None:
         """Record that nothing comes of a stream."""

@@ -58,7 +58,7 @@ class Handshake:
         self.complete = False
         """Whether the session has begun: `codec`, `first` and `round_trip` say how."""
         self.round_trip = 0.0
-        """Seconds from the last question to its answer."""
+        """Seconds to the answer to the last question."""
         self._pausing = False
         self._ask_plain(now)
 
@@ -113,6 +113,7 @@ class Handshake:
         """Ask until an answer comes that begins as expected, `tries` times at most."""
         self._question, self._beginning = question, beginning
         self._patience, self._tries, self._asked = patience, tries, 0
+        self._began = now
         self._send(now)
 
     def _send(self, now: float) -> None:
@@ -202,7 +203,7 @@ class Handshake:
         self._ask_plain(now)
 
     def _session_begun(self, now: float) -> None:
-        self.round_trip = now - self._asked_at
+        self.round_trip = now - self._began
         if self._asked == 1:
             self.complete = True
         else:
