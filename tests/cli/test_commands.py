@@ -17,6 +17,7 @@ import pytest
 import typer
 
 from unity_link import cli
+from unity_link.protocol.configuration import PROTOCOL_VERSION
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -106,7 +107,7 @@ def test_a_signal_ends_a_served_gateway_at_once(kind: str, number: signal.Signal
 def test_what_a_program_may_read_is_json(kind: str) -> None:
     url = f"{kind}:"
     info = json.loads(run("info", url, "--json").stdout)
-    assert (info["data_bits"], info["protocol_version"]) == (32, 1)
+    assert (info["data_bits"], info["protocol_version"]) == (32, PROTOCOL_VERSION)
     samples = [json.loads(line) for line in run("watch", url, "0x10", "--count", "3", "--json").stdout.splitlines()]
     assert [sample["values"] for sample in samples] == [{"0x10": 0}] * 3
 
