@@ -14,7 +14,7 @@ LEAST = 400_000
 
 
 async def measure() -> Row:
-    """Compare one batch with the same bytes through a bare loop, half a ring in flight."""
+    """Compare one batch with the same bytes through a bare loop, 128 of them under way."""
     addresses = np.arange(READS) % 256
     with responder() as path:
 

@@ -16,7 +16,7 @@ LEAST = 150_000
 
 
 async def measure() -> Row:
-    """Compare 256 tasks, each reading in a loop, with the same bytes through a bare loop, half a ring in flight."""
+    """Compare 256 tasks, each reading in a loop, with the same bytes through a bare loop, 128 of them under way."""
     total = TASKS * READS_A_TASK
     with responder() as path:
 

@@ -24,6 +24,8 @@ if TYPE_CHECKING:
 BUS_ERROR, BUS_TIMEOUT = 0xE0, 0xE8
 """Addresses of which every access fails, in a gateway `with_failing`."""
 CRC_32 = {"crc_bits": 32, "crc_polynomial": 0x04C11DB7}
+SHORT = {"id_digits": 2, "crc_bits": 8, "crc_polynomial": 0x07}
+"""The shortest frames, which are those of the paper."""
 SLOW = {"base_frequency_millihertz": 1_000_000}
 """Samples at 1 kHz at most: what tests on simulated time run with."""
 KINDS = ("sim", "rtl", "ftdi", "ftdi-async")
@@ -44,6 +46,11 @@ def simulated(**fields: int) -> BareGateway:
 
 def compiled(**fields: int) -> BareGateway:
     return RtlGateway(choose(fields).name)
+
+
+def in_flight(gateway: GatewayInfo) -> int:
+    """Return how many requests with an ID may be under way: half of all IDs."""
+    return 16**gateway.id_digits // 2
 
 
 def with_failing(gateway: BareGateway) -> BareGateway:

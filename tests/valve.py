@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from typing import TYPE_CHECKING, Any
 
 from unity_link.virtual.gateway import Gateway
@@ -9,7 +10,7 @@ from unity_link.virtual.gateway import Gateway
 if TYPE_CHECKING:
     from collections.abc import MutableMapping
 
-    from unity_link import Link
+    from unity_link import GatewayInfo, Link
 
 
 class Valve(Gateway):
@@ -51,6 +52,12 @@ class Valve(Gateway):
 
     def advance(self, now: float, room: int | None = None) -> bytes:
         return self.gateway.advance(now, room)
+
+
+def numbers_in(sent: bytes, info: GatewayInfo) -> list[int]:
+    """Return the IDs of the requests in what a host has sent, in their order."""
+    heads = rb"^[g-z]+([0-9A-F]{%d})" % info.id_digits
+    return [int(digits, 16) for digits in re.findall(heads, sent, re.MULTILINE)]
 
 
 def cut(link: Link) -> None:

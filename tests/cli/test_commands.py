@@ -5,6 +5,7 @@ from __future__ import annotations
 import errno
 import json
 import os
+import re
 import signal
 import socket
 import subprocess
@@ -17,6 +18,7 @@ import pytest
 import typer
 
 from unity_link import cli
+from unity_link.protocol.configuration import PROTOCOL_VERSION
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -106,9 +108,14 @@ def test_a_signal_ends_a_served_gateway_at_once(kind: str, number: signal.Signal
 def test_what_a_program_may_read_is_json(kind: str) -> None:
     url = f"{kind}:"
     info = json.loads(run("info", url, "--json").stdout)
-    assert (info["data_bits"], info["protocol_version"]) == (32, 1)
+    assert (info["data_bits"], info["protocol_version"]) == (32, PROTOCOL_VERSION)
     samples = [json.loads(line) for line in run("watch", url, "0x10", "--count", "3", "--json").stdout.splitlines()]
     assert [sample["values"] for sample in samples] == [{"0x10": 0}] * 3
+
+
+def test_info_says_whether_the_identifier_of_a_build_names_its_map() -> None:
+    assert re.search("^map +0x0000CAFE$", run("info", "sim:?features=0x17F&build_id=0xCAFE").stdout, re.MULTILINE)
+    assert re.search("^build +0x0000CAFE$", run("info", "sim:?build_id=0xCAFE").stdout, re.MULTILINE)
 
 
 @on_model_and_gateware

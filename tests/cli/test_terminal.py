@@ -84,10 +84,31 @@ def test_input_that_is_no_request_is_sent_all_the_same_and_explained(terminal: W
     terminal.enter("!R0A00")
     terminal.wait_for("^X01 +error 01: the CRC was wrong$", PROMPT)
     # The gateway says once what it expects, and then waits for that.
-    terminal.enter("r010A")
-    terminal.wait_for("^n00 +out of sequence: the next ID expected is 00$", PROMPT)
-    terminal.enter("r020A")
-    terminal.wait_for("^no answer to r020A within 1 s$", PROMPT)
+    terminal.enter("K000")
+    terminal.wait_for("^K000 +session started, the next ID expected is 000$", PROMPT)
+    terminal.enter("r0010A")
+    terminal.wait_for("^n000 +out of sequence: the next ID expected is 000$", PROMPT)
+    terminal.enter("r0020A")
+    terminal.wait_for("^no answer to r0020A within 1 s$", PROMPT)
+
+
+def test_who_types_an_id_to_a_gateway_that_was_reset_is_told_to_begin_a_session(
+    terminal: Window, tmp_path: Path
+) -> None:
+    gateway = VirtualGateway(GatewayInfo())
+    with (
+        start_blocking_portal() as portal,
+        portal.wrap_async_context_manager(serve_unix(gateway, tmp_path / "gateway")),
+    ):
+        terminal.enter("unity-link terminal unix:gateway; echo code $?")
+        terminal.wait_for(PROMPT)
+        portal.call(gateway.reset)
+        terminal.enter("r0000A")
+        terminal.wait_for(r"^x0000A +error 0A: no session has begun .*: begin with K000 \(ID 000\)$", PROMPT)
+        terminal.enter("K000")
+        terminal.wait_for("^K000 +session started", PROMPT)
+        terminal.enter("r0000A")
+        terminal.wait_for("^r00000000000 +read of 0x0A", PROMPT)
 
 
 def test_a_window_of_any_size_takes_what_is_typed(terminal: Window) -> None:

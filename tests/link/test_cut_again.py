@@ -12,10 +12,9 @@ from sharing import until
 from simulated_time import on_simulated_time
 from unity_link import LinkClosedError, LinkLostError, Reconnect
 from unity_link.protocol.configuration import GatewayInfo
-from unity_link.protocol.crc import Crc
-from unity_link.protocol.frames import Framing
+from unity_link.protocol.messages import Codec, ErrorCode
 from unity_link.virtual import VirtualGateway
-from valve import Valve, cut
+from valve import Valve, cut, numbers_in
 
 if TYPE_CHECKING:
     from unity_link import Link
@@ -92,7 +91,8 @@ async def test_a_gateway_that_refuses_a_group_at_a_reconnection_is_asked_again()
             if b"gs" in data and self.refusals:
                 self.refusals -= 1
                 self.gateway.receive(data, now)
-                return Framing(Crc()).checked(b"x0006")
+                codec = Codec(self.info)
+                return codec.framing.checked(codec.error(ErrorCode.OUT_OF_RANGE, *numbers_in(data, self.info)))
             return super().receive(data, now)
 
     gateway = Busy(VirtualGateway(GatewayInfo(base_frequency_millihertz=1_000_000)))

@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any
 import pytest
 
 import unity_link
-from makers import CRC_32, Maker
+from makers import CRC_32, SHORT, Maker
 from recorded_bus import RecordedBus
 from simulated_time import run_simulated
 from unity_link.errors import AnswerLostError
@@ -179,9 +179,12 @@ def test_so_it_is_where_the_receive_fifo_is_small_and_nothing_stops_the_host(mak
 
 
 @RATES
-def test_so_it_is_with_the_usual_crc_of_8_bits_where_it_finds_the_damage(make_bare: Maker, total: float) -> None:
+@pytest.mark.parametrize("fields", [SHORT, {}], ids=["8", "16"])
+def test_so_it_is_with_a_crc_of_fewer_bits_where_it_finds_the_damage(
+    make_bare: Maker, fields: dict[str, int], total: float
+) -> None:
     for seed in range(SEEDS):
-        run_simulated(run_program(seed, make_bare(crc_bits=8), spread(total)))
+        run_simulated(run_program(seed, make_bare(**fields), spread(total)))
 
 
 @pytest.mark.campaign
@@ -200,7 +203,7 @@ def test_the_proof_can_fail() -> None:
     class Forgetful(VirtualGateway):
         def receive(self, data: bytes, now: float) -> bytes:
             if b"h" in data:
-                self.expected = self.expected - 1 & 0xFF
+                self.expected = self.expected - 1 & 16**self.info.id_digits - 1
             return super().receive(data, now)
 
     async def all_seeds() -> None:

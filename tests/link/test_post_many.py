@@ -8,16 +8,16 @@ import numpy as np
 import pytest
 
 import unity_link
-from makers import CRC_32, RTL, Maker
+from makers import CRC_32, RTL, Maker, in_flight
 from recorded_bus import RecordedBus
 from simulated_time import on_simulated_time, run_simulated
-from unity_link import ArgumentError, BusError, LinkLostError, blocking
+from unity_link import ArgumentError, BusError, GatewayInfo, LinkLostError, blocking
 from unity_link.errors import Outcome
 from unity_link.virtual.faults import Noise, NoisyLine
 from valve import Valve, cut
 
-COUNT = 1000
-"""More than four windows of two-digit IDs."""
+COUNT = 2 * in_flight(GatewayInfo())
+"""More than are under way at once."""
 ADDRESSES = np.arange(COUNT) % 200
 VALUES = np.arange(COUNT)
 WRITES = list(zip(ADDRESSES.tolist(), VALUES.tolist(), strict=True))

@@ -17,8 +17,7 @@ from simulated_time import on_simulated_time
 from unity_link import ArgumentError, BusError, BusTimeoutError, LinkLostError, UnsupportedError
 from unity_link.link.connection import Reconnect
 from unity_link.protocol.configuration import Feature
-from unity_link.protocol.crc import Crc
-from unity_link.protocol.frames import Framing
+from unity_link.protocol.messages import Codec
 from valve import Valve, cut
 
 if TYPE_CHECKING:
@@ -448,7 +447,7 @@ async def test_samples_that_come_after_a_slow_reader_has_failed_are_counted_as_l
 async def test_all_that_was_sampled_is_read_or_counted(make_bare: Maker, *, together: bool) -> None:
     """A reader that is too slow, and a line on which samples are missing, lose nothing that is not told."""
     gateway = Scripted(make_bare(**SLOW))
-    framing = Framing(Crc())
+    framing = Codec(gateway.info).framing
     numbers = [number for number in range(400) if number % 50 not in (7, 8)]
     frames = [framing.checked(b"P00%02X%08X" % (number & 0xFF, number)) for number in numbers]
     async with unity_link.connect(gateway) as link, link.subscribe([1], timestamps=False, buffer=30) as samples:

@@ -377,8 +377,9 @@ async def test_statistics_count_what_happened(link: Link) -> None:
     assert after.responses == before.responses + 101
     assert after.errors == before.errors + 1
     # More where the machine was busy for so long that the link asked again.
-    assert after.bytes_sent >= before.bytes_sent + 101 * len("r00AAcc\n")
-    assert after.bytes_received >= before.bytes_received + 100 * len("r00DDDDDDDDcc\n") + len("x0004cc\n")
+    assert after.bytes_sent >= before.bytes_sent + 101 * len("riiiAAcccc\n")
+    answers = 100 * len("riiiDDDDDDDDcccc\n") + len("xiii04cccc\n")
+    assert after.bytes_received >= before.bytes_received + answers
     assert (after.in_flight, after.damaged_frames, after.reconnections) == (0, 0, 0)
     assert after.round_trip is not None
     with pytest.raises(AttributeError):

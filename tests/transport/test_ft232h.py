@@ -12,6 +12,8 @@ import pytest
 
 import unity_link
 from unity_link.errors import ArgumentError, ConnectError, LinkLostError
+from unity_link.protocol.configuration import GatewayInfo
+from unity_link.protocol.messages import Codec
 from unity_link.transport import load_driver, parse_url
 from unity_link.transport.ft232h.chip import settings_of
 from unity_link.transport.ft232h.eeprom_image import BLANK, build_eeprom
@@ -29,7 +31,8 @@ if TYPE_CHECKING:
 pytestmark = pytest.mark.asyncio
 IN, OUT = 0x81, 0x02
 URL = "ftdi://ftdi:232h/1"
-READ, ANSWER = b"R0ACB\n", b"R0A0000000037\n"
+FRAMING = Codec(GatewayInfo()).framing
+READ, ANSWER = FRAMING.checked(b"R0A"), FRAMING.checked(b"R0A00000000")
 
 
 @contextmanager
@@ -163,8 +166,8 @@ async def test_every_mode_moves_bytes(mode: Mode) -> None:
 
 
 async def test_a_virtual_chip_needs_nothing_but_its_url() -> None:
-    async with unity_link.connect("ftdi://virtual/scara?id_digits=3") as link:
-        assert link.gateway.id_digits == 3
+    async with unity_link.connect("ftdi://virtual/scara?id_digits=2") as link:
+        assert link.gateway.id_digits == 2
         await link.write(0x94, 1000)
         assert await link.read(0x94) == 1000
 
@@ -228,9 +231,9 @@ async def test_a_paused_reader_is_given_everything_later(url: str) -> None:
 async def test_a_packet_of_exactly_510_bytes_arrives(url: str) -> None:
     with plugged_in(short_packet_after_full=False):
         recorder = await connect(url)
-        recorder.transport.write(READ * 36 + b"W0A000000124F\n")
+        recorder.transport.write(b"H\r" * 170)
         await recorder.until(510)
-        assert recorder.received == ANSWER * 36 + b"W0A0B\n"
+        assert recorder.received == b"H\r\n" * 170
         await close(recorder)
 
 

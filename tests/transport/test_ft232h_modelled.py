@@ -15,7 +15,6 @@ import pytest
 
 import unity_link
 from simulated_time import on_simulated_time, run_simulated
-from unity_link.protocol.configuration import GatewayInfo
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.ft232h.board import GatewayBoard
 from unity_link.virtual.ft232h.bus import LoopClock, VirtualBus, VirtualFt232h
@@ -28,15 +27,15 @@ if TYPE_CHECKING:
 
 URL = "ftdi-async://ftdi:232h/1"
 MICROFRAME = 125e-6
-ANSWER_BYTES = 15
-"""Of a read with an ID of three digits."""
+ANSWER_BYTES = len("riiiDDDDDDDDcccc\n")
+"""Of a read."""
 FIFO_RATE = 8e6
 READS = 20_000
 
 
 @asynccontextmanager
 async def linked() -> AsyncIterator[Link]:
-    device = VirtualFt232h(GatewayBoard(VirtualGateway(GatewayInfo(id_digits=3))), clock=LoopClock())
+    device = VirtualFt232h(GatewayBoard(VirtualGateway()), clock=LoopClock())
     with installed(VirtualBus(device)):
         async with unity_link.connect(URL, timeout=60) as link:
             yield link
@@ -96,7 +95,7 @@ async def test_posted_writes_fill_the_link() -> None:
             await link.post(index % 256, index)
         await link.fence()
         # `ws`, ID, address, word, check and line end.
-        assert READS * 18 / (loop.time() - start) >= 0.95 * FIFO_RATE
+        assert READS * len("wsiiiAADDDDDDDDcccc\n") / (loop.time() - start) >= 0.95 * FIFO_RATE
 
 
 @on_simulated_time

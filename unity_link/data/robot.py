@@ -255,8 +255,8 @@ def _check_gateway(interface: model.Interface, link: Link) -> None:
         )
     if Feature.FINGERPRINT in info.features and info.build_id != interface.fingerprint:
         raise UnsupportedError(
-            f"the gateway was built for the map {info.build_id:08X}, and the spec of {interface.name} is that of map "
-            f"{interface.fingerprint:08X}: load the spec that the gateway was built from, or build it from this one"
+            f"the gateway was built for the map {info.build_id:08X}, and the spec of {interface.name} describes the "
+            f"map {interface.fingerprint:08X}: load the spec that the gateway was built from, or build it from this one"
         )
 
 
