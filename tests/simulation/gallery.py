@@ -11,6 +11,8 @@ from types import SimpleNamespace
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
+from unity_link.link.exchange import FEWEST_PUBLISHES, PublishRows
+from unity_link.link.requests import Request
 
 from simulation.world import KNOWN
 from unity_link.bridges.serve import client, shared
@@ -18,8 +20,6 @@ from unity_link.bridges.serve import groups as served_groups
 from unity_link.bridges.serve import requests as served_requests
 from unity_link.errors import LinkLostError, Outcome
 from unity_link.link import exchange, link, requests, subscription
-from unity_link.link.exchange import FEWEST_PUBLISHES, PublishRows
-from unity_link.link.requests import Request
 from unity_link.protocol import reception, window
 from unity_link.protocol.messages import COMMANDS, Repetition
 from unity_link.protocol.reception import SequencePlace
