@@ -220,7 +220,7 @@ class Conversation:
             return False
         sequence.advance()
         self._client.hand_on(
-            Relayed(self._codec, command, fields, digits, self._client, line[:after], number), self._awaited
+            Relayed(self._codec, command, fields, digits, self._client, line[:after], number), self._session.awaited
         )
         return True
 
