@@ -22,7 +22,7 @@ class Example(msgspec.Struct, frozen=True):
     bus_timeouts: frozenset[int]
     node: int | None
     exchange: tuple[tuple[bytes, bytes], ...]
-    """What is sent, and all that comes back before the next is sent; samples (P) may come before or after responses."""
+    """What is sent, and all that comes back before the next is sent."""
 
     @property
     def frames(self) -> list[bytes]:

@@ -30,12 +30,24 @@ RANDOM_FRAMES = 300
 
 CONFIGURATIONS: dict[str, tuple[GatewayInfo, int | None]] = {
     "default": (GatewayInfo(), None),
-    "words_of_16": (GatewayInfo(address_bits=16, data_bits=16, crc_bits=16, crc_polynomial=0x1021), None),
+    # The paper's.
+    "short": (
+        GatewayInfo(id_digits=2, crc_bits=8, crc_polynomial=0x07, block_words=32, group_words=16, groups=8),
+        None,
+    ),
+    "words_of_16": (GatewayInfo(address_bits=16, data_bits=16), None),
     "words_of_64": (GatewayInfo(address_bits=32, data_bits=64, crc_bits=32, crc_polynomial=0x04C11DB7), None),
-    "long_ids": (GatewayInfo(id_digits=3, block_words=32, group_words=16, groups=8), None),
     "odd_widths": (
         GatewayInfo(
-            address_bits=10, data_bits=13, crc_polynomial=0x31, block_words=16, groups=5, group_words=6, build_id=0xBEEF
+            address_bits=10,
+            data_bits=13,
+            id_digits=2,
+            crc_bits=8,
+            crc_polynomial=0x31,
+            block_words=16,
+            groups=5,
+            group_words=6,
+            build_id=0xBEEF,
         ),
         None,
     ),
@@ -122,17 +134,34 @@ def examples(info: GatewayInfo) -> dict[str, tuple[Any, ...]]:
     }
 
 
-def worked_examples(script: Script) -> None:
-    """Send the examples of the protocol's "Configuration", after the word that they need."""
-    for text in ("W0A000000124F\n", "R0ACB\n", "r000A2B\n", "w010A0000002A95\n", "R0A\r", "R0A00\n"):
-        script.send("worked example", text.encode())
+def no_session(script: Script) -> None:
+    """Send what has an ID before the first session, which nothing is executed of, and errors that go before that."""
+    middle = script.codec.ring // 2
+    for command, values in examples(script.info).items():
+        for number in (0, middle):
+            script.both(f"{command} with ID and no session", script.body(command, *values, number=number))
+    for number in (1, middle + 1):
+        script.both("no gap is told of", script.body("H", number=number))
+    script.checked(
+        "neither range nor bus is looked at",
+        script.body("RM", 0, 0, number=0),
+        script.body("R", BUS_ERROR_AT, number=0),
+        script.body("WS", BUS_TIMEOUT_AT, 1, number=0),
+    )
+    if Feature.GROUPS in script.info.features:
+        script.checked("no group is looked for", script.body("GP", 0xFF, number=0))
+    digits = script.codec.id_text[0]
+    script.both("malformed, and no session", b"r" + digits, b"h" + digits[1:], b"ws" + digits + b"0")
+    script.both("unknown, and no session", b"q" + digits, b"k" + digits, b"g" + digits, b"Rm" + digits)
+    frame = script.codec.framing.checked(script.body("H", number=0))
+    script.send("a wrong CRC, and no session", frame[:-2] + (b"0" if frame[-2:-1] != b"0" else b"1") + b"\n")
+    script.both("without ID", script.body("R", 0x0A), script.body("H"))
 
 
 def every_command(script: Script) -> None:
     """Send each command in each form, with and without an ID."""
     script.both("configuration", b"Q")
     number = 0
-    script.checked("session", script.body("K", 0))
     for command, values in examples(script.info).items():
         script.both(f"{command} without ID", script.body(command, *values))
         script.checked(f"{command} with ID", script.body(command, *values, number=number))
@@ -172,7 +201,8 @@ def forms(script: Script) -> None:
     """Send unknown commands and fields of wrong width."""
     script.both("unknown command", b"Z", b"G", b"GG00", b"RR0A", b"0A", b"HH", b"N00", b"X01", b"P0000", b"RMM0A01")
     script.both("mixed case", b"Rm0A01", b"rM000A01", b"wM", b"Hh")
-    script.both("lower case without the right", b"q", b"k00", b"q00")
+    digits = script.codec.id_text[0]
+    script.both("lower case without the right", b"q", b"k" + digits, b"q" + digits)
     script.both("numbers that are not hex", b"R0_", b"R 0", b"R+1", b"R0x", b"H\xff", b"r000G")
     for command, values in examples(script.info).items():
         body = script.body(command, *values)
@@ -187,7 +217,7 @@ def forms(script: Script) -> None:
     numbered = script.codec.id_text[0] + address + b"5"
     script.both("short data behind an ID", b"w" + numbered, b"ws" + numbered)
     script.both("short data in a block", b"WM" + address + b"5")
-    script.both("short session number", b"K", b"K0", b"K0000")
+    script.both("session number of a wrong width", b"K", b"K" + digits[1:], b"K" + digits + b"0")
     script.both("addresses that are not as many as said", script.body("GS", 1, 0, 1, 3, [1, 2]))
     most = b"0" * script.info.data_digits
     if script.info.block_words == 255:
@@ -341,7 +371,6 @@ def nodes(script: Script) -> None:
 def random_frames(script: Script) -> None:
     """Send a seeded mixture of requests, good and damaged, near the expected ID."""
     source = random.Random(script.info.data_bits)
-    script.checked("session", script.body("K", 0))
     for _ in range(RANDOM_FRAMES):
         command = source.choice([name for name in COMMANDS if name not in ("GN", "K")])
         number = script.gateway.expected + source.choice((0, 0, 0, 0, -1, 1, 2)) if source.random() < 0.8 else None
@@ -379,9 +408,9 @@ def generate(name: str) -> str:
     """Return the text of one file."""
     info, node = CONFIGURATIONS[name]
     script = Script(info, node)
-    if name == "default":
-        worked_examples(script)
+    no_session(script)
     for part in (every_command, frames, forms, ranges, bus, sequence, groups, nodes, random_frames):
+        script.checked("session", script.body("K", 0))
         part(script)
     return "".join(json.dumps(record) + "\n" for record in [script.header(), *script.records])
 

@@ -21,11 +21,17 @@ from unity_link.virtual import AccessError, VirtualGateway
 from unity_link.virtual.faults import Failing
 
 CODEC = Codec(GatewayInfo())
-RING = 256
+RING = CODEC.ring
 
 
 def frame(command: str, number: int, *fields: Any) -> bytes:
     return CODEC.request(command, number % RING, CODEC.fields(command, *fields))
+
+
+def in_session(gateway: VirtualGateway, first: int = 0) -> VirtualGateway:
+    """Begin a session with a gateway."""
+    assert gateway.receive(b"K%b\r" % CODEC.id_text[first], 0.0).startswith(b"K")
+    return gateway
 
 
 class Counting:
@@ -43,52 +49,30 @@ class Counting:
         self.writes.append(value)
 
 
-@pytest.mark.parametrize(
-    ("sent", "answered"),
-    [
-        (b"R0ACB\n", b"R0A000000122C\n"),
-        (b"W0A000000124F\n", b"W0A0B\n"),
-        (b"r000A2B\n", b"r00000000122E\n"),
-        (b"R0A\r", b"R0A00000012\r\n"),
-        (b"R0A00\n", b"X011B\n"),
-    ],
-)
-def test_the_worked_examples_are_answered_to_the_byte(sent: bytes, answered: bytes) -> None:
-    gateway = VirtualGateway()
-    gateway.memory[0x0A] = 0x12
-    assert gateway.receive(sent, 0.0) == answered
-
-
-def test_the_worked_write_as_message_01_is_answered_to_the_byte() -> None:
-    gateway = VirtualGateway()
-    gateway.receive(b"K01\r", 0.0)
-    assert gateway.receive(b"w010A0000002A95\n", 0.0) == b"w011F\n"
-    assert gateway.memory[0x0A] == 42
-
-
 @given(
-    steps=st.lists(st.tuples(st.sampled_from(["w", "ws", "wq", "again", "ahead", "behind"]), st.integers(1, 127))),
+    steps=st.lists(
+        st.tuples(st.sampled_from(["w", "ws", "wq", "again", "ahead", "behind"]), st.integers(1, RING // 2 - 1))
+    ),
     first=st.integers(0, RING - 1),
 )
 def test_writes_are_executed_once_each_and_in_order(steps: list[tuple[str, int]], first: int) -> None:
-    gateway, device = VirtualGateway(), Counting()
+    gateway, device = in_session(VirtualGateway(), first), Counting()
     gateway.attach(device, [0x10])
-    gateway.receive(b"K%02X\r" % first, 0.0)
     expected, value, told = first, 0, False
     for kind, distance in steps:
         if kind in ("w", "ws", "wq"):
             value += 1
             word: Any = [value] if kind == "wq" else value
             answer = gateway.receive(frame(kind.upper(), expected, 0x10, word), 0.0)
-            assert answer == (b"" if kind == "ws" else CODEC.framing.checked(b"%b%02X" % (kind.encode(), expected)))
+            assert answer == (b"" if kind == "ws" else CODEC.framing.checked(b"%b%03X" % (kind.encode(), expected)))
             expected, told = (expected + 1) % RING, False
         elif kind == "ahead":
             answer = gateway.receive(frame("W", expected + distance, 0x10, 0xBAD), 0.0)
-            assert answer == (b"" if told else CODEC.framing.checked(b"n%02X" % expected))
+            assert answer == (b"" if told else CODEC.framing.checked(b"n%03X" % expected))
             told = True
         else:
             number = (expected - (1 if kind == "again" else distance)) % RING
-            assert gateway.receive(frame("W", number, 0x10, 0xBAD), 0.0) == CODEC.framing.checked(b"w%02X" % number)
+            assert gateway.receive(frame("W", number, 0x10, 0xBAD), 0.0) == CODEC.framing.checked(b"w%03X" % number)
     assert device.writes == list(range(1, value + 1))
 
 
@@ -104,7 +88,7 @@ def test_no_bytes_do_harm_and_no_cut_matters(data: bytes, cuts: list[int]) -> No
 @given(
     requests=st.lists(
         st.tuples(
-            st.sampled_from(["R", "W", "WS", "H"]),
+            st.sampled_from(["R", "W", "WS", "H", "K", "reset"]),
             st.integers(-2, 2),
             st.integers(0, 0x3FF),
             st.integers(0, 0x7FFF),
@@ -120,34 +104,42 @@ def test_the_short_way_of_single_words_answers_as_the_long_way(requests: list[tu
         gateway.attach(Failing(), [7])
     slow._quick_sizes = (-1, -1, -1)
     for command, offset, address, word, spelling in requests:
-        values = {"R": (address,), "W": (address, word), "WS": (address, word), "H": ()}[command]
-        data = spelling(codec.request(command, (quick.expected + offset) % RING, codec.fields(command, *values)))
+        number = (quick.expected + offset) % RING
+        if command == "reset":
+            quick.reset()
+            slow.reset()
+            continue
+        if command == "K":
+            data = codec.framing.checked(b"K" + codec.id_text[number])
+        else:
+            values = {"R": (address,), "W": (address, word), "WS": (address, word), "H": ()}[command]
+            data = spelling(codec.request(command, number, codec.fields(command, *values)))
         assert quick.receive(data, 0.0) == slow.receive(data, 0.0)
         assert (quick.expected, quick.memory) == (slow.expected, slow.memory)
 
 
 def test_a_repeated_read_is_read_again_and_a_repeated_queue_read_is_not() -> None:
-    gateway, device = VirtualGateway(), Counting()
+    gateway, device = in_session(VirtualGateway()), Counting()
     gateway.attach(device, [0x10])
-    assert gateway.receive(frame("R", 0, 0x10), 0.0)[3:11] == b"00000001"
-    assert gateway.receive(frame("R", 0, 0x10), 0.0)[3:11] == b"00000002"
+    assert gateway.receive(frame("R", 0, 0x10), 0.0) == CODEC.framing.checked(b"r00000000001")
+    assert gateway.receive(frame("R", 0, 0x10), 0.0) == CODEC.framing.checked(b"r00000000002")
     gateway.receive(frame("RQ", 1, 0x10, 1), 0.0)
-    assert gateway.receive(frame("RQ", 1, 0x10, 1), 0.0) == CODEC.framing.checked(b"x0108")
+    assert gateway.receive(frame("RQ", 1, 0x10, 1), 0.0) == CODEC.framing.checked(b"x00108")
     assert device.reads == 3
 
 
 def test_a_block_write_stops_at_the_word_that_fails_and_keeps_what_was_written() -> None:
-    gateway = VirtualGateway()
+    gateway = in_session(VirtualGateway())
     gateway.attach(Failing(ErrorCode.BUS_ERROR), [0x12])
-    assert gateway.receive(frame("WM", 0, 0x10, [1, 2, 3, 4]), 0.0) == CODEC.framing.checked(b"x0004")
+    assert gateway.receive(frame("WM", 0, 0x10, [1, 2, 3, 4]), 0.0) == CODEC.framing.checked(b"x00004")
     assert [gateway.memory[address] for address in range(0x10, 0x14)] == [1, 2, 0, 0]
 
 
 def test_a_block_is_written_and_read_word_for_word_and_wraps() -> None:
-    gateway = VirtualGateway()
-    assert gateway.receive(frame("WM", 0, 0xFE, [1, 2, 3]), 0.0) == CODEC.framing.checked(b"wm00")
+    gateway = in_session(VirtualGateway())
+    assert gateway.receive(frame("WM", 0, 0xFE, [1, 2, 3]), 0.0) == CODEC.framing.checked(b"wm000")
     assert [gateway.memory[address] for address in (0xFE, 0xFF, 0x00)] == [1, 2, 3]
-    answer = b"rm01000000010000000200000003"
+    answer = b"rm001000000010000000200000003"
     assert gateway.receive(frame("RM", 1, 0xFE, 3), 0.0) == CODEC.framing.checked(answer)
 
 
@@ -156,9 +148,9 @@ def test_a_masked_write_whose_read_fails_writes_nothing() -> None:
         def read(self, offset: int, now: float) -> int:
             raise AccessError(ErrorCode.BUS_TIMEOUT)
 
-    gateway, device = VirtualGateway(), Unreadable()
+    gateway, device = in_session(VirtualGateway()), Unreadable()
     gateway.attach(device, [0x10])
-    assert gateway.receive(frame("WK", 0, 0x10, 1, 1), 0.0) == CODEC.framing.checked(b"x0005")
+    assert gateway.receive(frame("WK", 0, 0x10, 1, 1), 0.0) == CODEC.framing.checked(b"x00005")
     assert device.writes == []
 
 
@@ -166,7 +158,8 @@ def test_a_frame_with_lost_bytes_is_answered_by_an_overflow_in_the_form_of_its_e
     gateway = VirtualGateway()
     gateway.receive(b"R0", 0.0)
     gateway.overflow()
-    assert gateway.receive(b"CB\nR0ACB\n", 0.0) == CODEC.framing.checked(b"X09") + CODEC.framing.checked(b"R0A00000000")
+    answers = gateway.receive(b"6DDE\n" + CODEC.framing.checked(b"R0A"), 0.0)
+    assert answers == CODEC.framing.checked(b"X09") + CODEC.framing.checked(b"R0A00000000")
     gateway.overflow()
     assert gateway.receive(b"\r", 0.0) == b"X09\r\n"
 
@@ -206,17 +199,47 @@ def test_a_device_may_give_negative_words() -> None:
 
 def test_a_reset_forgets_session_groups_and_half_a_frame_but_not_the_memory() -> None:
     gateway = VirtualGateway()
-    gateway.receive(b"W1077\rGS00010001011\rI01\rK55\rR1", 0.0)
+    gateway.receive(b"K055\rW1077\rGS000100010110\rGN00\rI01\rR1", 0.0)
+    assert (gateway.expected, gateway.send_immediate) == (0x55, 1)
     gateway.reset()
-    assert (gateway.expected, gateway.next_due, gateway.send_immediate) == (0, None, 2)
+    assert (gateway.expected, gateway.next_due, gateway.send_immediate) == (-1, None, 2)
     assert gateway.receive(b"R10\rGP00\r", 0.0) == b"R1000000077\r\nX06\r\n"
+
+
+@given(numbers=st.lists(st.integers(0, RING - 1), min_size=1), plain=st.booleans())
+def test_nothing_with_an_id_is_executed_between_a_reset_and_the_next_session(numbers: list[int], plain: bool) -> None:
+    gateway, device = in_session(VirtualGateway()), Counting()
+    gateway.attach(device, [0x10])
+    gateway.reset()
+    close = CODEC.framing.plain_request if plain else CODEC.framing.checked
+    reply = CODEC.framing.plain_reply if plain else CODEC.framing.checked
+    for number in numbers:
+        for command in ("W", "WS", "R"):
+            values = (0x10,) if command == "R" else (0x10, 1)
+            head = command.lower().encode() + CODEC.id_text[number]
+            answer = gateway.receive(close(head + CODEC.fields(command, *values)), 0.0)
+            assert answer == reply(b"x%b0A" % CODEC.id_text[number])
+    assert (device.reads, device.writes) == (0, [])
+    assert gateway.receive(b"W1005\r", 0.0) == b"W10\r\n"
+    in_session(gateway, numbers[0])
+    assert gateway.receive(frame("W", numbers[0], 0x10, 7), 0.0) == CODEC.framing.checked(b"w%03X" % numbers[0])
+    assert device.writes == [5, 7]
+
+
+def test_a_new_session_tells_of_a_gap_again() -> None:
+    gateway = in_session(VirtualGateway(), 5)
+    assert gateway.receive(frame("H", 7), 0.0) == CODEC.framing.checked(b"n005")
+    assert gateway.receive(frame("H", 8), 0.0) == b""
+    assert gateway.receive(frame("H", 7), 0.0) == b""
+    in_session(gateway, 5)
+    assert gateway.receive(frame("H", 7), 0.0) == CODEC.framing.checked(b"n005")
 
 
 def test_the_send_immediate_mode_is_kept_until_the_next_session() -> None:
     gateway = VirtualGateway()
     gateway.receive(b"I01\r", 0.0)
     assert gateway.send_immediate == 1
-    gateway.receive(b"K00\r", 0.0)
+    gateway.receive(b"K000\r", 0.0)
     assert gateway.send_immediate == 2
 
 

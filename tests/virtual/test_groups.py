@@ -19,6 +19,9 @@ WORDS_WAITING = 512
 """That samples wait in, where groups have up to 255 addresses."""
 
 
+CRC = Crc()
+
+
 class Clocked:
     """A device that reads as the time in microseconds."""
 
@@ -39,7 +42,7 @@ def samples(data: bytes) -> list[Sample]:
     found = []
     for line in data.split(b"\n"):
         if line.startswith(b"P"):
-            body = line[:-1] if line.endswith(b"\r") else line[:-2]
+            body = line[:-1] if line.endswith(b"\r") else line[: -CRC.digits]
             found.append(Sample(int(body[1:3], 16), int(body[3:5], 16), body[5:]))
     return found
 
@@ -57,7 +60,7 @@ def send(gateway: VirtualGateway, *bodies: str, now: float = 0.0) -> bytes:
 
 
 def checked(body: bytes) -> bytes:
-    return body + Crc().text(body) + b"\n"
+    return body + CRC.text(body) + b"\n"
 
 
 def setting(group: int, flags: int, divisor: int, *addresses: int) -> str:
@@ -158,7 +161,7 @@ def test_a_stopped_group_goes_on_counting_where_it_was() -> None:
 
 def test_a_session_stops_all_groups_and_keeps_their_settings() -> None:
     gateway = VirtualGateway()
-    send(gateway, setting(0, PERIODIC, 1, 0x10), "GN00", "K00")
+    send(gateway, setting(0, PERIODIC, 1, 0x10), "GN00", "K000")
     assert (gateway.next_due, gateway.advance(1.0)) == (None, b"")
     assert sequences(send(gateway, "GP00", now=1.0)) == [0]
 
@@ -179,7 +182,7 @@ def test_samples_without_room_wait_and_leave_in_their_order() -> None:
     send(gateway, setting(0, PERIODIC, 1, 0x10), "GN00")
     assert sequences(gateway.advance(0.000_051, room=0)) == []
     # Room for one byte is room for a sample: it is sent as the line takes it.
-    assert sequences(gateway.advance(0.000_061, room=18)) == [0, 1]
+    assert sequences(gateway.advance(0.000_061, room=len(checked(b"P000000000000")) + 1)) == [0, 1]
     assert gateway.next_due == pytest.approx(0.000_07)
     assert sequences(gateway.advance(0.000_081)) == [2, 3, 4, 5, 6, 7]
     assert gateway.groups.overruns == 0
@@ -214,20 +217,39 @@ def test_samples_that_wait_take_turns_with_responses() -> None:
     gateway.advance(0.000_031, room=0)
     answers = send(gateway, "W1005", "H", "WS1005", now=0.000_031) + gateway.receive(checked(b"H") * 2, 0.000_031)
     assert re.findall(rb"^[G-Z]+", answers, re.MULTILINE) == [b"W", b"P", b"H", b"P", b"H", b"P", b"H"]
-    # One that is asked for comes behind those that wait.
-    gateway.advance(0.000_051, room=0)
-    assert sequences(send(gateway, "GP00", now=0.000_051)) == [3]
-    assert sequences(gateway.advance(0.000_052)) == [4, 5]
 
 
-@pytest.mark.parametrize("ending", ["GX00", setting(0, PERIODIC, 1, 0x20), "K00", "gx0000"])
-def test_what_waits_leaves_before_the_response_to_what_ends_samples(ending: str) -> None:
+@pytest.mark.parametrize(
+    ("command", "answer"),
+    [
+        ("GX00", "GX00"),
+        ("GN00", "GN00"),
+        (setting(0, PERIODIC, 1, 0x20), "GS00"),
+        (setting(2, 0, 1, 0x20), "GS02"),
+        ("K000", "K000"),
+        ("gx00000", "gx000"),
+        # Errors in the place of such a response.
+        (setting(0, PERIODIC, 0, 0x20), "X06"),
+        ("GN07", "X06"),
+        ("gx00007", "x00006"),
+    ],
+)
+def test_what_waits_leaves_before_the_answer_to_a_group_command(command: str, answer: str) -> None:
     gateway = VirtualGateway()
-    send(gateway, setting(0, PERIODIC, 1, 0x10), setting(1, PERIODIC, 2, 0x10), "GN00", "GN01")
+    send(gateway, setting(0, PERIODIC, 1, 0x10), setting(1, PERIODIC, 2, 0x10), "K000", "GN00", "GN01")
     gateway.advance(0.000_101, room=0)
-    answers = send(gateway, ending, "H", now=0.000_101)
-    assert len(samples(answers)) == 15
-    assert re.findall(rb"^[G-Zg-z]+", answers, re.MULTILINE)[15:] == [ending[:2].rstrip("0").encode(), b"H"]
+    frames = send(gateway, command, "H", now=0.000_101).splitlines()
+    assert [frame[:1] for frame in frames[:-2]] == [b"P"] * 15
+    assert frames[-2:] == [answer.encode(), b"H"]
+
+
+def test_a_sample_that_was_asked_for_leaves_behind_those_that_wait_and_before_the_response() -> None:
+    gateway = VirtualGateway()
+    send(gateway, setting(0, PERIODIC, 1, 0x10), "GN00")
+    gateway.advance(0.000_031, room=0)
+    frames = send(gateway, "GP00", now=0.000_031)
+    assert sequences(frames) == [0, 1, 2, 3]
+    assert frames.endswith(b"GP00\r\n")
 
 
 def test_a_reset_forgets_the_samples_that_wait() -> None:
@@ -266,9 +288,8 @@ def test_a_trigger_or_a_request_without_room_is_an_overrun() -> None:
     # Two samples of 256 words leave no room.
     gateway.trigger(0.001_5)
     assert gateway.advance(0.001_6, room=0) == b""
-    assert [sample.group for sample in samples(send(gateway, "GP00", now=0.001_6))] == [1]
+    assert [sample.group for sample in samples(send(gateway, "GP00", now=0.001_6))] == [1, 1]
     assert gateway.groups.overruns == 2
-    gateway.advance(0.001_6)
     assert sequences(send(gateway, "GP00", now=0.001_6)) == [2]
 
 
@@ -290,6 +311,13 @@ def test_flags_that_the_gateway_was_not_built_for_are_refused(flag: int, feature
     without = VirtualGateway(GatewayInfo(features=Feature(0x7F) & ~feature))
     assert send(without, setting(0, flag, 1, 0x10)) == b"X06\r\n"
     assert send(without, setting(0, PERIODIC | ON_CHANGE | PLAIN, 1, 0x10)) == b"GS00\r\n"
+
+
+@pytest.mark.parametrize("flags", [PERIODIC, TRIGGER, PERIODIC | ON_CHANGE, TRIGGER | STAMPED])
+def test_a_half_duplex_gateway_has_no_groups_that_publish_by_themselves(flags: int) -> None:
+    gateway = VirtualGateway(GatewayInfo(features=GatewayInfo().features | Feature.HALF_DUPLEX))
+    assert send(gateway, setting(0, flags, 1, 0x10)) == b"X06\r\n"
+    assert send(gateway, setting(0, STAMPED | ON_CHANGE | PLAIN, 1, 0x10), "GP00").startswith(b"GS00\r\nP0000")
 
 
 def test_plain_groups_publish_plain_frames() -> None:

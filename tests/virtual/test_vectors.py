@@ -62,6 +62,15 @@ def test_the_model_answers_every_vector_byte_for_byte(path: Path) -> None:
 
 
 @pytest.mark.parametrize("path", FILES, ids=lambda path: path.stem)
+def test_each_sample_comes_before_the_answer_to_the_request_that_took_it(path: Path) -> None:
+    gateway, steps = load(path)
+    for step in steps:
+        frames = gateway.receive(step["send"].encode("latin-1"), 0.0).splitlines(keepends=True)
+        kinds = [bool(split(frame, node_of(path))[1]) for frame in frames]
+        assert not any(kinds) or kinds == [True, False] * (len(kinds) // 2), step["about"]
+
+
+@pytest.mark.parametrize("path", FILES, ids=lambda path: path.stem)
 def test_bytes_may_arrive_one_at_a_time(path: Path) -> None:
     gateway, steps = load(path)
     for step in steps:

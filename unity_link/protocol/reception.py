@@ -1,8 +1,7 @@
-"""The gateway's side of the protocol: what it makes of a line that a host sent, before it executes anything.
+"""The parts of what a gateway makes of a line that a host sent, before it executes anything.
 
-Shared by all that answer hosts: the virtual gateway, and the server that lets several programs share one link. They
-differ in what executing means. `Reception` is steps 1 to 5 of the checks in docs/protocol.md, "Errors", `Sequence` is
-step 6, `group_fits` is what step 7 says of the settings of a group.
+`Reception` is steps 1 to 5 of the checks in docs/protocol.md, "Errors", `Sequence` is step 6, `group_fits` is what step
+7 says of the settings of a group. `unity_link.protocol.gateway_session` joins the first two.
 """
 
 from __future__ import annotations
@@ -22,6 +21,8 @@ _NEEDED_FEATURES = {
     GroupFlag.TIMESTAMP: Feature.TIMESTAMPS,
 }
 _ALWAYS_KNOWN = GroupFlag.PERIODIC | GroupFlag.ON_CHANGE | GroupFlag.PLAIN
+_UNASKED = GroupFlag.PERIODIC | GroupFlag.TRIGGER
+"""Flags of groups that publish without being asked to, which half-duplex nodes do not."""
 
 
 class Reception:
@@ -62,11 +63,13 @@ class Reception:
 
 
 def group_fits(info: GatewayInfo, number: int, flags: int, divisor: int, addresses: list[int]) -> bool:
-    """Return whether a gateway takes the settings of a group; otherwise it answers error 06."""
+    """Whether a gateway takes the settings of a group; otherwise it answers error 06."""
     known = int(_ALWAYS_KNOWN)
     for flag, feature in _NEEDED_FEATURES.items():
         if feature in info.features:
             known |= int(flag)
+    if Feature.HALF_DUPLEX in info.features:
+        known &= ~int(_UNASKED)
     return (
         number < info.groups
         and not flags & ~known

@@ -1,6 +1,6 @@
 """What each request does in the virtual gateway, once its frame and its sequence are found right.
 
-Each method checks the ranges (error 06), accesses the bus (04, 05), and gives what was read, if anything.
+Each method checks the ranges (error 06), accesses the bus (04, 05), and returns what was read, if anything.
 """
 
 from __future__ import annotations
@@ -60,8 +60,9 @@ class CommandSet:
             "GP": self._publish_group,
             "I": self._set_send_immediate,
             "H": self._nothing,
+            "K": self._start_session,
         }
-        """By command: takes the time and the fields, gives what was read; raises `FieldRangeError` or `AccessError`."""
+        """By command: takes the time and the fields, returns what was read; raises `FieldRangeError`, `AccessError`."""
 
     def reset(self) -> None:
         """Go back to the state after power-up, as far as it is kept here."""
@@ -144,4 +145,9 @@ class CommandSet:
         return None
 
     def _nothing(self, *_: Any) -> Reads:
+        return None
+
+    def _start_session(self, *_: Any) -> Reads:
+        self._groups.stop_all()
+        self.reset()
         return None

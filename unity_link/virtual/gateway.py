@@ -4,13 +4,14 @@ Bytes and the time go in, bytes come out; the gateware answers the same bytes. E
 happens inside `receive` and `advance`, so a test can stop the world between any two bytes. The order of the checks is
 that of docs/protocol.md, "Errors": each step below either answers or hands on to the next.
 
-`receive` -> `_answer` (node) -> `_body` (overflow to form: `unity_link.protocol.reception`) -> `_in_sequence` ->
-`_execute` (range, bus). Reads and writes of one word with the expected ID are most of the traffic and take a short way,
+`receive` -> `_answer` (node) -> `_body` (overflow to sequence: `unity_link.protocol.gateway_session`) -> `_execute`
+(range, bus). Reads and writes of one word with the expected ID are most of the traffic and take a short way,
 `_quick_read` and `_quick_write`, which gives exactly what the long way would, or gives up before anything changes.
 
 The model answers at once and takes as many bytes as it is given. What a line and its FIFOs do to that is modelled in
 front of it: `unity_link.virtual.line` and `unity_link.virtual.faults`. What these have no room for are samples alone:
-they wait here, and while some do, they take turns with the responses, as in the gateware.
+they wait here, and while some do, they take turns with the responses, as in the gateware, and all leave before the
+response to `K` or a group command.
 """
 
 from __future__ import annotations
@@ -23,8 +24,8 @@ import msgspec
 
 from unity_link.errors import ArgumentError
 from unity_link.protocol.configuration import Feature, GatewayInfo
-from unity_link.protocol.messages import COMMANDS, Codec, DecodedRequest, ErrorCode, Repetition, RequestError
-from unity_link.protocol.reception import Reception, Sequence, SequencePlace
+from unity_link.protocol.gateway_session import Answer, GatewaySession
+from unity_link.protocol.messages import Codec
 from unity_link.virtual.bus import AccessError, Device, ModelBus
 from unity_link.virtual.commands import CommandSet, FieldRangeError
 from unity_link.virtual.groups import PublishGroups
@@ -34,10 +35,14 @@ if TYPE_CHECKING:
     import asyncio
     from collections.abc import Callable, Iterable, MutableMapping
 
+    from unity_link.protocol.messages import DecodedRequest
+
 _ENDS = re.compile(rb"([\r\n])")
 _BROADCAST = 0xFF
 _PREFIX_SIZE = 3
 _LOWER_R, _LOWER_W = b"rw"
+_BEHIND_SAMPLES = frozenset({"GS", "GN", "GX", "GP", "K"})
+"""Commands whose answer is behind every sample that was taken before it."""
 _DEFAULT_INFO = GatewayInfo()
 
 
@@ -128,15 +133,14 @@ class VirtualGateway(BareGateway):
         self.groups = PublishGroups(self.info, self.bus, self._frame)
         self._waiting = self.groups.ring.waiting
         self._commands = CommandSet(self.info, self.bus, self.groups)
-        self._reception = Reception(self._codec)
-        self._most_kept = self._reception.longest + len(self._framing.prefix) + 1
-        self._sequence = Sequence(self._codec.ring)
+        self._session = GatewaySession(self._codec)
+        self._sequence = self._session.sequence
         self._prepare_quick_ways()
         self.reset()
 
     def reset(self) -> None:
         """Go back to the state after power-up. What is behind the bus stays as it is."""
-        self._sequence.reset()
+        self._session.reset()
         self._tail = b""
         self._bytes_lost = False
         self.groups.reset()
@@ -146,10 +150,6 @@ class VirtualGateway(BareGateway):
     def expected(self) -> int:
         """The next ID expected, -1 before the first session since reset."""
         return self._sequence.expected
-
-    @expected.setter
-    def expected(self, number: int) -> None:
-        self._sequence.start(number)
 
     # What is behind the bus
 
@@ -219,7 +219,7 @@ class VirtualGateway(BareGateway):
             tail = self._take_any(self._tail + data, now, replies)
         else:
             self._take_checked(lines, now, replies)
-        self._tail = tail[: self._most_kept]
+        self._tail = tail[: self._session.most_kept]
         return b"".join(replies)
 
     def overflow(self) -> None:
@@ -282,54 +282,22 @@ class VirtualGateway(BareGateway):
 
     def _body(self, prefix: bytes, line: bytes, now: float, *, plain: bool, bytes_lost: bool) -> bytes:
         """Return the body of the reply."""
-        try:
-            request = self._reception.read(line, plain=plain, prefix=prefix, bytes_lost=bytes_lost)
-        except RequestError as refusal:
-            return self._codec.error(refusal.code)
-        if request.command == "Q":
-            return b"Q" + self.info.to_hex()
-        if request.command == "K":
-            self._start_session(request.values[0])
-            return self._codec.response(request)
-        if request.id is None:
-            return self._execute(request, now)
-        return self._in_sequence(request, request.id, now)
-
-    # Requests
-
-    def _start_session(self, expected: int) -> None:
-        self._sequence.start(expected)
-        self.groups.stop_all()
-        self._commands.reset()
-
-    def _in_sequence(self, request: DecodedRequest, number: int, now: float) -> bytes:
-        """Execute a request with the expected ID, and no other (docs/protocol.md, "Exactly once, in order")."""
-        place = self._sequence.place(number)
-        if place is SequencePlace.NEXT:
-            return self._execute(request, now)
-        if place is SequencePlace.NO_SESSION:
-            return self._codec.error(ErrorCode.NO_SESSION, number)
-        if place is SequencePlace.FIRST_AHEAD:
-            return self._codec.out_of_sequence(self._sequence.expected)
-        if place is SequencePlace.AHEAD:
-            return b""
-        return self._repeat(request, number, now)
-
-    def _repeat(self, request: DecodedRequest, number: int, now: float) -> bytes:
-        """Answer a request that was executed before."""
-        repetition = COMMANDS[request.command].repetition
-        if repetition is Repetition.READ_AGAIN:
-            return self._execute(request, now)
-        if repetition is Repetition.REFUSE:
-            return self._codec.error(ErrorCode.ALREADY_EXECUTED, number)
-        return b"" if repetition is Repetition.SILENCE else self._codec.response(request)
+        taken = self._session.take(line, plain=plain, prefix=prefix, bytes_lost=bytes_lost)
+        return taken.body if isinstance(taken, Answer) else self._execute(taken, now)
 
     def _execute(self, request: DecodedRequest, now: float) -> bytes:
+        command = request.command
+        if command == "Q":
+            return b"Q" + self.info.to_hex()
         try:
-            reads = self._commands.run[request.command](now, *request.values)
+            reads = self._commands.run[command](now, *request.values)
         except (FieldRangeError, AccessError) as fault:
-            return self._codec.error(fault.code, request.id)
-        return b"" if request.command == "WS" else self._codec.response(request, reads)
+            body = self._codec.error(fault.code, request.id)
+        else:
+            body = b"" if command == "WS" else self._codec.response(request, reads)
+        if command in _BEHIND_SAMPLES:
+            self.groups.ring.send_all()
+        return body
 
     # The short way for single words
 

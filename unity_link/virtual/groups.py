@@ -1,4 +1,4 @@
-"""Publish groups of the virtual gateway (docs/protocol.md, "PublishGroups"): when a sample is due, and what it says.
+"""Publish groups of the virtual gateway (docs/protocol.md, "Groups"): when a sample is due, and what it says.
 
 Time runs in base ticks: tick k is at k / base frequency after the gateway's start, and a periodic group is due at whole
 multiples of its divisor after its first tick. A sample is read and stamped at the instant at which it is due, however
@@ -129,8 +129,7 @@ class PublishGroups:
         return number in self._groups
 
     def set(self, number: int, flags: int, divisor: int, addresses: list[int]) -> None:
-        """Store the settings of a group, which stops and begins at sequence 0; what waits leaves first."""
-        self.ring.send_all()
+        """Store the settings of a group, which stops and begins at sequence 0."""
         stamp = b"%08X" if flags & GroupFlag.TIMESTAMP else b""
         form = b"P%02X%%02X%b%b" % (number, stamp, self._word_form * len(addresses))
         self._groups[number] = PublishGroup(flags, divisor, addresses, form)
@@ -145,14 +144,12 @@ class PublishGroups:
         self._reschedule()
 
     def stop(self, number: int) -> None:
-        """Stop a group; what waits leaves first."""
-        self.ring.send_all()
+        """Stop a group."""
         self._groups[number].running = False
         self._reschedule()
 
     def stop_all(self) -> None:
-        """Stop all groups, which keep settings and sequences; what waits leaves first."""
-        self.ring.send_all()
+        """Stop all groups, which keep settings and sequences."""
         for group in self._groups.values():
             group.running = False
         self._schedule.clear()
