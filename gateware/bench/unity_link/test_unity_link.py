@@ -57,6 +57,13 @@ def test_a_gateway_without_a_datalink_layer_answers_a_terminal() -> None:
     _run("bench_plain", checked_frames=False)
 
 
+@pytest.mark.parametrize(("half_duplex", "fingerprint"), [(True, False), (False, True)])
+def test_a_gateway_says_whether_its_medium_is_half_duplex_and_its_identifier_a_fingerprint(
+    *, half_duplex: bool, fingerprint: bool
+) -> None:
+    _run("bench_half_duplex", half_duplex=half_duplex, fingerprint=fingerprint, build_id=0xCAFE)
+
+
 @pytest.mark.parametrize("medium", ["uart", "ft245", "ft245_sync"])
 def test_a_gateway_answers_at_the_pins_of_its_medium(medium: str) -> None:
     run_bench(
