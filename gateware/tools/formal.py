@@ -47,8 +47,8 @@ class Proof:
 PROOFS = [
     Proof("fifo_sync", {"width": 2, "depth": 4}),
     Proof("fifo_async", {"width": 2, "depth": 4}, cover_steps=24, two_clocks=True),
-    Proof("datalink_rx", {"longest": 3}, cover_steps=20, induction_steps=6),
-    Proof("datalink_tx"),
+    Proof("datalink_rx", {"crc_bits": 8, "longest": 3}, cover_steps=20, induction_steps=6),
+    Proof("datalink_tx", {"crc_bits": 8}),
     Proof("bus_master", {"data_bits": 8, "timeout": 3}, cover_steps=20, induction_steps=4),
     Proof("request_executor", {"data_bits": 8, "id_digits": 2, "room_bits": 3}),
 ]

@@ -150,7 +150,7 @@ def test_what_a_client_does_while_groups_are_restored_disturbs_no_other(what: st
                 if what == "leaves":
                     busy.transport.abort()
                 elif what == "begins a session":
-                    busy.transport.write(b"K00\r")
+                    busy.transport.write(b"K000\r")
                 else:
                     busy.transport.write(b"GX00\rGX05\rGS0601000A0121\rGN06\r")
                 for _ in range(40):
@@ -179,7 +179,7 @@ class HoldingBack(Valve):
             if frame.startswith(b"P"):
                 self.held += frame
                 continue
-            if frame.startswith((b"gx", b"gs", b"K")):
+            if frame.startswith((b"gx", b"gs", b"gn", b"gp", b"K")):
                 answers, self.held = answers + self.held, b""
             answers += frame
         return answers
@@ -210,10 +210,10 @@ async def test_no_sample_comes_behind_the_answer_to_the_start_of_a_session() -> 
         client, other = call(shared), call(shared)
         client.transport.write(b"GS0000000A0110\rGP00\r")
         await settle(shared)
-        client.transport.write(b"K00\r")
+        client.transport.write(b"K000\r")
         other.transport.write(b"GS0000000A0111\rGP00\r")
         await settle(shared)
-        assert client.take().endswith(b"K00\r\n")
+        assert client.take().endswith(b"K000\r\n")
 
 
 @on_simulated_time
@@ -287,7 +287,7 @@ async def test_a_send_immediate_mode_that_two_clients_want_holds_when_the_first_
         await asyncio.sleep(0.001)
         valve.requests_pass, valve.heard = True, b""
         await settle(shared)
-        assert re.search(rb"i[0-9A-F]{2}01", valve.heard)
+        assert re.search(rb"i[0-9A-F]{3}01", valve.heard)
         two.transport.write(b"I02\r")
         await settle(shared)
-        assert re.search(rb"i[0-9A-F]{2}02", valve.heard)
+        assert re.search(rb"i[0-9A-F]{3}02", valve.heard)

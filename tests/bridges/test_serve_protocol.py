@@ -39,7 +39,7 @@ def in_words_of(shared: SharedLink, text: bytes) -> bytes:
 
 
 def parted(answer: bytes) -> tuple[bytes, list[bytes]]:
-    """Return responses and publishes: their order is not defined."""
+    """Return responses and samples, each in their order."""
     frames = answer.splitlines(keepends=True)
     return (
         b"".join(frame for frame in frames if not frame.startswith(b"P")),
@@ -83,6 +83,6 @@ def test_every_worked_example_of_the_protocol_holds(example: Example) -> None:
             for sent, answered in example.exchange:
                 client.transport.write(sent)
                 await settle(shared)
-                assert parted(client.take()) == parted(in_words_of(shared, answered)), sent
+                assert client.take() == in_words_of(shared, answered), sent
 
     play()

@@ -147,13 +147,14 @@ def test_with_flow_control_nothing_is_lost() -> None:
 def test_samples_that_the_line_has_no_time_for_are_overruns() -> None:
     gateway, line = slow_gateway()
     line.receive(b"GS000100640110\rGN00\r", 0.0)
-    # 1000 samples a second of 17 bytes each, on a line of 1000 bytes a second.
+    # 1000 samples a second, on a line of 1000 bytes a second.
     arrived = line.advance(10.0)
     assert len(arrived) == pytest.approx(10_000, rel=0.01)
-    still_in_the_fifo = line.advance(10.1)[: 3 * 17].count(b"P")
+    size = arrived.index(b"P", arrived.index(b"P") + 1) - arrived.index(b"P")
+    still_in_the_fifo = line.advance(10.1)[: 3 * size].count(b"P")
     waiting = len(gateway.groups.ring.waiting)
     assert waiting == 256
-    on_their_way = len(arrived) // 17 + still_in_the_fifo + waiting
+    on_their_way = len(arrived) // size + still_in_the_fifo + waiting
     assert gateway.groups.overruns == pytest.approx(10_000 - on_their_way, abs=100)
 
 

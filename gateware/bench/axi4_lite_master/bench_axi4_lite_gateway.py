@@ -9,7 +9,7 @@ import cocotb
 
 from gateware.bench.axi4_lite_master.bench_axi4_lite_master import Slave
 from gateware.bench.streams import Sink, Source, start
-from gateware.bench.unity_link.gateway import checked
+from gateware.bench.unity_link.gateway import checked, with_id
 
 if TYPE_CHECKING:
     from cocotb.handle import SimHandleBase
@@ -49,7 +49,8 @@ async def requests_read_and_write_the_bus(dut: SimHandleBase) -> None:
         await gateway.ask(b"WM20" + block, b"WM2014")
         await gateway.ask(b"RM2014", b"RM2014" + block)
         await gateway.ask(b"WK0A0000000F00000005", b"WK0A0000002A")
-        await gateway.ask(b"r000A", b"r0000000025")
+        await gateway.ask(with_id(b"K", 0), with_id(b"K", 0))
+        await gateway.ask(with_id(b"r", 0, b"0A"), with_id(b"r", 0, b"00000025"))
         await gateway.ask(b"GS000000010220210A", b"X03")
         await gateway.ask(b"GS00000001022021", b"GS00")
         assert gateway.slave.memory[0x0A * 4] == 0x25

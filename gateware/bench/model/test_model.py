@@ -61,7 +61,9 @@ def _frames(gateway: RtlGateway) -> list[bytes]:
             )
         )
 
-    frames, expected = [b"K" + b"0" * info.id_digits + b"\r"], 0
+    number = "0" * info.id_digits
+    # The first one is in no session.
+    frames, expected = [f"h{number}\r".encode(), f"K{number}\r".encode()], 0
     for _ in range(120):
         text = body()
         if rng.random() < 0.5 and text[0] != "Q":

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import cocotb
 from cocotb.triggers import RisingEdge
 
-from gateware.bench.unity_link.gateway import Gateway, checked, note_figure
+from gateware.bench.unity_link.gateway import Gateway, body_of, checked, note_figure, with_id
 
 if TYPE_CHECKING:
     from cocotb.handle import SimHandleBase
@@ -39,9 +39,7 @@ def _samples(data: bytes, *, stamped: bool = True) -> list[Sample]:
     for frame in data.splitlines(keepends=True):
         if not frame.startswith(b"P"):
             continue
-        if not frame.endswith(b"\r\n"):
-            assert frame == checked(frame[:-3]), frame
-        body = frame[1:-2] if frame.endswith(b"\r\n") else frame[1:-3]
+        body = frame[1:-2] if frame.endswith(b"\r\n") else body_of(frame)[1:]
         head = 12 if stamped else 4
         words = [int(body[at : at + 8], 16) for at in range(head, len(body), 8)]
         samples.append(Sample(int(body[:2], 16), int(body[2:4], 16), int(body[4:head] or b"0", 16), words))
@@ -231,7 +229,7 @@ async def more_samples_than_the_bus_can_read_are_counted(dut: SimHandleBase) -> 
     for group in range(3):
         gateway.send(checked(b"GN%02X" % group))
     await gateway.cycles(40 * TICK)
-    gateway.send(checked(b"K00"))
+    gateway.send(checked(with_id(b"K", 0)))
     await gateway.quiet()
     samples = _samples(gateway.take())
     lowest = [sample for sample in samples if sample.group == 0]
@@ -252,7 +250,7 @@ async def k_stops_all_groups_and_their_sequences_go_on(dut: SimHandleBase) -> No
         await gateway.ask(_set(group, PERIODIC | STAMP, 1, [0xF0]))
         await gateway.ask(b"GN%02X" % group)
     await gateway.cycles(3 * TICK)
-    gateway.send(checked(b"K00"))
+    gateway.send(checked(with_id(b"K", 0)))
     await gateway.cycles(TICK)
     last = {sample.group: sample.sequence for sample in _samples(gateway.take())}
     assert set(last) == {0, 15}
@@ -270,7 +268,8 @@ async def no_sample_that_was_taken_before_a_group_was_stopped_or_set_comes_after
     gateway = await _gateway(dut)
     await gateway.ask(_set(9, PERIODIC, 1, [0x33]))
     await gateway.ask(b"GN09")
-    for number, end in enumerate((b"GX00", b"K00", _set(0, 0, 1, [0x20]), b"GX00", _set(0, 0, 1, [0x20]), b"K00")):
+    session = with_id(b"K", 0)
+    for number, end in enumerate((b"GX00", session, _set(0, 0, 1, [0x20]), b"GX00", _set(0, 0, 1, [0x20]), session)):
         settings = _set(0, PERIODIC, 1, list(range(0x10, 0x14 + 4 * (number % 6))))
         gateway.send(checked(settings) + checked(b"GN09") + checked(b"GN00"))
         # Too many for the line: they fill the ring.
@@ -281,13 +280,45 @@ async def no_sample_that_was_taken_before_a_group_was_stopped_or_set_comes_after
         await gateway.quiet(TICK // 2)
         frames = gateway.take().splitlines()
         answer = max(place for place, frame in enumerate(frames) if frame.startswith(end[:4]))
-        group_ends = b"P" if end == b"K00" else b"P00"
+        group_ends = b"P" if end == session else b"P00"
         before, after = ([f for f in part if f.startswith(group_ends)] for part in (frames[:answer], frames[answer:]))
         assert len(before) > 10
         assert after == []
         # The other group goes on, and so do requests.
-        assert any(frame.startswith(b"P09") for frame in frames[answer:]) == (end != b"K00")
+        assert any(frame.startswith(b"P09") for frame in frames[answer:]) == (end != session)
         assert frames.count(checked(b"H")[:-1]) == 20
+
+
+@cocotb.test
+async def the_answer_to_what_is_about_groups_comes_behind_all_samples_from_before_it(dut: SimHandleBase) -> None:
+    gateway = await _gateway(dut)
+    await gateway.ask(_set(0, 0, 1, [0xF0]))
+    await gateway.ask(_set(9, PERIODIC, 1, [0xF0, 0x11, 0x12, 0x13]))
+    for request, answer in (
+        *((b"GP00", b"GP00"), (b"GN00", b"GN00"), (b"GN09", b"GN09")),
+        *((b"GX0F", b"X06"), (_set(9, 0, 0, [0x20]), b"X06"), (b"GP000", b"X03")),
+        (with_id(b"gx", 0, b"00"), with_id(b"x", 0, b"0A")),
+    ):
+        # Too many samples for the line: they fill the ring.
+        gateway.pause_out = 0.9
+        await gateway.ask(b"H")
+        gateway.send(checked(b"GN09"))
+        await gateway.cycles(30 * TICK)
+        gateway.take()
+        gateway.send(checked(request))
+        await gateway.sent()
+        executed = int(dut.cycles.value)
+        gateway.pause_out = 0.3
+        gateway.send(checked(b"GX09"))
+        await gateway.quiet(TICK)
+        # A sample may have been begun before.
+        frames = gateway.take().split(b"\n", 1)[1].splitlines(keepends=True)
+        place = frames.index(checked(answer))
+        before, after = (_samples(b"".join(part), stamped=False) for part in (frames[:place], frames[place:]))
+        assert len(before) > 10
+        assert len(after) > 1
+        assert all(sample.words[0] > executed for sample in after)
+        assert any(sample.group == 0 for sample in before) == (request == b"GP00")
 
 
 @cocotb.test

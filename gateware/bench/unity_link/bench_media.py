@@ -17,7 +17,7 @@ from gateware.bench.ft245_async.chip import AsyncChip
 from gateware.bench.ft245_sync.chip import SyncChip
 from gateware.bench.streams import start
 from gateware.bench.uart.bench_uart import Line
-from gateware.bench.unity_link.gateway import checked
+from gateware.bench.unity_link.gateway import checked, with_id
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -121,11 +121,12 @@ async def requests_are_answered_at_the_pins(dut: SimHandleBase) -> None:
     medium = await _begin(dut)
     for request, answer in (
         (checked(b"W0A00000012"), checked(b"W0A")),
-        (b"R0ACB\n", b"R0A000000122C\n"),
-        (b"r000A2B\n", b"r00000000122E\n"),
-        (b"w010A0000002A95\n", b"w011F\n"),
+        (checked(b"R0A"), checked(b"R0A00000012")),
+        (checked(with_id(b"K", 0)), checked(with_id(b"K", 0))),
+        (checked(with_id(b"r", 0, b"0A")), checked(with_id(b"r", 0, b"00000012"))),
+        (checked(with_id(b"w", 1, b"0A0000002A")), checked(with_id(b"w", 1))),
         (b"R0A\r", b"R0A0000002A\r\n"),
-        (b"R0A00\n", b"X011B\n"),
+        (b"R0A0000\n", checked(b"X01")),
     ):
         await _answers(dut, medium, request, answer)
 

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 import cocotb
 from cocotb.triggers import ReadOnly, RisingEdge
 
-from gateware.bench.unity_link.gateway import Gateway, checked
+from gateware.bench.unity_link.gateway import Gateway, checked, with_id
 
 if TYPE_CHECKING:
     from cocotb.handle import SimHandleBase
@@ -23,6 +23,12 @@ BASE_TICK = 500
 async def _gateway(dut: SimHandleBase, **pauses: float) -> Gateway:
     gateway = Gateway(dut, **pauses)
     await gateway.begin()
+    return gateway
+
+
+async def _in_session(dut: SimHandleBase) -> Gateway:
+    gateway = Gateway(dut)
+    await gateway.begin(session=True)
     return gateway
 
 
@@ -60,12 +66,14 @@ async def the_worked_examples_of_the_protocol_hold(dut: SimHandleBase) -> None:
     gateway = await _gateway(dut)
     await gateway.ask(b"W0A00000012")
     for sent, answered in (
-        (b"R0ACB\n", b"R0A000000122C\n"),
-        (b"W0A000000124F\n", b"W0A0B\n"),
-        (b"r000A2B\n", b"r00000000122E\n"),
-        (b"w010A0000002A95\n", b"w011F\n"),
+        (b"R0A6DDE\n", b"R0A000000125DF0\n"),
+        (b"W0A00000012D4FE\n", b"W0A862E\n"),
+        (b"r0000A760E\n", b"x0000AF00C\n"),
+        (b"K00086E0\n", b"K00086E0\n"),
+        (b"r0000A760E\n", b"r00000000012D14E\n"),
+        (b"w0010A0000002AB2AF\n", b"w001F51A\n"),
         (b"R0A\r", b"R0A0000002A\r\n"),
-        (b"R0A00\n", b"X011B\n"),
+        (b"R0A0000\n", b"X01D488\n"),
     ):
         assert await gateway.answer(sent) == answered
 
@@ -116,11 +124,11 @@ async def a_frame_that_lost_bytes_is_answered_by_error_09(dut: SimHandleBase) ->
 
 @cocotb.test
 async def a_silent_bus_gives_error_05_after_the_time_out_and_the_next_request_works(dut: SimHandleBase) -> None:
-    gateway = await _gateway(dut)
+    gateway = await _in_session(dut)
     monitor = BusMonitor(dut)
     for body, answer in (
         (b"RE8", b"X05"),
-        (b"r00E8", b"x0005"),
+        (with_id(b"r", 0, b"E8"), with_id(b"x", 0, b"05")),
         (b"WE800000001", b"X05"),
         (b"RME502", b"RME5020000000000000000"),
         (b"RME504", b"X05"),
@@ -135,15 +143,15 @@ async def a_silent_bus_gives_error_05_after_the_time_out_and_the_next_request_wo
 
 @cocotb.test
 async def a_bus_error_gives_error_04_and_what_was_done_stays_done(dut: SimHandleBase) -> None:
-    gateway = await _gateway(dut)
+    gateway = await _in_session(dut)
     assert await gateway.ask(b"WMDE%08X%08X%08X%08X" % (1, 2, 3, 4)) == b"X04"
     assert await gateway.ask(b"RMDE02") == b"RMDE02%08X%08X" % (1, 2)
     assert await gateway.ask(b"RE1") == b"RE1%08X" % 0
     assert await gateway.ask(b"RMDE03") == b"X04"
     assert await gateway.ask(b"WQE0%08X" % 1) == b"X04"
-    assert await gateway.ask(b"r00DE") == b"r00%08X" % 1
-    assert await gateway.ask(b"r01E0") == b"x0104"
-    assert await gateway.ask(b"h02") == b"h02"
+    assert await gateway.ask(with_id(b"r", 0, b"DE")) == with_id(b"r", 0, b"%08X" % 1)
+    assert await gateway.ask(with_id(b"r", 1, b"E0")) == with_id(b"x", 1, b"04")
+    assert await gateway.ask(with_id(b"h", 2)) == with_id(b"h", 2)
 
 
 @cocotb.test
@@ -183,8 +191,9 @@ async def blocks_wrap_at_the_end_of_the_address_space_and_queues_stay(dut: SimHa
 async def nothing_is_executed_before_the_frame_was_checked(dut: SimHandleBase) -> None:
     gateway = await _gateway(dut)
     monitor = BusMonitor(dut)
-    for damaged in (b"W0A0000001200\n", b"WM2000000001000000020000000300\n", b"WS0A00000012FF\n"):
-        assert await gateway.answer(damaged) == checked(b"X01")
+    for body in (b"W0A00000012", b"WM20000000010000000200000003", b"WS0A00000012"):
+        good = checked(body)
+        assert await gateway.answer(good[:-2] + bytes([good[-2] ^ 1]) + b"\n") == checked(b"X01")
     assert monitor.accesses == []
     gateway.send(b"W0A00000012")
     await gateway.quiet(200)
@@ -244,7 +253,8 @@ async def send_immediate_pulses_as_its_mode_says(dut: SimHandleBase) -> None:
     assert all(0 <= flushed - (index + 1) * length <= 3 for index, flushed in enumerate(always))
     assert await flushes_of(checked(b"I00")) == []
     assert await flushes_of(read * 3) == []
-    assert await flushes_of(checked(b"K00")) == [len(checked(b"K00"))]
+    session = checked(with_id(b"K", 0))
+    assert await flushes_of(session) == [len(session)]
     assert await flushes_of(read) == [length]
 
 
@@ -252,9 +262,10 @@ async def send_immediate_pulses_as_its_mode_says(dut: SimHandleBase) -> None:
 async def a_reset_in_any_state_recovers(dut: SimHandleBase) -> None:
     gateway = await _gateway(dut)
     traffic = (
-        checked(b"WM10" + b"0000000100000002")
+        checked(with_id(b"K", 0))
+        + checked(b"WM10" + b"0000000100000002")
         + checked(b"RM1004")
-        + checked(b"r0011")
+        + checked(with_id(b"r", 0, b"11"))
         + b"W0A1\r"
         + checked(b"Q")
         + checked(b"GS0001000102100F")
@@ -266,17 +277,15 @@ async def a_reset_in_any_state_recovers(dut: SimHandleBase) -> None:
     for _ in range(60):
         gateway.send(traffic)
         await gateway.cycles(rng.randrange(1, 420))
-        dut.rst.value = 1
-        await RisingEdge(dut.clk)
-        dut.rst.value = 0
-        # What was still to be sent is sent by the next one; an end cuts it.
-        gateway.forget()
-        await RisingEdge(dut.clk)
+        await gateway.reset()
+        # An end cuts the byte that is still sent off.
         gateway.send(b"\n")
         await gateway.quiet(150)
         gateway.take()
         assert await gateway.ask(b"W0C00C0FFEE") == b"W0C"
-        assert await gateway.ask(b"h00") == b"h00"
+        assert await gateway.ask(with_id(b"h", 0)) == with_id(b"x", 0, b"0A")
+        assert await gateway.ask(with_id(b"K", 0)) == with_id(b"K", 0)
+        assert await gateway.ask(with_id(b"h", 0)) == with_id(b"h", 0)
         assert await gateway.ask(b"GN00") == b"X06"
         assert await gateway.ask(b"R0C") == b"R0C00C0FFEE"
         await gateway.quiet(50)

@@ -15,6 +15,7 @@ import cocotb
 from cocotb.triggers import ClockCycles, RisingEdge
 
 from gateware.bench.streams import start
+from unity_link.protocol.configuration import GatewayInfo
 from unity_link.protocol.crc import Crc
 
 if TYPE_CHECKING:
@@ -32,9 +33,24 @@ def note_figure(name: str, value: float) -> None:
     path.write_text(json.dumps(figures))
 
 
-def checked(body: bytes, crc: Crc | None = None) -> bytes:
+IDS = 16 ** GatewayInfo().id_digits
+
+
+def checked(body: bytes) -> bytes:
     """Return the checked frame of a body."""
-    return body + (crc or Crc()).text(body) + b"\n"
+    return body + Crc().text(body) + b"\n"
+
+
+def body_of(frame: bytes) -> bytes:
+    """Return the body of a checked frame, whose check must be right."""
+    body = frame[: -Crc().digits - 1]
+    assert frame == checked(body), frame
+    return body
+
+
+def with_id(letters: bytes, number: int, fields: bytes = b"") -> bytes:
+    """Return the body of a message with an ID, or of a `K`."""
+    return b"%s%0*X" % (letters, GatewayInfo().id_digits, number % IDS) + fields
 
 
 class Gateway:
@@ -64,8 +80,8 @@ class Gateway:
         self._rng = random.Random(seed)
         self._quiet = 0
 
-    async def begin(self) -> None:
-        """Reset, and start to move bytes."""
+    async def begin(self, *, session: bool = False) -> None:
+        """Reset, start to move bytes, and begin a session if that is wanted."""
         dut = self.dut
         dut.in_valid.value = 0
         dut.in_data.value = 0
@@ -75,6 +91,8 @@ class Gateway:
         dut.wait_states.value = 0
         await start(dut.clk, dut.rst)
         cocotb.start_soon(self._run())
+        if session:
+            await self.ask(with_id(b"K", 0))
 
     async def _run(self) -> None:
         dut, rng = self.dut, self._rng
@@ -116,6 +134,19 @@ class Gateway:
         """Have bytes sent after those that wait; `lost_before`: index of a byte before which others were lost."""
         self._waiting += [(byte, int(index == lost_before)) for index, byte in enumerate(data)]
 
+    async def reset(self) -> None:
+        """Reset the gateway for one cycle. Of what waits to be sent, the byte that is being offered still is."""
+        self.dut.rst.value = 1
+        await RisingEdge(self.dut.clk)
+        self.dut.rst.value = 0
+        del self._waiting[self._next + 1 :]
+        await RisingEdge(self.dut.clk)
+
+    async def sent(self) -> None:
+        """Wait until everything was sent."""
+        while self._next < len(self._waiting):
+            await ClockCycles(self.dut.clk, 1)
+
     async def quiet(self, cycles: int = QUIET_CYCLES) -> None:
         """Wait until everything was sent and nothing has come for so many cycles."""
         self._quiet = 0
@@ -125,10 +156,6 @@ class Gateway:
     async def cycles(self, count: int) -> None:
         """Let clock cycles pass."""
         await ClockCycles(self.dut.clk, count)
-
-    def forget(self) -> None:
-        """Send nothing of what waits but the byte that is being offered."""
-        del self._waiting[self._next + 1 :]
 
     def take(self) -> bytes:
         """Return what was received since the last call."""
@@ -150,7 +177,5 @@ class Gateway:
         raise AssertionError(f"{data!r} was answered by {bytes(self.received)!r} in {most_cycles} cycles")
 
     async def ask(self, body: bytes) -> bytes:
-        """Send a body in a checked frame and give the body of the answer, whose check must be right."""
-        frame = await self.answer(checked(body))
-        assert frame == checked(frame[:-3]), frame
-        return frame[:-3]
+        """Send a body in a checked frame and return the body of the answer."""
+        return body_of(await self.answer(checked(body)))

@@ -29,8 +29,8 @@ def test_the_figures_of_the_project_hold_and_are_those_of_its_documentation(tmp_
     read, write, effect, share = (figures[name] for name in ("read", "write", "effect", "reads"))
     stated = DOCUMENT.read_text().splitlines()
     for row in (
-        f"| read (6 bytes in, 14 out): last byte of the response out | 30 cycles | {read} | {20 * read} ns | 1140 ns |",
-        f"| write (14 bytes in, 6 out): effect on the bus | 8 cycles | {effect} | {20 * effect} ns | 840 ns |",
+        f"| read (8 bytes in, 16 out): last byte of the response out | 30 cycles | {read} | {20 * read} ns | 1140 ns |",
+        f"| write (16 bytes in, 8 out): effect on the bus | 8 cycles | {effect} | {20 * effect} ns | 840 ns |",
         f"| write: last byte of the response out | 22 cycles | {write} | {20 * write} ns | 1260 ns |",
         f"| pipelined reads | 0.975 bytes a cycle, at least | {share:.3f} | {400 * share:.0f} Mb/s | 85.7 Mb/s |",
     ):
@@ -55,6 +55,13 @@ def test_groups_are_published_as_the_protocol_says_and_their_jitter_is_that_of_t
 
 def test_a_gateway_without_a_datalink_layer_answers_a_terminal() -> None:
     _run("bench_plain", checked_frames=False)
+
+
+@pytest.mark.parametrize(("half_duplex", "fingerprint"), [(True, False), (False, True)])
+def test_a_gateway_says_whether_its_medium_is_half_duplex_and_its_identifier_a_fingerprint(
+    *, half_duplex: bool, fingerprint: bool
+) -> None:
+    _run("bench_half_duplex", half_duplex=half_duplex, fingerprint=fingerprint, build_id=0xCAFE)
 
 
 @pytest.mark.parametrize("medium", ["uart", "ft245", "ft245_sync"])

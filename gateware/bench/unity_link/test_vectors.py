@@ -35,6 +35,8 @@ def generics_of(configuration: dict[str, Any], node: int | None) -> dict[str, ob
         "triggers": Feature.EXTERNAL_TRIGGERS in features,
         "send_immediate": Feature.SEND_IMMEDIATE in features,
         "flow_control": Feature.FLOW_CONTROL in features,
+        "fingerprint": Feature.FINGERPRINT in features,
+        "half_duplex": Feature.HALF_DUPLEX in features,
         "node": -1 if node is None else node,
     }
 

@@ -96,9 +96,9 @@ entity unity_link_bench is
   generic (
     data_bits                 : positive := 32;
     address_bits              : positive := 8;
-    id_digits                 : positive := 2;
-    crc_bits                  : positive := 8;
-    crc_polynomial            : natural  := 7;
+    id_digits                 : positive := 3;
+    crc_bits                  : positive := 16;
+    crc_polynomial            : natural  := 16#1021#;
     block_words               : positive := 255;
     groups                    : natural  := 16;
     group_words               : natural  := 32;
@@ -116,7 +116,9 @@ entity unity_link_bench is
     flow_control              : boolean  := true;
     checked_frames            : boolean  := true;
     node                      : integer  := -1;
+    half_duplex               : boolean  := false;
     build_id                  : natural  := 0;
+    fingerprint               : boolean  := false;
     wb_pipelined              : boolean  := false;
     -- Addresses that are no memory, -1: none.
     error_at  : integer := -1;
@@ -269,7 +271,9 @@ begin
       triggers                  => triggers,
       send_immediate            => send_immediate,
       node                      => node,
-      build_id                  => std_logic_vector(to_unsigned(build_id, 32))
+      half_duplex               => half_duplex,
+      build_id                  => std_logic_vector(to_unsigned(build_id, 32)),
+      fingerprint               => fingerprint
     )
     port map (
       clk       => clk,

@@ -16,8 +16,11 @@ from typing import TYPE_CHECKING, cast
 from unity_link.bridges.serve.conversation import Conversation
 from unity_link.bridges.serve.requests import Relayed, RelayedRows, Said
 from unity_link.bridges.serve.turns import Queue
+from unity_link.protocol.messages import ErrorCode
 
 if TYPE_CHECKING:
+    from collections.abc import Iterable
+
     from unity_link.bridges.serve.shared import SharedLink
 
 MOST_UNDER_WAY = 65_536
@@ -165,7 +168,7 @@ class Client(asyncio.Protocol):
                 relayed.awaited = awaited
             self._pending.append(relayed)
         if self._shared.away:
-            relayed.refuse()
+            relayed.refuse(ErrorCode.BUS_TIMEOUT)
             return
         self.queue.requests.append(relayed)
         if self.room <= 0:
@@ -200,11 +203,23 @@ class Client(asyncio.Protocol):
 
     def refuse_all(self) -> None:
         """Tell the client that the gateway is away; nothing that it waits for will be executed any more."""
+        self._refuse([*self._pending, *self._shared.turns.leave(self.queue)], ErrorCode.BUS_TIMEOUT)
+
+    def lose_session(self) -> None:
+        """Tell the client that the gateway was reset; what it waits for ends, but for what needs no session."""
+        if self.conversation is not None:
+            self.conversation.reset()
         dropped = self._shared.turns.leave(self.queue)
+        self._refuse([entry for entry in (*self._pending, *dropped) if not entry.of_no_session], ErrorCode.NO_SESSION)
+        self.queue.requests.extend(entry for entry in dropped if entry.of_no_session)
+        self._shared.turns.join(self.queue)
+
+    def _refuse(self, entries: Iterable[Relayed | RelayedRows | Said], unsent: ErrorCode) -> None:
+        """End requests; those with an ID that were not sent by an error of their own."""
         # Posted writes are in the queue alone, and have their errors told before what was asked behind them.
-        for entry in sorted((*self._pending, *dropped), key=lambda entry: entry.order):
+        for entry in sorted(entries, key=lambda entry: entry.order):
             if isinstance(entry, RelayedRows) or (isinstance(entry, Relayed) and entry.reply is None):
-                entry.refuse()
+                entry.refuse(unsent)
 
     # Answers
 
@@ -261,10 +276,10 @@ class Client(asyncio.Protocol):
 
     def _write_rows(self, rows: RelayedRows) -> None:
         first = rows.number + rows.answered & len(rows.awaited) - 1
-        count, frames = rows.ready()
+        count, sent, frames = rows.ready()
         if count:
             self._under_way -= count * rows.cost
-            self._shared.turns.arrived(self.queue, count * rows.cost)
+            self._shared.turns.arrived(self.queue, sent * rows.cost)
             _mark(first, count, rows.awaited, 0)
             self.write(frames)
 

@@ -1,9 +1,9 @@
 """What one client says, and what it means: frames, sequence, groups, send-immediate.
 
-To its client, a `Conversation` is a gateway that has just been reset. It checks frames and their sequence as every
-gateway does (`unity_link.protocol.reception`), hands on what is the next to be executed, and answers everything else
-itself. Reads and writes of single words are most of the traffic: those that stand side by side are checked and handed
-on together, and a lone one takes a short way that does what the long one would, or gives up before anything changes.
+To its client, a `Conversation` is a gateway that has just been reset. It keeps a session as every gateway does
+(`unity_link.protocol.gateway_session`), hands on what is the next to be executed, and answers everything else itself.
+Reads and writes of single words are most of the traffic: those that stand side by side are checked and handed on
+together, and a lone one takes a short way that does what the long one would, or gives up before anything changes.
 """
 
 from __future__ import annotations
@@ -15,8 +15,9 @@ import numpy as np
 from unity_link.bridges.serve.groups import ClientGroup, Settings
 from unity_link.bridges.serve.requests import Relayed, RelayedRows, answer_digits
 from unity_link.protocol.frames import LF
-from unity_link.protocol.messages import COMMANDS, Codec, DecodedRequest, ErrorCode, Repetition, RequestError
-from unity_link.protocol.reception import Reception, Sequence, SequencePlace, group_fits
+from unity_link.protocol.gateway_session import UNDER_WAY, Answer, GatewaySession
+from unity_link.protocol.messages import Codec, DecodedRequest, ErrorCode
+from unity_link.protocol.reception import group_fits
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -50,11 +51,10 @@ class Conversation:
         self._client = client
         self._shared = shared
         self._codec = codec
-        self._reception = Reception(codec)
-        self._sequence = Sequence(codec.ring)
-        self._awaited = bytearray(codec.ring)
-        """For each ID whether a request is under way."""
-        self._most_kept = self._reception.longest + 1
+        self._session = GatewaySession(codec)
+        self._sequence = self._session.sequence
+        self._begun = False
+        """Whether a session has begun since the gateway's reset."""
         self._prepare_short_way(codec)
 
     # Frames
@@ -80,73 +80,42 @@ class Conversation:
                 batched = not plain
         rest = data[start:]
         # Of a frame that is too long, enough is kept to know it by.
-        return rest[: self._most_kept] if self._client.listening else rest
+        return rest[: self._session.most_kept] if self._client.listening else rest
 
     def _take(self, line: bytes, *, plain: bool) -> None:
         """Take one frame."""
         if not line:
             return
-        codec = self._codec
-        try:
-            request = self._reception.read(line, plain=plain)
-        except RequestError as refusal:
-            self._say(codec.error(refusal.code), plain=plain)
-            return
-        if request.command == "Q":
-            # A client that asks while the gateway is away asks again; an answer would promise too much.
-            if not self._shared.away:
-                self._say(b"Q" + codec.info.to_hex(), plain=plain)
-        elif request.command == "K":
-            self._start_session(request, plain=plain)
-        elif request.id is None:
-            self._execute(request, plain=plain)
-        else:
-            self._in_sequence(request, request.id, plain=plain)
-
-    def _start_session(self, request: DecodedRequest, *, plain: bool) -> None:
-        if self._sequence.expected < 0:
-            self._client.follow_others()
-        self._sequence.start(request.values[0])
-        # What is under way belongs to the session before.
-        self._awaited = bytearray(len(self._awaited))
-        for group in self.groups.values():
-            if group.slot is not None:
-                # Also where it does not run: behind the answer to this, none of its samples may come.
-                self._relay_silently("GX", group.slot)
-        self._choose_mode(ADAPTIVE)
-        self._say(self._codec.response(request), request.id, plain=plain)
-
-    def _in_sequence(self, request: DecodedRequest, number: int, *, plain: bool) -> None:
-        """Hand on the next request, and no other (docs/protocol.md, "Exactly once, in order")."""
-        codec, place = self._codec, self._sequence.place(number)
-        if place is SequencePlace.NEXT:
-            self._execute(request, plain=plain)
-        elif place is SequencePlace.NO_SESSION:
-            self._say(codec.error(ErrorCode.NO_SESSION, number), plain=plain)
-        elif place is SequencePlace.FIRST_AHEAD:
-            self._say(codec.out_of_sequence(self._sequence.expected), plain=plain)
-        elif place is SequencePlace.REPETITION and self._awaited[number]:
+        taken = self._session.take(line, plain=plain)
+        if taken is UNDER_WAY:
             # Its answer will come, for nothing is lost between the client and here; till then, a sign of life.
             self._client.write(LF)
-        elif place is SequencePlace.REPETITION:
-            self._repeat(request, number, plain=plain)
+        elif not isinstance(taken, Answer):
+            self._execute(taken, plain=plain)
+        elif taken.body:
+            self._say(taken.body, taken.number, plain=plain)
 
-    def _repeat(self, request: DecodedRequest, number: int, *, plain: bool) -> None:
-        """Answer a request that was executed before."""
-        codec, repetition = self._codec, COMMANDS[request.command].repetition
-        if repetition is Repetition.READ_AGAIN:
-            self._execute(request, plain=plain)
-        elif repetition is Repetition.REFUSE:
-            self._say(codec.error(ErrorCode.ALREADY_EXECUTED, number), number, plain=plain)
-        elif repetition is Repetition.ACKNOWLEDGE:
-            self._say(codec.response(request), number, plain=plain)
+    def reset(self) -> None:
+        """End the session, and forget the groups: the gateway was reset."""
+        self._session.reset()
+        self._begun = False
+        for group in self.groups.values():
+            self._shared.slots.forget(group)
+        self.groups.clear()
+        self.mode = ADAPTIVE
 
     # Requests
 
     def _execute(self, request: DecodedRequest, *, plain: bool) -> None:
         """Hand a request on, or do it where it is about what only this client sees."""
         command, values = request.command, request.values
-        if command == "GS":
+        if command == "Q":
+            # A client that asks while the gateway is away asks again; an answer would promise too much.
+            if not self._shared.away:
+                self._say(b"Q" + self._codec.info.to_hex(), plain=plain)
+        elif command == "K":
+            self._start_session(request, plain=plain)
+        elif command == "GS":
             self._set_up_group(request, plain=plain)
         elif command in ("GN", "GX", "GP"):
             self._change_group(request, plain=plain)
@@ -157,6 +126,17 @@ class Conversation:
             count = values[1] if command in ("RM", "RQ") else 1
             digits = answer_digits(codec, command, count)
             self._relay(request, codec.fields(command, *values), digits, plain=plain)
+
+    def _start_session(self, request: DecodedRequest, *, plain: bool) -> None:
+        if not self._begun:
+            self._begun = True
+            self._client.follow_others()
+        for group in self.groups.values():
+            if group.slot is not None:
+                # Also where it does not run: behind the answer to this, none of its samples may come.
+                self._relay_silently("GX", group.slot)
+        self._choose_mode(ADAPTIVE)
+        self._say(self._codec.response(request), plain=plain)
 
     def _relay(
         self,
@@ -171,7 +151,7 @@ class Conversation:
         head = codec.response(request)
         relayed = Relayed(codec, request.command, fields, digits, self._client, head, request.id, plain=plain)
         relayed.after = after
-        self._client.hand_on(relayed, self._awaited)
+        self._client.hand_on(relayed, self._session.awaited)
 
     def _relay_silently(self, command: str, slot: Slot, settings: Settings | None = None) -> None:
         """Have something done with a slot that the client did not ask for; its next requests are answered behind it."""
@@ -179,7 +159,7 @@ class Conversation:
         relayed = Relayed(self._codec, command, fields, 0, self._client, b"")
         relayed.silent = True
         relayed.after = self._shared.naming(slot, command, settings)
-        self._client.hand_on(relayed, self._awaited)
+        self._client.hand_on(relayed, self._session.awaited)
 
     # The short way for single words
 
@@ -203,7 +183,7 @@ class Conversation:
         else:
             return start
         codec, expected = self._codec, self._sequence.expected
-        if expected < 0:
+        if not self._session.begun:
             return start
         last = start + (FEWEST_ROWS - 1) * size
         number = codec.id_text[expected + FEWEST_ROWS - 1 & self._sequence.mask]
@@ -220,7 +200,7 @@ class Conversation:
             return start
         self._sequence.advance(count)
         rows = RelayedRows(codec, command, fields[:count], self._client, expected)
-        self._client.hand_on_rows(rows, self._awaited)
+        self._client.hand_on_rows(rows, self._session.awaited)
         return start + count * size
 
     def _relay_quickly(self, line: bytes) -> bool:
@@ -246,7 +226,7 @@ class Conversation:
             return False
         sequence.advance()
         self._client.hand_on(
-            Relayed(self._codec, command, fields, digits, self._client, line[:after], number), self._awaited
+            Relayed(self._codec, command, fields, digits, self._client, line[:after], number), self._session.awaited
         )
         return True
 
@@ -254,7 +234,8 @@ class Conversation:
 
     def _set_up_group(self, request: DecodedRequest, *, plain: bool) -> None:
         number, flags, divisor, _, addresses = request.values
-        if not group_fits(self._codec.info, number, flags, divisor, addresses):
+        # The gateway's own: of its medium the client sees nothing, but what it publishes depends on it.
+        if not group_fits(self._shared.gateway, number, flags, divisor, addresses):
             self._refuse(request, plain=plain)
             return
         settings = Settings(self._codec, flags, divisor, addresses)
@@ -308,12 +289,12 @@ class Conversation:
     def _say(self, body: bytes, number: int | None = None, *, plain: bool) -> None:
         """Answer a request without the gateway, behind what is under way.
 
-        An answer with an ID says that all before it was executed. So where that is not known of posted writes, it waits
-        for an ``h`` that the gateway answers behind them.
+        In a session, an answer with an ID says that all before it was executed. So where that is not known of posted
+        writes, it waits for an ``h`` that the gateway answers behind them.
         """
         framing = self._codec.framing
-        if self._client.posts_unconfirmed and body[:1].islower():
+        if self._session.begun and self._client.posts_unconfirmed and body[:1].islower():
             fence = Relayed(self._codec, "H", b"", 0, self._client, body, number, plain=plain)
-            self._client.hand_on(fence, self._awaited)
+            self._client.hand_on(fence, self._session.awaited)
         else:
             self._client.say(framing.plain_reply(body) if plain else framing.checked(body))

@@ -179,6 +179,13 @@ class Slots:
             slot.group.slot = None
             slot.group = None
 
+    def forget(self, group: ClientGroup) -> None:
+        """Take its slot from a group that the gateway has forgotten; it is free when no request names it any more."""
+        slot = group.slot
+        if slot is not None:
+            self.abandon(slot)
+            self.settle(slot)
+
     def let_go(self, slot: Slot) -> None:
         """Make an idle slot free."""
         self.abandon(slot)

@@ -125,13 +125,25 @@ class Relayed(Request):
             self._asker.answer(self, self.head + self.answer)
         else:
             code = _code_of(self.error, self.command)
+            if code is ErrorCode.NO_SESSION and self.number is None:
+                code = ErrorCode.BUS_TIMEOUT
             self.executed = code is None
             self._asker.answer(self, self.head if code is None else self.codec.error(code, self.number))
 
-    def refuse(self) -> None:
-        """End it without an answer of the gateway: nothing on the bus answered."""
+    def refuse(self, unsent: ErrorCode) -> None:
+        """End it without an answer of the gateway: nothing on the bus answered.
+
+        Args:
+            unsent: the error that is answered where it has an ID and was not sent.
+        """
         self.given_up = True
-        self._asker.answer(self, self.codec.error(ErrorCode.BUS_TIMEOUT, self.number))
+        code = ErrorCode.BUS_TIMEOUT if self.sent or self.number is None else unsent
+        self._asker.answer(self, self.codec.error(code, self.number))
+
+    @property
+    def of_no_session(self) -> bool:
+        """Whether it can be executed in any session: it was not sent, has no ID, and names no group."""
+        return not self.sent and self.after is None and self.head[:1].isupper()
 
 
 class RelayedRows(Batch):
@@ -146,6 +158,7 @@ class RelayedRows(Batch):
     """
 
     smallest_turn = 64
+    of_no_session = False
 
     def __init__(self, codec: Codec, command: str, fields: NDArray[np.uint8], asker: RowsAsker, number: int) -> None:
         super().__init__(codec, command, [(fields, fields.shape[1])])
@@ -178,22 +191,27 @@ class RelayedRows(Batch):
         """Tell the client what has been answered in order."""
         self._asker.answer_rows(self)
 
-    def ready(self) -> tuple[int, bytes]:
-        """Return how many more can be answered in order, and the frames."""
+    def ready(self) -> tuple[int, int, bytes]:
+        """Return how many more can be answered in order, how many of these were sent, and the frames."""
         frames = []
         before = self.answered
         while (part := self._early.pop(self.answered, None)) is not None:
             self.answered += part[0]
             frames.append(part[1])
-        return self.answered - before, b"".join(frames)
+        return self.answered - before, max(0, min(self.answered, self.sent) - before), b"".join(frames)
 
-    def refuse(self) -> None:
-        """End all that is not answered: nothing on the bus answered."""
+    def refuse(self, unsent: ErrorCode) -> None:
+        """End all that is not answered: nothing on the bus answered.
+
+        Args:
+            unsent: the error that is answered to those that were not sent.
+        """
         self.given_up = True
         known = {offset + index for offset, (count, _) in self._early.items() for index in range(count)}
         for offset in range(self.answered, self.count):
             if offset not in known:
-                self._early[offset] = (1, self.error_frame(offset, ErrorCode.BUS_TIMEOUT))
+                code = ErrorCode.BUS_TIMEOUT if offset < self.sent else unsent
+                self._early[offset] = (1, self.error_frame(offset, code))
         self.tell()
 
     def error_frame(self, offset: int, code: ErrorCode) -> bytes:
@@ -257,7 +275,7 @@ def _code_of(error: UnityLinkError, command: str) -> ErrorCode | None:
     """Return the error that a client is told, None where it is told that its request was executed.
 
     A link that ends may leave open whether a request was executed. The nearest that the protocol has is 05: nothing on
-    the bus answered.
+    the bus answered. What is known not to be executed although it was sent was refused by a gateway that was reset.
     """
     if isinstance(error, GatewayError):
         return ErrorCode(error.code) if error.code in set(ErrorCode) else ErrorCode.BUS_ERROR
@@ -266,6 +284,8 @@ def _code_of(error: UnityLinkError, command: str) -> ErrorCode | None:
     if isinstance(error, UnansweredError) and error.outcome is Outcome.EXECUTED:
         refused = COMMANDS[command].repetition is Repetition.REFUSE
         return ErrorCode.ALREADY_EXECUTED if refused else None
+    if isinstance(error, UnansweredError) and error.outcome is Outcome.NOT_EXECUTED:
+        return ErrorCode.NO_SESSION
     return ErrorCode.BUS_TIMEOUT
 
 
@@ -273,6 +293,7 @@ class Said:
     """An answer that needs nothing of the gateway, in line behind those that do."""
 
     __slots__ = ("order", "reply")
+    of_no_session = False
 
     def __init__(self, reply: bytes, order: int) -> None:
         self.reply = reply

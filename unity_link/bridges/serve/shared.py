@@ -2,7 +2,7 @@
 
 While the gateway is away, requests wait `PATIENCE` seconds for it; then they are answered by error 05, and so is every
 further one until it is back. So a short interruption is not seen, a longer one does not end any client, and no write is
-executed long after it was asked for.
+executed long after it was asked for. A reset of the gateway ends the sessions of all clients.
 """
 
 from __future__ import annotations
@@ -184,7 +184,7 @@ class SharedLink(Connection):
     def _begin(self, codec: Codec) -> None:
         """Say to clients what the gateway says, but for what is between it and here."""
         if self.codec is None:
-            features = codec.info.features & ~Feature.ADDRESSED | Feature.FLOW_CONTROL
+            features = codec.info.features & ~(Feature.ADDRESSED | Feature.HALF_DUPLEX) | Feature.FLOW_CONTROL
             self.codec = Codec(msgspec.structs.replace(codec.info, features=features))
             self.slots = Slots(self._session.groups, codec.info.groups)
 
@@ -244,6 +244,14 @@ class SharedLink(Connection):
         if not self.away and self._patience is None:
             self._patience = self.loop.call_later(PATIENCE, self._lose_patience)
         self._say(f"the gateway is away: {reason}")
+
+    def gateway_was_reset(self) -> None:
+        """End the session of every client, and forget their groups.
+
+        The link calls it when it has ended what it had sent, or keeps it to send it again, and before it begins anew.
+        """
+        for client in list(self.clients):
+            client.lose_session()
 
     def _unreachable(self, error: BaseException | None) -> None:
         self._say(f"waiting for the gateway: {error}")
