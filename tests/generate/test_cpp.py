@@ -290,12 +290,12 @@ def test_what_a_lost_answer_means_is_known(runtime: list[Path]) -> None:
     CHECK(robot.legs[0].joints[0].pos.get() == 1.0 && link.statistics().repetitions == 5);
     """
     with simulate("tcp") as gateway:
-        faults = [lose("^wk00"), lose("^wk02"), lose("^rq04"), lose("^w05"), lose("^r06")]
+        faults = [lose("^wk000"), lose("^wk002"), lose("^rq004"), lose("^w005"), lose("^r006")]
         with FaultyLine(gateway, "tcp", faults) as line:
             output(program(body, runtime), line.url)
             assert line.count("^wk") == 4
-            assert line.count("^w05") == 2
-            assert line.count("^rq04") == 2
+            assert line.count("^w005") == 2
+            assert line.count("^rq004") == 2
 
 
 def test_a_gateway_that_understands_nothing_is_one_error_and_then_gone(runtime: list[Path]) -> None:

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 import pytest
 
 from generate.octave import Octave, doubles, numbers, words
-from generate.peers import MEDIA, FaultyLine, Medium, damage, lose, replace, simulate
+from generate.peers import MEDIA, FaultyLine, Medium, answer, damage, lose, replace, simulate
 from recorded_bus import RecordedBus
 from spec_examples import FIGURE_1
 from unity_link.protocol.configuration import GatewayInfo
@@ -217,9 +217,9 @@ def test_lost_and_damaged_frames_give_the_right_result_exactly_once(octave: Octa
     octave.generate(
         compile_text("public robot() { @field = 15[3:0]: READWRITE(); @other = 15[7:4]: READWRITE(); }", name="r.ul")
     )
-    replies = [lose("^w00"), lose("^r01"), lose("^wk04"), lose("^wk06"), lose("^h")]
-    replies += [damage("^r..000000FF"), lose("^r..00000002"), lose("^rq")]
-    requests = [lose("^w02"), damage("^wk03"), lose("^ws"), damage("^ws"), lose("^wq")]
+    replies = [lose("^w000"), lose("^r001"), lose("^wk004"), lose("^wk006"), lose("^h")]
+    replies += [damage("^r...000000FF"), lose("^r...00000002"), lose("^rq")]
+    requests = [lose("^w002"), damage("^wk003"), lose("^ws"), damage("^ws"), lose("^wq")]
     with simulate("tcp") as url, FaultyLine(url, "pty", replies, requests) as line:
         shown = octave.run(_LOST.format(url=line.url))
         sent = list(line.requests)
@@ -233,18 +233,15 @@ def test_lost_and_damaged_frames_give_the_right_result_exactly_once(octave: Octa
     assert shown["queue, answer lost"].startswith("unity_link:answerLost queue read of address E")
     assert shown["whole block"] == "logical 1"
     assert shown["repetitions"] == "logical 1"
-    for beginning in ("w00", "r01", "w02", "wk03", "wk04", "wk06"):
+    for beginning in ("w000", "r001", "w002", "wk003", "wk004", "wk006"):
         assert sum(frame.startswith(beginning) for frame in sent) == 2, beginning
 
 
 def test_errors_of_the_gateway_have_their_identifiers(octave: Octave) -> None:
     octave.generate(compile_text(FIGURE_1))
     codes = {5: "busTimeout", 6: "outOfRange", 8: "answerLost", 0x42: "gatewayError"}
-    framing = Framing(Crc())
-    replies = [
-        replace(f"^r{number:02X}", framing.checked(b"x%02X%02X" % (number, code))) for number, code in enumerate(codes)
-    ]
-    replies.append(replace("^r04", framing.checked(b"X02"), times=3))
+    replies = [answer(f"^r{number:03X}", b"x%%b%02X" % code) for number, code in enumerate(codes)]
+    replies.append(replace("^r004", Framing(Crc()).checked(b"X02"), times=3))
     with simulate("tcp") as url, FaultyLine(url, "tcp", replies) as line:
         shown = octave.run(
             f"link = unity_link.Link('{line.url}');\n"
@@ -335,13 +332,17 @@ attempt('again', @() link.read(1));
 
 
 @pytest.mark.parametrize(
-    ("settings", "most"), [(("features=0x6f", "receive_fifo_bytes=64"), 8), ((), 128)], ids=["a small FIFO", "all IDs"]
+    ("settings", "most"),
+    [(("features=0x6f", "receive_fifo_bytes=64"), 5), ((), 2048)],
+    ids=["a small FIFO", "half of all IDs"],
 )
 def test_no_more_is_in_flight_than_the_gateway_takes(octave: Octave, settings: tuple[str, ...], most: int) -> None:
     octave.generate(compile_text(FIGURE_1))
     options = [option for setting in settings for option in ("--set", setting)]
     with simulate("tcp", *options) as url, FaultyLine(url, "tcp", [lose("^r", times=most)]) as line:
-        shown = octave.run(f"link = unity_link.Link('{line.url}'); show('words', sum(link.read_many(0:199)));")
+        shown = octave.run(
+            f"link = unity_link.Link('{line.url}'); show('words', sum(link.read_many(mod(0:2999, 256))));"
+        )
         sent = [frame for frame in line.requests if frame.startswith("r")]
     assert shown["words"] == doubles(0)
     # The answers to all that the first turn sends are lost, so what follows is the first one again.
