@@ -27,8 +27,11 @@ from typing import TYPE_CHECKING, Literal, Self
 
 import msgspec
 
+from recorded_bus import RecordedBus
+from unity_link.protocol.configuration import GatewayInfo
 from unity_link.protocol.crc import Crc
 from unity_link.protocol.frames import Framing
+from unity_link.virtual import VirtualGateway
 from unity_link.virtual.serving import serve_tcp
 
 if TYPE_CHECKING:
@@ -40,6 +43,7 @@ if TYPE_CHECKING:
 PROGRAM = str(Path(sys.executable).parent / "unity-link")
 Medium = Literal["pty", "tcp"]
 MEDIA: tuple[Medium, ...] = ("pty", "tcp")
+_DEFAULT_INFO = GatewayInfo()
 
 
 @contextlib.contextmanager
@@ -71,6 +75,38 @@ def serve(gateway: Gateway) -> Iterator[str]:
         loop.call_soon_threadsafe(loop.stop)
         thread.join()
         loop.close()
+
+
+class ObservedGateway(VirtualGateway):
+    """A gateway that keeps the frames that it was sent, and what reaches the bus; reset before one of these frames."""
+
+    def __init__(self, info: GatewayInfo = _DEFAULT_INFO) -> None:
+        super().__init__(info)
+        self.heard: list[str] = []
+        self.bus_log = RecordedBus(self)
+        self.most_at_once = 0
+        """Most requests with an ID that came together."""
+        self.reset_before: int | None = None
+        """How many frames are still to come before the reset."""
+
+    def receive(self, data: bytes, now: float) -> bytes:
+        """Take bytes, frame by frame."""
+        replies = [super().receive(b"", now)]
+        frames = re.findall(rb"[^\r\n]*[\r\n]", data)
+        self.most_at_once = max(self.most_at_once, sum(frame[:1].islower() for frame in frames))
+        for frame in frames:
+            if self.reset_before is not None:
+                self.reset_before -= 1
+                if self.reset_before < 0:
+                    self.reset()
+                    self.reset_before = None
+            self.heard.append(frame.decode("latin-1").strip())
+            replies.append(super().receive(frame, now))
+        return b"".join(replies)
+
+    def sessions(self) -> list[str]:
+        """Return the IDs with which sessions began."""
+        return [frame[1 : 1 + self.info.id_digits] for frame in self.heard if frame.startswith("K")]
 
 
 class Fault(msgspec.Struct):

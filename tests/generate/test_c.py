@@ -14,9 +14,20 @@ from hypothesis import Phase, example, given, settings
 
 from generate.awkward_names import GROUPS_BY_KEYWORDS, INTERFACE_AS_A_PARAMETER, awkward_specs
 from generate.every_kind import WORD_BITS, bad_values, every_kind, written
-from generate.peers import MEDIA, Fault, FaultyLine, Medium, answer, damage, double, lose, serve, simulate
+from generate.peers import (
+    MEDIA,
+    Fault,
+    FaultyLine,
+    Medium,
+    ObservedGateway,
+    answer,
+    damage,
+    double,
+    lose,
+    serve,
+    simulate,
+)
 from generate.programs import CPP, HERE, SANITIZED, C, Driven, Simulated, checked, compiled, generated, linked, output
-from recorded_bus import RecordedBus
 from spec_examples import FIGURE_1, specs
 from unity_link.generate.c.layout import Layout
 from unity_link.protocol.configuration import Feature, GatewayInfo
@@ -42,7 +53,6 @@ LOST, LOST_EXECUTED, LOST_NOT_EXECUTED, UNANSWERED, NO_CONNECTION, UNSUPPORTED, 
     f"{number} " for number in range(32, 40)
 )
 EXAMPLES = HERE.parents[1] / "examples"
-DEFAULT_INFO = GatewayInfo()
 
 
 @pytest.fixture(scope="session")
@@ -599,39 +609,11 @@ def test_a_gateway_that_falls_silent_is_given_up_after_the_longest_silence(drive
 # Sessions
 
 
-class Observed(VirtualGateway):
-    """A gateway that keeps the frames that it was sent, and what reaches the bus; reset before one of these frames."""
-
-    def __init__(self, info: GatewayInfo = DEFAULT_INFO) -> None:
-        super().__init__(info)
-        self.heard: list[str] = []
-        self.bus_log = RecordedBus(self)
-        self.reset_before: int | None = None
-        """How many frames are still to come before the reset."""
-
-    def receive(self, data: bytes, now: float) -> bytes:
-        """Take bytes, frame by frame."""
-        replies = [super().receive(b"", now)]
-        for frame in re.findall(rb"[^\r\n]*[\r\n]", data):
-            if self.reset_before is not None:
-                self.reset_before -= 1
-                if self.reset_before < 0:
-                    self.reset()
-                    self.reset_before = None
-            self.heard.append(frame.decode("latin-1").strip())
-            replies.append(super().receive(frame, now))
-        return b"".join(replies)
-
-    def sessions(self) -> list[str]:
-        """Return the IDs with which sessions began."""
-        return [frame[1 : 1 + self.info.id_digits] for frame in self.heard if frame.startswith("K")]
-
-
 WAS_RESET = "the gateway was reset, which ends the link; the request is"
 
 
 def test_no_write_is_done_by_a_gateway_that_was_reset_behind_an_open_line(driver: Path) -> None:
-    gateway = Observed()
+    gateway = ObservedGateway()
     with Simulated(driver, gateway.receive) as client:
         client.words("connect test: 5")
         for value in range(150):
@@ -649,7 +631,7 @@ def test_no_write_is_done_by_a_gateway_that_was_reset_behind_an_open_line(driver
 
 
 def test_a_write_that_was_sent_again_to_a_gateway_that_was_reset_meanwhile_is_perhaps_executed(driver: Path) -> None:
-    gateway = Observed()
+    gateway = ObservedGateway()
 
     def losing(data: bytes, now: float) -> bytes:
         answers = gateway.receive(data, now)
@@ -666,7 +648,7 @@ def test_a_write_that_was_sent_again_to_a_gateway_that_was_reset_meanwhile_is_pe
 
 
 def test_posted_writes_that_a_reset_gateway_does_not_do_are_told_by_the_fence(driver: Path) -> None:
-    gateway = Observed()
+    gateway = ObservedGateway()
     with Simulated(driver, gateway.receive) as client:
         client.words("connect test: 5")
         for value in range(3):
@@ -681,7 +663,7 @@ def test_posted_writes_that_a_reset_gateway_does_not_do_are_told_by_the_fence(dr
 def test_what_is_told_of_writes_at_a_reset_is_true_whatever_the_line_loses(driver: Path) -> None:
     statuses: Counter[int] = Counter()
     for seed in range(60):
-        gateway = Observed(GatewayInfo(crc_bits=32, crc_polynomial=0x04C11DB7))
+        gateway = ObservedGateway(GatewayInfo(crc_bits=32, crc_polynomial=0x04C11DB7))
         chances = {"loss": 0.001 * (seed % 3), "flip": 0.001 * (seed % 3)}
         line = NoisyLine(gateway, Noise(2 * seed, **chances), Noise(2 * seed + 1, **chances))
         with Simulated(driver, line.receive) as client:
@@ -699,7 +681,7 @@ def test_what_is_told_of_writes_at_a_reset_is_true_whatever_the_line_loses(drive
 
 
 def test_a_request_whose_answer_was_lost_is_known_to_be_executed_by_a_later_one(driver: Path) -> None:
-    gateway = Observed()
+    gateway = ObservedGateway()
     lost = 0
 
     def losing(data: bytes, now: float) -> bytes:
@@ -719,7 +701,7 @@ def test_a_request_whose_answer_was_lost_is_known_to_be_executed_by_a_later_one(
 
 
 def test_samples_stop_with_a_reset_which_a_fence_finds_and_come_again_on_a_new_link(driver: Path) -> None:
-    gateway = Observed(GatewayInfo(groups=2))
+    gateway = ObservedGateway(GatewayInfo(groups=2))
     with Simulated(driver, gateway.receive) as client:
         client.words("connect test: 5")
         client.words("subscribe 0 100 - 10")
@@ -757,7 +739,7 @@ def test_samples_of_those_who_had_the_group_before_are_never_delivered(driver: P
 
 
 def test_each_session_begins_with_a_number_of_its_own(driver: Path) -> None:
-    gateway = Observed()
+    gateway = ObservedGateway()
     with Simulated(driver, gateway.receive) as client:
         for _ in range(40):
             client.words("connect test: 5")
@@ -766,7 +748,7 @@ def test_each_session_begins_with_a_number_of_its_own(driver: Path) -> None:
         assert len(set(gateway.sessions())) > 30
     seeded = set()
     for seed in range(20):
-        gateway = Observed()
+        gateway = ObservedGateway()
         with Simulated(driver, gateway.receive) as client:
             client.words(f"connect test:0:{seed:X} 5")
             client.words("close")
@@ -775,7 +757,7 @@ def test_each_session_begins_with_a_number_of_its_own(driver: Path) -> None:
 
 
 def test_requests_wait_for_the_answer_to_the_start_of_their_own_session(driver: Path) -> None:
-    gateway = Observed()
+    gateway = ObservedGateway()
     late: list[bytes] = []
 
     def late_by_one(data: bytes, now: float) -> bytes:
@@ -801,7 +783,7 @@ def test_requests_wait_for_the_answer_to_the_start_of_their_own_session(driver: 
 
 def test_ids_go_round_their_ring_in_sessions_of_either_width(driver: Path) -> None:
     for info in (GatewayInfo(), GatewayInfo(id_digits=2, crc_bits=8, crc_polynomial=7)):
-        gateway = Observed(info)
+        gateway = ObservedGateway(info)
         with Simulated(driver, gateway.receive) as client:
             client.words("connect test: 5")
             for _ in range(3):
@@ -815,7 +797,7 @@ def test_ids_go_round_their_ring_in_sessions_of_either_width(driver: Path) -> No
 def test_a_gateway_of_another_version_is_named_with_what_to_do_and_sent_nothing_more(
     driver: Path, version: str
 ) -> None:
-    gateway = Observed()
+    gateway = ObservedGateway()
     with Simulated(
         driver, lambda data, now: gateway.receive(data, now).replace(b"Q02", f"Q{version}".encode())
     ) as client:
@@ -839,22 +821,15 @@ def test_a_version_that_is_damaged_on_the_way_is_asked_for_again(driver: Path) -
 
 
 def test_a_half_duplex_medium_has_one_request_at_a_time_and_none_without_an_answer(driver: Path) -> None:
-    gateway = Observed(GatewayInfo(features=Feature(0x7F) | Feature.HALF_DUPLEX))
-    most = 0
-
-    def counting(data: bytes, now: float) -> bytes:
-        nonlocal most
-        most = max(most, len(re.findall(rb"^[g-z]", data, re.MULTILINE)))
-        return gateway.receive(data, now)
-
-    with Simulated(driver, counting) as client:
+    gateway = ObservedGateway(GatewayInfo(features=Feature(0x7F) | Feature.HALF_DUPLEX))
+    with Simulated(driver, gateway.receive) as client:
         client.words("connect test: 5")
         assert client.words("apart 20 30") == [0] * 0x30
         for value in range(5):
             client.words(f"post 10 {value}")
         client.words("fence")
         client.words("close")
-    assert most == 1
+    assert gateway.most_at_once == 1
     assert gateway.bus_log.writes[-5:] == [(0x10, value) for value in range(5)]
 
 
