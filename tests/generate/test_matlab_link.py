@@ -5,6 +5,7 @@ from __future__ import annotations
 import asyncio
 import contextlib
 import random
+import re
 import socket
 import threading
 from pathlib import Path
@@ -13,10 +14,22 @@ from typing import TYPE_CHECKING
 import pytest
 
 from generate.octave import Octave, doubles, numbers, words
-from generate.peers import MEDIA, FaultyLine, Medium, answer, damage, lose, replace, simulate
+from generate.peers import (
+    MEDIA,
+    Fault,
+    FaultyLine,
+    Medium,
+    ObservedGateway,
+    answer,
+    damage,
+    lose,
+    replace,
+    serve,
+    simulate,
+)
 from recorded_bus import RecordedBus
 from spec_examples import FIGURE_1
-from unity_link.protocol.configuration import GatewayInfo
+from unity_link.protocol.configuration import Feature, GatewayInfo
 from unity_link.protocol.crc import Crc
 from unity_link.protocol.frames import Framing
 from unity_link.spec import compile_file, compile_text
@@ -329,6 +342,139 @@ attempt('again', @() link.read(1));
     assert lost.endswith("; the request is perhaps executed")
     assert again.startswith("again\tunity_link:linkLost the connection was lost (")
     assert again.endswith("; the request is known not to be executed")
+
+
+_RESET = """\
+link = unity_link.Link('{url}');
+link.write(10, 7);
+samples = link.subscribe(10, 'rate_hz', 100);
+show('sampled', samples.take(1).words);
+link.write(254, 1);
+show('silent', numel(samples.take(1000, 0.2).sequence) < 1000);
+for number = 1:20
+  attempt(sprintf('write %d', number), @() link.write(20, number));
+end
+link.close();
+link = unity_link.Link('{url}');
+link.write(20, 1);
+show('read', link.read(10));
+samples = link.subscribe(20, 'rate_hz', 100);
+show('sampled again', samples.take(1).words);
+link.write(254, 1);
+link.post(30, 1);
+attempt('fence', @() link.fence());
+"""
+
+
+class ResetButton:
+    """Resets its gateway when it is written to."""
+
+    def __init__(self, gateway: VirtualGateway) -> None:
+        self._gateway = gateway
+
+    def read(self, offset: int, now: float) -> int:
+        return 0
+
+    def write(self, offset: int, value: int, now: float) -> None:
+        self._gateway.reset()
+
+
+def test_a_gateway_that_was_reset_behind_an_open_line_is_a_lost_link_and_a_new_one_goes_on(octave: Octave) -> None:
+    octave.generate(compile_text(FIGURE_1))
+    gateway = ObservedGateway()
+    gateway.detach([254])
+    gateway.attach(ResetButton(gateway), [254])
+    with serve(gateway) as url:
+        shown = octave.run(_RESET.format(url=url))
+    assert shown["sampled"] == shown["read"] == doubles(7)
+    assert shown["silent"] == "logical 1"
+    lost = "unity_link:linkLost the gateway was reset, which ends the link; the request is known not to be executed"
+    assert {shown[f"write {number}"] for number in range(1, 21)} == {lost}
+    assert shown["sampled again"] == doubles(1)
+    assert shown["fence"] == f"{lost}; posted writes that are known not to be executed: 1"
+    assert gateway.bus_log.writes == [(10, 7), (20, 1)]
+    assert len(set(gateway.sessions())) == 2
+
+
+def test_what_was_sent_again_to_a_gateway_that_was_reset_meanwhile_is_perhaps_executed(octave: Octave) -> None:
+    octave.generate(compile_text(FIGURE_1))
+    gateway = ObservedGateway()
+
+    def lose_and_reset(_: bytes) -> bytes:
+        gateway.reset()
+        return b""
+
+    faults = [Fault(re.compile("^w001"), lose_and_reset)]
+    with serve(gateway) as url, FaultyLine(url, "tcp", faults) as line:
+        shown = octave.run(f"""\
+link = unity_link.Link('{line.url}');
+link.write(10, 1);
+attempt('write', @() link.write(10, 3));
+""")
+        assert line.count("^w001") == 2
+    lost = "unity_link:linkLost the gateway was reset, which ends the link; the request is perhaps executed"
+    assert shown == {"write": lost}
+    assert gateway.bus_log.writes == [(10, 1), (10, 3)]
+
+
+def test_a_gateway_that_falls_silent_is_a_lost_link_even_if_it_publishes(octave: Octave) -> None:
+    octave.generate(compile_text(FIGURE_1))
+    with simulate("tcp") as url, FaultyLine(url, "tcp", requests=[lose("^w", 10**6)]) as line:
+        shown = octave.run(f"""\
+link = unity_link.Link('{line.url}');
+samples = link.subscribe(1, 'rate_hz', 100);
+attempt('write', @() link.write(1, 1));
+""")
+        # So many time outs are five seconds.
+        assert line.count("^w") < 12
+    assert shown["write"] == (
+        "unity_link:linkLost the gateway does not answer any more; the request is perhaps executed"
+    )
+
+
+def test_posted_writes_are_confirmed_while_samples_are_awaited_and_before_what_has_no_room_beside_them(
+    octave: Octave,
+) -> None:
+    octave.generate(compile_text(FIGURE_1))
+    with simulate("tcp", "--set", "features=0x6f", "--set", "receive_fifo_bytes=64") as url:
+        shown = octave.run(f"""\
+link = unity_link.Link('{url}');
+samples = link.subscribe(1, 'rate_hz', 100);
+link.post(1, 5);
+show('sampled', samples.take(30).words(end));
+link.post(1, 6);
+link.write_block(2, 1:6);
+show('read', link.read(1));
+show('time outs', link.statistics.timeouts);
+""")
+    assert shown == {"sampled": doubles(5), "read": doubles(6), "time outs": doubles(0)}
+
+
+def test_a_half_duplex_medium_has_one_request_at_a_time_and_none_without_an_answer(octave: Octave) -> None:
+    octave.generate(compile_text(FIGURE_1))
+    gateway = ObservedGateway(GatewayInfo(features=Feature(0x7F) | Feature.HALF_DUPLEX))
+    with serve(gateway) as url:
+        shown = octave.run(f"""\
+link = unity_link.Link('{url}');
+link.write_many(1:30, 1:30);
+link.post(40, 5);
+link.post(41, 6);
+show('read', link.read_many([30 40 41]));
+""")
+    assert shown == {"read": doubles(30, 5, 6)}
+    assert gateway.most_at_once == 1
+    assert not [frame for frame in gateway.heard if frame.startswith("ws")]
+
+
+def test_a_gateway_of_another_version_is_named_with_what_to_do(octave: Octave) -> None:
+    octave.generate(compile_text(FIGURE_1))
+    with simulate("tcp") as url, FaultyLine(url, "tcp", [replace("^Q", b"Q01200802\r\n", 99)]) as line:
+        shown = octave.run(f"attempt('other', @() unity_link.Link('{line.url}'));")
+        assert line.count("^Q") == 2
+    assert shown["other"] == (
+        "unity_link:unsupported the gateway speaks version 01 of the protocol and this program version 02: build the "
+        "gateway anew with this version of unity-link, or generate this package with one that speaks 01"
+    )
 
 
 @pytest.mark.parametrize(
