@@ -210,7 +210,7 @@ def test_blocks_longer_than_the_gateway_takes_travel_in_parts(client: Driven) ->
 @pytest.mark.parametrize(
     "settings",
     [
-        {"data_bits": 8, "crc_bits": 16, "id_digits": 3},
+        {"data_bits": 8, "crc_bits": 8, "id_digits": 2},
         {"data_bits": 13, "address_bits": 17, "crc_bits": 32},
         {"data_bits": 64, "address_bits": 32, "crc_polynomial": 0x1D},
         {"data_bits": 33, "crc_bits": 16, "crc_polynomial": 0x8005, "features": 0x60, "receive_fifo_bytes": 64},

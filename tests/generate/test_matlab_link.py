@@ -113,8 +113,8 @@ def test_words_are_read_written_and_posted_and_errors_have_identifiers(octave: O
 
 
 _CONFIGURATIONS: dict[str, tuple[str, ...]] = {
-    "long ids": ("id_digits=3",),
-    "a crc of 16 bits": ("crc_bits=16",),
+    "short ids": ("id_digits=2",),
+    "a crc of 8 bits": ("crc_bits=8",),
     "a crc of 32 bits": ("crc_bits=32", "address_bits=21", "data_bits=17"),
     "no flow control": ("features=0x6f", "receive_fifo_bytes=64"),
     "short blocks": ("block_words=3",),
@@ -149,12 +149,20 @@ show('{name}: many', all(double(link.read_many(101:150)) == 1:50));
     assert shown["wide"] == words(2**64 - 2)
 
 
+def of_another_session(answer_to_k: bytes) -> bytes:
+    """Return the answer to the `K` of another session than the one that this is of."""
+    return Framing(Crc()).checked(b"K%03X" % (int(answer_to_k[1:4], 16) ^ 1))
+
+
 def test_a_damaged_beginning_is_begun_again(octave: Octave) -> None:
     octave.generate(compile_text(FIGURE_1))
     replies = [replace("^Q", b"\xff\x80Q01\r\n"), damage("^Q.*[^\r]$"), lose("^K"), lose("^r")]
+    replies.insert(3, Fault(re.compile("^K"), of_another_session))
     with simulate("tcp") as url, FaultyLine(url, "tcp", replies, [damage("^K")]) as line:
         shown = octave.run(f"link = unity_link.Link('{line.url}'); link.write(1, 3); show('read', link.read(1));")
         assert line.count("^Q") >= 4
+        # Damaged, its answer lost, that of another session, and its own.
+        assert line.count("^K") >= 4
     assert shown == {"read": doubles(3)}
 
 
