@@ -130,7 +130,9 @@ static ul_status connect_to(const char *url, double timeout)
     };
     if (strncmp(url, "test:", 5)) return ul_connect(&the_link, url, timeout);
     is_open = true;
-    test.shortest_timeout = strtod(url + 5, NULL);
+    char *seed;
+    test.shortest_timeout = strtod(url + 5, &seed);
+    if (*seed == ':') test.seed = (uint32_t)strtoul(seed + 1, NULL, 16);
     return ul_open(&the_link, &test, -1, timeout);
 }
 
@@ -241,6 +243,20 @@ static void do_batch(void)
     finish(ul_finish(&the_link, &batch), words, 2);
 }
 
+/* Writes of 0, 1, 2... to an address that are under way together, each with a status of its own. */
+static void do_apart(void)
+{
+    static ul_batch batches[MOST];
+    uint32_t address = (uint32_t)next_number();
+    size_t count = next_number();
+    for (size_t index = 0; index < count; index++) {
+        batches[index] = UL_BATCH;
+        ul_start_write(&the_link, &batches[index], address, index);
+    }
+    for (size_t index = 0; index < count; index++) words[index] = ul_finish(&the_link, &batches[index]);
+    finish(UL_OK, words, count);
+}
+
 static void do_command(const char *command)
 {
     if (!strcmp(command, "connect")) {
@@ -252,12 +268,16 @@ static void do_command(const char *command)
         do_many(*command == 'w');
     } else if (!strcmp(command, "batch")) {
         do_batch();
+    } else if (!strcmp(command, "apart")) {
+        do_apart();
     } else if (!strcmp(command, "fence")) {
         finish(ul_fence(&the_link), NULL, 0);
     } else if (!strcmp(command, "immediate")) {
         finish(ul_send_immediate(&the_link, (unsigned)next_number()), NULL, 0);
     } else if (!strcmp(command, "subscribe")) {
         subscribe();
+    } else if (!strcmp(command, "again")) {
+        finish(ul_subscribe(&the_link, &subscriptions[next_number()]), NULL, 0);
     } else if (!strcmp(command, "publish")) {
         finish(ul_publish(&the_link, &subscriptions[next_number()]), NULL, 0);
     } else if (!strcmp(command, "unsubscribe")) {

@@ -1,12 +1,13 @@
 """What generated clients talk to: `unity-link simulate` as a process of its own, and a line that fails on demand.
 
-    with simulate("tcp", "--robot", "scara") as url, FaultyLine(url, "pty", [lose(r"^r02")]) as line:
+    with simulate("tcp", "--robot", "scara") as url, FaultyLine(url, "pty", [lose(r"^r002")]) as line:
         run_client(line.url)
-    assert line.count(r"^r02") == 2     # lost once, and asked for again
+    assert line.count(r"^r002") == 2    # lost once, and asked for again
 
 `simulate` is the real command on a real medium. `FaultyLine` stands between a client and a gateway that is served by
 TCP: it carries whole frames, keeps all of them, and does to the ones that a `Fault` names what the test says. So a test
-knows exactly which frame was lost, where the noise of `simulate --loss` only tells that some were.
+knows exactly which frame was lost, where the noise of `simulate --loss` only tells that some were. A session begins
+with any ID; in patterns, and in the frames that are kept, its IDs count from 000 on.
 """
 
 from __future__ import annotations
@@ -26,6 +27,11 @@ from typing import TYPE_CHECKING, Literal, Self
 
 import msgspec
 
+from recorded_bus import RecordedBus
+from unity_link.protocol.configuration import GatewayInfo
+from unity_link.protocol.crc import Crc
+from unity_link.protocol.frames import Framing
+from unity_link.virtual import VirtualGateway
 from unity_link.virtual.serving import serve_tcp
 
 if TYPE_CHECKING:
@@ -37,6 +43,7 @@ if TYPE_CHECKING:
 PROGRAM = str(Path(sys.executable).parent / "unity-link")
 Medium = Literal["pty", "tcp"]
 MEDIA: tuple[Medium, ...] = ("pty", "tcp")
+_DEFAULT_INFO = GatewayInfo()
 
 
 @contextlib.contextmanager
@@ -70,12 +77,65 @@ def serve(gateway: Gateway) -> Iterator[str]:
         loop.close()
 
 
+class ObservedGateway(VirtualGateway):
+    """A gateway that keeps the frames that it was sent, and what reaches the bus; reset before one of these frames."""
+
+    def __init__(self, info: GatewayInfo = _DEFAULT_INFO) -> None:
+        super().__init__(info)
+        self.heard: list[str] = []
+        self.bus_log = RecordedBus(self)
+        self.most_at_once = 0
+        """Most requests with an ID that came together."""
+        self.reset_before: int | None = None
+        """How many frames are still to come before the reset."""
+
+    def receive(self, data: bytes, now: float) -> bytes:
+        """Take bytes, frame by frame."""
+        replies = [super().receive(b"", now)]
+        frames = re.findall(rb"[^\r\n]*[\r\n]", data)
+        self.most_at_once = max(self.most_at_once, sum(frame[:1].islower() for frame in frames))
+        for frame in frames:
+            if self.reset_before is not None:
+                self.reset_before -= 1
+                if self.reset_before < 0:
+                    self.reset()
+                    self.reset_before = None
+            self.heard.append(frame.decode("latin-1").strip())
+            replies.append(super().receive(frame, now))
+        return b"".join(replies)
+
+    def sessions(self) -> list[str]:
+        """Return the IDs with which sessions began."""
+        return [frame[1 : 1 + self.info.id_digits] for frame in self.heard if frame.startswith("K")]
+
+
 class Fault(msgspec.Struct):
     """What happens to the first frames that a pattern finds; `change` gives what arrives in place of the frame."""
 
     pattern: re.Pattern[str]
     change: Callable[[bytes], bytes]
     times: int = 1
+
+
+class SessionIds:
+    """The IDs of a line's session, of three digits, as numbers from 0 on."""
+
+    _START = re.compile(r"K([0-9A-F]{3})")
+    _NUMBERED = re.compile(r"([g-z]{1,2})([0-9A-F]{3})")
+
+    def __init__(self) -> None:
+        self.first = 0
+
+    def note(self, text: str) -> None:
+        """Record the beginning of a session."""
+        if found := self._START.match(text):
+            self.first = int(found[1], 16)
+
+    def counted(self, text: str) -> str:
+        """Return a frame with its ID counted from the first of the session."""
+        return self._NUMBERED.sub(
+            lambda found: f"{found[1]}{int(found[2], 16) - self.first & 0xFFF:03X}", text, count=1
+        )
 
 
 def lose(pattern: str, times: int = 1) -> Fault:
@@ -98,12 +158,17 @@ def replace(pattern: str, text: bytes, times: int = 1) -> Fault:
     return Fault(re.compile(pattern), lambda _: text, times)
 
 
+def answer(pattern: str, body: bytes, times: int = 1) -> Fault:
+    """Have a checked frame arrive: `body` with the ID of the frame at its `%b`."""
+    return Fault(re.compile(pattern), lambda frame: Framing(Crc()).checked(body % frame[1:4]), times)
+
+
 class _Direction:
     """One direction of a line."""
 
-    def __init__(self, source: int, sink: int, faults: list[Fault]) -> None:
+    def __init__(self, source: int, sink: int, faults: list[Fault], ids: SessionIds) -> None:
         self.frames: list[str] = []
-        self.source, self._sink, self._faults = source, sink, faults
+        self.source, self._sink, self._faults, self._ids = source, sink, faults, ids
         self._rest = b""
 
     def carry(self) -> bool:
@@ -120,6 +185,8 @@ class _Direction:
 
     def _fate(self, frame: bytes) -> bytes:
         text = frame.decode("latin-1").strip("\r\n")
+        self._ids.note(text)
+        text = self._ids.counted(text)
         if text:
             self.frames.append(text)
         for fault in self._faults:
@@ -184,8 +251,9 @@ class FaultyLine:
             client = self._accept(stack)
             if client is None:
                 return
-            back = _Direction(self._gateway.fileno(), client, self._faults[0])
-            towards = _Direction(client, self._gateway.fileno(), self._faults[1])
+            ids = SessionIds()
+            back = _Direction(self._gateway.fileno(), client, self._faults[0], ids)
+            towards = _Direction(client, self._gateway.fileno(), self._faults[1], ids)
             self.replies, self.requests = back.frames, towards.frames
             selector = stack.enter_context(selectors.DefaultSelector())
             for direction in (back, towards):

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 import pytest
 
 from generate.every_kind import WORD_BITS, every_kind, written
-from generate.peers import MEDIA, FaultyLine, Medium, lose, replace, simulate
+from generate.peers import MEDIA, FaultyLine, Medium, ObservedGateway, lose, replace, serve, simulate
 from generate.programs import CPP, SANITIZED, C, compiled, generated, linked, output
 from spec_examples import FIGURE_1
 from unity_link.generate import generate
@@ -290,12 +290,12 @@ def test_what_a_lost_answer_means_is_known(runtime: list[Path]) -> None:
     CHECK(robot.legs[0].joints[0].pos.get() == 1.0 && link.statistics().repetitions == 5);
     """
     with simulate("tcp") as gateway:
-        faults = [lose("^wk00"), lose("^wk02"), lose("^rq04"), lose("^w05"), lose("^r06")]
+        faults = [lose("^wk000"), lose("^wk002"), lose("^rq004"), lose("^w005"), lose("^r006")]
         with FaultyLine(gateway, "tcp", faults) as line:
             output(program(body, runtime), line.url)
             assert line.count("^wk") == 4
-            assert line.count("^w05") == 2
-            assert line.count("^rq04") == 2
+            assert line.count("^w005") == 2
+            assert line.count("^rq004") == 2
 
 
 def test_a_gateway_that_understands_nothing_is_one_error_and_then_gone(runtime: list[Path]) -> None:
@@ -337,6 +337,39 @@ def test_an_unanswered_call_says_what_is_known_of_it(runtime: list[Path]) -> Non
         assert process.stdout.readline() == "ready\n"
     process.communicate("\n", timeout=60)
     assert process.returncode == 0
+
+
+def test_a_gateway_that_was_reset_is_a_lost_link_and_a_new_one_goes_on(runtime: list[Path]) -> None:
+    body = """
+    link.write(0x10, 7);
+    unity_link::Subscription samples{link, {0x10}, {100}};
+    CHECK(samples.next(5s));
+    std::cout << "ready" << std::endl;
+    std::cin.get();
+    for (unsigned value = 0; value < 50; value++) {
+        try { link.write(0x20, value); CHECK(!"it throws"); } catch (const unity_link::LinkLostError &error) {
+            CHECK(error.outcome() == unity_link::Outcome::not_executed);
+            last = error.what();
+        }
+    }
+    CHECK(last == "write at 0x20: the gateway was reset, which ends the link; the request is known not to be executed");
+    link.close();
+    unity_link::Link again{arguments[1]};
+    again.write(0x20, 1);
+    CHECK(again.read(0x10) == 7);
+    unity_link::Subscription anew{again, {0x20}, {100}};
+    CHECK((anew.next(5s)->words == unity_link::Words{1}));
+    """
+    made, gateway = program(body, runtime), ObservedGateway()
+    with serve(gateway) as url:
+        process = subprocess.Popen([made, url], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
+        assert process.stdout is not None
+        assert process.stdout.readline() == "ready\n"
+        gateway.reset()
+        process.communicate("\n", timeout=60)
+    assert process.returncode == 0
+    assert gateway.bus_log.writes == [(0x10, 7), (0x20, 1)]
+    assert len(set(gateway.sessions())) == 2
 
 
 @pytest.mark.parametrize("medium", MEDIA)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import asyncio
 import contextlib
 import random
+import re
 import socket
 import threading
 from pathlib import Path
@@ -13,10 +14,22 @@ from typing import TYPE_CHECKING
 import pytest
 
 from generate.octave import Octave, doubles, numbers, words
-from generate.peers import MEDIA, FaultyLine, Medium, damage, lose, replace, simulate
+from generate.peers import (
+    MEDIA,
+    Fault,
+    FaultyLine,
+    Medium,
+    ObservedGateway,
+    answer,
+    damage,
+    lose,
+    replace,
+    serve,
+    simulate,
+)
 from recorded_bus import RecordedBus
 from spec_examples import FIGURE_1
-from unity_link.protocol.configuration import GatewayInfo
+from unity_link.protocol.configuration import Feature, GatewayInfo
 from unity_link.protocol.crc import Crc
 from unity_link.protocol.frames import Framing
 from unity_link.spec import compile_file, compile_text
@@ -100,8 +113,8 @@ def test_words_are_read_written_and_posted_and_errors_have_identifiers(octave: O
 
 
 _CONFIGURATIONS: dict[str, tuple[str, ...]] = {
-    "long ids": ("id_digits=3",),
-    "a crc of 16 bits": ("crc_bits=16",),
+    "short ids": ("id_digits=2",),
+    "a crc of 8 bits": ("crc_bits=8",),
     "a crc of 32 bits": ("crc_bits=32", "address_bits=21", "data_bits=17"),
     "no flow control": ("features=0x6f", "receive_fifo_bytes=64"),
     "short blocks": ("block_words=3",),
@@ -136,12 +149,20 @@ show('{name}: many', all(double(link.read_many(101:150)) == 1:50));
     assert shown["wide"] == words(2**64 - 2)
 
 
+def of_another_session(answer_to_k: bytes) -> bytes:
+    """Return the answer to the `K` of another session than the one that this is of."""
+    return Framing(Crc()).checked(b"K%03X" % (int(answer_to_k[1:4], 16) ^ 1))
+
+
 def test_a_damaged_beginning_is_begun_again(octave: Octave) -> None:
     octave.generate(compile_text(FIGURE_1))
     replies = [replace("^Q", b"\xff\x80Q01\r\n"), damage("^Q.*[^\r]$"), lose("^K"), lose("^r")]
+    replies.insert(3, Fault(re.compile("^K"), of_another_session))
     with simulate("tcp") as url, FaultyLine(url, "tcp", replies, [damage("^K")]) as line:
         shown = octave.run(f"link = unity_link.Link('{line.url}'); link.write(1, 3); show('read', link.read(1));")
         assert line.count("^Q") >= 4
+        # Damaged, its answer lost, that of another session, and its own.
+        assert line.count("^K") >= 4
     assert shown == {"read": doubles(3)}
 
 
@@ -217,9 +238,9 @@ def test_lost_and_damaged_frames_give_the_right_result_exactly_once(octave: Octa
     octave.generate(
         compile_text("public robot() { @field = 15[3:0]: READWRITE(); @other = 15[7:4]: READWRITE(); }", name="r.ul")
     )
-    replies = [lose("^w00"), lose("^r01"), lose("^wk04"), lose("^wk06"), lose("^h")]
-    replies += [damage("^r..000000FF"), lose("^r..00000002"), lose("^rq")]
-    requests = [lose("^w02"), damage("^wk03"), lose("^ws"), damage("^ws"), lose("^wq")]
+    replies = [lose("^w000"), lose("^r001"), lose("^wk004"), lose("^wk006"), lose("^h")]
+    replies += [damage("^r...000000FF"), lose("^r...00000002"), lose("^rq")]
+    requests = [lose("^w002"), damage("^wk003"), lose("^ws"), damage("^ws"), lose("^wq")]
     with simulate("tcp") as url, FaultyLine(url, "pty", replies, requests) as line:
         shown = octave.run(_LOST.format(url=line.url))
         sent = list(line.requests)
@@ -233,18 +254,15 @@ def test_lost_and_damaged_frames_give_the_right_result_exactly_once(octave: Octa
     assert shown["queue, answer lost"].startswith("unity_link:answerLost queue read of address E")
     assert shown["whole block"] == "logical 1"
     assert shown["repetitions"] == "logical 1"
-    for beginning in ("w00", "r01", "w02", "wk03", "wk04", "wk06"):
+    for beginning in ("w000", "r001", "w002", "wk003", "wk004", "wk006"):
         assert sum(frame.startswith(beginning) for frame in sent) == 2, beginning
 
 
 def test_errors_of_the_gateway_have_their_identifiers(octave: Octave) -> None:
     octave.generate(compile_text(FIGURE_1))
     codes = {5: "busTimeout", 6: "outOfRange", 8: "answerLost", 0x42: "gatewayError"}
-    framing = Framing(Crc())
-    replies = [
-        replace(f"^r{number:02X}", framing.checked(b"x%02X%02X" % (number, code))) for number, code in enumerate(codes)
-    ]
-    replies.append(replace("^r04", framing.checked(b"X02"), times=3))
+    replies = [answer(f"^r{number:03X}", b"x%%b%02X" % code) for number, code in enumerate(codes)]
+    replies.append(replace("^r004", Framing(Crc()).checked(b"X02"), times=3))
     with simulate("tcp") as url, FaultyLine(url, "tcp", replies) as line:
         shown = octave.run(
             f"link = unity_link.Link('{line.url}');\n"
@@ -334,14 +352,151 @@ attempt('again', @() link.read(1));
     assert again.endswith("; the request is known not to be executed")
 
 
+_RESET = """\
+link = unity_link.Link('{url}');
+link.write(10, 7);
+samples = link.subscribe(10, 'rate_hz', 100);
+show('sampled', samples.take(1).words);
+link.write(254, 1);
+show('silent', numel(samples.take(1000, 0.2).sequence) < 1000);
+for number = 1:20
+  attempt(sprintf('write %d', number), @() link.write(20, number));
+end
+link.close();
+link = unity_link.Link('{url}');
+link.write(20, 1);
+show('read', link.read(10));
+samples = link.subscribe(20, 'rate_hz', 100);
+show('sampled again', samples.take(1).words);
+link.write(254, 1);
+link.post(30, 1);
+attempt('fence', @() link.fence());
+"""
+
+
+class ResetButton:
+    """Resets its gateway when it is written to."""
+
+    def __init__(self, gateway: VirtualGateway) -> None:
+        self._gateway = gateway
+
+    def read(self, offset: int, now: float) -> int:
+        return 0
+
+    def write(self, offset: int, value: int, now: float) -> None:
+        self._gateway.reset()
+
+
+def test_a_gateway_that_was_reset_behind_an_open_line_is_a_lost_link_and_a_new_one_goes_on(octave: Octave) -> None:
+    octave.generate(compile_text(FIGURE_1))
+    gateway = ObservedGateway()
+    gateway.detach([254])
+    gateway.attach(ResetButton(gateway), [254])
+    with serve(gateway) as url:
+        shown = octave.run(_RESET.format(url=url))
+    assert shown["sampled"] == shown["read"] == doubles(7)
+    assert shown["silent"] == "logical 1"
+    lost = "unity_link:linkLost the gateway was reset, which ends the link; the request is known not to be executed"
+    assert {shown[f"write {number}"] for number in range(1, 21)} == {lost}
+    assert shown["sampled again"] == doubles(1)
+    assert shown["fence"] == f"{lost}; posted writes that are known not to be executed: 1"
+    assert gateway.bus_log.writes == [(10, 7), (20, 1)]
+    assert len(set(gateway.sessions())) == 2
+
+
+def test_what_was_sent_again_to_a_gateway_that_was_reset_meanwhile_is_perhaps_executed(octave: Octave) -> None:
+    octave.generate(compile_text(FIGURE_1))
+    gateway = ObservedGateway()
+
+    def lose_and_reset(_: bytes) -> bytes:
+        gateway.reset()
+        return b""
+
+    faults = [Fault(re.compile("^w001"), lose_and_reset)]
+    with serve(gateway) as url, FaultyLine(url, "tcp", faults) as line:
+        shown = octave.run(f"""\
+link = unity_link.Link('{line.url}');
+link.write(10, 1);
+attempt('write', @() link.write(10, 3));
+""")
+        assert line.count("^w001") == 2
+    lost = "unity_link:linkLost the gateway was reset, which ends the link; the request is perhaps executed"
+    assert shown == {"write": lost}
+    assert gateway.bus_log.writes == [(10, 1), (10, 3)]
+
+
+def test_a_gateway_that_falls_silent_is_a_lost_link_even_if_it_publishes(octave: Octave) -> None:
+    octave.generate(compile_text(FIGURE_1))
+    with simulate("tcp") as url, FaultyLine(url, "tcp", requests=[lose("^w", 10**6)]) as line:
+        shown = octave.run(f"""\
+link = unity_link.Link('{line.url}');
+samples = link.subscribe(1, 'rate_hz', 100);
+attempt('write', @() link.write(1, 1));
+""")
+        # So many time outs are five seconds.
+        assert line.count("^w") < 12
+    assert shown["write"] == (
+        "unity_link:linkLost the gateway does not answer any more; the request is perhaps executed"
+    )
+
+
+def test_posted_writes_are_confirmed_while_samples_are_awaited_and_before_what_has_no_room_beside_them(
+    octave: Octave,
+) -> None:
+    octave.generate(compile_text(FIGURE_1))
+    with simulate("tcp", "--set", "features=0x6f", "--set", "receive_fifo_bytes=64") as url:
+        shown = octave.run(f"""\
+link = unity_link.Link('{url}');
+samples = link.subscribe(1, 'rate_hz', 100);
+link.post(1, 5);
+show('sampled', samples.take(30).words(end));
+link.post(1, 6);
+link.write_block(2, 1:6);
+show('read', link.read(1));
+show('time outs', link.statistics.timeouts);
+""")
+    assert shown == {"sampled": doubles(5), "read": doubles(6), "time outs": doubles(0)}
+
+
+def test_a_half_duplex_medium_has_one_request_at_a_time_and_none_without_an_answer(octave: Octave) -> None:
+    octave.generate(compile_text(FIGURE_1))
+    gateway = ObservedGateway(GatewayInfo(features=Feature(0x7F) | Feature.HALF_DUPLEX))
+    with serve(gateway) as url:
+        shown = octave.run(f"""\
+link = unity_link.Link('{url}');
+link.write_many(1:30, 1:30);
+link.post(40, 5);
+link.post(41, 6);
+show('read', link.read_many([30 40 41]));
+""")
+    assert shown == {"read": doubles(30, 5, 6)}
+    assert gateway.most_at_once == 1
+    assert not [frame for frame in gateway.heard if frame.startswith("ws")]
+
+
+def test_a_gateway_of_another_version_is_named_with_what_to_do(octave: Octave) -> None:
+    octave.generate(compile_text(FIGURE_1))
+    with simulate("tcp") as url, FaultyLine(url, "tcp", [replace("^Q", b"Q01200802\r\n", 99)]) as line:
+        shown = octave.run(f"attempt('other', @() unity_link.Link('{line.url}'));")
+        assert line.count("^Q") == 2
+    assert shown["other"] == (
+        "unity_link:unsupported the gateway speaks version 01 of the protocol and this program version 02: build the "
+        "gateway anew with this version of unity-link, or generate this package with one that speaks 01"
+    )
+
+
 @pytest.mark.parametrize(
-    ("settings", "most"), [(("features=0x6f", "receive_fifo_bytes=64"), 8), ((), 128)], ids=["a small FIFO", "all IDs"]
+    ("settings", "most"),
+    [(("features=0x6f", "receive_fifo_bytes=64"), 5), ((), 2048)],
+    ids=["a small FIFO", "half of all IDs"],
 )
 def test_no_more_is_in_flight_than_the_gateway_takes(octave: Octave, settings: tuple[str, ...], most: int) -> None:
     octave.generate(compile_text(FIGURE_1))
     options = [option for setting in settings for option in ("--set", setting)]
     with simulate("tcp", *options) as url, FaultyLine(url, "tcp", [lose("^r", times=most)]) as line:
-        shown = octave.run(f"link = unity_link.Link('{line.url}'); show('words', sum(link.read_many(0:199)));")
+        shown = octave.run(
+            f"link = unity_link.Link('{line.url}'); show('words', sum(link.read_many(mod(0:2999, 256))));"
+        )
         sent = [frame for frame in line.requests if frame.startswith("r")]
     assert shown["words"] == doubles(0)
     # The answers to all that the first turn sends are lost, so what follows is the first one again.

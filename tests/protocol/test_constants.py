@@ -41,4 +41,4 @@ def test_the_client_in_matlab_has_what_it_uses_of_the_table() -> None:
     found = {name: float(value) for name, value in re.findall(r"^ +([A-Z_]+) = ([\d.]+)$", text, re.MULTILINE)}
     used = {name for name in constants.TABLE if f"obj.{name}" in text}
     assert {name: found[name] for name in used} == {name: constants.TABLE[name] for name in used}
-    assert used >= {"SHORTEST_TIMEOUT", "LONGEST_TIMEOUT", "MOST_TRIES", "MOST_SILENT_TRIES", "MOST_REFUSALS"}
+    assert used >= {"SHORTEST_TIMEOUT", "LONGEST_TIMEOUT", "MOST_TRIES", "LONGEST_SILENCE", "MOST_REFUSALS"}

@@ -8,8 +8,6 @@ LONGEST_SILENCE = 5.0
 """Without anything that can be about a request, and with one under way, after which the link is lost."""
 FEWEST_SILENT_TRIES = 3
 """Time outs in silence before the link is lost, however long one takes."""
-MOST_SILENT_TRIES = 8
-"""Time outs in silence after which the generated clients, which keep no `LONGEST_SILENCE`, take the link for lost."""
 MOST_QUICK_SIGNS = 6
 """How often signs of loss are followed at the pace of a round trip that is next to nothing."""
 SLOWER_SIGNS = 0.001

@@ -21,11 +21,24 @@ static ul_status fail(ul_link *link, ul_status status, const char *what, const c
     return status;
 }
 
+/* Return what a status means on this link: what a loss of the gateway's session does is not the line's. */
+static const char *meaning_of(const ul_link *link, ul_status status)
+{
+    if (link->was_reset) {
+        if (status == UL_LOST) return "the gateway was reset, which ends the link; the request is perhaps executed";
+        if (status == UL_LOST_EXECUTED)
+            return "the gateway was reset, which ends the link; the request is known to be executed";
+        if (status == UL_LOST_NOT_EXECUTED)
+            return "the gateway was reset, which ends the link; the request is known not to be executed";
+    }
+    return ul_status_text(status);
+}
+
 static ul_status fail_at(ul_link *link, ul_status status, const char *what, uint32_t address, const char *reason)
 {
     char where[128];
     snprintf(where, sizeof where, "%.100s at 0x%0*lX", what, (int)link->address_digits, (unsigned long)address);
-    return fail(link, status, where, reason == NULL ? ul_status_text(status) : reason);
+    return fail(link, status, where, reason == NULL ? meaning_of(link, status) : reason);
 }
 
 static ul_status fail_batch(ul_link *link, const ul_batch *batch)
@@ -66,20 +79,29 @@ static void refuse(ul_batch *batch, ul_status status, const char *what, uint32_t
     batch->reason = reason;
 }
 
-/* The link has ended: so have all its requests. */
-static void lose(ul_link *link)
+/* The session has ended, and all its requests with it: those from a place in the window on are known not to be executed,
+ * unless they were sent more than once. */
+static void end_session(ul_link *link, uint32_t never)
 {
+    uint32_t executed = distance(link, link->executed), sent_once = distance(link, link->sent_once);
     link->gone = true;
     link->wants_repetition = false;
-    for (uint32_t id = link->oldest; id != link->next; id = (id + 1) & link->ring_mask) {
-        ul_request *request = slot_of(link, id);
-        bool executed = distance(link, id) < distance(link, link->executed);
-        if (request->waiting) settle(request, executed ? UL_LOST_EXECUTED : UL_LOST);
+    if (never < sent_once) never = sent_once;
+    for (uint32_t place = 0; place < in_flight(link); place++) {
+        ul_request *request = slot_of(link, link->oldest + place);
+        ul_status status = place < executed ? UL_LOST_EXECUTED : place < never ? UL_LOST : UL_LOST_NOT_EXECUTED;
+        if (request->waiting) settle(request, status);
         request->waiting = false;
     }
-    link->oldest = link->executed = link->next;
+    link->oldest = link->executed = link->sent_once = link->next;
     link->unfenced = 0;
     link->bytes = 0;
+}
+
+/* The line has ended. */
+static void lose(ul_link *link)
+{
+    end_session(link, in_flight(link));
 }
 
 /* End the link. From here on its transport is the caller's again, and not used any more. */
@@ -105,7 +127,7 @@ static void flush(ul_link *link)
         } else if (taken > 0) {
             sent += (size_t)taken;
             stuck_since = now_of(link);
-        } else if (now_of(link) - stuck_since > MOST_SILENT_TRIES * LONGEST_TIMEOUT) {
+        } else if (now_of(link) - stuck_since >= LONGEST_SILENCE) {
             lose(link);
         } else {
             link->transport.wait(link->transport.context, true, LONGEST_TIMEOUT);
@@ -131,6 +153,7 @@ static void send_fence(ul_link *link)
 static void repeat(ul_link *link)
 {
     link->wants_repetition = false;
+    link->sent_once = link->next;
     for (uint32_t id = link->oldest; id != link->next && !link->gone; id = (id + 1) & link->ring_mask) {
         const ul_request *request = slot_of(link, id);
         if (!request->waiting) continue;
@@ -202,10 +225,17 @@ static void start(ul_link *link, ul_batch *batch, ul_request request)
 
 /* Receiving */
 
-static void note_error(ul_link *link, ul_request *request, text code, uint32_t id, double now)
+static void note_error(ul_link *link, text code, uint32_t id, double now)
 {
     uint64_t number;
-    if (!take_number(&code, 2, &number) || code.size != 0) {
+    ul_request *request = find(link, id);
+    bool sound = take_number(&code, 2, &number) && code.size == 0;
+    if (sound && number == UL_NO_SESSION) {
+        link->was_reset = true;
+        end_session(link, distance(link, id));
+        return;
+    }
+    if (!sound || request == NULL) {
         link->statistics.stray++;
         return;
     }
@@ -231,10 +261,12 @@ static void take_response(ul_link *link, text body, double now)
         note_gap(link, (uint32_t)id, now);
         return;
     }
+    if (strcmp(command, "x") == 0) {
+        note_error(link, fields, (uint32_t)id, now);
+        return;
+    }
     ul_request *request = find(link, (uint32_t)id);
-    if (request != NULL && strcmp(command, "x") == 0) {
-        note_error(link, request, fields, (uint32_t)id, now);
-    } else if (request != NULL && strcmp(command, request->command) == 0 && take_answer(link, request, fields)) {
+    if (request != NULL && strcmp(command, request->command) == 0 && take_answer(link, request, fields)) {
         settle(request, UL_OK);
         link->statistics.responses++;
         note_answer(link, (uint32_t)id, now);
@@ -256,13 +288,22 @@ static void take_nameless_error(ul_link *link, text code, double now)
     }
 }
 
+/* Whether a line begins as a sample does, which is about no request. */
+static bool is_sample(const ul_link *link, text line)
+{
+    size_t head = link->node < 0 ? 0 : PREFIX_DIGITS;
+    return line.size > head && line.at[head] == 'P';
+}
+
 static void take_line(ul_link *link, text line)
 {
     double now = now_of(link);
+    bool sample = is_sample(link, line);
+    if (!sample) link->heard = true;
     if (line.size == 0) return;
     if (!take_check(link, &line)) {
         link->statistics.damaged++;
-        note_loss(link, now);
+        if (!sample) note_loss(link, now);
         return;
     }
     if (!take_prefix(link, &line) || line.size < 2) return;
@@ -295,7 +336,6 @@ static bool fill(ul_link *link)
     if (come < 0) lose(link);
     if (come <= 0) return false;
     link->receive_size += (size_t)come;
-    link->heard = true;
     return true;
 }
 
@@ -303,6 +343,10 @@ static void receive_bytes(ul_link *link)
 {
     text line;
     /* Not for ever, where samples come as fast as they are taken. */
-    for (int reads = 0; reads < MOST_READS && !link->gone && fill(link); reads++)
+    for (int reads = 0; reads < MOST_READS && !link->gone && fill(link); reads++) {
         while (next_line(link, &line)) take_line(link, line);
+        text rest = {link->receive + link->receive_start, link->receive_size - link->receive_start};
+        /* Perhaps the beginning of a long answer on a slow line. */
+        if (rest.size > 0 && !is_sample(link, rest)) link->heard = true;
+    }
 }

@@ -1,10 +1,12 @@
 /* Opening: what the gateway is, and the start of a session (docs/protocol.md, Configuration). -------------------------
  *
  * `Q` is asked in plain form, because nothing is known yet, and again in the checked form that follows from the answer;
- * only if both agree is the answer believed. `K` then starts the session: the gateway expects ID 0, publishes nothing.
+ * only if both agree is the answer believed. `K` then starts the session: the gateway expects the ID that it names, and
+ * publishes nothing. That is another one each time, so that no answer of a session before is taken for one of this.
  */
 
-enum { LONGEST_ANSWER = 160, CHECKED_TRIES = 4, LONGEST_REST = 48 };    /* of a frame, beside its words */
+enum { PROTOCOL_VERSION = 2, LONGEST_ANSWER = 160, CHECKED_TRIES = 4 };
+enum { LONGEST_REST = 48 };     /* of a frame, beside its words */
 static const double FIRST_PATIENCE = 0.1, LONGEST_PATIENCE = 1.0;
 
 typedef struct opening {
@@ -83,7 +85,7 @@ static bool is_possible(const ul_info *info)
 {
     bool good_check = info->crc_bits == 8 || info->crc_bits == 16 || info->crc_bits == 32;
     return good_check && info->crc_polynomial > 0 && info->crc_polynomial <= ones(info->crc_bits)
-        && info->version == 1 && info->data_bits >= 8 && info->data_bits <= 64
+        && info->data_bits >= 8 && info->data_bits <= 64
         && info->address_bits >= 8 && info->address_bits <= 32
         && (info->id_digits == 2 || info->id_digits == 3) && info->block_words >= 1 && info->clock_hz >= 1;
 }
@@ -99,34 +101,84 @@ static unsigned most_in_frame(const ul_link *link, unsigned words)
 static void use_info(ul_link *link)
 {
     const ul_info *info = &link->info;
+    link->ring_mask = (uint32_t)ones(4 * info->id_digits);
     link->address_digits = (info->address_bits + 3) / 4;
     link->data_digits = (info->data_bits + 3) / 4;
     prepare_check(link, info->crc_bits, info->crc_polynomial);
     link->block_words = most_in_frame(link, info->block_words);
 }
 
-/* Learn what the gateway is. A plain answer has no check: one that makes no sense is asked for again. */
+/* Take what the gateway says of itself, or say why that cannot be. */
+static ul_status believe(ul_link *link, text fields)
+{
+    uint64_t version;
+    text rest = fields;
+    if (take_number(&rest, 2, &version) && version != PROTOCOL_VERSION) {
+        snprintf(link->error, sizeof link->error,
+                 "the gateway speaks version %02X of the protocol and this program version %02X: build the gateway "
+                 "anew with this version of unity-link, or generate the client with one that speaks %02X",
+                 (unsigned)version, (unsigned)PROTOCOL_VERSION, (unsigned)version);
+        return UL_UNSUPPORTED;
+    }
+    if (!take_info(&link->info, fields)) return UL_NO_CONNECTION;
+    if (!is_possible(&link->info))
+        return fail(link, UL_UNSUPPORTED, "", "the gateway reports widths that the protocol does not allow");
+    use_info(link);
+    return UL_OK;
+}
+
+/* Whether an answer is, word for word, the last one. */
+static bool is_last_answer(const opening *opens, text answer)
+{
+    return answer.size == opens->size && memcmp(answer.at, opens->answer, answer.size) == 0;
+}
+
+/* Learn what the gateway is. A plain answer has no check: one that cannot be is asked for again, and believed if it is
+ * the same. */
 static ul_status learn(opening *opens)
 {
     ul_link *link = opens->link;
-    bool answered = false;
-    while (now_of(link) < opens->until && !link->gone) {
-        if (!ask(opens, "Q", true, UINT32_MAX)) break;
-        char plain[LONGEST_ANSWER];
-        size_t size = opens->size;
-        memcpy(plain, opens->answer, size);
-        answered = take_info(&link->info, without_first((text){plain, size}, 1));
-        if (!answered || !is_possible(&link->info)) continue;
-        use_info(link);
-        if (ask(opens, "Q", false, CHECKED_TRIES) && size == opens->size && !memcmp(plain, opens->answer, size))
-            return UL_OK;
+    ul_status status = UL_NO_CONNECTION;
+    char kept[LONGEST_ANSWER];
+    text plain = {kept, 0};
+    while (ask(opens, "Q", true, UINT32_MAX)) {
+        bool is_certain = is_last_answer(opens, plain);
+        plain.size = opens->size;
+        memcpy(kept, opens->answer, plain.size);
+        status = believe(link, without_first(plain, 1));
+        if (status == UL_UNSUPPORTED && is_certain) break;
+        if (status == UL_OK && ask(opens, "Q", false, CHECKED_TRIES) && is_last_answer(opens, plain)) return UL_OK;
     }
-    if (answered && link->info.version != 1)
-        return fail(link, UL_UNSUPPORTED, "", "the gateway speaks another version of the protocol: 01 was expected");
-    if (answered) return fail(link, UL_UNSUPPORTED, "", "the gateway reports widths that the protocol does not allow");
+    if (status == UL_UNSUPPORTED) return status;
     if (opens->heard > 0)
         return fail(link, UL_NO_CONNECTION, "", "bytes arrived, but no answer: check the speed of the port");
     return fail(link, UL_NO_CONNECTION, "", "no gateway answered: check its power, the port and the wiring");
+}
+
+/* Choose the ID with which the session begins, by what differs from one opening to the next: clock, and seed. */
+static uint32_t choose_first(const ul_link *link)
+{
+    double now = now_of(link);
+    uint64_t bits = 0;
+    memcpy(&bits, &now, sizeof now < sizeof bits ? sizeof now : sizeof bits);
+    bits = (bits ^ link->transport.seed) * UINT64_C(0x9E3779B97F4A7C15);
+    /* Only the highest bits of the product depend on all of these. */
+    return (uint32_t)(bits >> (64 - 4 * link->info.id_digits));
+}
+
+/* Start the session. An answer does not say to which `K` it is, so the round trip counts from the first one. */
+static ul_status start_session(opening *opens)
+{
+    ul_link *link = opens->link;
+    char session[8];
+    uint32_t first = choose_first(link);
+    *put_number(put_text(session, "K"), link->info.id_digits, first) = '\0';
+    double asked = now_of(link);
+    if (!ask(opens, session, false, UINT32_MAX))
+        return fail(link, UL_NO_CONNECTION, "", "the gateway does not answer any more");
+    double round_trip = now_of(link) - asked;
+    start_window(link, first, round_trip / (double)(strlen(session) + link->crc_digits + 1), round_trip);
+    return UL_OK;
 }
 
 ul_status ul_open(ul_link *link, const ul_transport *transport, int node, double timeout)
@@ -139,16 +191,7 @@ ul_status ul_open(ul_link *link, const ul_transport *transport, int node, double
     opening opens = {.link = link, .until = now_of(link) + timeout};
     ul_status status =
         node > 0xFE ? fail(link, UL_BAD_ARGUMENT, "node", "0 to 254 was expected") : learn(&opens);
-    if (status == UL_OK) {
-        const char *session = link->info.id_digits == 2 ? "K00" : "K000";
-        double asked = opens.until;
-        bool started = false;
-        while (!started && !link->gone && (asked = now_of(link)) < opens.until)
-            started = ask(&opens, session, false, 1);
-        double round_trip = now_of(link) - asked;
-        if (started) start_window(link, round_trip / (double)(strlen(session) + link->crc_digits + 1), round_trip);
-        else status = fail(link, UL_NO_CONNECTION, "", "the gateway does not answer any more");
-    }
+    if (status == UL_OK) status = start_session(&opens);
     link->open = status == UL_OK;
     if (!link->open) shut(link);
     return status;
@@ -172,6 +215,7 @@ const char *ul_status_text(ul_status status)
     case UL_TOO_LONG: return "the frame is longer than the gateway takes";
     case UL_ANSWER_LOST: return "the request was executed once, but its answer was lost";
     case UL_RECEIVE_OVERFLOW: return "the gateway lost bytes of the frame";
+    case UL_NO_SESSION: return "the gateway was reset";
     case UL_LOST: return "the link was lost; the request is perhaps executed";
     case UL_LOST_EXECUTED: return "the link was lost; the request is known to be executed";
     case UL_LOST_NOT_EXECUTED: return "the link was lost; the request is known not to be executed";

@@ -88,7 +88,7 @@ static bool give_sample(const ul_link *link, ul_subscription *subscription, ul_s
 
 static ul_status fail_plainly(ul_link *link, ul_status status)
 {
-    return fail(link, status, "subscription", ul_status_text(status));
+    return fail(link, status, "subscription", meaning_of(link, status));
 }
 
 static bool is_subscribed(const ul_link *link, const ul_subscription *subscription)
@@ -105,21 +105,17 @@ static bool is_held(const ul_link *link, unsigned group)
     return one != NULL;
 }
 
-/* Choose a group that is free, from the last one down; that which was given back longest ago first, so that samples
- * still under way find nobody. */
-static bool choose_group(ul_link *link, ul_subscription *subscription)
+/* Choose a group that is free, from the last one down. What was chosen on a link that was lost is chosen anew. Samples
+ * of whoever had the group before come before the answer to `GS`, and so find nobody. */
+static bool choose_group(const ul_link *link, ul_subscription *subscription)
 {
-    unsigned groups = link->info.groups;
-    subscription->chosen = false;
-    if (subscription->group != 0) return subscription->group <= groups && !is_held(link, subscription->group - 1);
-    for (unsigned tries = 0; tries < groups; tries++) {
-        link->last_group = link->last_group == 0 ? groups - 1 : link->last_group - 1;
-        if (is_held(link, link->last_group)) continue;
-        subscription->group = link->last_group + 1;
-        subscription->chosen = true;
-        return true;
-    }
-    return false;
+    unsigned group = link->info.groups;
+    if (subscription->group != 0 && !subscription->chosen)
+        return subscription->group <= group && !is_held(link, subscription->group - 1);
+    while (group > 0 && is_held(link, group - 1)) group--;
+    subscription->group = group;
+    subscription->chosen = group > 0;
+    return subscription->chosen;
 }
 
 /* Turn what was asked for into flags, a divisor and the rate that comes of it; NULL, or what is wrong. */
@@ -187,6 +183,7 @@ ul_status ul_unsubscribe(ul_link *link, ul_subscription *subscription)
     *one = subscription->next;
     uint32_t group = subscription->group - 1;
     if (subscription->chosen) subscription->group = 0;
+    subscription->chosen = false;
     return link->gone ? UL_OK : ask_for(link, (ul_request){.command = "gx", .address = group});
 }
 

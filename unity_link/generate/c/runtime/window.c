@@ -1,6 +1,7 @@
 /* Window: exactly once, in order (docs/protocol.md, The host). --------------------------------------------------------
  *
- * Every request carries an ID, and IDs go round a ring. Three marks stand on it:
+ * Every request carries an ID, and IDs go round a ring, from that on with which the session began. Three marks stand on
+ * it:
  *
  *         answered         executed, but some        sent, and            not yet
  *                          answers were lost         not confirmed        sent
@@ -8,8 +9,9 @@
  *                   oldest                  executed                 next
  *
  * A response to ID k, and `n k`, say that all before k were executed. Posted writes have no answer: they are done when
- * `executed` passes them. To *go back* is to send all that is not answered again, from `oldest` on. While the line loses,
- * fewer requests are kept in flight, as one damaged frame costs all those behind it.
+ * `executed` passes them. To *go back* is to send all that is not answered again, from `oldest` on: of what is in flight
+ * then, a reset of the gateway leaves unknown whether it was executed, unlike of what stands from `sent_once` on. While
+ * the line loses, fewer requests are kept in flight, as one damaged frame costs all those behind it.
  *
  * A loss brings many signs. After going back, no further one counts as long as it must still be about what was sent
  * before: for the least round trip seen, and twice as long each time; a later one says that the repetition was lost,
@@ -59,11 +61,13 @@ static void measure(ul_link *link, double round_trip)
     link->measured_timeout = link->timeout = timeout < LONGEST_TIMEOUT ? timeout : LONGEST_TIMEOUT;
 }
 
-static void start_window(ul_link *link, double byte_time, double round_trip)
+/* Begin a session with its first ID. Where both directions share a pair of wires, one request is under way at a time. */
+static void start_window(ul_link *link, uint32_t first, double byte_time, double round_trip)
 {
-    uint32_t half = (uint32_t)1 << (4 * link->info.id_digits - 1);
-    link->ring_mask = 2 * half - 1;
+    uint32_t half = (link->ring_mask + 1) / 2;
+    link->oldest = link->executed = link->next = link->sent_once = first;
     link->most_in_flight = half < UL_WINDOW ? half : UL_WINDOW;
+    if (link->info.features & UL_FEATURE_HALF_DUPLEX) link->most_in_flight = 1;
     link->allowed = link->most_in_flight;
     link->byte_limit = link->info.features & UL_FEATURE_FLOW_CONTROL ? SIZE_MAX : link->info.receive_fifo_bytes;
     link->timeout = FIRST_TIMEOUT;
@@ -103,7 +107,7 @@ static uint32_t number_request(ul_link *link, const ul_request *request, double 
             link->timed_reply = reply_size(link, request);
         }
     }
-    if (link->oldest == id) link->since = now;
+    if (link->oldest == id) link->since = link->silent_since = now;
     link->next = (id + 1) & link->ring_mask;
     return id;
 }
@@ -149,8 +153,11 @@ static void confirm(ul_link *link, uint32_t expected)
 static void note_news(ul_link *link, double now)
 {
     uint32_t before = link->oldest;
-    while (link->oldest != link->executed && !slot_of(link, link->oldest)->waiting)
-        link->oldest = (link->oldest + 1) & link->ring_mask;
+    while (link->oldest != link->executed && !slot_of(link, link->oldest)->waiting) {
+        uint32_t after = (link->oldest + 1) & link->ring_mask;
+        if (link->sent_once == link->oldest) link->sent_once = after;
+        link->oldest = after;
+    }
     if (link->oldest != before) {
         /* Where the time had run out, it may be a late answer to what was sent before. */
         if (!link->waited) link->timeout = link->measured_timeout;
@@ -159,7 +166,7 @@ static void note_news(ul_link *link, double now)
         link->refusals = 0;
     }
     link->tries = link->silent_tries = 0;
-    link->since = now;
+    link->since = link->silent_since = now;
 }
 
 /* The answer to a request has come. */
@@ -242,9 +249,10 @@ static bool note_time(ul_link *link, double now, ul_request *given_up)
     /* Also where something was heard: it may be the beginning of a long answer on a slow line. */
     link->timeout = 2 * link->timeout < LONGEST_TIMEOUT ? 2 * link->timeout : LONGEST_TIMEOUT;
     if (!link->heard) {
-        lost = ++link->silent_tries > MOST_SILENT_TRIES;
+        lost = ++link->silent_tries >= FEWEST_SILENT_TRIES && now - link->silent_since >= LONGEST_SILENCE;
     } else {
         link->silent_tries = 0;
+        link->silent_since = now;
         if (link->tries > MOST_TRIES) lost = give_up(link, given_up);
     }
     link->heard = false;

@@ -134,12 +134,16 @@ static ul_status ask_for(ul_link *link, ul_request request)
 
 ul_status ul_post(ul_link *link, uint32_t address, uint64_t word)
 {
-    ul_request request = {.command = "ws", .posted = true, .address = address, .word = word};
+    /* On a half-duplex medium the other side must know when its turn is, so there it is an answered write. */
+    bool posted = !(link->info.features & UL_FEATURE_HALF_DUPLEX), was_lost = !link->open || link->gone;
+    ul_request request = {.posted = posted, .address = address, .word = word};
+    put_text(request.command, posted ? "ws" : "w");
     const char *fault = link->open ? fault_of(link, &request) : NULL;
     if (fault != NULL) return fail_at(link, UL_BAD_ARGUMENT, "posted write", address, fault);
     start(link, &link->posts, request);
     flush(link);
-    return link->open && !link->gone ? UL_OK : fail_at(link, UL_LOST, "posted write", address, NULL);
+    if (link->open && !link->gone) return UL_OK;
+    return fail_at(link, was_lost ? UL_LOST_NOT_EXECUTED : UL_LOST, "posted write", address, NULL);
 }
 
 /* Give the first error of the posted writes since the last time, or else a status. */
