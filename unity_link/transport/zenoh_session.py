@@ -246,7 +246,8 @@ class KeyTransport(BufferedTransport):
         data = b"".join(piece[_COUNT_DIGITS:] for piece in pieces if self._is_newer(piece))
         if self._closing or not data:
             return
-        if self._reading:
+        # What was kept is delivered first.
+        if self._reading and not self._kept:
             self._protocol.data_received(data)
         elif self._kept_bytes + len(data) <= MOST_KEPT:
             self._kept.append(data)
