@@ -74,7 +74,7 @@ def port_of(url: str) -> int:
 async def recorded(gateway: VirtualGateway) -> AsyncIterator[tuple[str, Recording, Recording]]:
     """Serve a gateway behind a network that can repeat all that has passed; gives that of both directions."""
     towards, back = Recording(), Recording()
-    async with serve_udp(gateway) as url, relay_udp(port_of(url), towards, back) as relayed:
+    async with serve_udp(gateway) as url, relay_udp(url, towards, back) as relayed:
         yield relayed, towards, back
 
 
@@ -88,7 +88,7 @@ async def test_over_a_bad_network_all_is_executed_once_in_order_and_answered_rig
     numbers = itertools.count()
     async with (
         serve_udp(gateway_of(device)) as url,
-        relay_udp(port_of(url), towards, back) as relayed,
+        relay_udp(url, towards, back) as relayed,
         unity_link.connect(relayed, timeout=60) as link,
     ):
         for start in range(300):

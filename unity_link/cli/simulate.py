@@ -27,9 +27,9 @@ def _place(help_text: str, metavar: str) -> Any:
     return typer.Option(metavar=metavar, help=help_text, rich_help_panel=_PANEL)
 
 
-def _port(kind: str) -> Any:
+def _port(kind: str, remark: str = "") -> Any:
     return typer.Option(
-        metavar="PORT", min=0, max=65535, help=f"A {kind} port; 0 for any free one.", rich_help_panel=_PANEL
+        metavar="PORT", min=0, max=65535, help=f"A {kind} port; 0 for any free one.{remark}", rich_help_panel=_PANEL
     )
 
 
@@ -51,7 +51,7 @@ def simulate(  # noqa: PLR0913  (each is an option)
     ] = False,
     tcp: Annotated[int | None, _port("TCP")] = None,
     unix: Annotated[Path | None, _place("A Unix socket, removed at the end.", "PATH")] = None,
-    udp: Annotated[int | None, _port("UDP")] = None,
+    udp: Annotated[int | None, _port("UDP", " Who opens a session there takes the gateway from who had it.")] = None,
     usbip: Annotated[
         int | None,
         typer.Option(

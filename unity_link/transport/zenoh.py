@@ -1,9 +1,9 @@
 """``zenoh:robot/1``: a gateway on another machine, behind ``unity-link zenoh --prefix robot/1``.
 
-The protocol's bytes go over two keys of this client, ``robot/1/@link/CLIENT/up`` and ``/down``, and the window makes up
-for publications that were lost. Tokens of liveliness say on either side whether the other one is there. By default only
-this machine is looked at; ``connect=tcp/HOST:PORT`` (several: with commas), ``listen=``, ``mode=client`` and
-``config=FILE`` say more, as in Zenoh's own configuration.
+The protocol's bytes go over two keys of this client, ``robot/1/@link/CLIENT/up`` and ``/down``. Those that come twice
+or late are dropped by their count, and the window makes up for those that were lost. Tokens of liveliness say on either
+side whether the other one is there. By default only this machine is looked at; ``connect=tcp/HOST:PORT`` (several: with
+commas), ``listen=``, ``mode=client`` and ``config=FILE`` say more, as in Zenoh's own configuration.
 """
 
 from __future__ import annotations

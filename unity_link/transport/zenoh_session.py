@@ -20,6 +20,7 @@ from typing import TYPE_CHECKING, Any, Protocol
 import msgspec
 
 from unity_link.errors import ArgumentError, ConnectError
+from unity_link.protocol.datagrams import Counts
 from unity_link.transport.buffered import BufferedTransport
 from unity_link.transport.inbox import Inbox
 
@@ -41,6 +42,7 @@ MOST_KEPT = 1 << 20
 """Bytes that wait for a protocol that does not read; the protocol makes up for what is lost beyond."""
 MOST_QUEUED = 16
 """Batches of 64 KiB that wait for a slow network, of a stream: as many as Zenoh takes."""
+_COUNT_DIGITS = 8
 _SOURCE_LINE = re.compile(r" at \S+\.rs:\d+\.?| - Caused by")
 _PARSING = re.compile(r'msg: "(.*)", location: ')
 _UNREACHABLE = "Unable to connect"
@@ -191,7 +193,8 @@ class KeyTransport(BufferedTransport):
     """A stream over two keys: what is written is published at one, and what is published at the other is read.
 
     Publications may be lost where the network is slower than the stream, and the loop never waits for it: the protocol
-    on top repeats what it misses.
+    on top repeats what it misses. They may come twice or late where several routers hand them on. So each begins with
+    its count, as datagrams have it (docs/protocol.md, "Datagrams"), and what is not newer than all before is dropped.
 
     Args:
         session: an open session.
@@ -215,6 +218,7 @@ class KeyTransport(BufferedTransport):
         self._over = over
         self._kept: list[bytes] = []
         self._kept_bytes = 0
+        self._counts = Counts()
         self._inbox: Inbox[bytes] = Inbox(self._receive)
         give = self._inbox.give
         publisher = session.declare_publisher(
@@ -234,19 +238,26 @@ class KeyTransport(BufferedTransport):
             return
         for start in range(0, len(data), MOST_PUT):
             try:
-                self._put(bytes(data[start : start + MOST_PUT]))
+                self._put(b"%0*X" % (_COUNT_DIGITS, self._counts.next()) + data[start : start + MOST_PUT])
             except zenoh.ZError as error:
                 self.end(ConnectError(f"the Zenoh session has ended: {explain(error)}"))
 
     def _receive(self, pieces: list[bytes]) -> None:
-        data = b"".join(pieces)
-        if self._closing:
+        data = b"".join(piece[_COUNT_DIGITS:] for piece in pieces if self._is_newer(piece))
+        if self._closing or not data:
             return
-        if self._reading:
+        # What was kept is delivered first.
+        if self._reading and not self._kept:
             self._protocol.data_received(data)
         elif self._kept_bytes + len(data) <= MOST_KEPT:
             self._kept.append(data)
             self._kept_bytes += len(data)
+
+    def _is_newer(self, piece: bytes) -> bool:
+        try:
+            return self._counts.takes(int(piece[:_COUNT_DIGITS], 16))
+        except ValueError:
+            return False
 
     def resume_reading(self) -> None:
         """Read again."""

@@ -11,7 +11,9 @@ import contextlib
 import socket
 from typing import TYPE_CHECKING, Any, TypeAlias
 
+from unity_link.transport import parse_url
 from unity_link.transport.listening import LOOPBACK
+from unity_link.transport.tcp import address
 
 if TYPE_CHECKING:
     from collections.abc import AsyncIterator
@@ -25,15 +27,18 @@ _LARGEST = 65_536
 
 
 @contextlib.asynccontextmanager
-async def relay_udp(port: int, towards: Straying[Parcel], back: Straying[Parcel]) -> AsyncIterator[str]:
-    """Relay the datagrams of clients to a gateway on a UDP port of this machine. Gives the URL for clients.
+async def relay_udp(url: str, towards: Straying[Parcel], back: Straying[Parcel]) -> AsyncIterator[str]:
+    """Relay the datagrams of clients to a gateway. Gives the URL for clients, a port of this machine.
 
     Args:
-        port: the gateway's.
+        url: of the gateway, ``udp://host:port``.
         towards: what happens to datagrams on their way to the gateway, from all clients together.
         back: what happens to those that it sends.
+
+    Raises:
+        ArgumentError: for a URL that names no host and port.
     """
-    relay = _Relay(port, towards, back)
+    relay = _Relay(address(parse_url(url)), towards, back)
     try:
         yield f"udp://{LOOPBACK}:{relay.port}"
     finally:
@@ -41,8 +46,8 @@ async def relay_udp(port: int, towards: Straying[Parcel], back: Straying[Parcel]
 
 
 class _Relay:
-    def __init__(self, port: int, towards: Straying[Parcel], back: Straying[Parcel]) -> None:
-        self._gateway = LOOPBACK, port
+    def __init__(self, gateway: tuple[str, int], towards: Straying[Parcel], back: Straying[Parcel]) -> None:
+        self._gateway = gateway
         self._towards = towards
         self._back = back
         self._loop = asyncio.get_running_loop()

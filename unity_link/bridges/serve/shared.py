@@ -22,6 +22,7 @@ from unity_link.protocol.configuration import Feature
 from unity_link.protocol.exchange import Sampled
 from unity_link.protocol.messages import Codec
 from unity_link.protocol.requests import Request
+from unity_link.protocol.session import Interrupted
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Coroutine
@@ -245,13 +246,14 @@ class SharedLink(Connection):
             self._patience = self.loop.call_later(PATIENCE, self._lose_patience)
         self._say(f"the gateway is away: {reason}")
 
-    def gateway_was_reset(self) -> None:
+    def _gateway_was_reset(self, event: Interrupted) -> None:
         """End the session of every client, and forget their groups.
 
-        The link calls it when it has ended what it had sent, or keeps it to send it again, and before it begins anew.
+        What was sent has ended before, or is kept to be sent again, and the next session is not open yet.
         """
         for client in list(self.clients):
             client.lose_session()
+        super()._gateway_was_reset(event)
 
     def _unreachable(self, error: BaseException | None) -> None:
         self._say(f"waiting for the gateway: {error}")

@@ -1,7 +1,8 @@
 """Links of other machines: each is a client of the shared link, whose bytes come and go over two keys of its own.
 
 A client asks at ``PREFIX/@link/open`` with a name that it has made up; from then on it publishes at
-``PREFIX/@link/NAME/up`` and is answered at ``PREFIX/@link/NAME/down``. It shows by a token of liveliness,
+``PREFIX/@link/NAME/up`` and is answered at ``PREFIX/@link/NAME/down``; each publication begins with its count, in eight
+hexadecimal digits. It shows by a token of liveliness,
 ``PREFIX/@link/NAME/client``, that it is there, and the bridge by ``PREFIX/@link/NAME/bridge``. So either side learns of
 the other's end, however it came about, and what a client has set up ends with it.
 """

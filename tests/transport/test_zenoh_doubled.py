@@ -1,0 +1,91 @@
+"""A link over Zenoh on which publications come twice, late by laps of the IDs, as several routers may deliver them."""
+
+from __future__ import annotations
+
+import socket
+import threading
+from contextlib import contextmanager
+from typing import TYPE_CHECKING, Any
+
+import pytest
+
+import unity_link
+from sharing import ServedGateway
+from unity_link.bridges.zenoh.streams import Streams
+from unity_link.protocol.configuration import GatewayInfo
+from unity_link.transport.zenoh_session import Network, close_session, open_session
+from unity_link.virtual import VirtualGateway
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+QUEUE = 0x20
+LAP = 256
+
+
+class Noting:
+    """A device that notes what is written to it."""
+
+    def __init__(self) -> None:
+        self.written: list[int] = []
+
+    def read(self, offset: int, now: float) -> int:
+        return QUEUE
+
+    def write(self, offset: int, value: int, now: float) -> None:
+        self.written.append(value)
+
+
+@contextmanager
+def session(**network: Any) -> Iterator[Any]:
+    opened = open_session(Network(**network))
+    try:
+        yield opened
+    finally:
+        close_session(opened)
+
+
+class Doubling:
+    """Publishes again what others have published at a key about a lap ago."""
+
+    def __init__(self, peer: Any, key: str) -> None:
+        self.again = 0
+        self._peer = peer
+        self._lock = threading.Lock()
+        self._seen: dict[tuple[str, bytes], None] = {}
+        self._subscriber = peer.declare_subscriber(key, self._take)
+
+    def _take(self, sample: Any) -> None:
+        publication = str(sample.key_expr), sample.payload.to_bytes()
+        with self._lock:
+            # Its own come back to it, too.
+            if publication in self._seen:
+                return
+            self._seen[publication] = None
+            late = list(self._seen)[-LAP - 2 : -LAP + 1] if len(self._seen) > LAP + 2 else []
+        for key, payload in late:
+            self._peer.put(key, payload)
+            self.again += 1
+
+
+@pytest.mark.asyncio
+async def test_publications_that_come_twice_are_neither_executed_twice_nor_taken_for_other_answers() -> None:
+    device, gateway = Noting(), VirtualGateway(GatewayInfo(id_digits=2))
+    for address in range(256):
+        gateway.memory[address] = address
+    gateway.attach(device, [QUEUE])
+    with socket.create_server(("127.0.0.1", 0)) as one, socket.create_server(("127.0.0.1", 0)) as another:
+        first, second = (f"tcp/127.0.0.1:{free.getsockname()[1]}" for free in (one, another))
+    with session(listen=(first,)) as bridge, session(connect=(first,), listen=(second,)) as other:
+        shared = ServedGateway(gateway, lambda _: None)
+        shared.open_when_there()
+        streams = Streams(bridge, "robot", shared)
+        doubling = [Doubling(other, f"robot/@link/*/{way}") for way in ("up", "down")]
+        async with unity_link.connect(f"zenoh:robot?connect={first},{second}", timeout=20) as link:
+            for number in range(400):
+                await link.write_queue(QUEUE, [number])
+                assert await link.read(number % 256) == number % 256
+        streams.close()
+        await shared.finish()
+        assert all(way.again > 1000 for way in doubling)
+    assert device.written == list(range(400))

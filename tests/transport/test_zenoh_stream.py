@@ -1,0 +1,90 @@
+"""What a stream over two keys makes of publications, without a network."""
+
+from __future__ import annotations
+
+import asyncio
+from typing import TYPE_CHECKING, Any
+
+import pytest
+
+from unity_link.transport.zenoh_session import KeyTransport
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+
+class Payload:
+    def __init__(self, data: bytes) -> None:
+        self.payload = self
+        self._data = data
+
+    def to_bytes(self) -> bytes:
+        return self._data
+
+
+class Session:
+    """Stands in for a session of Zenoh: keeps what is published, and publishes what it is told."""
+
+    def __init__(self) -> None:
+        self.published: list[bytes] = []
+        self._hear: Callable[[Payload], None]
+
+    def declare_publisher(self, key: str, **_: Any) -> Session:
+        return self
+
+    def declare_subscriber(self, key: str, hear: Callable[[Payload], None]) -> Session:
+        self._hear = hear
+        return self
+
+    def put(self, data: bytes) -> None:
+        self.published.append(data)
+
+    def undeclare(self) -> None:
+        """Do nothing."""
+
+    async def deliver(self, *publications: bytes) -> None:
+        """Deliver publications, and wait until they have been looked at."""
+        for publication in publications:
+            self._hear(Payload(publication))
+        await asyncio.sleep(0)
+
+
+class Reader(asyncio.Protocol):
+    def __init__(self) -> None:
+        self.read = b""
+
+    def data_received(self, data: bytes) -> None:
+        self.read += data
+
+
+def opened() -> tuple[Session, Reader, KeyTransport]:
+    session, reader = Session(), Reader()
+    return session, reader, KeyTransport(session, "up", "down", reader)  # type: ignore[arg-type]
+
+
+@pytest.mark.asyncio
+async def test_publications_begin_with_their_count() -> None:
+    session, _, transport = opened()
+    transport.write(b"Q\r")
+    transport.write(b"." * 60_001)
+    assert session.published == [b"00000001Q\r", b"00000002" + b"." * 60_000, b"00000003."]
+
+
+@pytest.mark.asyncio
+async def test_what_comes_twice_late_or_without_a_count_is_dropped() -> None:
+    session, reader, _ = opened()
+    await session.deliver(b"00000001a\n", b"00000003c\n", b"00000002b\n", b"00000003c\n", b"Q\r", b"", b"00000004d\n")
+    assert reader.read == b"a\nc\nd\n"
+
+
+@pytest.mark.asyncio
+async def test_what_came_while_reading_was_paused_is_read_before_what_comes_then() -> None:
+    session, reader, transport = opened()
+    transport.pause_reading()
+    await session.deliver(b"00000001a\n")
+    # Arrives in the turn of the loop in which reading goes on.
+    session._hear(Payload(b"00000002b\n"))
+    transport.resume_reading()
+    await asyncio.sleep(0)
+    await asyncio.sleep(0)
+    assert reader.read == b"a\nb\n"
