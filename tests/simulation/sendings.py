@@ -48,5 +48,9 @@ class Sendings:
 def watched() -> Iterator[Sendings]:
     """Watch all windows."""
     sendings = Sendings()
-    with patch.object(Window, "repetition", lambda window: sendings.repetition(window)):
+
+    def repetition(window: Window[Any]) -> Iterator[tuple[int, Any, int, int]]:
+        return sendings.repetition(window)
+
+    with patch.object(Window, "repetition", repetition):
         yield sendings
