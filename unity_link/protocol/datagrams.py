@@ -65,7 +65,8 @@ class Datagram(NamedTuple):
     """A datagram with a header."""
 
     session: int
-    count: int
+    number: int
+    """The count, as it stands in the header."""
     frames: bytes
     """What stands behind the header."""
     plain: bool
@@ -157,15 +158,15 @@ class HostDatagrams:
             return self._take_offer(datagram, read)
         if read is None or read.session != self.session:
             return b""
-        if read.count == _OUTSIDE and self._is_refusal(read.frames):
+        if read.number == _OUTSIDE and self._is_refusal(read.frames):
             raise ConnectError("the gateway was reset, or another program has opened a session with it")
-        return read.frames if self.counts.takes(read.count) else b""
+        return read.frames if self.counts.takes(read.number) else b""
 
     def _take_offer(self, datagram: bytes, read: Datagram | None) -> bytes:
         if read is None:
             # A gateway of version 01 has no headers; its answer says so.
             return _ended(datagram)
-        if read.count != _OUTSIDE or read.session == NO_SESSION or self._is_refusal(read.frames):
+        if read.number != _OUTSIDE or read.session == NO_SESSION or self._is_refusal(read.frames):
             return b""
         self.offer = read.session
         if read.plain:
@@ -240,7 +241,7 @@ class GatewayDatagrams(Generic[A]):
         if read is None:
             self._take_questions(datagram, source)
         elif (read.session, source) == (self.session, self.opener):
-            if self.counts.takes(read.count):
+            if self.counts.takes(read.number):
                 self._asker = None
                 self._execute(read.frames)
         elif NO_SESSION != read.session == self.offer and self._begins_with_k(read.frames):
@@ -264,7 +265,7 @@ class GatewayDatagrams(Generic[A]):
             self._refuse(self.session, self.opener, plain=False)
         self.session, self.opener, self.offer = read.session, source, NO_SESSION
         self.counts = Counts()
-        self.counts.takes(read.count)
+        self.counts.takes(read.number)
         self._asker = None
         self._execute(read.frames)
 

@@ -30,8 +30,10 @@ What comes in, and what the window does:
     ==============================  ==========================================================================
 
 *Go back* means: send the unanswered requests again, in order, from `oldest`. While the line loses, fewer requests are
-kept in flight, because one damaged frame costs all those sent behind it; the repetition, too, sends only as many at a
-time, and new requests follow behind its end.
+kept in flight, because one damaged frame costs all those sent behind it: half as many, and at most twice as many as
+came through since the loss before. The repetition, too, sends only as many at a time, and new requests follow behind
+its end. What is answered does not count, so that new requests follow also where the oldest alone is sent again: where
+the end of a lone frame is damaged, only what follows it can show that.
 
 A gap brings many signs (the damaged frame, the out-of-sequence one behind it, the skipped answer). So after it has gone
 back, the window takes no further sign as long as `oldest` has not moved and a sign must still be about what was sent
@@ -134,6 +136,7 @@ class Window(Generic[R]):
         self._to_repeat = first
         """The next ID that is to be sent again; `next` where none is."""
         self._allowed = self._half
+        self._allowed_after_loss = 0
         self._bytes = 0
         self.unfenced = 0
         """Posted writes that nothing with an answer was sent behind."""
@@ -194,7 +197,7 @@ class Window(Generic[R]):
         """
         if self._to_repeat != self.next:
             return 0
-        ids = self._allowed - self.in_flight - posted
+        ids = min(self._allowed - self._outstanding, self._half - self.in_flight) - posted
         if self._byte_limit is not None:
             most = (self._byte_limit - self._bytes) // size - posted
             # A request longer than the whole FIFO goes alone.
@@ -236,13 +239,16 @@ class Window(Generic[R]):
 
     def repetition(self) -> Iterator[tuple[int, R, int, int]]:
         """Return what is to be sent again now, in order: ID, run, offset in the run, count."""
-        start, most = self._to_repeat, max(self._allowed, self._before_answer() + 1)
-        if self._distance(start) >= most:
-            return
-        end = self.next if most >= self.in_flight else self.oldest + most & self._mask
-        self._to_repeat = end
-        for run, offset, count in self._parts(start, end):
-            yield run.first + offset & self._mask, run, offset, count
+        room = max(self._allowed, self._posted_first() + 1) - self._open(self.oldest, self._to_repeat)
+        for run, offset, size in self._parts(self._to_repeat, self.next):
+            number, count = run.first + offset & self._mask, max(0, min(size, room))
+            self._to_repeat = number + count & self._mask
+            if count:
+                yield number, run, offset, count
+            room -= count
+            if count < size:
+                return
+        self._to_repeat = self.next
 
     def unanswered(self, refused: int | None = None) -> Iterator[Unanswered[R]]:
         """Return all that is not done, in order.
@@ -269,12 +275,24 @@ class Window(Generic[R]):
         """The first ID in flight from which on nothing was sent again."""
         return self._sent_once_from if self._distance(self._sent_once_from) <= self.in_flight else self.oldest
 
-    def _before_answer(self) -> int:
-        """Return how many of the oldest IDs are followed by no answer, for they are posted writes, or answered."""
-        position = self.oldest
+    @property
+    def _outstanding(self) -> int:
+        """Number of requests that may still be lost: not known to be executed, or executed and not answered."""
+        return self._open(self.oldest, self.executed) + (self.next - self.executed & self._mask)
+
+    def _open(self, first: int, last: int) -> int:
+        """Return how many IDs are not done, from `first` on and before `last`."""
+        slots = self._slots
+        between = slots[first:last] if first <= last else slots[first:] + slots[:last]
+        return len(between) - between.count(None)
+
+    def _posted_first(self) -> int:
+        """Return how many posted writes, which nothing answers, come before the oldest request with an answer."""
+        posted, position = 0, self.oldest
         while position != self.next and ((run := self._slots[position]) is None or run.posted):
+            posted += run is not None
             position = position + 1 & self._mask
-        return self._distance(position)
+        return posted
 
     def _parts(self, position: int, last: int) -> Iterator[tuple[R, int, int]]:
         """Return the runs that wait for answers between two IDs: run, offset in the run, count."""
@@ -332,8 +350,10 @@ class Window(Generic[R]):
                 self._confirm(number)
             self._bytes -= run.size * (after - self.executed & self._mask)
             self.executed = after
+        overtook = number != self.oldest
         self._news(now)
-        if self.oldest != self.executed:
+        # The answer to the oldest says nothing of those behind it, which were perhaps sent again together with it.
+        if overtook and self.oldest != self.executed:
             self._go_back(now)
 
     def out_of_sequence(self, expected: int, now: float) -> None:
@@ -472,7 +492,10 @@ class Window(Generic[R]):
         self._gone_back = min(self._gone_back + 1, MOST_QUICK_SIGNS * 2)
         self._refused = False
         self._timed = None
-        self._allowed = max(self._allowed // 2, min(FEWEST_IN_FLIGHT, self._half))
+        # Each answer has let one more be in flight, so this is twice what came through since the loss before.
+        came = 2 * (self._allowed - self._allowed_after_loss)
+        self._allowed = max(min(self._allowed // 2, came), min(FEWEST_IN_FLIGHT, self._half))
+        self._allowed_after_loss = self._allowed
         self._to_repeat = self.oldest
         self._sent_once_from = self.next
         self._since = now

@@ -22,7 +22,6 @@ from unity_link.protocol.configuration import Feature
 from unity_link.protocol.exchange import Sampled
 from unity_link.protocol.messages import Codec
 from unity_link.protocol.requests import Request
-from unity_link.protocol.session import Interrupted
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Coroutine
@@ -30,6 +29,7 @@ if TYPE_CHECKING:
     from unity_link.bridges.serve.client import Client
     from unity_link.bridges.serve.door import Door
     from unity_link.bridges.serve.groups import Settings, Slot
+    from unity_link.protocol.session import Interrupted
     from unity_link.transport import DriverUrl, Medium
 
 PATIENCE = 2.0

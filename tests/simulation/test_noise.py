@@ -1,0 +1,49 @@
+"""What noise costs: time-outs, which are waiting for nothing, and requests that are sent again. On simulated time."""
+
+from __future__ import annotations
+
+import pytest
+
+import unity_link
+from simulated_time import run_simulated
+from simulation.sendings import watched
+
+READS = 10_000
+CONNECTIONS = 500
+
+
+async def read_batch(flip: float, seed: int) -> int:
+    """Read a batch on a line that damages bytes both ways, and return the time-outs."""
+    async with unity_link.connect(f"sim:?flip={flip}&seed={seed}", timeout=60) as link:
+        before = link.statistics.timeouts
+        await link.read_many([1] * READS)
+        return link.statistics.timeouts - before
+
+
+@pytest.mark.parametrize(
+    ("flip", "most"),
+    [
+        # Where one in four tries fails, as with 29 bytes there and back, some of 10,000 need seven or more.
+        (0.01, 12),
+        (0.001, 9),
+    ],
+)
+@pytest.mark.parametrize("seed", [1, 2])
+def test_a_batch_on_a_noisy_line_waits_twice_at_most_and_sends_few_requests_often(
+    flip: float, most: int, seed: int
+) -> None:
+    with watched() as sendings:
+        assert run_simulated(read_batch(flip, seed)) <= 2
+    assert sendings.most <= most
+
+
+@pytest.mark.campaign
+def test_connect_succeeds_on_a_line_that_damages_one_byte_in_twenty() -> None:
+    async def connect(seed: int) -> bool:
+        try:
+            async with unity_link.connect(f"sim:?flip=0.05&seed={seed}"):
+                return True
+        except unity_link.ConnectError:
+            return False
+
+    assert sum(run_simulated(connect(seed)) for seed in range(CONNECTIONS)) >= 0.99 * CONNECTIONS
