@@ -177,8 +177,8 @@ async def test_a_new_session_of_one_client_stops_its_groups_and_no_others() -> N
         terminal.transport.write(b"GS00010001010A\rGN00\r")
         async with link.subscribe([1], rate_hz=1000) as samples:
             await until(lambda: terminal.heard.count(b"P00") > 10)
-            terminal.transport.write(b"K00\r")
-            await until(lambda: terminal.heard.endswith(b"K00\r\n"))
+            terminal.transport.write(b"K000\r")
+            await until(lambda: terminal.heard.endswith(b"K000\r\n"))
             terminal.take()
             for _ in range(50):
                 assert (await anext(samples)).lost == 0
@@ -264,7 +264,7 @@ async def test_clients_that_move_blocks_and_clients_that_read_words_get_the_same
                 moved[name] += 255 * 8
             else:
                 await link.read_many([0] * 100)
-                moved[name] += 100 * 22
+                moved[name] += 100 * 28
 
     line = SlowLine(VirtualGateway(), 100_000)
     async with sharing(line) as shared, PipedLink(shared) as blocks, PipedLink(shared) as words:
@@ -323,8 +323,9 @@ async def test_what_waits_for_a_client_that_does_not_read_is_bounded() -> None:
         st.one_of(
             st.binary(max_size=40),
             st.from_regex(rb"[A-Za-z]{0,2}[0-9A-Fa-f]{0,16}[\r\n]{1,2}", fullmatch=True),
-            st.sampled_from([b"GS000100010101\r", b"GN00\r", b"GX00\r", b"GP00\r", b"K00\r", b"I01\r", b"Q\r"]),
-            st.sampled_from([b"rFF0A6E\n" * 20, b"w000A000000018F\n", b"R0A\r" * 30, b"RM00FF\r" * 9, b"WK00FF01\r"]),
+            st.sampled_from([b"GS000100010101\r", b"GN00\r", b"GX00\r", b"GP00\r", b"K000\r", b"I01\r", b"Q\r"]),
+            st.sampled_from([b"r0000A760E\n" * 20, b"w0000A000000017213\n", b"R0A\r" * 30]),
+            st.sampled_from([b"RM00FF\r" * 9, b"WK00FF01\r"]),
         ),
         max_size=30,
     ),
@@ -336,6 +337,7 @@ def test_whatever_a_client_says_the_others_are_served(said: list[bytes], leaves:
         gateway = VirtualGateway(GatewayInfo(base_frequency_millihertz=KILOHERTZ, groups=2))
         async with sharing(gateway) as shared, PipedLink(shared) as other:
             wild = call(shared)
+            wild.transport.write(b"K000\r")
             for text in said:
                 wild.transport.write(text)
                 await other.write(0xF0, 7)
@@ -380,8 +382,11 @@ async def test_a_repetition_is_acknowledged_only_when_the_request_has_been_execu
     valve = Valve(VirtualGateway())
     async with sharing(valve) as shared:
         client = call(shared)
+        client.transport.write(b"K000\r")
+        await settle(shared)
+        client.take()
         valve.requests_pass = False
-        write = b"w000A00000001F7\n"
+        write = b"w0000A000000017213\n"
         client.transport.write(write)
         await asyncio.sleep(0.005)
         for _ in range(3):
@@ -391,10 +396,10 @@ async def test_a_repetition_is_acknowledged_only_when_the_request_has_been_execu
         assert client.take() == b"\n\n\n"
         valve.requests_pass = True
         await settle(shared)
-        assert client.take() == b"w0018\n"
+        assert client.take() == b"w000E53B\n"
         client.transport.write(write)
         await settle(shared)
-        assert client.take() == b"w0018\n"
+        assert client.take() == b"w000E53B\n"
 
 
 # The gateway comes and goes
@@ -523,13 +528,13 @@ async def test_an_answer_of_the_server_itself_waits_for_posted_writes_before_it(
     async with sharing(valve) as shared:
         client = call(shared)
         valve.requests_pass = False
-        client.transport.write(b"ws000A00000001\rgs0103000001010B\rgx0203\rh05\r")
+        client.transport.write(b"K000\rws0000A00000001\rgs00103000001010B\rgx00203\rh005\r")
         await asyncio.sleep(0.01)
         # Each of these would say that the posted write was executed.
-        assert client.take() == b""
+        assert client.take() == b"K000\r\n"
         valve.requests_pass = True
         await settle(shared)
-        assert client.take() == b"gs01\r\ngx02\r\nn03\r\n"
+        assert client.take() == b"gs001\r\ngx002\r\nn003\r\n"
         assert valve.memory[0x0A] == 1
 
 
@@ -538,15 +543,15 @@ async def test_a_server_whose_gateway_is_away_refuses_posted_writes_in_their_ord
     valve = Valve(VirtualGateway())
     async with sharing(valve) as shared:
         client = call(shared)
-        client.transport.write(b"H\r")
+        client.transport.write(b"K000\rH\r")
         await settle(shared)
         client.take()
         valve.requests_pass = False
         cut(shared)  # type: ignore[arg-type]
         await asyncio.sleep(0.01)
-        client.transport.write(b"w000A00000001\rws010A00000002\rh02\rws030A00000003\rr040A\r")
+        client.transport.write(b"w0000A00000001\rws0010A00000002\rh002\rws0030A00000003\rr0040A\r")
         await asyncio.sleep(PATIENCE + 1)
-        assert client.take() == b"x0005\r\nx0105\r\nx0205\r\nx0305\r\nx0405\r\n"
+        assert client.take() == b"x00005\r\nx00105\r\nx00205\r\nx00305\r\nx00405\r\n"
 
 
 @on_simulated_time
@@ -554,13 +559,13 @@ async def test_a_posted_write_that_was_lost_is_told_before_what_was_asked_behind
     valve = Valve(VirtualGateway())
     async with sharing(valve) as shared:
         client = call(shared)
-        client.transport.write(b"H\r")
+        client.transport.write(b"K000\rH\r")
         await settle(shared)
         client.take()
         valve.answers_pass = False
-        client.transport.write(b"r000A\rws010A00000002\rh02\r")
+        client.transport.write(b"r0000A\rws0010A00000002\rh002\r")
         await asyncio.sleep(0.001)
         cut(shared)  # type: ignore[arg-type]
         valve.answers_pass = True
         await until(lambda: client.heard.count(b"\n") == 3)
-        assert client.take() == b"r0000000002\r\nx0105\r\nh02\r\n"
+        assert client.take() == b"r00000000002\r\nx00105\r\nh002\r\n"

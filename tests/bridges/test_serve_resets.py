@@ -1,0 +1,173 @@
+"""The gateway is reset behind a server: what its clients are told, and that nothing goes on as if it had not been."""
+
+from __future__ import annotations
+
+import asyncio
+from typing import TYPE_CHECKING
+
+import numpy as np
+import pytest
+
+from recorded_bus import RecordedBus
+from sharing import Terminal, call, settle, sharing, until
+from simulated_time import on_simulated_time
+from unity_link.protocol.configuration import GatewayInfo
+from unity_link.protocol.messages import Codec, hex_rows
+from unity_link.virtual import VirtualGateway
+from unity_link.virtual.line import SlowLine
+from valve import Valve, cut
+
+if TYPE_CHECKING:
+    from unity_link.bridges.serve.shared import SharedLink
+
+KILOHERTZ = 1_000_000
+"""A base frequency at which simulated time is quick."""
+CODEC = Codec(GatewayInfo())
+
+
+def lose(shared: SharedLink) -> None:
+    """End the server's connection to the gateway, with all that is under way on it."""
+    cut(shared)  # type: ignore[arg-type]
+
+
+async def tell_of_reset(shared: SharedLink, gateway: VirtualGateway) -> None:
+    """Reset the gateway, and have the link find out."""
+    if shared.connected:
+        lose(shared)
+    gateway.reset()
+    shared.gateway_was_reset()
+    await until(lambda: shared.connected and not shared.away)
+
+
+async def say(client: Terminal, shared: SharedLink, text: bytes) -> list[bytes]:
+    """Return the answers to what a client says; samples are none."""
+    client.transport.write(text)
+    await settle(shared)
+    return [frame for frame in client.take().split() if not frame.startswith(b"P")]
+
+
+@on_simulated_time
+async def test_what_was_sent_is_unknown_what_was_not_is_refused_and_what_needs_no_session_is_executed() -> None:
+    gateway = VirtualGateway()
+    valve = Valve(gateway)
+    async with sharing(valve) as shared:
+        client = call(shared)
+        await say(client, shared, b"K000\rGS00010001010A\rGN00\rGX00\r")
+        valve.answers_pass = False
+        client.transport.write(b"w0000A00000001\rws0010A00000002\rr0020A\r")
+        await asyncio.sleep(0.001)
+        lose(shared)
+        client.transport.write(b"w0030B00000003\rws0040B00000004\rR0A\rGX00\r")
+        await asyncio.sleep(0.001)
+        gateway.reset()
+        shared.gateway_was_reset()
+        valve.answers_pass = True
+        await until(lambda: client.heard.count(b"\n") == 7)
+        answers = b"x00005 x00105 x00205 x0030A x0040A R0A00000002 X05"
+        assert client.take().split() == answers.split()
+        assert valve.memory[0x0B] == 0
+
+
+@on_simulated_time
+async def test_nothing_with_an_id_is_executed_until_the_client_begins_a_session() -> None:
+    gateway = VirtualGateway()
+    async with sharing(gateway) as shared:
+        client, other = call(shared), call(shared)
+        await say(client, shared, b"K005\rw0050A00000001\r")
+        await tell_of_reset(shared, gateway)
+        writes = CODEC.request_rows("W", 6, hex_rows(np.arange(0x0B00000007, 0x0B00000017), 10))
+        refused = [CODEC.framing.checked(b"x%03X0A" % number) for number in range(6, 22)]
+        client.transport.write(writes)
+        await settle(shared)
+        assert client.take().splitlines(keepends=True) == refused
+        answers = await say(client, shared, CODEC.request("WS", 22, b"0B00000007") + b"h017\rr3000A\rQ\rW0C00000005\r")
+        assert answers[:3] == [CODEC.framing.checked(b"x0160A")[:-1], b"x0170A", b"x3000A"]
+        assert answers[3].startswith(b"Q02")
+        assert answers[4] == b"W0C"
+        assert (gateway.memory[0x0B], gateway.memory[0x0C]) == (0, 5)
+        assert await say(client, shared, b"K800\rw8000B00000009\rh7FF\rh900\r") == [b"K800", b"w800", b"h7FF", b"n801"]
+        assert gateway.memory[0x0B] == 9
+        # It is over for every client.
+        assert await say(other, shared, b"h000\rK000\rh000\r") == [b"x0000A", b"K000", b"h000"]
+
+
+@on_simulated_time
+async def test_the_groups_of_a_client_are_forgotten_and_free_for_others() -> None:
+    gateway = VirtualGateway(GatewayInfo(base_frequency_millihertz=KILOHERTZ, groups=1))
+    async with sharing(gateway) as shared:
+        client, other = call(shared), call(shared)
+        client.transport.write(b"I01\rGS0001000A0110\rGN00\r")
+        await until(lambda: client.heard.count(b"P00") > 3)
+        await tell_of_reset(shared, gateway)
+        client.take()
+        assert await say(client, shared, b"GN00\rGP00\rGX00\r") == [b"X06"] * 3
+        assert (gateway.next_due, gateway.send_immediate) == (None, 2)
+        assert await say(other, shared, b"GS0001000A0120\rGN00\r") == [b"GS00", b"GN00"]
+        await asyncio.sleep(0.1)
+        assert (other.take().count(b"P00") > 3, client.take()) == (True, b"")
+
+
+@pytest.mark.parametrize("command", [b"GS0001000A0110\r", b"GN00\r", b"GP00\r", b"K001\r"])
+@pytest.mark.parametrize("running", [b"GN00\r", b"GP00\r"])
+@on_simulated_time
+async def test_a_group_that_a_request_names_when_the_gateway_is_reset_neither_runs_nor_is_lost(
+    command: bytes, running: bytes
+) -> None:
+    gateway = VirtualGateway(GatewayInfo(base_frequency_millihertz=KILOHERTZ, groups=1))
+    async with sharing(gateway) as shared:
+        client, other = call(shared), call(shared)
+        await say(client, shared, b"GS0001000A0110\r" + running)
+        lose(shared)
+        client.transport.write(command)
+        await asyncio.sleep(0)
+        await tell_of_reset(shared, gateway)
+        await settle(shared)
+        assert gateway.next_due is None
+        client.take()
+        assert await say(other, shared, b"GS0001000A0120\rGN00\r") == [b"GS00", b"GN00"]
+        await asyncio.sleep(0.1)
+        assert (other.take().count(b"P00") > 3, client.take()) == (True, b"")
+
+
+@on_simulated_time
+async def test_of_a_batch_that_was_sent_in_part_each_request_is_told_once_and_none_that_was_refused_is_executed() -> (
+    None
+):
+    gateway = VirtualGateway()
+    bus = RecordedBus(gateway)
+    async with sharing(SlowLine(gateway, 100_000)) as shared:
+        client = call(shared)
+        await say(client, shared, b"K000\r")
+        # More than the window takes, and than the server listens to at once.
+        client.transport.write(CODEC.request_rows("W", 0, hex_rows(np.arange(0x0A00000000, 0x0A00000000 + 3000), 10)))
+        await asyncio.sleep(0.05)
+        await tell_of_reset(shared, gateway)
+        await settle(shared)
+        bodies = [CODEC.framing.open(frame) for frame in client.take().splitlines()]
+    kinds = {b"executed": b"", b"unknown": b"05", b"refused": b"0A"}
+    told = {kind: [int(body[1:4], 16) for body in bodies if body[4:] == end] for kind, end in kinds.items()}
+    assert [int(body[1:4], 16) for body in bodies] == list(range(3000))
+    assert [number for numbers in told.values() for number in numbers] == list(range(3000))
+    assert all(told.values())
+    words = [word for _, word in bus.writes]
+    assert words == list(range(len(words)))
+    assert len(told[b"executed"]) <= len(words) <= told[b"refused"][0]
+
+
+@on_simulated_time
+async def test_a_gateway_that_is_reset_behind_an_open_line_ends_the_sessions_of_all_clients() -> None:
+    gateway = VirtualGateway(GatewayInfo(base_frequency_millihertz=KILOHERTZ))
+    async with sharing(gateway) as shared:
+        client, other = call(shared), call(shared)
+        await say(client, shared, b"K000\rw0000A00000001\rGS0001000A0110\rGN00\r")
+        await say(other, shared, b"K000\r")
+        gateway.reset()
+        client.take()
+        first = await say(client, shared, b"w0010A00000002\r")
+        assert first in ([b"x00105"], [b"x0010A"])
+        assert await say(client, shared, b"w0020A00000003\rGN00\r") == [b"x0020A", b"X06"]
+        assert await say(other, shared, b"h000\r") == [b"x0000A"]
+        assert gateway.memory[0x0A] == 1
+        assert gateway.next_due is None
+        assert await say(client, shared, b"K100\rw1000A00000004\r") == [b"K100", b"w100"]
+        assert gateway.memory[0x0A] == 4
