@@ -14,6 +14,8 @@ import unity_link
 from unity_link import ConnectError, LinkLostError
 from unity_link.errors import Outcome, UnsupportedError
 from unity_link.protocol.configuration import GatewayInfo
+from unity_link.protocol.crc import Crc
+from unity_link.protocol.frames import Framing
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.faults import Straying
 from unity_link.virtual.relay import relay_udp
@@ -119,8 +121,8 @@ async def test_answers_of_an_earlier_lap_that_come_again_are_taken_for_no_other(
             address = number * 7 % 256
             if number % 50 == 17:
                 back.replay()
-            words = await asyncio.gather(link.read(address), link.read(address ^ 1), link.read(address ^ 2))
-            assert words == [address, address ^ 1, address ^ 2]
+            addresses = [address, address ^ 1, address ^ 2]
+            assert await asyncio.gather(*map(link.read, addresses)) == addresses
 
 
 @pytest.mark.asyncio
@@ -226,7 +228,7 @@ async def scripted(script: dict[bytes, bytes]) -> AsyncIterator[str]:
 
 @pytest.mark.asyncio
 async def test_a_session_that_another_host_opened_first_is_one_clear_error() -> None:
-    checked = unity_link.protocol.frames.Framing(unity_link.protocol.crc.Crc()).checked
+    checked = Framing(Crc()).checked
     body = b"Q" + GatewayInfo().to_hex()
     script = {
         b"Q\r": b"U0000000700000000\r\n" + body + b"\r\n",

@@ -34,7 +34,8 @@ _OUTSIDE = 0
 """The count of an offer and of a refusal, which belong to no session."""
 _LAST_COUNT = 0xFFFFFFFF
 _HEADER_SIZE = len("U") + 16
-_HEADER = re.compile(rb"U([0-9A-Fa-f]{8})([0-9A-Fa-f]{8})")
+_HEADER = re.compile(rb"[\r\n]*((?:Z[0-9A-F]{2})?U([0-9A-Fa-f]{8})([0-9A-Fa-f]{8}))(?:\r\n?|([0-9A-Fa-f]+)\n)")
+"""What its CRC covers, session, count, and the CRC, None in a plain one."""
 _FIRST_FRAME = re.compile(rb"[\r\n]*([^\r\n]*\r?)\n?")
 _FRAME = re.compile(rb"[^\r\n]+[\r\n]+")
 _REFUSAL = b"X%02X" % ErrorCode.NO_SESSION
@@ -65,7 +66,8 @@ class Datagram(NamedTuple):
     """A datagram with a header."""
 
     session: int
-    count: int
+    number: int
+    """Its count."""
     frames: bytes
     """What stands behind the header."""
     plain: bool
@@ -78,17 +80,16 @@ def read_header(datagram: bytes, framing: Framing) -> Datagram | None:
     Raises:
         FrameError: for a header that is damaged.
     """
-    first = _FIRST_FRAME.match(datagram)
-    assert first is not None
-    line = first[1]
-    if not line.startswith(framing.prefix + b"U"):
+    beginning = framing.prefix + b"U"
+    header = _HEADER.match(datagram)
+    if header is None or not header[1].startswith(beginning):
+        if datagram.lstrip(b"\r\n").startswith(beginning):
+            raise FrameError(f"malformed header in {datagram[:80]!r}")
         return None
-    digits = framing.crc.digits
-    fields = _HEADER.fullmatch(framing.open(line[:-digits] + line[-digits:].upper()))
-    if fields is None:
-        raise FrameError(f"malformed header {line!r}")
-    frames = _ended(datagram[first.end() :])
-    return Datagram(int(fields[1], 16), int(fields[2], 16), frames, plain=line.endswith(b"\r"))
+    covered, session, count, check = header.groups()
+    if check is not None and check.upper() != framing.crc.text(covered):
+        raise FrameError(f"wrong CRC in the header {covered!r}")
+    return Datagram(int(session, 16), int(count, 16), _ended(datagram[header.end() :]), check is None)
 
 
 def _ended(frames: bytes) -> bytes:
@@ -157,15 +158,15 @@ class HostDatagrams:
             return self._take_offer(datagram, read)
         if read is None or read.session != self.session:
             return b""
-        if read.count == _OUTSIDE and self._is_refusal(read.frames):
+        if read.number == _OUTSIDE and self._is_refusal(read.frames):
             raise ConnectError("the gateway was reset, or another program has opened a session with it")
-        return read.frames if self.counts.takes(read.count) else b""
+        return read.frames if self.counts.takes(read.number) else b""
 
     def _take_offer(self, datagram: bytes, read: Datagram | None) -> bytes:
         if read is None:
             # A gateway of version 01 has no headers; its answer says so.
             return _ended(datagram)
-        if read.count != _OUTSIDE or read.session == NO_SESSION or self._is_refusal(read.frames):
+        if read.number != _OUTSIDE or read.session == NO_SESSION or self._is_refusal(read.frames):
             return b""
         self.offer = read.session
         if read.plain:
@@ -188,7 +189,7 @@ class HostDatagrams:
             return False
 
 
-class _Asker(NamedTuple, Generic[A]):
+class Asker(NamedTuple, Generic[A]):
     """Whose requests without a session were taken last, and in which form."""
 
     address: A
@@ -225,7 +226,7 @@ class GatewayDatagrams(Generic[A]):
         self._codec = codec
         self._framing = codec.framing
         self._reception = Reception(codec)
-        self._asker: _Asker[A] | None = None
+        self.asker: Asker[A] | None = None
         """Where answers without an ID go, if not to the opener."""
         self._execute = execute
         self._send = send
@@ -240,8 +241,8 @@ class GatewayDatagrams(Generic[A]):
         if read is None:
             self._take_questions(datagram, source)
         elif (read.session, source) == (self.session, self.opener):
-            if self.counts.takes(read.count):
-                self._asker = None
+            if self.counts.takes(read.number):
+                self.asker = None
                 self._execute(read.frames)
         elif NO_SESSION != read.session == self.offer and self._begins_with_k(read.frames):
             self._open(read, source)
@@ -250,7 +251,7 @@ class GatewayDatagrams(Generic[A]):
 
     def put(self, frames: bytes) -> None:
         """Send frames of the gateway; those that are for no address are lost."""
-        if self._asker is None:
+        if self.asker is None:
             self._send_to_opener(frames)
             return
         for of_session, group in groupby(_FRAME.findall(frames), self._is_of_session):
@@ -264,8 +265,8 @@ class GatewayDatagrams(Generic[A]):
             self._refuse(self.session, self.opener, plain=False)
         self.session, self.opener, self.offer = read.session, source, NO_SESSION
         self.counts = Counts()
-        self.counts.takes(read.count)
-        self._asker = None
+        self.counts.takes(read.number)
+        self.asker = None
         self._execute(read.frames)
 
     def _begins_with_k(self, frames: bytes) -> bool:
@@ -287,7 +288,7 @@ class GatewayDatagrams(Generic[A]):
         frames = _FRAME.findall(_ended(datagram))
         if not frames:
             return
-        self._asker = _Asker(source, plain=b"\r" in frames[0])
+        self.asker = Asker(source, plain=b"\r" in frames[0])
         for refusal, group in groupby(frames, self._refusal):
             if refusal is None:
                 self._execute(b"".join(group))
@@ -311,8 +312,8 @@ class GatewayDatagrams(Generic[A]):
         return self._framing.plain_reply(error) if plain else self._framing.checked(error)
 
     def _send_to_asker(self, frames: bytes) -> None:
-        assert self._asker is not None
-        address, plain = self._asker
+        assert self.asker is not None
+        address, plain = self.asker
         while self.offer in (NO_SESSION, self.session):
             self.offer = self._draw()
         for packed in _pack(self._framing, frames):
