@@ -5,6 +5,7 @@ from __future__ import annotations
 import asyncio
 import contextlib
 import itertools
+import random
 import socket
 from typing import TYPE_CHECKING, Any
 
@@ -197,6 +198,29 @@ async def test_a_reset_in_the_middle_of_a_session_loses_the_link_and_executes_no
         async with unity_link.connect(url) as again:
             await again.write_queue(QUEUE, [11])
     assert device.written == [*range(10), 11]
+
+
+@pytest.mark.asyncio
+async def test_a_node_is_reached_by_its_number() -> None:
+    async with (
+        serve_udp(VirtualGateway(node=5), node=5) as url,
+        unity_link.connect(f"{url}?node=5") as link,
+    ):
+        await link.write(1, 7)
+        assert await link.read(1) == 7
+
+
+@pytest.mark.asyncio
+async def test_a_flood_of_what_is_no_frame_disturbs_no_link() -> None:
+    generator = random.Random(1)
+    async with serve_udp(VirtualGateway()) as url, unity_link.connect(url) as link:
+        with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as stranger:
+            stranger.connect(("127.0.0.1", port_of(url)))
+            for number in range(300):
+                noise = generator.randbytes(generator.randrange(60))
+                stranger.send(generator.choice([noise, b"U" + noise, b"U0000000100000001\r" + noise]))
+                await link.write(1, number)
+                assert await link.read(1) == number
 
 
 # Gateways that are none of ours
