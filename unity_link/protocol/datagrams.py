@@ -37,7 +37,6 @@ _HEADER_SIZE = len("U") + 16
 _HEADER = re.compile(rb"[\r\n]*((?:Z[0-9A-F]{2})?U([0-9A-Fa-f]{8})([0-9A-Fa-f]{8}))(?:\r\n?|([0-9A-Fa-f]+)\n)")
 """What its CRC covers, session, count, and the CRC, None in a plain one."""
 _FIRST_FRAME = re.compile(rb"[\r\n]*([^\r\n]*\r?)\n?")
-_FRAME = re.compile(rb"[^\r\n]+[\r\n]+")
 _REFUSAL = b"X%02X" % ErrorCode.NO_SESSION
 _OF_SESSION = re.compile(rb"[g-zKP]")
 """What only a session is answered by, and samples."""
@@ -94,6 +93,11 @@ def read_header(datagram: bytes, framing: Framing) -> Datagram | None:
 
 def _ended(frames: bytes) -> bytes:
     return frames if frames.endswith(b"\n") else frames + b"\n"
+
+
+def _frames(data: bytes) -> list[bytes]:
+    """Return the frames that are not empty, each with its end: CR, LF or CR LF."""
+    return [frame for frame in data.splitlines(keepends=True) if frame.strip(b"\r\n")]
 
 
 def _first_line(frames: bytes) -> bytes:
@@ -254,7 +258,7 @@ class GatewayDatagrams(Generic[A]):
         if self.asker is None:
             self._send_to_opener(frames)
             return
-        for of_session, group in groupby(_FRAME.findall(frames), self._is_of_session):
+        for of_session, group in groupby(_frames(frames), self._is_of_session):
             (self._send_to_opener if of_session else self._send_to_asker)(b"".join(group))
 
     # Sessions
@@ -285,7 +289,7 @@ class GatewayDatagrams(Generic[A]):
 
     def _take_questions(self, datagram: bytes, source: A) -> None:
         """Execute requests without an ID, and refuse the others."""
-        frames = _FRAME.findall(_ended(datagram))
+        frames = _frames(_ended(datagram))
         if not frames:
             return
         self.asker = Asker(source, plain=b"\r" in frames[0])
