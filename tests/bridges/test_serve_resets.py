@@ -11,8 +11,10 @@ import pytest
 from recorded_bus import RecordedBus
 from sharing import Terminal, call, settle, sharing, until
 from simulated_time import on_simulated_time
+from unity_link.errors import GatewayResetError
 from unity_link.protocol.configuration import GatewayInfo
 from unity_link.protocol.messages import Codec, hex_rows
+from unity_link.protocol.session import Interrupted
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.line import SlowLine
 from valve import Valve, cut
@@ -32,11 +34,13 @@ def lose(shared: SharedLink) -> None:
 
 async def tell_of_reset(shared: SharedLink, gateway: VirtualGateway) -> None:
     """Reset the gateway, and have the link find out."""
-    if shared.connected:
-        lose(shared)
     gateway.reset()
-    shared.gateway_was_reset()
-    await until(lambda: shared.connected and not shared.away)
+    # What a server hands on has an ID, with which a gateway that was reset answers error 0A.
+    await until(lambda: shared.connected)
+    sessions, prober = shared._sessions, call(shared)
+    prober.transport.write(b"R00\r")
+    await until(lambda: shared._sessions > sessions and shared.connected and not shared.away)
+    prober.transport.abort()
 
 
 async def say(client: Terminal, shared: SharedLink, text: bytes) -> list[bytes]:
@@ -60,7 +64,7 @@ async def test_what_was_sent_is_unknown_what_was_not_is_refused_and_what_needs_n
         client.transport.write(b"w0030B00000003\rws0040B00000004\rR0A\rGX00\r")
         await asyncio.sleep(0.001)
         gateway.reset()
-        shared.gateway_was_reset()
+        shared._gateway_was_reset(Interrupted(GatewayResetError("the gateway was reset")))
         valve.answers_pass = True
         await until(lambda: client.heard.count(b"\n") == 7)
         answers = b"x00005 x00105 x00205 x0030A x0040A R0A00000002 X05"

@@ -161,6 +161,14 @@ def test_without_a_header_all_is_executed_that_needs_no_session() -> None:
     ]
 
 
+@pytest.mark.parametrize("end", [b"\n\r", b"\n\n\r", b"\n"])
+def test_no_session_is_begun_without_a_header_whatever_ends_the_frame(end: bytes) -> None:
+    gateway = Gateway()
+    gateway.side.take(b"\r" + CODEC.framing.checked(b"K000")[:-1] + end, "A")
+    assert not gateway.executed
+    assert gateway.sent == [(CHECKED(b"U4F1C0A3200000000") + CHECKED(b"X0A"), "A")]
+
+
 def test_an_offer_stands_until_it_is_taken_and_another_is_made_then() -> None:
     gateway = Gateway()
     for asker in "AB":

@@ -5,6 +5,7 @@ from __future__ import annotations
 import asyncio
 import contextlib
 import itertools
+import random
 import socket
 from typing import TYPE_CHECKING, Any
 
@@ -14,6 +15,8 @@ import unity_link
 from unity_link import ConnectError, LinkLostError
 from unity_link.errors import Outcome, UnsupportedError
 from unity_link.protocol.configuration import GatewayInfo
+from unity_link.protocol.crc import Crc
+from unity_link.protocol.frames import Framing
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.faults import Straying
 from unity_link.virtual.relay import relay_udp
@@ -119,8 +122,8 @@ async def test_answers_of_an_earlier_lap_that_come_again_are_taken_for_no_other(
             address = number * 7 % 256
             if number % 50 == 17:
                 back.replay()
-            words = await asyncio.gather(link.read(address), link.read(address ^ 1), link.read(address ^ 2))
-            assert words == [address, address ^ 1, address ^ 2]
+            addresses = [address, address ^ 1, address ^ 2]
+            assert await asyncio.gather(*map(link.read, addresses)) == addresses
 
 
 @pytest.mark.asyncio
@@ -197,6 +200,29 @@ async def test_a_reset_in_the_middle_of_a_session_loses_the_link_and_executes_no
     assert device.written == [*range(10), 11]
 
 
+@pytest.mark.asyncio
+async def test_a_node_is_reached_by_its_number() -> None:
+    async with (
+        serve_udp(VirtualGateway(node=5), node=5) as url,
+        unity_link.connect(f"{url}?node=5") as link,
+    ):
+        await link.write(1, 7)
+        assert await link.read(1) == 7
+
+
+@pytest.mark.asyncio
+async def test_a_flood_of_what_is_no_frame_disturbs_no_link() -> None:
+    generator = random.Random(1)
+    async with serve_udp(VirtualGateway()) as url, unity_link.connect(url) as link:
+        with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as stranger:
+            stranger.connect(("127.0.0.1", port_of(url)))
+            for number in range(300):
+                noise = generator.randbytes(generator.randrange(60))
+                stranger.send(generator.choice([noise, b"U" + noise, b"U0000000100000001\r" + noise]))
+                await link.write(1, number)
+                assert await link.read(1) == number
+
+
 # Gateways that are none of ours
 
 
@@ -226,7 +252,7 @@ async def scripted(script: dict[bytes, bytes]) -> AsyncIterator[str]:
 
 @pytest.mark.asyncio
 async def test_a_session_that_another_host_opened_first_is_one_clear_error() -> None:
-    checked = unity_link.protocol.frames.Framing(unity_link.protocol.crc.Crc()).checked
+    checked = Framing(Crc()).checked
     body = b"Q" + GatewayInfo().to_hex()
     script = {
         b"Q\r": b"U0000000700000000\r\n" + body + b"\r\n",

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from typing import Any
 
 import pytest
 
@@ -54,6 +55,6 @@ def test_what_is_late_arrives_behind_one_to_the_most_others() -> None:
         ({"late": 0.6, "double": 0.6}, "loss, late, double are 1.2 together"),
     ],
 )
-def test_chances_that_cannot_be_are_refused(chances: dict[str, float], message: str) -> None:
+def test_chances_that_cannot_be_are_refused(chances: dict[str, Any], message: str) -> None:
     with pytest.raises(ArgumentError, match=re.escape(message)):
         Straying(**chances)

@@ -51,7 +51,9 @@ def simulate(  # noqa: PLR0913  (each is an option)
     ] = False,
     tcp: Annotated[int | None, _port("TCP")] = None,
     unix: Annotated[Path | None, _place("A Unix socket, removed at the end.", "PATH")] = None,
-    udp: Annotated[int | None, _port("UDP", " Who opens a session there takes the gateway from who had it.")] = None,
+    udp: Annotated[
+        int | None, _port("UDP", " A client that opens a session takes the gateway from the one before.")
+    ] = None,
     usbip: Annotated[
         int | None,
         typer.Option(

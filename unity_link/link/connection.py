@@ -136,7 +136,7 @@ class Connection:
         if events:
             self._handle(events)
         self._send()
-        if self._timer is None or source.posted:
+        if self._timer is None or not isinstance(source, Request) or source.posted:
             self._set_timer()
 
     async def _answer(self, request: Request | Batch) -> Any:

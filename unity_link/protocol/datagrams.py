@@ -34,9 +34,9 @@ _OUTSIDE = 0
 """The count of an offer and of a refusal, which belong to no session."""
 _LAST_COUNT = 0xFFFFFFFF
 _HEADER_SIZE = len("U") + 16
-_HEADER = re.compile(rb"U([0-9A-Fa-f]{8})([0-9A-Fa-f]{8})")
+_HEADER = re.compile(rb"[\r\n]*((?:Z[0-9A-F]{2})?U([0-9A-Fa-f]{8})([0-9A-Fa-f]{8}))(?:\r\n?|([0-9A-Fa-f]+)\n)")
+"""What its CRC covers, session, count, and the CRC, None in a plain one."""
 _FIRST_FRAME = re.compile(rb"[\r\n]*([^\r\n]*\r?)\n?")
-_FRAME = re.compile(rb"[^\r\n]+[\r\n]+")
 _REFUSAL = b"X%02X" % ErrorCode.NO_SESSION
 _OF_SESSION = re.compile(rb"[g-zKP]")
 """What only a session is answered by, and samples."""
@@ -66,7 +66,7 @@ class Datagram(NamedTuple):
 
     session: int
     number: int
-    """The count, as it stands in the header."""
+    """Its count."""
     frames: bytes
     """What stands behind the header."""
     plain: bool
@@ -79,21 +79,25 @@ def read_header(datagram: bytes, framing: Framing) -> Datagram | None:
     Raises:
         FrameError: for a header that is damaged.
     """
-    first = _FIRST_FRAME.match(datagram)
-    assert first is not None
-    line = first[1]
-    if not line.startswith(framing.prefix + b"U"):
+    beginning = framing.prefix + b"U"
+    header = _HEADER.match(datagram)
+    if header is None or not header[1].startswith(beginning):
+        if datagram.lstrip(b"\r\n").startswith(beginning):
+            raise FrameError(f"malformed header in {datagram[:80]!r}")
         return None
-    digits = framing.crc.digits
-    fields = _HEADER.fullmatch(framing.open(line[:-digits] + line[-digits:].upper()))
-    if fields is None:
-        raise FrameError(f"malformed header {line!r}")
-    frames = _ended(datagram[first.end() :])
-    return Datagram(int(fields[1], 16), int(fields[2], 16), frames, plain=line.endswith(b"\r"))
+    covered, session, count, check = header.groups()
+    if check is not None and check.upper() != framing.crc.text(covered):
+        raise FrameError(f"wrong CRC in the header {covered!r}")
+    return Datagram(int(session, 16), int(count, 16), _ended(datagram[header.end() :]), check is None)
 
 
 def _ended(frames: bytes) -> bytes:
     return frames if frames.endswith(b"\n") else frames + b"\n"
+
+
+def _frames(data: bytes) -> list[bytes]:
+    """Return the frames that are not empty, each with its end: CR, LF or CR LF."""
+    return [frame for frame in data.splitlines(keepends=True) if frame.strip(b"\r\n")]
 
 
 def _first_line(frames: bytes) -> bytes:
@@ -189,7 +193,7 @@ class HostDatagrams:
             return False
 
 
-class _Asker(NamedTuple, Generic[A]):
+class Asker(NamedTuple, Generic[A]):
     """Whose requests without a session were taken last, and in which form."""
 
     address: A
@@ -226,7 +230,7 @@ class GatewayDatagrams(Generic[A]):
         self._codec = codec
         self._framing = codec.framing
         self._reception = Reception(codec)
-        self._asker: _Asker[A] | None = None
+        self.asker: Asker[A] | None = None
         """Where answers without an ID go, if not to the opener."""
         self._execute = execute
         self._send = send
@@ -242,7 +246,7 @@ class GatewayDatagrams(Generic[A]):
             self._take_questions(datagram, source)
         elif (read.session, source) == (self.session, self.opener):
             if self.counts.takes(read.number):
-                self._asker = None
+                self.asker = None
                 self._execute(read.frames)
         elif NO_SESSION != read.session == self.offer and self._begins_with_k(read.frames):
             self._open(read, source)
@@ -251,10 +255,10 @@ class GatewayDatagrams(Generic[A]):
 
     def put(self, frames: bytes) -> None:
         """Send frames of the gateway; those that are for no address are lost."""
-        if self._asker is None:
+        if self.asker is None:
             self._send_to_opener(frames)
             return
-        for of_session, group in groupby(_FRAME.findall(frames), self._is_of_session):
+        for of_session, group in groupby(_frames(frames), self._is_of_session):
             (self._send_to_opener if of_session else self._send_to_asker)(b"".join(group))
 
     # Sessions
@@ -266,7 +270,7 @@ class GatewayDatagrams(Generic[A]):
         self.session, self.opener, self.offer = read.session, source, NO_SESSION
         self.counts = Counts()
         self.counts.takes(read.number)
-        self._asker = None
+        self.asker = None
         self._execute(read.frames)
 
     def _begins_with_k(self, frames: bytes) -> bool:
@@ -285,10 +289,10 @@ class GatewayDatagrams(Generic[A]):
 
     def _take_questions(self, datagram: bytes, source: A) -> None:
         """Execute requests without an ID, and refuse the others."""
-        frames = _FRAME.findall(_ended(datagram))
+        frames = _frames(_ended(datagram))
         if not frames:
             return
-        self._asker = _Asker(source, plain=b"\r" in frames[0])
+        self.asker = Asker(source, plain=b"\r" in frames[0])
         for refusal, group in groupby(frames, self._refusal):
             if refusal is None:
                 self._execute(b"".join(group))
@@ -312,8 +316,8 @@ class GatewayDatagrams(Generic[A]):
         return self._framing.plain_reply(error) if plain else self._framing.checked(error)
 
     def _send_to_asker(self, frames: bytes) -> None:
-        assert self._asker is not None
-        address, plain = self._asker
+        assert self.asker is not None
+        address, plain = self.asker
         while self.offer in (NO_SESSION, self.session):
             self.offer = self._draw()
         for packed in _pack(self._framing, frames):

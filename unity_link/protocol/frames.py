@@ -103,6 +103,8 @@ class Framing:
 
 def datagrams(data: bytes, room: int = LARGEST_DATAGRAM) -> list[bytes]:
     """Return frames in as few pieces of at most `room` bytes as they fit in; a longer frame is not cut."""
+    if 0 < len(data) <= room:
+        return [data]
     packed: list[bytes] = []
     for frame in _FRAME.findall(data):
         if packed and len(packed[-1]) + len(frame) <= room:

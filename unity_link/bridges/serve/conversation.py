@@ -146,11 +146,13 @@ class Conversation:
         *,
         plain: bool,
         after: Callable[[bool], None] | None = None,
+        stored: Callable[[], None] | None = None,
     ) -> None:
         codec = self._codec
         head = codec.response(request)
         relayed = Relayed(codec, request.command, fields, digits, self._client, head, request.id, plain=plain)
         relayed.after = after
+        relayed.stored = stored
         self._client.hand_on(relayed, self._session.awaited)
 
     def _relay_silently(self, command: str, slot: Slot, settings: Settings | None = None) -> None:
@@ -159,6 +161,7 @@ class Conversation:
         relayed = Relayed(self._codec, command, fields, 0, self._client, b"")
         relayed.silent = True
         relayed.after = self._shared.naming(slot, command, settings)
+        relayed.stored = None if settings is None else self._shared.slots.storing(slot)
         self._client.hand_on(relayed, self._session.awaited)
 
     # The short way for single words
@@ -244,8 +247,8 @@ class Conversation:
         if group.slot is None:
             self._say(self._codec.response(request), request.id, plain=plain)
         else:
-            after = self._shared.naming(group.slot, "GS", settings)
-            self._relay(request, group.slot.text + settings.fields, 0, plain=plain, after=after)
+            after, stored = self._shared.naming(group.slot, "GS", settings), self._shared.slots.storing(group.slot)
+            self._relay(request, group.slot.text + settings.fields, 0, plain=plain, after=after, stored=stored)
 
     def _change_group(self, request: DecodedRequest, *, plain: bool) -> None:
         group, command = self.groups.get(request.values[0]), request.command

@@ -17,6 +17,7 @@ numbers are missing, as if the gateway had found no room for them.
 from __future__ import annotations
 
 from collections import deque
+from functools import partial
 from typing import TYPE_CHECKING, Protocol
 
 from unity_link.protocol.messages import GroupFlag
@@ -162,6 +163,13 @@ class Slots:
         slot.group, group.slot = group, slot
         self.held.append(slot)
         return slot
+
+    def storing(self, slot: Slot) -> Callable[[], None]:
+        """Return what is to be called as soon as the gateway is known to have stored settings for a slot's group.
+
+        From then on its samples are of the new settings: those that come in the same read, too.
+        """
+        return partial(self._table.deliver, slot.text, slot.group)
 
     def begin(self, slot: Slot, settings: Settings, seconds_missed: float = 0.0) -> None:
         """Hand the publishes of a slot to its group, for which the gateway has just stored settings."""
