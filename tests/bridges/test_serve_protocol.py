@@ -4,14 +4,18 @@ from __future__ import annotations
 
 import json
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
+from unittest.mock import patch
 
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
 
 from sharing import call, settle, sharing
-from simulated_time import on_simulated_time
+from simulated_time import on_simulated_time, run_simulated
+from unity_link.bridges.serve.conversation import Conversation
 from unity_link.protocol.configuration import Feature, GatewayInfo
-from unity_link.protocol.messages import ErrorCode
+from unity_link.protocol.messages import Codec, ErrorCode
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.faults import Failing
 from worked_examples import Example, worked_examples
@@ -86,3 +90,58 @@ def test_every_worked_example_of_the_protocol_holds(example: Example) -> None:
                 assert client.take() == in_words_of(shared, answered), sent
 
     play()
+
+
+CODEC = Codec(GatewayInfo())
+OPERATIONS = st.tuples(
+    st.sampled_from(["R", "W", "WS", "H", "K", "reset"]),
+    st.sampled_from([0, 0, 0, -1, 1, -20, 20]),
+    st.sampled_from([1, 1, 5, 20]),
+    st.sampled_from([bytes, bytes, bytes.lower, lambda text: text[:-2] + b"0\n", lambda text: text[:-1] + b"\r"]),
+)
+
+
+def requests(command: str, first: int, count: int) -> list[bytes]:
+    """Return requests under consecutive IDs, to addresses around the one that fails."""
+    fields = {"R": (), "H": None}.get(command, (1,))
+    values = [() if fields is None else (number % 9, *fields) for number in range(first, first + count)]
+    return [
+        CODEC.request(command, number % CODEC.ring, CODEC.fields(command, *value))
+        for number, value in enumerate(values, first)
+    ]
+
+
+async def hold_conversation(operations: list[tuple[Any, ...]]) -> tuple[list[bytes], dict[int, int]]:
+    """Return what a client hears after each operation, and the words that were written."""
+    gateway = VirtualGateway()
+    gateway.attach(Failing(), [7])
+    heard = []
+    async with sharing(gateway) as shared:
+        client = call(shared)
+        expected = 0
+        for command, offset, count, spelling in operations:
+            first = expected + offset
+            if command == "reset":
+                shared.gateway_was_reset()
+            elif command == "K":
+                expected = first % CODEC.ring
+                client.transport.write(b"K%b\r" % CODEC.id_text[expected])
+            else:
+                client.transport.write(spelling(b"".join(requests(command, first, count))))
+                expected += count if offset == 0 else 0
+            await settle(shared)
+            heard.append(client.take())
+    return heard, dict(gateway.memory)
+
+
+@settings(max_examples=60)
+@given(st.lists(OPERATIONS, max_size=12))
+def test_the_short_ways_of_single_words_answer_as_the_long_way(operations: list[tuple[Any, ...]]) -> None:
+    begun = [("K", 0, 1, bytes), *operations]
+    quick = run_simulated(hold_conversation(begun))
+    with (
+        patch.object(Conversation, "_take_rows", lambda self, data, start: start),
+        patch.object(Conversation, "_relay_quickly", lambda self, line: False),
+    ):
+        slow = run_simulated(hold_conversation(begun))
+    assert quick == slow

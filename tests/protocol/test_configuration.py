@@ -11,7 +11,7 @@ from any_gateway import gateway_infos
 from unity_link.errors import UnsupportedError
 from unity_link.protocol.configuration import Feature, GatewayInfo
 
-DEFAULT = b"012008020800000007FF0100FF0005F5E10002FAF08001000100007F00000000"
+DEFAULT = b"022008031000001021FF0100FF0005F5E10002FAF08001000100007F00000000"
 
 
 def test_the_default_configuration_is_that_of_the_document() -> None:
@@ -34,8 +34,14 @@ def test_digits_may_come_in_lower_case(info: GatewayInfo) -> None:
 
 
 def test_another_version_says_what_to_install_whatever_follows_it() -> None:
-    with pytest.raises(UnsupportedError, match=r"version 2 .* this program version 1: install"):
-        GatewayInfo.from_hex(b"02")
+    advice = (
+        "the gateway speaks version 01 of the protocol and this program version 02: build the gateway anew with this "
+        "version of unity-link, or install one that speaks 01"
+    )
+    with pytest.raises(UnsupportedError, match=advice):
+        GatewayInfo.from_hex(b"01")
+    with pytest.raises(UnsupportedError, match=r"version 1F .* install one that speaks 1F"):
+        GatewayInfo.from_hex(b"1Fxyz")
 
 
 @pytest.mark.parametrize("cut", range(len(DEFAULT)))
@@ -65,7 +71,7 @@ def test_what_is_no_digit_makes_it_no_answer(digit: bytes) -> None:
         ("crc_bits", 0),
         ("crc_bits", 24),
         ("crc_polynomial", 0),
-        ("crc_polynomial", 0x107),
+        ("crc_polynomial", 0x11021),
     ],
 )
 def test_a_width_that_cannot_be_is_refused_with_its_value(field: str, value: int) -> None:
@@ -81,16 +87,16 @@ def test_digits_hold_the_bits_and_no_digit_is_spare(info: GatewayInfo) -> None:
 
 
 def test_the_longest_request_of_the_default_build_is_a_block_write() -> None:
-    assert GatewayInfo().longest_request == len("wm") + 2 + 2 + 255 * 8 + 2
+    assert GatewayInfo().longest_request == len("wm") + 3 + 2 + 255 * 8 + 4
 
 
 def test_the_longest_request_may_be_a_group_a_mask_or_a_block_read() -> None:
     wide = GatewayInfo(address_bits=32, data_bits=8)
-    assert wide.longest_request == len("gs") + 2 + 2 + 2 + 4 + 2 + 255 * 8 + 2
+    assert wide.longest_request == len("gs") + 3 + 2 + 2 + 4 + 2 + 255 * 8 + 4
     narrow = msgspec.structs.replace(wide, block_words=1, features=Feature.MASKED_WRITE)
-    assert narrow.longest_request == len("wk") + 2 + 8 + 2 + 2 + 2
+    assert narrow.longest_request == len("wk") + 3 + 8 + 2 + 2 + 4
     bare = msgspec.structs.replace(narrow, features=Feature(0))
-    assert bare.longest_request == len("rm") + 2 + 8 + 2 + 2
+    assert bare.longest_request == len("rm") + 3 + 8 + 2 + 4
 
 
 def test_the_base_frequency_is_given_in_hertz() -> None:

@@ -28,8 +28,9 @@ def crcs(draw: st.DrawFn) -> Crc:
     return Crc(bits, draw(st.integers(1, (1 << bits) - 1)))
 
 
-def test_the_crc_of_the_document_is_f4_for_123456789() -> None:
-    assert Crc().text(b"123456789") == b"F4"
+def test_the_crcs_of_the_document_give_what_it_says_for_123456789() -> None:
+    assert Crc().text(b"123456789") == b"31C3"
+    assert Crc(8, 0x07).text(b"123456789") == b"F4"
 
 
 @pytest.mark.parametrize(("bits", "polynomial"), USUAL)

@@ -202,7 +202,7 @@ def test_many_responses_are_read_as_each_alone_up_to_the_first_that_is_not_as_ex
 
 
 def test_a_right_crc_around_what_is_no_word_is_left_to_the_reader_of_single_frames() -> None:
-    assert DEFAULT.response_rows("R", 0, DEFAULT.framing.checked(b"r000000G000"), 8) is None
+    assert DEFAULT.response_rows("R", 0, DEFAULT.framing.checked(b"r0000000G000"), 8) is None
 
 
 # The document

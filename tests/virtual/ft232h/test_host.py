@@ -21,8 +21,8 @@ if TYPE_CHECKING:
 
 IN, OUT = 0x81, 0x02
 MICROFRAME = 125e-6
-READ = b"R0ACB\n"
-ANSWER = b"R0A0000000037\n"
+READ = b"R0A6DDE\n"
+ANSWER = b"R0A000000004E83\n"
 
 
 def payload(ended: Transfer) -> bytes:
@@ -250,8 +250,8 @@ def test_samples_without_room_are_counted_and_the_rest_arrives_whole() -> None:
 def test_a_packet_of_exactly_510_bytes_arrives_with_the_latency_timer_at_the_latest() -> None:
     program = new_program()
     program.transact(b"I02\r")
-    # 36 answers of 14 bytes, and one of 6: together one full packet, which does not end the transfer.
-    requests = READ * 36 + b"W0A000000124F\n"
+    # 31 answers of 16 bytes, and one each of 8 and 6: together one full packet, which does not end the transfer.
+    requests = READ * 31 + b"W0A00000012D4FE\n" + b"HC9CC\n"
     answer, took = program.transact(requests)
     assert len(answer) == 510
     assert took <= 0.016 + 3 * MICROFRAME

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from collections.abc import AsyncIterator
 
 pytestmark = [pytest.mark.asyncio]
-READ, ANSWER = b"R0ACB\n", b"R0A0000000037\n"
+READ, ANSWER = b"R0A6DDE\n", b"R0A000000004E83\n"
 DEVICE_SIZE = 312
 
 
