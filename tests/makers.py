@@ -50,7 +50,7 @@ def compiled(**fields: int) -> BareGateway:
 
 def in_flight(gateway: GatewayInfo) -> int:
     """Return how many requests with an ID may be under way: half of all IDs."""
-    return 16**gateway.id_digits // 2
+    return 1 << 4 * gateway.id_digits - 1
 
 
 def with_failing(gateway: BareGateway) -> BareGateway:

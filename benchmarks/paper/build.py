@@ -6,10 +6,15 @@ from unity_link.protocol.configuration import GatewayInfo
 from unity_link.protocol.messages import Codec
 from unity_link.virtual.rtl import RtlGateway, choose
 
-FIELDS = {"clock_hz": 50_000_000, "id_digits": 3, "crc_bits": 8, "crc_polynomial": 0x07}
-"""What the compiled gateware must have. Fewer digits would leave too few requests under way for a USB."""
-MODEL = GatewayInfo(**FIELDS, groups=16, base_frequency_millihertz=1_000_000_000)
-"""The same, as far as it counts here, of the model."""
+MODEL = GatewayInfo(
+    clock_hz=50_000_000,
+    id_digits=3,
+    crc_bits=8,
+    crc_polynomial=0x07,
+    groups=16,
+    base_frequency_millihertz=1_000_000_000,
+)
+"""What counts of it here. Fewer digits of ID would leave too few requests under way for a USB."""
 CODEC = Codec(MODEL)
 """Its messages."""
 
@@ -20,7 +25,8 @@ def compiled_gateway() -> RtlGateway:
     Raises:
         ConnectError: where it can't be compiled here.
     """
-    return RtlGateway(choose(FIELDS).name)
+    names = ("clock_hz", "id_digits", "crc_bits", "crc_polynomial", "groups", "base_frequency_millihertz")
+    return RtlGateway(choose({name: getattr(MODEL, name) for name in names}).name)
 
 
 def checked(body: bytes) -> bytes:

@@ -51,14 +51,14 @@ async def test_other_calls_take_turns_with_a_long_batch(make_bare: Maker) -> Non
 @pytest.mark.parametrize("seed", range(20))
 def test_a_line_that_loses_and_damages_bytes_changes_nothing(make_bare: Maker, seed: int) -> None:
     async def run() -> None:
-        model = make_bare(**CRC_32)
+        model = make_bare(**CRC_32, id_digits=2)
         bus = RecordedBus(model)
         noise = [Noise(2 * seed + way, loss=0.001, flip=0.001) for way in range(2)]
         async with unity_link.connect(NoisyLine(model, *noise), timeout=60) as link:
-            await link.post_many(ADDRESSES, VALUES)
+            await link.post_many(ADDRESSES[:1000], VALUES[:1000])
             await link.fence()
             assert link.statistics.repetitions
-        assert bus.writes == WRITES
+        assert bus.writes == WRITES[:1000]
 
     run_simulated(run())
 
