@@ -723,8 +723,8 @@ def test_samples_stop_with_a_reset_which_a_fence_finds_and_come_again_on_a_new_l
         client.words("close")
         client.words("connect test: 5")
         client.words("write 11 5")
-        # The other of the two groups is free, whichever this one had before.
-        client.words("again 1")
+        # This one takes the group that the other had, and has the other take another.
+        client.words("subscribe 1 100 - 11")
         client.words("again 0")
         assert client("next 0 1") == "0 0 0 0x0p+0 0"
         assert client("next 1 1") == "0 0 0 0x0p+0 5"
