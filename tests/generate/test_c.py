@@ -707,6 +707,21 @@ def test_a_request_whose_answer_was_lost_is_known_to_be_executed_by_a_later_one(
         client("close")
 
 
+def test_what_came_before_the_request_that_met_a_reset_gateway_is_perhaps_executed(driver: Path) -> None:
+    gateway = ObservedGateway()
+
+    def losing(data: bytes, now: float) -> bytes:
+        answers = gateway.receive(data, now)
+        return answers[answers.index(b"\n") + 1 :] if answers.startswith(b"w") else answers
+
+    with Simulated(driver, losing) as client:
+        client.words("connect test: 5")
+        gateway.reset_before = 1
+        assert client.words("apart 20 3") == [int(LOST), int(LOST_NOT_EXECUTED), int(LOST_NOT_EXECUTED)]
+        assert gateway.bus_log.writes == [(0x20, 0)]
+        client("close")
+
+
 def test_samples_stop_with_a_reset_which_a_fence_finds_and_come_again_on_a_new_link(driver: Path) -> None:
     gateway = ObservedGateway(GatewayInfo(groups=2))
     with Simulated(driver, gateway.receive) as client:
@@ -723,8 +738,8 @@ def test_samples_stop_with_a_reset_which_a_fence_finds_and_come_again_on_a_new_l
         client.words("close")
         client.words("connect test: 5")
         client.words("write 11 5")
-        # The other of the two groups is free, whichever this one had before.
-        client.words("again 1")
+        # This one takes the group that the other had, and has the other take another.
+        client.words("subscribe 1 100 - 11")
         client.words("again 0")
         assert client("next 0 1") == "0 0 0 0x0p+0 0"
         assert client("next 1 1") == "0 0 0 0x0p+0 5"
