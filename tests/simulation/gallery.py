@@ -289,6 +289,18 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(exchange.Exchange, "_repeat", repeat)
 
 
+@bug("each answer to a repetition is taken for a sign of loss")
+def _(monkeypatch: pytest.MonkeyPatch) -> None:
+    answered = window.Window.answered
+
+    def going_back(self: Any, number: int, count: int, now: float) -> None:
+        answered(self, number, count, now)
+        if self.oldest != self.next and self._gone_back:
+            self._repeat_from_oldest(now)
+
+    monkeypatch.setattr(window.Window, "answered", going_back)
+
+
 @bug("errors of posted writes are told to nobody")
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(requests.Posted, "fail", lambda self, error: None)

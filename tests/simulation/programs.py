@@ -67,6 +67,7 @@ class Program:
         self.name = name
         self.links: list[Link] = []
         self._plan = plan
+        self._url = plan.line if ":" in plan.line else f"tcp://{plan.line}:1"
         self._without = without
         self._tap = tap
         self._logs = logs
@@ -113,9 +114,7 @@ class Program:
     async def _connect(self, life: Life) -> Link:
         for _ in range(CONNECT_TRIES):
             try:
-                return await unity_link.connect(
-                    f"tcp://{self._plan.line}:1", timeout=3, reconnect=PAUSES if life.reconnect else False
-                )
+                return await unity_link.connect(self._url, timeout=3, reconnect=PAUSES if life.reconnect else False)
             except ConnectError as error:
                 self._note("not connected", str(error))
                 await asyncio.sleep(0.25)

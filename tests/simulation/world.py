@@ -14,6 +14,7 @@ from simulation.medium import Network
 from simulation.oracle import MOST_WAITING, LinkLog, Oracle, Tap, WorldError
 from simulation.plan import Draw, GatewayPlan, Mishap, Plan
 from simulation.programs import Program
+from simulation.sendings import watched
 from unity_link.bridges.serve import Server, serve
 from unity_link.errors import UnityLinkError
 from unity_link.virtual import VirtualGateway
@@ -22,6 +23,7 @@ from unity_link.virtual.modelled_time import DeadlockError
 from unity_link.virtual.serving import serve_tcp
 
 if TYPE_CHECKING:
+    from simulation.sendings import Sendings
     from unity_link.virtual import BareGateway
 
 # To be taken out one by one, as the product is mended.
@@ -36,6 +38,8 @@ CALM_AFTER = 10.0
 """Seconds after which nothing goes wrong any more."""
 SETTLED_AFTER = 90.0
 """Seconds after which everything must have come to its end."""
+MOST_SENDINGS = 12
+"""How often a request may be sent, but for repetitions because nothing had come in time."""
 
 
 class _UnjudgedError(Exception):
@@ -84,8 +88,10 @@ class World:
         self._network = Network(loop, self._plan.lines, self._plan.faults, self._trace)
         loop.network = self._network
         try:
-            loop.run_until_complete(self._live(loop))
+            with watched() as sendings:
+                loop.run_until_complete(self._live(loop))
             self._look_for_what_is_left(loop)
+            self._judge_sendings(sendings)
         except _UnjudgedError:
             self._cancel_all(loop)
         except WorldError as error:
@@ -111,6 +117,11 @@ class World:
             raise WorldError("a task that does not end", str(left))
         if self._faults:
             raise WorldError("an error that nothing waits for", self._faults[0])
+
+    @staticmethod
+    def _judge_sendings(sendings: Sendings) -> None:
+        if (most := sendings.most_by_signs) > MOST_SENDINGS:
+            raise WorldError("a request sent too often", f"{most} times")
 
     async def _live(self, loop: SimulatedLoop) -> None:
         plan = self._plan

@@ -15,7 +15,8 @@ from unity_link.errors import ArgumentError, ConnectError, LinkLostError
 from unity_link.protocol.configuration import GatewayInfo
 from unity_link.protocol.messages import Codec
 from unity_link.transport import load_driver, parse_url
-from unity_link.transport.ft232h.chip import settings_of
+from unity_link.transport.ft232h import with_libusb
+from unity_link.transport.ft232h.chip import open_in_thread, settings_of
 from unity_link.transport.ft232h.eeprom_image import BLANK, build_eeprom
 from unity_link.transport.ft232h.transport import StatusStripper
 from unity_link.virtual import VirtualGateway
@@ -303,6 +304,28 @@ async def test_a_call_on_an_unplugged_chip_raises_and_a_new_plug_in_is_found(url
         device.plug_in()
         async with unity_link.connect(url) as link:
             assert await link.read(1) == 0
+
+
+async def test_a_send_immediate_mode_for_a_chip_that_is_gone_is_a_lost_link(url: str) -> None:
+    with plugged_in() as device:
+        recorder = await connect(url)
+        device.unplug()
+        with pytest.raises(LinkLostError):
+            await recorder.transport.get_extra_info("send_immediate")("always")
+        assert "unplugged" in str(await recorder.lost())
+
+
+async def test_a_chip_that_is_unplugged_while_it_is_opened_is_told_so(monkeypatch: pytest.MonkeyPatch) -> None:
+    with plugged_in() as device:
+
+        async def open_and_unplug(url: Any) -> Any:
+            chip = await open_in_thread(url)
+            device.unplug()
+            return chip
+
+        monkeypatch.setattr(with_libusb, "open_in_thread", open_and_unplug)
+        with pytest.raises(ConnectError, match="unplugged"):
+            await connect("ftdi-async://ftdi:232h/1")
 
 
 async def test_a_link_reconnects_when_the_chip_is_plugged_in_again(url: str) -> None:

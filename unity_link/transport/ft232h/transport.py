@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from unity_link.errors import ConnectError
+from unity_link.errors import ConnectError, LinkLostError, Outcome
 from unity_link.transport.buffered import BufferedTransport
 from unity_link.transport.ft232h.chip import ERROR_BITS, PACKET_SIZE, STATUS_SIZE, OpenChip, SendImmediate, explain, log
 
@@ -44,7 +44,12 @@ class ChipTransport(BufferedTransport):
         return default
 
     async def _send_immediate(self, mode: SendImmediate) -> None:
-        await self._loop.run_in_executor(None, self._chip.tune, mode)
+        try:
+            await self._loop.run_in_executor(None, self._chip.tune, mode)
+        except OSError as error:
+            self._note(error)
+            self.abort()
+            raise LinkLostError(explain(error), Outcome.EXECUTED) from error
 
     def get_write_buffer_size(self) -> int:
         """Return how many bytes are not written."""

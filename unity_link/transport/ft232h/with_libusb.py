@@ -68,9 +68,13 @@ def _open_usb(chip: OpenChip) -> tuple[Any, Any]:
     from usb.util import release_interface
 
     device = chip.device
-    release_interface(device, 0)
     open_for_transfers = getattr(device.backend, "open_for_transfers", _open_real)
-    context, handle = open_for_transfers(device.bus, device.address)
+    try:
+        release_interface(device, 0)
+        context, handle = open_for_transfers(device.bus, device.address)
+    except OSError as error:
+        # It was unplugged since it was found.
+        raise ConnectError(explain(error)) from error
     return context, handle
 
 

@@ -1,0 +1,26 @@
+"""The simulation's programs on real media: a few thousand requests on each, and a million in a campaign."""
+
+from __future__ import annotations
+
+import asyncio
+
+import pytest
+
+from simulation.media import Media, run_medium
+
+REQUESTS = 3_000
+CAMPAIGN_REQUESTS = 1_000_000
+
+
+@pytest.mark.parametrize("medium", Media.names)
+def test_programs_on_a_real_medium_that_is_spoiled_and_cut_break_no_rule(medium: str) -> None:
+    result = asyncio.run(run_medium(medium, REQUESTS))
+    assert result.cuts
+    assert result.repetitions
+
+
+@pytest.mark.campaign
+@pytest.mark.parametrize("medium", Media.names)
+def test_a_million_requests_on_a_real_medium_break_no_rule(medium: str) -> None:
+    result = asyncio.run(run_medium(medium, CAMPAIGN_REQUESTS))
+    print(f"{medium}: {result}")  # noqa: T201  (what was done, for docs/reliability.md)
