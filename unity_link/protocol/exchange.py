@@ -142,9 +142,8 @@ class Exchange:
                 waiting.rotate(-1)
                 continue
             room = window.room(source.size, posted=source.posted)
-            least = source.least()
             # A window that is small because the line loses is not waited for to grow.
-            if not room or not least or room < min(least, max(1, window.most_room(source.size) // 2)):
+            if not room or room < min(source.least(), max(1, window.most_room(source.size) // 2)):
                 break
             waiting.popleft()
             run = source.take(room, events)

@@ -95,7 +95,7 @@ class Source(Protocol):
         """Whether the next message is a posted write."""
 
     def least(self) -> int:
-        """Return for how many messages room is wanted before the next turn; 0 for no turn before an answer has come."""
+        """Return for how many messages room is wanted before the next turn."""
 
     def take(self, room: int, events: Events) -> Message:
         """Return the next run, of at most `room` messages."""

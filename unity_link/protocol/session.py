@@ -222,12 +222,10 @@ class Session:
                 run.fail_part(offset, size, error.about(outcome), events)
         self._waiting.extendleft(reversed(again))
         self._drop_of_session(error, events)
-        earlier: list[Source] = []
-        for source in self._waiting:
-            if isinstance(source, Fence):
-                source.earlier += earlier
-            elif not source.exhausted():
-                earlier.append(source)
+        for place, fence in enumerate(self._waiting):
+            if isinstance(fence, Fence):
+                # What is sent again stands before it now.
+                fence.earlier += [source for source in list(self._waiting)[:place] if not isinstance(source, Request)]
 
     def _drop_of_session(self, error: LinkLostError, events: Events) -> None:
         for request in [source for source in self._waiting if isinstance(source, Request) and source.of_session]:

@@ -71,6 +71,7 @@ class Relayed(Request):
         "plain",
         "reply",
         "silent",
+        "stored",
     )
 
     def __init__(
@@ -103,7 +104,16 @@ class Relayed(Request):
         """Whether the gateway has executed it without an error."""
         self.after: Callable[[bool], None] | None = None
         """Called when it is over, with `executed`."""
+        self.stored: Callable[[], None] | None = None
+        """Called when it was executed, before anything that came behind its answer is looked at."""
         self._asker = asker
+
+    def accept(self, offset: int, body: bytes, position: int, events: Events) -> bool:
+        """Take the response."""
+        accepted = super().accept(offset, body, position, events)
+        if accepted and self.stored is not None:
+            self.stored()
+        return accepted
 
     def decode(self, body: bytes, position: int) -> bytes:
         """Return the data as they stand in the response."""

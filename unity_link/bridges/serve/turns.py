@@ -140,6 +140,7 @@ class Turns:
         queue.under_way -= cost
         self._under_way -= cost
         self._pace.carried(cost, self._now())
+        self._submit()
 
     def forget(self, queue: Queue) -> None:
         """Record that the client of a queue has left, and hears no answers."""
@@ -155,9 +156,16 @@ class Turns:
         self._submit()
 
     def _submit(self) -> None:
-        if self._line and not self._held and not self._submitted:
+        if not self._submitted and self._ready():
             self._submitted = True
             self._send(self)
+
+    def _ready(self) -> bool:
+        """Return whether something is to be sent now, and not only when more of what is under way has been answered."""
+        if not self._line or self._held:
+            return False
+        others = len(self._line) > 1 or self._under_way > self._first().under_way
+        return not others or self._under_way < self._pace.most_ahead
 
     @property
     def _quantum(self) -> int:
@@ -185,10 +193,8 @@ class Turns:
         return self._first().requests[0].posted
 
     def least(self) -> int:
-        """Return for how many requests room is wanted; 0 while enough is under way, so that nothing is to be sent."""
-        queue = self._first()
-        others = len(self._line) > 1 or self._under_way > queue.under_way
-        return 0 if others and self._under_way >= self._pace.most_ahead else queue.requests[0].least()
+        """Return for how many requests room is wanted before the next turn."""
+        return self._first().requests[0].least()
 
     def take(self, room: int, events: Events) -> Message:
         """Return what the next client may send in one go."""
@@ -211,8 +217,8 @@ class Turns:
         return run
 
     def exhausted(self) -> bool:
-        """Return whether there is nothing to send; the session forgets this source then."""
-        self._submitted = bool(self._line) and not self._held
+        """Return whether there is nothing to send now; the session forgets this source then."""
+        self._submitted = self._ready()
         return not self._submitted
 
     def unwanted(self) -> bool:
