@@ -205,6 +205,10 @@ class Link(Connection):
         self._posted = False
         try:
             await self._fence(leaving=False)
+        except LinkLostError:
+            # What is known of the posted writes says more than what is known of the fence.
+            self._raise_posted()
+            raise
         except BaseException:
             self._posted = True
             raise
