@@ -158,6 +158,50 @@ async def test_of_a_batch_that_was_sent_in_part_each_request_is_told_once_and_no
 
 
 @on_simulated_time
+async def test_of_requests_side_by_side_those_that_had_no_room_are_known_not_to_be_executed() -> None:
+    gateway = VirtualGateway(GatewayInfo(id_digits=2))
+    codec = Codec(gateway.info)
+    valve = Valve(gateway)
+    async with sharing(valve) as shared:
+        client = call(shared)
+        await say(client, shared, b"K00\r")
+        valve.answers_pass = False
+        # The window takes 128: of the writes there is room for a part.
+        client.transport.write(b"H\r" * 50)
+        await asyncio.sleep(0.001)
+        client.transport.write(codec.request_rows("W", 0, hex_rows(np.arange(0x0A00000000, 0x0A00000000 + 128), 10)))
+        await asyncio.sleep(0.001)
+        valve.answers_pass = True
+        await tell_of_reset(shared, gateway)
+        await settle(shared)
+        frames = client.take().splitlines()
+        assert frames[:50] == [b"X05"] * 50
+        codes = [codec.framing.open(frame)[3:] for frame in frames[50:]]
+        sent = gateway.memory[0x0A] + 1
+        assert codes == [b"05"] * sent + [b"0A"] * (128 - sent)
+        assert 0 < sent < 128
+        assert shared.turns._under_way == 0
+
+
+@on_simulated_time
+async def test_a_client_hears_of_the_reset_also_behind_a_posted_write_and_while_the_gateway_is_away() -> None:
+    gateway = VirtualGateway()
+    valve = Valve(gateway)
+    async with sharing(valve) as shared:
+        client = call(shared)
+        await say(client, shared, b"K000\r")
+        valve.requests_pass = False
+        client.transport.write(b"ws0000A00000001\r")
+        await asyncio.sleep(0.001)
+        lose(shared)
+        shared.gateway_was_reset()
+        client.transport.write(b"r0010A\r")
+        await asyncio.sleep(0.01)
+        assert client.take() == b"x00005\r\nx0010A\r\n"
+        valve.requests_pass = True
+
+
+@on_simulated_time
 async def test_a_gateway_that_is_reset_behind_an_open_line_ends_the_sessions_of_all_clients() -> None:
     gateway = VirtualGateway(GatewayInfo(base_frequency_millihertz=KILOHERTZ))
     async with sharing(gateway) as shared:

@@ -151,6 +151,10 @@ class VirtualGateway(BareGateway):
         """The next ID expected, -1 before the first session since reset."""
         return self._sequence.expected
 
+    @expected.setter
+    def expected(self, number: int) -> None:
+        self._sequence.start(number)
+
     # What is behind the bus
 
     @property

@@ -241,7 +241,7 @@ def test_samples_without_room_are_counted_and_the_rest_arrives_whole() -> None:
     while len(received) < 4000:
         received += bytes(program.wait(program.submit(Transfer(IN, size=512))).data[2:])
     lines = received.split(b"\n")[:-1]
-    assert all(line.startswith(b"P00") and len(line) == 15 for line in lines)
+    assert all(line.startswith(b"P00") and len(line) == 17 for line in lines)
 
 
 # Faults
