@@ -16,7 +16,7 @@ import sys
 import tempfile
 import time
 from pathlib import Path
-from typing import TYPE_CHECKING, cast
+from typing import TYPE_CHECKING, Any, cast
 
 import msgspec
 
@@ -151,7 +151,8 @@ class _Run:
         ready: asyncio.Future[str] = asyncio.get_running_loop().create_future()
         serving = asyncio.create_task(self._serve(line, gateway, ready))
         try:
-            await asyncio.wait({ready, serving}, return_when=asyncio.FIRST_COMPLETED)
+            begun: set[asyncio.Future[Any]] = {ready, serving}
+            await asyncio.wait(begun, return_when=asyncio.FIRST_COMPLETED)
             if serving.done():
                 await serving
             program = Program(f"seed {seed}", ProgramPlan(await ready, plan.programs[0].lives), tap, logs, [], KNOWN)
