@@ -30,7 +30,7 @@ from unity_link.virtual.faults import Noise, NoisyLine
 from unity_link.virtual.ft232h.board import GatewayBoard
 from unity_link.virtual.ft232h.bus import RealClock, VirtualBus, VirtualFt232h
 from unity_link.virtual.ft232h.pyusb_backend import installed
-from unity_link.virtual.serving import GRACE, serve_pty, serve_tcp, serve_udp, serve_unix
+from unity_link.virtual.serving import serve_pty, serve_tcp, serve_udp, serve_unix
 
 if TYPE_CHECKING:
     from collections.abc import AsyncIterator, Callable, Iterator
@@ -210,8 +210,6 @@ async def run_medium(medium: str, requests: int, first: int = 0) -> Result:
             async with asyncio.TaskGroup() as workers:
                 for _ in range(SIDE_BY_SIDE):
                     workers.create_task(work())
-        # A connection that was accepted while its server ended is not refused before.
-        await asyncio.sleep(2 * GRACE)
     return result
 
 
