@@ -8,44 +8,59 @@ Drivers and servers use it as any loop of asyncio: `create_connection` and its s
 from __future__ import annotations
 
 import asyncio
+import heapq
 from typing import TYPE_CHECKING, Any
 
 from unity_link.virtual.modelled_time import DeadlockError
 
 if TYPE_CHECKING:
+    from collections import deque
     from collections.abc import Callable
 
     from simulation.medium import Network
-
-
-class _Clock:
-    """The selector's place in the loop: it selects nothing and moves the time."""
-
-    def __init__(self) -> None:
-        self.now = 0.0
-
-    def select(self, timeout: float | None) -> tuple[()]:
-        """Jump to the next timer."""
-        if timeout is None:
-            raise DeadlockError(f"nothing is left to happen at {self.now} s of simulated time")
-        if timeout > 0:
-            self.now += timeout
-        return ()
 
 
 class SimulatedLoop(asyncio.BaseEventLoop):
     """The loop of one world."""
 
     network: Network
+    # Of asyncio's own.
+    _ready: deque[asyncio.Handle]
+    _scheduled: list[Any]
+    _timer_cancelled_count: int
+    _stopping: bool
 
     def __init__(self) -> None:
         super().__init__()
-        self._selector = _Clock()
+        self._now = 0.0
         self._clock_resolution = 1e-9
 
     def time(self) -> float:
         """Return the simulated time in seconds."""
-        return self._selector.now
+        return self._now
+
+    def _run_once(self) -> None:
+        """Run what is ready; where nothing is, jump to the next timer.
+
+        Asyncio's own does the same, and asks a selector each time.
+        """
+        ready, scheduled = self._ready, self._scheduled
+        while scheduled and scheduled[0]._cancelled:
+            heapq.heappop(scheduled)._scheduled = False
+            self._timer_cancelled_count -= 1
+        if not ready and not self._stopping:
+            if not scheduled:
+                raise DeadlockError(f"nothing is left to happen at {self._now} s of simulated time")
+            self._now = max(self._now, scheduled[0]._when)
+        due = self._now + self._clock_resolution
+        while scheduled and scheduled[0]._when < due:
+            handle = heapq.heappop(scheduled)
+            handle._scheduled = False
+            ready.append(handle)
+        for _ in range(len(ready)):
+            handle = ready.popleft()
+            if not handle._cancelled:
+                handle._run()
 
     def _process_events(self, event_list: tuple[()]) -> None:
         """Do nothing: there are no events but timers."""

@@ -16,7 +16,7 @@ import sys
 import tempfile
 import time
 from pathlib import Path
-from typing import TYPE_CHECKING, cast
+from typing import TYPE_CHECKING, Any, cast
 
 import msgspec
 
@@ -30,7 +30,7 @@ from unity_link.virtual.faults import Noise, NoisyLine
 from unity_link.virtual.ft232h.board import GatewayBoard
 from unity_link.virtual.ft232h.bus import RealClock, VirtualBus, VirtualFt232h
 from unity_link.virtual.ft232h.pyusb_backend import installed
-from unity_link.virtual.serving import GRACE, serve_pty, serve_tcp, serve_udp, serve_unix
+from unity_link.virtual.serving import serve_pty, serve_tcp, serve_udp, serve_unix
 
 if TYPE_CHECKING:
     from collections.abc import AsyncIterator, Callable, Iterator
@@ -151,7 +151,8 @@ class _Run:
         ready: asyncio.Future[str] = asyncio.get_running_loop().create_future()
         serving = asyncio.create_task(self._serve(line, gateway, ready))
         try:
-            await asyncio.wait({ready, serving}, return_when=asyncio.FIRST_COMPLETED)
+            begun: set[asyncio.Future[Any]] = {ready, serving}
+            await asyncio.wait(begun, return_when=asyncio.FIRST_COMPLETED)
             if serving.done():
                 await serving
             program = Program(f"seed {seed}", ProgramPlan(await ready, plan.programs[0].lives), tap, logs, [], KNOWN)
@@ -209,8 +210,6 @@ async def run_medium(medium: str, requests: int, first: int = 0) -> Result:
             async with asyncio.TaskGroup() as workers:
                 for _ in range(SIDE_BY_SIDE):
                     workers.create_task(work())
-        # A connection that was accepted while its server ended is not refused before.
-        await asyncio.sleep(2 * GRACE)
     return result
 
 

@@ -8,6 +8,8 @@ import pytest
 
 from simulation.media import Media, run_medium
 
+# asyncio leaves a connection to the garbage collector that it accepts in the moment in which its server closes.
+pytestmark = pytest.mark.filterwarnings("ignore:.*socket.socket:pytest.PytestUnraisableExceptionWarning")
 REQUESTS = 3_000
 CAMPAIGN_REQUESTS = 1_000_000
 

@@ -15,7 +15,7 @@ from simulation.report import Report
 from simulation.story import shrink, tell
 from simulation.world import run_seed
 
-SEEDS = 1_500
+SEEDS = 5_000
 """Seeds in each run of the suite."""
 CAMPAIGN_SEEDS = 2_000
 """Seeds within which each known bug must be found."""
