@@ -18,7 +18,7 @@ import typer
 from unity_link.cli.arguments import DEFAULT_TIMEOUT, Url
 from unity_link.cli.output import out, print_note
 from unity_link.cli.running import INTERRUPTED, run
-from unity_link.errors import ConnectError
+from unity_link.errors import ConnectError, UnsupportedError
 
 if TYPE_CHECKING:
     from collections.abc import AsyncIterator, Callable, Coroutine
@@ -92,7 +92,6 @@ async def _terminal(url: str, *, plain: bool, timeout: float) -> None:  # noqa: 
 
 
 async def _connect(target: DriverUrl, stream: Stream) -> Codec:
-    from unity_link.link.handshake import Handshake
     from unity_link.protocol.configuration import GatewayInfo
     from unity_link.protocol.messages import Codec
     from unity_link.transport import load_driver
@@ -106,13 +105,63 @@ async def _connect(target: DriverUrl, stream: Stream) -> Codec:
         raise ConnectError(f"{target.text}: {error}") from error
     try:
         async with asyncio.timeout(HANDSHAKE_PATIENCE):
-            codec, _ = await Handshake(stream, target.node).run()
+            codec = await _Greeting(stream, target.node).run()
     except (TimeoutError, ConnectError) as error:
         if stream.closed:
             raise ConnectError(f"{target.text}: the connection ended at once") from error
         print_note("The gateway does not say what it is; 32-bit words, 8-bit addresses and CRC-16 are assumed.")
         return Codec(GatewayInfo(), target.node)
     return codec
+
+
+class _Greeting:
+    """Asks what the gateway is, and has it begin a session with ID 0."""
+
+    def __init__(self, stream: Stream, node: int | None) -> None:
+        from unity_link.protocol.handshake import Handshake
+
+        self._stream = stream
+        self._loop = asyncio.get_running_loop()
+        self._handshake = Handshake(node, 0, self._loop.time())
+        self._over: asyncio.Future[None] = self._loop.create_future()
+        stream.receiver = self
+
+    async def run(self) -> Codec:
+        """Return the messages of the gateway; the caller's time out ends it."""
+        while not self._over.done():
+            self._send()
+            await asyncio.wait((self._over,), timeout=self._handshake.deadline - self._loop.time())
+            self._handshake.expire(self._loop.time())
+        self._over.result()
+        return self._handshake.codec
+
+    def _send(self) -> None:
+        if data := self._handshake.take_output():
+            self._stream.send(data)
+
+    def receive(self, data: bytes) -> int:
+        """Look for answers."""
+        try:
+            taken = self._handshake.receive(data, self._loop.time())
+        except UnsupportedError as error:
+            self._end(error)
+            return len(data)
+        self._send()
+        if self._handshake.complete:
+            self._end(None)
+        return taken
+
+    def disconnected(self, reason: Exception | None) -> None:
+        """End without an answer."""
+        self._end(ConnectError(self._handshake.describe_end(reason)))
+
+    def _end(self, error: Exception | None) -> None:
+        if self._over.done():
+            return
+        if error is None:
+            self._over.set_result(None)
+        else:
+            self._over.set_exception(error)
 
 
 class _Session:
