@@ -11,7 +11,7 @@ from unity_link.bridges.serve.client import Client
 from unity_link.bridges.serve.shared import SharedLink
 from unity_link.link.link import Link
 from unity_link.transport import DriverUrl
-from unity_link.virtual.gateway import Gateway
+from unity_link.virtual.gateway import BareGateway, Gateway
 
 if TYPE_CHECKING:
     from collections.abc import AsyncIterator, Callable
@@ -75,6 +75,18 @@ async def until(condition: Callable[[], bool]) -> None:
     async with asyncio.timeout(600):
         while not condition():  # noqa: ASYNC110  (time is simulated)
             await asyncio.sleep(0.001)
+
+
+async def tell_of_reset(shared: SharedLink, gateway: BareGateway, client: Terminal, said: bytes = b"") -> None:
+    """Reset the gateway of a shared link, and have the link find out; meanwhile a client says something."""
+    sessions = shared._sessions
+    gateway.reset()
+    client.transport.write(said)
+    # What a server hands on has an ID, which a gateway that was reset answers by error 0A.
+    prober = call(shared)
+    prober.transport.write(b"R00\r")
+    await until(lambda: shared._sessions > sessions and shared.connected and not shared.away)
+    prober.transport.abort()
 
 
 class PipedLink(Link):

@@ -11,7 +11,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from sharing import call, settle, sharing
+from sharing import call, settle, sharing, tell_of_reset
 from simulated_time import on_simulated_time, run_simulated
 from unity_link.bridges.serve.conversation import Conversation
 from unity_link.protocol.configuration import Feature, GatewayInfo
@@ -122,7 +122,7 @@ async def hold_conversation(operations: list[tuple[Any, ...]]) -> tuple[list[byt
         for command, offset, count, spelling in operations:
             first = expected + offset
             if command == "reset":
-                shared.gateway_was_reset()
+                await tell_of_reset(shared, gateway, client)
             elif command == "K":
                 expected = first % CODEC.ring
                 client.transport.write(b"K%b\r" % CODEC.id_text[expected])

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from recorded_bus import RecordedBus
-from sharing import Terminal, call, settle, sharing, until
+from sharing import Terminal, call, settle, sharing, tell_of_reset, until
 from simulated_time import on_simulated_time
 from unity_link.errors import GatewayResetError
 from unity_link.protocol.configuration import GatewayInfo
@@ -30,18 +30,6 @@ CODEC = Codec(GatewayInfo())
 def lose(shared: SharedLink) -> None:
     """End the server's connection to the gateway, with all that is under way on it."""
     cut(shared)  # type: ignore[arg-type]
-
-
-async def tell_of_reset(shared: SharedLink, gateway: VirtualGateway, client: Terminal, said: bytes = b"") -> None:
-    """Reset the gateway, and have the link find out; meanwhile a client says something."""
-    sessions = shared._sessions
-    gateway.reset()
-    client.transport.write(said)
-    # What a server hands on has an ID, which a gateway that was reset answers by error 0A.
-    prober = call(shared)
-    prober.transport.write(b"R00\r")
-    await until(lambda: shared._sessions > sessions and shared.connected and not shared.away)
-    prober.transport.abort()
 
 
 async def say(client: Terminal, shared: SharedLink, text: bytes) -> list[bytes]:
@@ -172,7 +160,7 @@ async def test_of_requests_side_by_side_those_that_had_no_room_are_known_not_to_
         client.transport.write(codec.request_rows("W", 0, hex_rows(np.arange(0x0A00000000, 0x0A00000000 + 128), 10)))
         await asyncio.sleep(0.001)
         valve.answers_pass = True
-        await tell_of_reset(shared, gateway)
+        await tell_of_reset(shared, gateway, client)
         await settle(shared)
         frames = client.take().splitlines()
         assert frames[:50] == [b"X05"] * 50
@@ -194,7 +182,7 @@ async def test_a_client_hears_of_the_reset_also_behind_a_posted_write_and_while_
         client.transport.write(b"ws0000A00000001\r")
         await asyncio.sleep(0.001)
         lose(shared)
-        shared.gateway_was_reset()
+        shared._gateway_was_reset(Interrupted(GatewayResetError("the gateway was reset")))
         client.transport.write(b"r0010A\r")
         await asyncio.sleep(0.01)
         assert client.take() == b"x00005\r\nx0010A\r\n"

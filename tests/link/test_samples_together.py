@@ -44,7 +44,7 @@ def frames_of(link: Link, samples: Subscription, arriving: list[Arriving], *, st
     for step, damage in arriving:
         number += step
         stamp = b"%08X" % (0xFFFF_0000 + number * PERIOD & 0xFFFF_FFFF) if stamped else b""
-        body = b"P%02X%02X%b%08X%08X" % (group, number & 0xFF, stamp, number, 0xFFFF_FFFF - number)
+        body = b"P%b%02X%b%08X%08X" % (group.text, number & 0xFF, stamp, number, 0xFFFF_FFFF - number)
         frame = codec.framing.checked(body)
         if damage is not None:
             middle = len(frame) // 2

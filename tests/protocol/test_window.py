@@ -13,6 +13,7 @@ from hypothesis import settings
 from hypothesis import strategies as st
 from hypothesis.stateful import RuleBasedStateMachine, invariant, precondition, rule
 
+from unity_link.errors import Outcome
 from unity_link.protocol import constants as module
 from unity_link.protocol.window import Run, Unanswered, Window
 
@@ -49,7 +50,7 @@ def repeated(window: Window[Named]) -> str:
 
 
 def names(parts: list[Unanswered[Named]]) -> list[tuple[str, bool]]:
-    return [(part.run.name, part.executed) for part in parts]
+    return [(part.run.name, part.outcome is Outcome.EXECUTED) for part in parts]
 
 
 # The rows of the table
@@ -256,7 +257,7 @@ def test_a_run_may_be_answered_in_parts() -> None:
     run = Named("m", count=10)
     window.send(run, 0.0)
     window.answered(0, 4, now=0.001)
-    assert list(window.unanswered()) == [Unanswered(run, 4, 6, executed=False)]
+    assert list(window.unanswered()) == [Unanswered(run, 4, 6, Outcome.UNKNOWN)]
     window.answered(4, 6, now=0.001)
     assert window.in_flight == 0
 
