@@ -122,7 +122,8 @@ async def hold_conversation(operations: list[tuple[Any, ...]]) -> tuple[list[byt
         for command, offset, count, spelling in operations:
             first = expected + offset
             if command == "reset":
-                shared.gateway_was_reset()
+                for served in list(shared.clients):
+                    served.lose_session()
             elif command == "K":
                 expected = first % CODEC.ring
                 client.transport.write(b"K%b\r" % CODEC.id_text[expected])

@@ -154,6 +154,12 @@ async def test_of_a_batch_that_was_sent_in_part_each_request_is_told_once_and_no
     assert len(told[b"executed"]) <= len(words) <= told[b"refused"][0]
 
 
+def end_sessions(shared: SharedLink) -> None:
+    """Have every client told of a reset."""
+    for client in list(shared.clients):
+        client.lose_session()
+
+
 @on_simulated_time
 async def test_of_requests_side_by_side_those_that_had_no_room_are_known_not_to_be_executed() -> None:
     gateway = VirtualGateway(GatewayInfo(id_digits=2))
@@ -169,7 +175,10 @@ async def test_of_requests_side_by_side_those_that_had_no_room_are_known_not_to_
         client.transport.write(codec.request_rows("W", 0, hex_rows(np.arange(0x0A00000000, 0x0A00000000 + 128), 10)))
         await asyncio.sleep(0.001)
         valve.answers_pass = True
-        await tell_of_reset(shared, gateway)
+        lose(shared)
+        gateway.reset()
+        end_sessions(shared)
+        await until(lambda: shared.connected and not shared.away)
         await settle(shared)
         frames = client.take().splitlines()
         assert frames[:50] == [b"X05"] * 50
@@ -191,7 +200,7 @@ async def test_a_client_hears_of_the_reset_also_behind_a_posted_write_and_while_
         client.transport.write(b"ws0000A00000001\r")
         await asyncio.sleep(0.001)
         lose(shared)
-        shared.gateway_was_reset()
+        end_sessions(shared)
         client.transport.write(b"r0010A\r")
         await asyncio.sleep(0.01)
         assert client.take() == b"x00005\r\nx0010A\r\n"
