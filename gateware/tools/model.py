@@ -44,8 +44,8 @@ CONFIGURATIONS: dict[str, dict[str, int]] = {
     "default": {**_CLOCK, "sample_depth": 1024},
     # The widths of the paper's gateway.
     "short": {**_CLOCK, "id_digits": 2, **_CRC_8},
-    # What the paper's experiment measures on a board with an FT232H, at its true clock, because its time is modelled: the
-    # paper's CRC, and IDs for a window that fills the medium. A fine base tick finds the limit of publishing.
+    # What the experiment of the paper measures: an FT232H at its true clock, because its time is modelled, with the
+    # CRC of the paper, and IDs for a window that fills the medium. A fine base tick finds the limit of publishing.
     "ft232h": {
         **_CRC_8,
         "clock_hz": 50_000_000,
