@@ -122,13 +122,11 @@ class Draw:
 
     Args:
         seed: chooses everything.
-        without: features of worlds that are left out, see `world.KNOWN`.
     """
 
-    def __init__(self, seed: int, without: frozenset[str] = frozenset()) -> None:
+    def __init__(self, seed: int) -> None:
         self._random = random.Random(seed)
         self._seed = seed
-        self._without = without
         self._value = FIRST_VALUE
         self._listened: set[tuple[str, tuple[int, ...]]] = set()
 
