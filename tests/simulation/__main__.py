@@ -1,7 +1,7 @@
 """Run seeds of the simulation: ``python -m simulation FIRST [COUNT]``, from the directory of the tests.
 
 A world that fails is told as a story, and the program ends with 1. The last lines are what was injected. `KNOWN` of
-`simulation.world` names what is left out of the worlds.
+`simulation.world` names what is not judged.
 """
 
 from __future__ import annotations

@@ -11,16 +11,13 @@ from types import SimpleNamespace
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
-from unity_link.link.exchange import FEWEST_PUBLISHES, PublishRows
-from unity_link.link.requests import Request
 
-from simulation.world import KNOWN
 from unity_link.bridges.serve import client, shared
 from unity_link.bridges.serve import groups as served_groups
 from unity_link.bridges.serve import requests as served_requests
-from unity_link.errors import LinkLostError, Outcome
-from unity_link.link import exchange, link, requests, subscription
-from unity_link.protocol import reception, window
+from unity_link.errors import Outcome
+from unity_link.link import connection, link, subscription
+from unity_link.protocol import exchange, group_table, reception, requests, session, window
 from unity_link.protocol.messages import COMMANDS, Repetition
 from unity_link.protocol.reception import SequencePlace
 from unity_link.transport import stream
@@ -37,18 +34,11 @@ class Bug(NamedTuple):
 
     name: str
     put_back: Callable[[pytest.MonkeyPatch], None]
-    features: frozenset[str] = frozenset()
-    """Features of worlds that `KNOWN` leaves out, and that this bug needs."""
-
-    def without(self) -> frozenset[str]:
-        """Return the features that are left out of the worlds."""
-        return KNOWN - self.features
 
 
 BUGS: list[Bug] = []
 UNSEEN = frozenset(
     {
-        "a restored group takes another's addresses",
         "a server gives a slot away that still publishes for another client",
         "samples in bursts reach the subscriber of another group",
     }
@@ -56,99 +46,57 @@ UNSEEN = frozenset(
 """Bugs that 700 seeds did not show: the worlds have too few bursts, and too few groups that change hands, for them."""
 
 
-def bug(
-    name: str, *features: str
-) -> Callable[[Callable[[pytest.MonkeyPatch], None]], Callable[[pytest.MonkeyPatch], None]]:
+def bug(name: str) -> Callable[[Callable[[pytest.MonkeyPatch], None]], Callable[[pytest.MonkeyPatch], None]]:
     """Put a function that puts a bug back into the gallery."""
 
     def keep(put_back: Callable[[pytest.MonkeyPatch], None]) -> Callable[[pytest.MonkeyPatch], None]:
-        BUGS.append(Bug(name, put_back, frozenset(features)))
+        BUGS.append(Bug(name, put_back))
         return put_back
 
     return keep
 
 
-# Found in reviews and by this simulation, and put back as they were
+# Found by this simulation and otherwise, and put back as they were
 
 
-@bug("a restored group takes another's addresses")
+@bug("a client that leaves while groups are restored ends the server")
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
-    async def set_up(self: Any, group: int, held: Any) -> None:
-        schedule = held.schedule
-        addresses = np.array(schedule.addresses, np.uint64)
-        settings = (int(schedule.flags), schedule.divisor, len(addresses), addresses)
-        await self._submit("GS", group, *settings, kind=requests.OfSession)
-        if self._held.get(group) is held:
-            held.restart()
-            self._exchange.publishes[b"%02X" % group] = held.receive
-            self._exchange.publish_rows[b"P%02X" % group] = PublishRows(held.length, held.receive_rows)
-            await self._submit("GN", group, kind=requests.OfSession)
+    async def start_again(self: Any, slot: Any) -> None:
+        settings = slot.settings
+        if settings is not None:
+            await self._ask("GS", slot.text + settings.fields)
+            self.slots.begin(slot, settings)
+            if slot.running:
+                await self._ask("GN", slot.text)
 
-    monkeypatch.setattr(subscription.HeldGroups, "_set_up", set_up)
-
-
-@bug(
-    "a client that leaves while groups are restored ends the server", "clients that leave while a server sets up groups"
-)
-def _(monkeypatch: pytest.MonkeyPatch) -> None:
-    async def restore(self: Any) -> None:
-        for slot in list(self.slots.held):
-            group = slot.group
-            slot.stopping = False
-            if slot.idle():
-                self.slots.let_go(slot)
-            elif group is not None:
-                await self._ask("GS", slot.text + group.settings)
-                group.begin_anew(self.loop.time() - self._lost_at)
-                if group.running:
-                    self.slots.listen(slot)
-                    await self._ask("GN", slot.text)
-        self.away = False
-        self.turns.release()
-        if self._patience is not None:
-            self._patience.cancel()
-            self._patience = None
-
-    monkeypatch.setattr(shared.SharedLink, "_restore", restore)
+    monkeypatch.setattr(shared.SharedLink, "_start_again", start_again)
 
 
 @bug("samples in bursts reach the subscriber of another group")
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
-    def receive_publishes(self: Any, data: bytes, start: int, now: float) -> int:
-        framing = self._codec.framing
-        wanted = self.publish_rows.get(data[start : start + len(framing.prefix) + 3][-3:])
-        if wanted is None:
-            return start
-        size = wanted.size + framing.overhead
-        while (count := (len(data) - start) // size) >= FEWEST_PUBLISHES:
-            head = data[start : start + len(framing.prefix) + 3]
+    def receive_samples(self: Any, data: bytes, start: int, events: Any) -> int:
+        framing = self.codec.framing
+        after = len(framing.prefix) + 3
+        group = self._groups.begun.get(data[start : start + after][-2:])
+        size = 0 if group is None else group.length + framing.overhead
+        while size > framing.overhead and (count := (len(data) - start) // size) >= exchange.FEWEST_SAMPLES:
             rows = np.frombuffer(data, np.uint8, count * size, start).reshape(count, size)
-            bodies = framing.open_rows(rows, head)
-            taken = wanted.take(bodies, now) if len(bodies) >= FEWEST_PUBLISHES else 0
-            if not taken:
+            bodies = framing.open_rows(rows, data[start : start + after])
+            if len(bodies) < exchange.FEWEST_SAMPLES:
                 break
-            start += taken * size
+            events.append(exchange.SampledRows(group.owner, bodies))
+            start += len(bodies) * size
         return start
 
-    monkeypatch.setattr(exchange.Exchange, "_receive_publishes", receive_publishes)
+    monkeypatch.setattr(exchange.Exchange, "_receive_samples", receive_samples)
 
 
-@bug("a fence does not wait for batches", "fences behind batches")
+@bug("a fence does not wait for batches")
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
-    async def fence(self: Any) -> None:
-        self._posted = False
-        await self._ask("H")
-        first, count = self._posted_error, self._posted_failures
-        self._posted_error, self._posted_failures = None, 0
-        if first is not None:
-            if count > 1:
-                first.add_note(f"{count - 1} more posted writes failed as well")
-            raise first
-
-    monkeypatch.setattr(link.Link, "fence", fence)
+    monkeypatch.setattr(requests.Fence, "earlier", property(lambda self: [], lambda self, sources: None))
 
 
-@bug("a fence that is cancelled leaves the posted writes unconfirmed at the exit", "fences that fail")
+@bug("a fence that is cancelled leaves the posted writes unconfirmed at the exit")
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
     fence = link.Link.fence
 
@@ -162,7 +110,7 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(link.Link, "fence", forgetting)
 
 
-@bug("the exit of a lost link says nothing of posted writes", "exits of lost links")
+@bug("the exit of a lost link says nothing of posted writes")
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
     async def leave(self: Any, kind: Any, error: Any, trace: Any) -> None:
         try:
@@ -174,60 +122,97 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(link.Link, "__aexit__", leave)
 
 
-@bug("what sets a session up waits for the next one")
+@bug("what belongs to a session waits for the next one")
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
-    def suspend(self: Any, reason: str) -> None:
-        self._stop()
-        again = self._end_sent(LinkLostError(reason), keep=True)
-        self._waiting.extendleft(reversed(again))
-
-    monkeypatch.setattr(exchange.Exchange, "suspend", suspend)
+    monkeypatch.setattr(session.Session, "_drop_of_session", lambda self, error, events: None)
 
 
-@bug(
-    "a group that is set up again counts samples by its old number",
-    "counts of groups that are set up again",
-)
+@bug("a group that is set up again counts samples by its old number")
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
-    set_up = subscription.HeldGroups._set_up
+    restart = subscription.Subscription.restart
 
-    async def twice(self: Any, group: int, held: Any) -> None:
-        await set_up(self, group, held)
+    def going_on(self: Any) -> None:
+        before = self._sequence
+        restart(self)
+        self._sequence = before
 
-    monkeypatch.setattr(subscription.HeldGroups, "_set_up", twice)
-
-
-def _nothing(_: pytest.MonkeyPatch) -> None:
-    """Put nothing back: it is there."""
+    monkeypatch.setattr(subscription.Subscription, "restart", going_on)
 
 
-# These are of the protocol, version 01, or not mended yet: the worlds that show them are left out by `KNOWN`.
-BUGS += [
-    Bug("a reset behind an open line", _nothing, frozenset({"resets behind open lines"})),
-]
-
-
-@bug("the time of samples goes back where the gateway was reset", "time over a reset")
+@bug("the time of samples goes back where the gateway was reset")
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
-    start = subscription.HeldGroups.start
+    start = subscription.Publishing.start
 
     def anew(self: Any, codec: Any) -> None:
         start(self, codec)
         self.clock = subscription.GatewayClock(codec.info.clock_hz)
 
-    monkeypatch.setattr(subscription.HeldGroups, "start", anew)
+    monkeypatch.setattr(subscription.Publishing, "start", anew)
 
 
-@bug("a batch of reads ends at its first error", "reads behind an error")
+@bug("a batch of reads ends at its first error")
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(requests.BatchSource, "unwanted", lambda self: self._batch.future.done())
-    monkeypatch.setattr(requests.BatchRun, "unwanted", lambda self: self.given_up or self._batch.future.done())
-    monkeypatch.setattr(requests.Batch, "fail", _fail_at_once)
+    fail_part = requests.BatchRun.fail_part
+
+    def ending(self: Any, offset: int, count: int, error: Any, events: Any) -> None:
+        if self.posted:
+            fail_part(self, offset, count, error, events)
+        else:
+            self._batch.fail(error, events)
+
+    monkeypatch.setattr(requests.BatchRun, "fail_part", ending)
 
 
-def _fail_at_once(self: Any, error: Any) -> None:
-    if not self.future.done():
-        self.future.set_exception(error)
+# Protocol 02: a gateway that was reset says so
+
+
+@bug("a group's samples are taken before its settings are stored")
+def _(monkeypatch: pytest.MonkeyPatch) -> None:
+    set_up = group_table.GroupTable.set_up
+
+    def at_once(self: Any, codec: Any, group: Any, events: Any) -> None:
+        self.begun[group.text] = group
+        set_up(self, codec, group, events)
+
+    monkeypatch.setattr(group_table.GroupTable, "set_up", at_once)
+
+
+@bug("all that was under way at a reset is said not to be executed")
+def _(monkeypatch: pytest.MonkeyPatch) -> None:
+    unanswered = window.Window.unanswered
+
+    def never(self: Any, refused: int | None = None) -> Any:
+        for part in unanswered(self, refused):
+            yield part if refused is None else part._replace(outcome=Outcome.NOT_EXECUTED)
+
+    monkeypatch.setattr(window.Window, "unanswered", never)
+
+
+@bug("a request that was sent again before a reset is said not to be executed")
+def _(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(window.Window, "_sent_once", property(lambda self: self.oldest))
+
+
+@bug("a reset is told as an error of one request")
+def _(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(exchange, "_NO_SESSION", b"none")
+
+
+@bug("groups are not set up again behind a reset")
+def _(monkeypatch: pytest.MonkeyPatch) -> None:
+    start = group_table.GroupTable.start
+
+    def forgetting(self: Any, codec: Any, events: Any) -> None:
+        held, self._held = self._held, {}
+        start(self, codec, events)
+        self._held = held
+
+    monkeypatch.setattr(group_table.GroupTable, "start", forgetting)
+
+
+@bug("a server does not end its clients' sessions at a reset")
+def _(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(shared.SharedLink, "_gateway_was_reset", connection.Connection._gateway_was_reset)
 
 
 # The window and the requests: what the host does
@@ -237,35 +222,34 @@ def _fail_at_once(self: Any, error: Any) -> None:
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
     def again(self: Any, offset: int, count: int) -> Any:
         self.frame = b""
-        return self
+        return None if self.of_session else self
 
-    monkeypatch.setattr(Request, "again", again)
+    monkeypatch.setattr(requests.Request, "again", again)
 
 
 @bug("a batch of reads goes on at another place in a new session")
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
     def again(self: Any, offset: int, count: int) -> Any:
-        if self.command != "R":
-            return None
-        return requests.BatchSource(self._batch, offset, offset + count)
+        return requests.BatchPart(self._batch, offset, count) if self.command == "R" else None
 
     monkeypatch.setattr(requests.BatchRun, "again", again)
 
 
 @bug("what was not sent when the connection was lost is forgotten")
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
-    def suspend(self: Any, reason: str) -> None:
-        self._stop()
-        self._end_sent(LinkLostError(reason), keep=False)
+    end_exchange = session.Session._end_exchange
+
+    def forgetting(self: Any, error: Any, events: Any) -> None:
+        end_exchange(self, error, events)
         self._waiting.clear()
 
-    monkeypatch.setattr(exchange.Exchange, "suspend", suspend)
+    monkeypatch.setattr(session.Session, "_end_exchange", forgetting)
 
 
 @bug("requests that were under way are said not to be executed")
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
     known = SimpleNamespace(UNKNOWN=Outcome.NOT_EXECUTED, EXECUTED=Outcome.EXECUTED, NOT_EXECUTED=Outcome.NOT_EXECUTED)
-    monkeypatch.setattr(exchange, "Outcome", known)
+    monkeypatch.setattr(window, "Outcome", known)
 
 
 @bug("the window runs over the whole ring")
@@ -282,9 +266,9 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
 @bug("a repetition leaves out what nobody waits for")
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
     def repeat(self: Any) -> None:
-        for _, run, offset, count in self._window.repetition():
-            if self._stream is not None and not run.unwanted():
-                self._stream.send_soon(run.encode(offset, count))
+        for _, run, offset, count in self.window.repetition():
+            if not run.unwanted():
+                self._send(run.encode(offset, count))
 
     monkeypatch.setattr(exchange.Exchange, "_repeat", repeat)
 
@@ -303,7 +287,7 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
 
 @bug("errors of posted writes are told to nobody")
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(requests.Posted, "fail", lambda self, error: None)
+    monkeypatch.setattr(link.Link, "_note_posted", lambda self, failure: None)
 
 
 @bug("posted writes are not confirmed")
@@ -313,14 +297,14 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
 
 @bug("the timer is not set again after a repetition")
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
-    tick = exchange.Exchange._tick
+    tick = connection.Connection._tick
 
     def once(self: Any) -> None:
         tick(self)
-        if self._timer is not None:
+        if self._timer is not None and self.connected:
             self._timer.cancel()
 
-    monkeypatch.setattr(exchange.Exchange, "_tick", once)
+    monkeypatch.setattr(connection.Connection, "_tick", once)
 
 
 @bug("an answer confirms what comes behind it")
@@ -333,14 +317,14 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
     )
 
 
-@bug("answers to a batch are put in one place too far")
+@bug("answers to a batch are put in the opposite order")
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
     put = requests.Batch.put
 
-    def shifted(self: Any, offset: int, words: Any) -> None:
-        put(self, offset, words[::-1])
+    def turned(self: Any, offset: int, words: Any, events: Any) -> None:
+        put(self, offset, words[::-1], events)
 
-    monkeypatch.setattr(requests.Batch, "put", shifted)
+    monkeypatch.setattr(requests.Batch, "put", turned)
 
 
 @bug("what is sent while the transport is full is dropped")
@@ -356,14 +340,15 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
 
 @bug("the beginning of a frame is lost between two reads")
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
-    received = stream.Stream.data_received
+    receive = session.Session.receive
 
-    def forgetting(self: Any, data: bytes) -> None:
-        received(self, data)
-        if self.bytes_received > 2000:
+    def forgetting(self: Any, data: bytes, now: float) -> Any:
+        events = receive(self, data, now)
+        if self.is_open:
             self._rest = b""
+        return events
 
-    monkeypatch.setattr(stream.Stream, "data_received", forgetting)
+    monkeypatch.setattr(session.Session, "receive", forgetting)
 
 
 # Samples
@@ -425,7 +410,7 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
     place = reception.Sequence.place
 
     def careless(self: Any, number: int) -> SequencePlace:
-        if number == self.expected + 1 & self.mask:
+        if self.expected >= 0 and number == self.expected + 1 & self.mask:
             self.advance(2)
             return SequencePlace.NEXT
         return place(self, number)
@@ -469,7 +454,7 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
 @bug("a server sends writes again to a gateway that comes back")
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
     def again(self: Any, offset: int, count: int) -> Any:
-        self._frame = b""
+        self.frame = b""
         return self
 
     monkeypatch.setattr(served_requests.Relayed, "again", again)
@@ -477,27 +462,25 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
 
 @bug("a server leaves rows of requests unanswered while the gateway is away")
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(served_requests.RelayedRows, "refuse", lambda self: None)
+    monkeypatch.setattr(served_requests.RelayedRows, "refuse", lambda self, unsent: None)
 
 
 @bug("a server gives a slot away that still publishes for another client")
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
-    def silence(self: Any, slot: Any) -> None:
-        """Leave the publishes to whoever had them."""
+    def deliver(self: Any, text: bytes, owner: Any) -> None:
+        self.begun.setdefault(text, group_table.HeldGroup(int(text, 16), b"", 0, owner))
 
-    monkeypatch.setattr(served_groups.Slots, "silence", silence)
-    monkeypatch.setattr(
-        served_groups.Slots, "listen", lambda self, slot: self._publishes.setdefault(slot.text, slot.group.receive)
-    )
+    monkeypatch.setattr(group_table.GroupTable, "deliver", deliver)
+    monkeypatch.setattr(group_table.GroupTable, "drop", lambda self, text: None)
 
 
 @bug("a server hands a client's requests on in turns of one too many")
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
-    def answer(self: Any, offset: int, count: int, frames: bytes) -> None:
+    def take_frames(self: Any, offset: int, count: int, frames: bytes, events: Any) -> None:
         self._early[self.answered] = (count, frames)
-        self.asker.answer_rows(self)
+        events.append(self)
 
-    monkeypatch.setattr(served_requests.RelayedRows, "answer", answer)
+    monkeypatch.setattr(served_requests.RelayedRows, "take_frames", take_frames)
 
 
 @bug("a server answers what it refuses before what is under way")

@@ -143,7 +143,7 @@ class _Run:
 
     async def run(self, seed: int) -> None:
         """Run the first program that a seed draws, and judge it."""
-        plan = Draw(seed, KNOWN).plan()
+        plan = Draw(seed).plan()
         gateway = VirtualGateway(msgspec.structs.replace(plan.gateways[0].info, **_CRC_32))
         tap = Tap(gateway, [], "gateway")
         line = NoisyLine(cast("Gateway", tap), Noise(2 * seed, **CHANCES), Noise(2 * seed + 1, **CHANCES))
@@ -155,7 +155,7 @@ class _Run:
             await asyncio.wait(begun, return_when=asyncio.FIRST_COMPLETED)
             if serving.done():
                 await serving
-            program = Program(f"seed {seed}", ProgramPlan(await ready, plan.programs[0].lives), tap, logs, [], KNOWN)
+            program = Program(f"seed {seed}", ProgramPlan(await ready, plan.programs[0].lives), tap, logs, [])
             async with asyncio.timeout(SETTLED_AFTER):
                 await program.run()
         except TimeoutError:
@@ -181,8 +181,7 @@ class _Run:
                     ready.set_result(url)
                 await asyncio.sleep(BETWEEN_CUTS)
             self._result.cuts += 1
-            if number % 2 and (self._medium != "udp" or "resets behind open lines" not in KNOWN):
-                # Datagrams have no connection that would end: a line stays open over a reset.
+            if number % 2:
                 gateway.reset()
             await asyncio.sleep(AWAY)
 

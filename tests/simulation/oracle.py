@@ -250,8 +250,6 @@ class LinkLog:
         """Whether there is a server between."""
         self.reconnect = reconnect
         self.block_words = block_words
-        self.fence_failed = False
-        """Whether a fence was cancelled or ended in an error of its own."""
         self.refused = False
         """Whether the link gave up reconnecting, because a server had no group left for its subscriptions."""
         self.asks: list[Ask] = []
@@ -284,8 +282,6 @@ class Listening:
         self.lost: int | None = None
         """What the subscription counted, if it was read to its end."""
         self.rate: float | None = None
-        self.set_up_again = False
-        """Whether the link was lost and came back meanwhile."""
 
 
 # Whether they agree
@@ -300,7 +296,7 @@ class Oracle:
     """Judges a world that has ended.
 
     Args:
-        without: features of worlds that are left out, see `world.KNOWN`.
+        without: rules that are not judged, see `world.KNOWN`.
     """
 
     def __init__(self, without: frozenset[str]) -> None:
@@ -331,12 +327,7 @@ class Oracle:
                 self._judge_once(ask, address, word)
         elif error is None and ask.answer is not None:
             self._judge_read(ask)
-        if (
-            ask.kind == "read_many"
-            and isinstance(error, BusError)
-            and not ask.link.shared
-            and "reads behind an error" not in self._without
-        ):
+        if ask.kind == "read_many" and isinstance(error, BusError) and not ask.link.shared:
             self._judge_others(ask)
         if ask.kind == "write_masked":
             self._judge_old_word(ask)
@@ -441,8 +432,6 @@ class Oracle:
 
     def _judge_posted(self, log: LinkLog) -> None:
         """Check that a fence tells of each posted write before it that was not executed."""
-        if log.shared and "posted writes behind a server" in self._without:
-            return
         posted = [ask for ask in log.asks if ask.kind in _POSTED and ask.error is None and ask.told is not None]
         recorder = log.recorder
         for fence in log.asks:
@@ -455,8 +444,6 @@ class Oracle:
             for ask in posted:
                 if ask.number > fence.number:
                     break
-                if "fences behind batches" in self._without and not (ask.told and ask.told < fence.asked):
-                    continue
                 when = [recorder.places.get(word) for _, word in ask.words]
                 missing += not all(places and recorder.writes[places[0]][0] <= fence.told + _SLACK for places in when)
             reported = sum(count for when, count in log.post_failures if when <= fence.told)
@@ -472,7 +459,6 @@ class Oracle:
         recorder = listening.link.recorder
         digits = -(-recorder_digits(listening) // 1)
         life, number, last, time = -1, -1, -1.0, -1.0
-        counted = not listening.set_up_again or "counts of groups that are set up again" not in (self._without)
         lost_before = 0
         for position, sample in enumerate(listening.samples):
             words = [int(word) for word in sample.values]
@@ -492,7 +478,7 @@ class Oracle:
                 raise WorldError("samples in another order", where)
             self._judge_instant(listening, words, instant, where)
             # Words that stand still for a while do not tell which of several samples they are.
-            sure = counted and (len(places) == 1 or listening.addresses[0] not in BURSTS)
+            sure = len(places) == 1 or listening.addresses[0] not in BURSTS
             time = self._judge_time(listening, sample, time, where)
             new_life, new_number = _most_likely(places, life, number, sample.lost)
             if new_life == life:
@@ -514,8 +500,8 @@ class Oracle:
 
     def _judge_time(self, listening: Listening, sample: Sample, before: float, where: str) -> float:
         """Check that the time of samples does not go back."""
-        feature = "time over a reset behind a server" if listening.link.shared else "time over a reset"
-        if sample.time is None or feature in self._without:
+        known = listening.link.shared and "time over a reset behind a server" in self._without
+        if sample.time is None or known:
             return before
         if sample.time < before - _SLACK:
             raise WorldError("time that goes back", f"{where}: {sample.time}, and {before} before it")

@@ -85,7 +85,7 @@ class Mishap(NamedTuple):
     whom: str
     kind: str
     """``reset``: it is reset, and its connections are cut; ``away``: it also can't be reached for a time; ``reset in
-    place``: its connections stay, which version 01 of the protocol does not notice."""
+    place``: its connections stay."""
     seconds: float
 
 
@@ -122,13 +122,11 @@ class Draw:
 
     Args:
         seed: chooses everything.
-        without: features of worlds that are left out, see `world.KNOWN`.
     """
 
-    def __init__(self, seed: int, without: frozenset[str] = frozenset()) -> None:
+    def __init__(self, seed: int) -> None:
         self._random = random.Random(seed)
         self._seed = seed
-        self._without = without
         self._value = FIRST_VALUE
         self._listened: set[tuple[str, tuple[int, ...]]] = set()
 
@@ -226,9 +224,7 @@ class Draw:
         mishaps = []
         for number in range(gateways):
             for _ in range(draw.choice((0, 0, 1, 1, 2))):
-                kind = draw.choice(("reset", "reset", "away"))
-                if kind == "reset" and "resets behind open lines" not in self._without:
-                    kind = "reset in place"
+                kind = draw.choice(("reset", "reset in place", "away"))
                 mishaps.append(Mishap(draw.uniform(0.005, 0.6), f"gateway{number}", kind, draw.choice((0.1, 0.6, 3.0))))
         mishaps += [
             Mishap(draw.uniform(0.01, 0.6), f"server{number}", "away", draw.choice((0.1, 0.6)))

@@ -21,6 +21,8 @@ if TYPE_CHECKING:
 _MORE = re.compile(r"(\d+) more posted writes failed")
 PAUSES = Reconnect(first_pause=0.02, longest_pause=1.0)
 CONNECT_TRIES = 40
+PATIENCE = 30.0
+"""Seconds within which a link that was lost and its groups must be back."""
 
 
 _WORDS: dict[str, Callable[..., Any]] = {
@@ -62,13 +64,11 @@ class Program:
         tap: Tap,
         logs: list[LinkLog],
         trace: list[Any],
-        without: frozenset[str] = frozenset(),
     ) -> None:
         self.name = name
         self.links: list[Link] = []
         self._plan = plan
         self._url = plan.line if ":" in plan.line else f"tcp://{plan.line}:1"
-        self._without = without
         self._tap = tap
         self._logs = logs
         self._trace = trace
@@ -92,7 +92,7 @@ class Program:
         )
         self._logs.append(log)
         self._mine = {}
-        leaving, lost = None, False
+        leaving = None
         try:
             async with link:
                 tasks = [self._loop.create_task(self._task(link, log, steps)) for steps in life.tasks]
@@ -101,14 +101,12 @@ class Program:
                     await link.aclose()
                 for task in tasks:
                     await task
-                if "fences that fail" not in self._without or not log.fence_failed:
-                    leaving = log.ask("exit", (), self._loop.time())
-                lost = log.ended(link) and "exits of lost links" in self._without
+                leaving = log.ask("exit", (), self._loop.time())
         except UnityLinkError as error:
             if leaving is not None:
-                self._fail(log, leaving, error, ended=lost)
+                self._fail(log, leaving, error, ended=False)
         else:
-            if leaving is not None and life.close_after is None and not lost:
+            if life.close_after is None:
                 leaving.told = self._loop.time()
 
     async def _connect(self, life: Life) -> Link:
@@ -153,7 +151,6 @@ class Program:
             answer = await coroutine
         except asyncio.CancelledError:
             ask.cancelled = True
-            log.fence_failed |= ask.kind == "fence"
             self._note("cancelled", ask.number)
             raise
         except UnityLinkError as error:
@@ -167,7 +164,6 @@ class Program:
     def _fail(self, log: LinkLog, ask: Ask, error: UnityLinkError, *, ended: bool) -> None:
         ask.told, ask.error = self._loop.time(), error
         log.refused |= "the reconnection failed" in str(error)
-        log.fence_failed |= str(error).startswith("fence")
         ask.ended = ended or log.refused or isinstance(error, LinkClosedError)
         self._note("failed", ask.number, repr(error))
         if ask.kind in ("fence", "exit"):
@@ -198,7 +194,6 @@ class Program:
         keywords = dict(arguments)
         listening = Listening(log, self._tap.published, addresses, keywords | {"digits": link.gateway.data_digits})
         callback = listening.samples.append if by_callback else None
-        reconnections = link.statistics.reconnections
         subscription = link.subscribe(list(addresses), callback=callback, **keywords)
         listening.rate = subscription.rate_hz
         self._note("subscribe", addresses, arguments)
@@ -214,6 +209,8 @@ class Program:
                         async for sample in subscription:
                             listening.samples.append(sample)
                             await asyncio.sleep(pace)
+                if subscription.rate_hz is not None and not keywords["on_change"]:
+                    await self._follow(link, log, subscription, listening, by_callback=by_callback)
             if not by_callback:
                 async for sample in subscription:
                     listening.samples.append(sample)
@@ -230,7 +227,23 @@ class Program:
             self._note("samples", addresses, len(listening.samples), listening.lost)
         for task in asking:
             await task
-        listening.set_up_again = link.statistics.reconnections != reconnections
+
+    async def _follow(
+        self, link: Link, log: LinkLog, samples: unity_link.Subscription, listening: Listening, *, by_callback: bool
+    ) -> None:
+        """Listen until a sample of the link's last session comes, as it must where groups are set up again."""
+        until = self._loop.time() + PATIENCE
+        while listening.samples and listening.samples[-1].epoch < link.statistics.reconnections:
+            if not by_callback:
+                with contextlib.suppress(TimeoutError):
+                    async with asyncio.timeout_at(until):
+                        listening.samples.append(await anext(samples))
+            else:
+                await asyncio.sleep(0.1)
+            if log.refused or log.ended(link):
+                return
+            if self._loop.time() >= until:
+                raise WorldError("a group that was not set up again", f"{log.name}, {listening.addresses}")
 
     async def _publish(self, subscription: unity_link.Subscription, pace: float) -> None:
         await asyncio.sleep(pace)

@@ -60,8 +60,8 @@ def test_a_seed_repeats_its_world_to_the_byte_also_in_another_process() -> None:
 def test_a_failure_is_told_by_its_seed_and_by_a_shorter_world(monkeypatch: pytest.MonkeyPatch) -> None:
     bug = next(bug for bug in BUGS if bug.name == "a repetition is executed again")
     bug.put_back(monkeypatch)
-    failed = next(outcome for seed in range(200) if (outcome := run_seed(seed, bug.without())).error)
-    shortest = shrink(failed, bug.without())
+    failed = next(outcome for seed in range(200) if (outcome := run_seed(seed)).error)
+    shortest = shrink(failed)
     assert shortest.error is not None
     assert failed.error is not None
     assert shortest.error.kind == failed.error.kind
@@ -76,7 +76,7 @@ def test_a_failure_is_told_by_its_seed_and_by_a_shorter_world(monkeypatch: pytes
 def test_a_known_bug_that_is_put_back_is_found(bug: Bug, monkeypatch: pytest.MonkeyPatch) -> None:
     bug.put_back(monkeypatch)
     for seed in range(CAMPAIGN_SEEDS):
-        outcome = run_seed(seed, bug.without())
+        outcome = run_seed(seed)
         if outcome.error is not None:
             print(f"{bug.name}: found by seed {seed}: {outcome.error}")  # noqa: T201
             return
