@@ -31,7 +31,7 @@ RATE = 8e6
 
 
 def checked(body: bytes) -> bytes:
-    return body + Crc().text(body) + b"\n"
+    return body + Crc(8, 0x07).text(body) + b"\n"
 
 
 def chip(image: bytes | None = None) -> tuple[VirtualFt232h, RtlGateway]:
