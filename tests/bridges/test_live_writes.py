@@ -178,7 +178,7 @@ def test_a_value_that_was_not_sent_when_the_link_goes_away_never_is(robot_type: 
             writing = Writing(robot_type(link), TOKEN)
             gateway.requests_pass = False
             # It waits behind more than may be under way.
-            reads = [asyncio.ensure_future(link.read(0)) for _ in range(1000)]
+            reads = [asyncio.ensure_future(link.read(0)) for _ in range(3000)]
             await asyncio.sleep(0)
             asked = asyncio.ensure_future(writing.write(Write(1, "word", 5)))
             await asyncio.sleep(0.2)
