@@ -98,6 +98,7 @@ class Program:
                 tasks = [self._loop.create_task(self._task(link, log, steps)) for steps in life.tasks]
                 if life.close_after is not None and tasks:
                     await asyncio.wait(tasks, timeout=life.close_after)
+                    log.closed = True
                     await link.aclose()
                 for task in tasks:
                     await task
@@ -240,7 +241,7 @@ class Program:
                         listening.samples.append(await anext(samples))
             else:
                 await asyncio.sleep(0.1)
-            if log.refused or log.ended(link):
+            if log.ended(link):
                 return
             if self._loop.time() >= until:
                 raise WorldError("a group that was not set up again", f"{log.name}, {listening.addresses}")
