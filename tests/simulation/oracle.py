@@ -487,8 +487,7 @@ class Oracle:
                 due = new_number - number - 1
                 if sure and sample.lost != due and (due < 0x100 or not _ambiguous(sample.lost, due, listening)):
                     raise WorldError("lost samples counted wrong", f"{where}: lost {sample.lost}, {due} are missing")
-            elif sure and life < 0 and (sample.lost - new_number) % 0x100 and not listening.link.shared:
-                # A life that begins behind 255 of the one before looks like more of that.
+            elif sure and (sample.lost - new_number) % 0x100 and not listening.link.shared:
                 raise WorldError(
                     "lost samples counted wrong", f"{where}: lost {sample.lost}, {new_number} were due before it"
                 )
