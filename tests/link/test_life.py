@@ -922,3 +922,21 @@ async def test_an_answer_of_another_length_or_command_is_not_taken(make_bare: Ma
         assert await read == 0
         assert (await many).tolist() == [0, 0, 0]
         assert link.statistics.stray_frames == 6
+
+
+@on_simulated_time
+async def test_the_end_of_a_link_is_not_an_error_of_a_subscription_whose_leaving_was_cancelled(
+    make_direct: Maker,
+) -> None:
+    valve = Valve(make_direct(**SLOW))
+    complaints: list[str] = []
+    asyncio.get_running_loop().set_exception_handler(lambda _, context: complaints.append(context["message"]))
+    async with unity_link.connect(valve) as link:
+        samples = link.subscribe([1], rate_hz=100)
+        await samples.__aenter__()
+        valve.answers_pass = False
+        with pytest.raises(TimeoutError):
+            async with asyncio.timeout(0.001):
+                await samples.__aexit__(None, None, None)
+    gc.collect()
+    assert complaints == []

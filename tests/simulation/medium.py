@@ -192,6 +192,15 @@ class End(asyncio.Transport):
         self._end(0.0)
         self.peer._end(self._line.latency)
 
+    def drop(self) -> None:
+        """Lose what was written and has not arrived."""
+        self._buffer.clear()
+        if self._ending:
+            self.abort()
+        elif self._paused and not self._dead:
+            self._paused = False
+            self._protocol.resume_writing()
+
     def cut(self, noticed_after: float) -> None:
         """End both sides, this one at once and the other later, as where a machine does not see that a cable is out."""
         self._closing = self.peer._closing = True
@@ -321,6 +330,11 @@ class Network:
         """Cut all connections to one who listens."""
         for end in [end for end, listener in self.open.items() if listener == name]:
             end.cut(0.0)
+
+    def drop(self, name: str) -> None:
+        """Lose what one who listens has sent and has not arrived."""
+        for end in [end for end, listener in self.open.items() if listener == name]:
+            end.drop()
 
     def calm(self) -> None:
         """Let nothing go wrong any more."""

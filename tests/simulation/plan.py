@@ -85,7 +85,7 @@ class Mishap(NamedTuple):
     whom: str
     kind: str
     """``reset``: it is reset, and its connections are cut; ``away``: it also can't be reached for a time; ``reset in
-    place``: its connections stay."""
+    place``: its connections stay, but what it has sent and has not arrived is lost."""
     seconds: float
 
 
@@ -171,7 +171,7 @@ class Draw:
             crc_bits=crc_bits,
             crc_polynomial=_POLYNOMIALS[crc_bits],
             block_words=draw.choice((4, 255, 255)),
-            groups=draw.choice((2, 3, 4, 16)),
+            groups=draw.choice((1, 2, 3, 4, 16)),
             group_words=16,
             base_frequency_millihertz=draw.choice((200_000, 200_000, 1_000_000)),
             receive_fifo_bytes=fifo,
@@ -356,9 +356,8 @@ class Draw:
         publishes = draw.choice((1, 3, 12)) if kind == "asked" else draw.choice((0, 0, 0, 2))
         publishes = 0 if kind == "changed" else publishes
         seconds = draw.choice((0.02, 0.1, 0.3))
-        return Step(
-            "listen", (addresses, tuple(sorted(arguments.items())), seconds, pace, publishes, draw.random() < 0.2)
-        )
+        manner = tuple(how for how, chance in _MANNERS.items() if draw.random() < chance)
+        return Step("listen", (addresses, tuple(sorted(arguments.items())), seconds, pace, publishes, manner))
 
 
 _FAULTS = ("lose", "lose", "flip", "flip", "double", "stall", "cut", "mute")
@@ -379,6 +378,8 @@ _CALL_ODDS = {
     "write_many": 4,
     "post_many": 3,
 }
+_MANNERS = {"by callback": 0.2, "in haste": 0.3}
+"""How a program listens, and how often: it is called, and it does not wait until its group has been stopped."""
 _STEP_ODDS = {"call": 60, "burst": 12, "cancel": 8, "sleep": 8, "listen": 12}
 _CALLS, _CALL_WEIGHTS = list(_CALL_ODDS), list(_CALL_ODDS.values())
 _STEPS, _STEP_WEIGHTS = list(_STEP_ODDS), list(_STEP_ODDS.values())

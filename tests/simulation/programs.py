@@ -13,7 +13,7 @@ from unity_link import ConnectError, Link, Reconnect, SamplesLostError, UnityLin
 from unity_link.errors import LinkClosedError, UnansweredError
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import AsyncIterator, Callable
 
     from simulation.oracle import Ask, Tap
     from simulation.plan import Life, ProgramPlan, Step
@@ -44,6 +44,21 @@ def words_of(step: Step) -> tuple[tuple[int, int], ...]:
     """Return the addresses that a call is about, each with the word that is written, or 0."""
     words: tuple[tuple[int, int], ...] = _WORDS[step.kind](*step.args) if step.kind in _WORDS else ()
     return words
+
+
+@contextlib.asynccontextmanager
+async def _entered(subscription: unity_link.Subscription, *, in_haste: bool) -> AsyncIterator[None]:
+    """Enter a subscription; who leaves in haste does not wait until its group has been stopped."""
+    async with contextlib.AsyncExitStack() as stack:
+        await subscription.__aenter__()
+
+        async def leave(*error: Any) -> None:
+            with contextlib.suppress(TimeoutError):
+                async with asyncio.timeout(0 if in_haste else None):
+                    await subscription.__aexit__(*error)
+
+        stack.push_async_exit(leave)
+        yield
 
 
 class Program:
@@ -98,6 +113,7 @@ class Program:
                 tasks = [self._loop.create_task(self._task(link, log, steps)) for steps in life.tasks]
                 if life.close_after is not None and tasks:
                     await asyncio.wait(tasks, timeout=life.close_after)
+                    log.closed = True
                     await link.aclose()
                 for task in tasks:
                     await task
@@ -189,8 +205,9 @@ class Program:
         seconds: float,
         pace: float,
         publishes: int,
-        by_callback: bool,
+        manner: tuple[str, ...],
     ) -> None:
+        by_callback, in_haste = "by callback" in manner, "in haste" in manner
         keywords = dict(arguments)
         listening = Listening(log, self._tap.published, addresses, keywords | {"digits": link.gateway.data_digits})
         callback = listening.samples.append if by_callback else None
@@ -199,7 +216,7 @@ class Program:
         self._note("subscribe", addresses, arguments)
         asking: list[asyncio.Task[None]] = []
         try:
-            async with subscription:
+            async with _entered(subscription, in_haste=in_haste):
                 log.listenings.append(listening)
                 asking += [self._loop.create_task(self._publish(subscription, pace)) for _ in range(publishes)]
                 with contextlib.suppress(TimeoutError):
@@ -240,7 +257,7 @@ class Program:
                         listening.samples.append(await anext(samples))
             else:
                 await asyncio.sleep(0.1)
-            if log.refused or log.ended(link):
+            if log.ended(link):
                 return
             if self._loop.time() >= until:
                 raise WorldError("a group that was not set up again", f"{log.name}, {listening.addresses}")

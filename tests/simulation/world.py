@@ -177,7 +177,9 @@ class World:
         self._trace.append((asyncio.get_running_loop().time(), mishap.whom, "mishap", mishap.kind))
         self.outcome.injected[mishap.kind] += 1
         network = self._network
-        if mishap.kind != "reset in place":
+        if mishap.kind == "reset in place":
+            network.drop(mishap.whom)
+        else:
             network.cut(mishap.whom)
         if mishap.whom.startswith("gateway"):
             self._taps[int(mishap.whom[-1])].gateway.reset()

@@ -211,7 +211,7 @@ class Publishing:
             self._go_on(events)
             # A gateway that is gone has stopped it, also one behind a server, and one that was reset knows it no more.
             with contextlib.suppress(LinkLostError, BusTimeoutError, OutOfRangeError):
-                await asyncio.shield(waiter)
+                await waiter
 
     async def publish(self, group: HeldGroup) -> None:
         """Have a group published once, now."""
