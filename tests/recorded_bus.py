@@ -4,11 +4,16 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from unity_link.protocol.configuration import GatewayInfo
 from unity_link.protocol.messages import ErrorCode
+from unity_link.virtual import VirtualGateway
 from unity_link.virtual.bus import AccessError
 
 if TYPE_CHECKING:
     from unity_link.virtual import BareGateway
+
+QUEUE = 0x20
+"""The address of a `queue_of_writes`."""
 
 
 class RecordedBus:
@@ -40,3 +45,25 @@ class RecordedBus:
         if offset in self._failing:
             raise AccessError(ErrorCode.BUS_ERROR)
         self.words[offset] = value
+
+
+class _Queue:
+    """A device that records what is written to it."""
+
+    def __init__(self) -> None:
+        self.written: list[int] = []
+
+    def read(self, offset: int, now: float) -> int:
+        return QUEUE
+
+    def write(self, offset: int, value: int, now: float) -> None:
+        self.written.append(value)
+
+
+def gateway_with_queue() -> tuple[VirtualGateway, list[int]]:
+    """Return a gateway of short laps, each of whose words is its address, and what is written to `QUEUE`, in order."""
+    gateway, queue = VirtualGateway(GatewayInfo(id_digits=2)), _Queue()
+    for address in range(256):
+        gateway.memory[address] = address
+    gateway.attach(queue, [QUEUE])
+    return gateway, queue.written

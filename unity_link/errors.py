@@ -71,6 +71,11 @@ _OUTCOME_TEXT = {
 }
 
 
+def reason_of(error: UnityLinkError) -> str:
+    """Return what an error says, without what it says of a request."""
+    return error.reason if isinstance(error, UnansweredError) else str(error)
+
+
 class LinkLostError(UnansweredError):
     """The link ended before the call was answered."""
 

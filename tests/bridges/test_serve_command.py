@@ -18,7 +18,7 @@ import pytest
 
 import unity_link
 from bridge_programs import PROGRAM, wait_until
-from unity_link import BusTimeoutError, ConnectError, blocking
+from unity_link import BusTimeoutError, ConnectError, GatewayResetError, blocking
 from unity_link.bridges.serve.door import MOST_CLIENTS
 
 if TYPE_CHECKING:
@@ -243,6 +243,8 @@ def test_the_gateway_may_be_away_at_the_start_and_in_between(tmp_path: Path) -> 
                         return link.read(1) == 0
                     except BusTimeoutError:
                         return False
+                    except GatewayResetError:
+                        return True
 
                 wait_until(back)
                 link.write(1, 13)

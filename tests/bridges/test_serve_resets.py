@@ -9,10 +9,12 @@ import numpy as np
 import pytest
 
 from recorded_bus import RecordedBus
-from sharing import Terminal, call, settle, sharing, tell_of_reset, until
+from sharing import PipedLink, Terminal, call, settle, sharing, tell_of_reset, until
 from simulated_time import on_simulated_time
+from unity_link import Reconnect
 from unity_link.errors import GatewayResetError
 from unity_link.protocol.configuration import GatewayInfo
+from unity_link.protocol.constants import KEEP_ALIVE
 from unity_link.protocol.messages import Codec, hex_rows
 from unity_link.protocol.session import Interrupted
 from unity_link.virtual import VirtualGateway
@@ -206,3 +208,29 @@ async def test_a_gateway_that_is_reset_behind_an_open_line_ends_the_sessions_of_
         assert gateway.next_due is None
         assert await say(client, shared, b"K100\rw1000A00000004\r") == [b"K100", b"w100"]
         assert gateway.memory[0x0A] == 4
+
+
+@pytest.mark.parametrize("was_reset", [True, False])
+@on_simulated_time
+async def test_a_reset_while_the_gateway_was_away_ends_the_sessions_of_the_clients_and_its_absence_alone_does_not(
+    *, was_reset: bool
+) -> None:
+    gateway = VirtualGateway(GatewayInfo(base_frequency_millihertz=KILOHERTZ))
+    async with (
+        sharing(gateway) as shared,
+        PipedLink(shared, reconnect=Reconnect()) as link,
+        link.subscribe([1], rate_hz=100) as subscription,
+    ):
+        before = await anext(subscription)
+        lose(shared)
+        if was_reset:
+            gateway.reset()
+        await until(lambda: shared.connected)
+        sample = await anext(subscription)
+        while was_reset and sample.epoch == 0:
+            sample = await anext(subscription)
+        await asyncio.sleep(2 * KEEP_ALIVE)
+        assert link.statistics.reconnections == was_reset
+        assert sample.time is not None
+        assert before.time is not None
+        assert sample.time > before.time

@@ -26,7 +26,10 @@ from unity_link.virtual.line import SlowLine
 from valve import Valve, cut
 
 if TYPE_CHECKING:
+    from collections.abc import AsyncIterator
+
     from unity_link import Link
+    from unity_link.protocol.messages import Words
     from unity_link.transport.stream import Stream
 
 KILOHERTZ = 1_000_000
@@ -218,14 +221,23 @@ async def test_a_lone_read_waits_for_one_turn_of_the_others_and_not_for_all_they
     assert each < 0.12
 
 
-@on_simulated_time
-async def test_a_new_session_begins_behind_the_writes_that_a_connection_which_may_be_dead_has_left() -> None:
+@contextlib.asynccontextmanager
+async def busy_with_writes() -> AsyncIterator[
+    tuple[RecordedBus, SharedLink, PipedLink, asyncio.Task[None], asyncio.Task[Words]]
+]:
+    """Share a line with two clients of which one writes for long, and the other reads for longer."""
     gateway = VirtualGateway()
     bus = RecordedBus(gateway)
-    async with sharing(SlowLine(gateway, 100_000)) as shared, PipedLink(shared) as before, PipedLink(shared) as reader:
+    async with sharing(SlowLine(gateway, 100_000)) as shared, PipedLink(shared) as writer, PipedLink(shared) as reader:
         reads = asyncio.create_task(reader.read_many([2] * 4000))
-        writes = asyncio.create_task(before.write_many([1] * 400, range(400)))
+        writes = asyncio.create_task(writer.write_many([1] * 400, range(400)))
         await asyncio.sleep(0.01)
+        yield bus, shared, writer, writes, reads
+
+
+@on_simulated_time
+async def test_a_new_session_begins_behind_the_writes_that_a_connection_which_may_be_dead_has_left() -> None:
+    async with busy_with_writes() as (bus, shared, _, writes, reads):
         # The same program by another connection: the server has not seen yet that the first one is cut.
         async with PipedLink(shared) as after:
             await after.write(1, 400)
@@ -237,12 +249,7 @@ async def test_a_new_session_begins_behind_the_writes_that_a_connection_which_ma
 
 @on_simulated_time
 async def test_a_new_session_does_not_wait_for_a_client_that_has_left() -> None:
-    gateway = VirtualGateway()
-    bus = RecordedBus(gateway)
-    async with sharing(SlowLine(gateway, 100_000)) as shared, PipedLink(shared) as before, PipedLink(shared) as reader:
-        reads = asyncio.create_task(reader.read_many([2] * 4000))
-        writes = asyncio.create_task(before.write_many([1] * 400, range(400)))
-        await asyncio.sleep(0.01)
+    async with busy_with_writes() as (bus, shared, before, writes, reads):
         async with PipedLink(shared) as after:
             last = asyncio.create_task(after.write(1, 400))
             await asyncio.sleep(0.01)

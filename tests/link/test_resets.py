@@ -14,10 +14,12 @@ from simulated_time import on_simulated_time
 from unity_link import LinkLostError, Outcome
 from unity_link.errors import GatewayResetError
 from unity_link.link import connection
+from unity_link.protocol.constants import KEEP_ALIVE, LONGEST_SILENCE, LONGEST_TIMEOUT
 from valve import Valve
 
 if TYPE_CHECKING:
     from makers import Maker
+    from unity_link import Subscription
 
 
 @on_simulated_time
@@ -101,6 +103,53 @@ async def test_subscriptions_go_on_in_the_next_session(make_direct: Maker) -> No
         assert before[1].time is not None
         assert sample.time > before[1].time
         assert link.statistics.reconnections == 1
+
+
+@on_simulated_time
+async def test_a_program_that_only_takes_samples_gets_those_of_the_next_session(make_direct: Maker) -> None:
+    gateway = make_direct(**SLOW)
+    gateway.memory[1] = 11
+    async with unity_link.connect(gateway) as link, link.subscribe([1], rate_hz=100) as subscription:
+        before = await anext(subscription)
+        gateway.reset()
+        async with asyncio.timeout(2):
+            while (sample := await anext(subscription)).epoch == 0:
+                pass
+        assert (sample.values.tolist(), sample.epoch) == ([11], 1)
+        assert sample.time is not None
+        assert before.time is not None
+        assert sample.time > before.time
+
+
+async def _last_words(subscription: Subscription) -> str:
+    try:
+        async for _ in subscription:
+            pass
+    except LinkLostError as error:
+        return error.reason
+    return ""
+
+
+@on_simulated_time
+async def test_a_link_on_which_only_samples_get_through_is_lost_soon(make_direct: Maker) -> None:
+    valve = Valve(make_direct(**SLOW))
+    async with unity_link.connect(valve) as link, link.subscribe([1], rate_hz=100) as subscription:
+        await anext(subscription)
+        valve.requests_pass = False
+        last_words = asyncio.create_task(_last_words(subscription))
+        async with asyncio.timeout(KEEP_ALIVE + LONGEST_SILENCE + LONGEST_TIMEOUT):
+            assert await last_words == "the gateway does not answer any more"
+
+
+@on_simulated_time
+async def test_nothing_is_asked_of_a_gateway_where_no_group_is_held(make_direct: Maker) -> None:
+    valve = Valve(make_direct(**SLOW))
+    async with unity_link.connect(valve) as link:
+        async with link.subscribe([1], rate_hz=100) as subscription:
+            await anext(subscription)
+        heard = len(valve.heard)
+        await asyncio.sleep(5 * KEEP_ALIVE)
+        assert len(valve.heard) == heard
 
 
 @on_simulated_time

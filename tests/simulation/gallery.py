@@ -69,7 +69,7 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
 
 @bug("samples in bursts reach the subscriber of another group")
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
-    def receive_samples(self: Any, data: bytes, start: int, events: Any) -> int:
+    def receive_samples(self: Any, data: bytes, start: int, now: float, events: Any) -> int:
         framing = self.codec.framing
         after = len(framing.prefix) + 3
         group = self._groups.begun.get(data[start : start + after][-2:])
@@ -79,7 +79,7 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
             bodies = framing.open_rows(rows, data[start : start + after])
             if len(bodies) < exchange.FEWEST_SAMPLES:
                 break
-            events.append(exchange.SampledRows(group.owner, bodies))
+            events.append(exchange.SampledRows(group.owner, bodies, now))
             start += len(bodies) * size
         return start
 

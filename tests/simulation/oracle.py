@@ -18,7 +18,7 @@ from unity_link.virtual.bus import AccessError
 from unity_link.virtual.gateway import Gateway
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, MutableMapping, Sequence
+    from collections.abc import Callable, Iterator, MutableMapping, Sequence
 
     from unity_link import Link, Sample
     from unity_link.virtual.gateway import BareGateway
@@ -122,6 +122,8 @@ class Published:
     def __init__(self) -> None:
         self.samples: dict[bytes, list[tuple[int, int]]] = defaultdict(list)
         """By the digits of its words: the life of the group, the number in it."""
+        self.last: dict[int, int] = {}
+        """By the life of a group: the number of its last sample."""
         self._lives = 0
         self._groups: dict[bytes, tuple[int, int]] = {}
         self._asked: set[bytes] = set()
@@ -145,6 +147,7 @@ class Published:
             self._lives += 1
         self._set_up.discard(group)
         self._groups[group] = place = life, last + step
+        self.last[life] = last + step
         self.samples[text].append(place)
         self.samples[text[8:]].append(place)
 
@@ -460,7 +463,9 @@ class Oracle:
     def _judge_listening(self, listening: Listening) -> None:
         recorder = listening.link.recorder
         digits = -(-recorder_digits(listening) // 1)
-        life, number, last, time = -1, -1, -1.0, -1.0
+        last, time = -1.0, -1.0
+        # Words that stand still for a while do not tell which of several samples they are.
+        places = {(-1, -1)}
         lost_before = 0
         for position, sample in enumerate(listening.samples):
             words = [int(word) for word in sample.values]
@@ -470,29 +475,23 @@ class Oracle:
             )
             if [word >> ADDRESS_SHIFT for word in words] != list(listening.addresses):
                 raise WorldError("a sample of another group", f"{where}: {[f'{word:#x}' for word in words]}")
-            places = [
-                place for place in listening.published.samples.get(text, ()) if place[0] != life or place[1] > number
-            ]
-            if not places:
+            published = {place for place in listening.published.samples.get(text, ()) if place > min(places)}
+            if not published:
                 raise WorldError("a sample that was not published", f"{where}: {text!r}")
             instant = recorder.instants[words[0] & _COUNT]
             if instant < last - _SLACK:
                 raise WorldError("samples in another order", where)
+            last = instant
             self._judge_instant(listening, words, instant, where)
-            # Words that stand still for a while do not tell which of several samples they are.
-            sure = len(places) == 1 or listening.addresses[0] not in BURSTS
             time = self._judge_time(listening, sample, time, where)
-            new_life, new_number = _most_likely(places, life, number, sample.lost)
-            if new_life == life:
-                due = new_number - number - 1
-                if sure and sample.lost != due and (due < 0x100 or not _ambiguous(sample.lost, due, listening)):
-                    raise WorldError("lost samples counted wrong", f"{where}: lost {sample.lost}, {due} are missing")
-            elif sure and (sample.lost - new_number) % 0x100 and not listening.link.shared:
+            reached = {new for old in places for new in _next_places(listening, old, published, sample.lost)}
+            if not reached:
                 raise WorldError(
-                    "lost samples counted wrong", f"{where}: lost {sample.lost}, {new_number} were due before it"
+                    "lost samples counted wrong",
+                    f"{where}: lost {sample.lost}, from one of {sorted(places)} to one of {sorted(published)}",
                 )
+            places = reached
             lost_before += sample.lost
-            life, number, last = new_life, new_number, instant
         if listening.lost is not None and listening.lost != lost_before:
             raise WorldError(
                 "lost samples counted wrong",
@@ -559,13 +558,35 @@ class Oracle:
                     )
 
 
-def _most_likely(places: list[tuple[int, int]], life: int, number: int, lost: int) -> tuple[int, int]:
-    """Return which of several samples with the same words one is: if there is one, that with as many lost before it."""
-    if (life, number + 1 + lost) in places:
-        return life, number + 1 + lost
-    if life < 0:
-        return next((place for place in places if place[1] == lost), places[0])
-    return min((place for place in places if place[0] > life), default=min(places))
+def _next_places(
+    listening: Listening, old: tuple[int, int], published: set[tuple[int, int]], lost: int
+) -> Iterator[tuple[int, int]]:
+    """Yield which of several samples with the same words one can be, as many being lost since the one before it."""
+    life, number = old
+    for new in published:
+        if new[0] == life:
+            due = new[1] - number - 1
+            if lost == due or (due >= 0x100 and _ambiguous(lost, due, listening)):
+                yield new
+        elif new[0] > life and (
+            listening.link.shared or _lost_over_lives(listening.published, listening.arguments, old, new, lost)
+        ):
+            yield new
+
+
+def _lost_over_lives(
+    published: Published, arguments: dict[str, Any], old: tuple[int, int], new: tuple[int, int], lost: int
+) -> bool:
+    """Return whether a count is right where a group was set up again.
+
+    Those that were due in the new life are counted, and those of the old ones that a full buffer dropped.
+    """
+    due = new[1]
+    dropped = 0
+    if "buffer" in arguments and old[0] >= 0:
+        dropped = published.last[old[0]] - old[1]
+        dropped += sum(published.last[life] + 1 for life in range(old[0] + 1, new[0]))
+    return (lost - due) % 0x100 == 0 or due <= lost <= due + dropped
 
 
 def recorder_digits(listening: Listening) -> int:

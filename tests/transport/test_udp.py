@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 import pytest
 
 import unity_link
+from recorded_bus import QUEUE, gateway_with_queue
 from unity_link import ConnectError, LinkLostError
 from unity_link.errors import Outcome, UnsupportedError
 from unity_link.protocol.configuration import GatewayInfo
@@ -25,22 +26,7 @@ from unity_link.virtual.serving import serve_udp
 if TYPE_CHECKING:
     from collections.abc import AsyncIterator
 
-QUEUE = 0x20
-"""The address at which writes are noted; all others hold themselves."""
 SHORT_LAP = GatewayInfo(id_digits=2)
-
-
-class Noting:
-    """A device that notes what is written to it."""
-
-    def __init__(self) -> None:
-        self.written: list[int] = []
-
-    def read(self, offset: int, now: float) -> int:
-        return QUEUE
-
-    def write(self, offset: int, value: int, now: float) -> None:
-        self.written.append(value)
 
 
 class Recording(Straying[Any]):
@@ -61,14 +47,6 @@ class Recording(Straying[Any]):
         self._again = list(self._passed)
 
 
-def gateway_of(device: Noting) -> VirtualGateway:
-    gateway = VirtualGateway(SHORT_LAP)
-    for address in range(256):
-        gateway.memory[address] = address
-    gateway.attach(device, [QUEUE])
-    return gateway
-
-
 def port_of(url: str) -> int:
     return int(url.rpartition(":")[2])
 
@@ -84,13 +62,13 @@ async def recorded(gateway: VirtualGateway) -> AsyncIterator[tuple[str, Recordin
 @pytest.mark.asyncio
 @pytest.mark.parametrize("seed", range(3))
 async def test_over_a_bad_network_all_is_executed_once_in_order_and_answered_right(seed: int) -> None:
-    device = Noting()
+    gateway, written = gateway_with_queue()
     chances = {"loss": 0.02, "late": 0.03, "double": 0.1}
     towards: Straying[Any] = Straying(2 * seed, latest=600, **chances)
     back: Straying[Any] = Straying(2 * seed + 1, latest=600, **chances)
     numbers = itertools.count()
     async with (
-        serve_udp(gateway_of(device)) as url,
+        serve_udp(gateway) as url,
         relay_udp(url, towards, back) as relayed,
         unity_link.connect(relayed, timeout=60) as link,
     ):
@@ -100,24 +78,24 @@ async def test_over_a_bad_network_all_is_executed_once_in_order_and_answered_rig
             answers = await asyncio.gather(*writes, *reads)
             assert answers[2:] == [(start + place) % 256 for place in range(4)]
         assert link.statistics.repetitions
-    assert device.written == list(range(600))
+    assert written == list(range(600))
 
 
 @pytest.mark.asyncio
 async def test_requests_of_an_earlier_lap_that_come_again_are_not_executed() -> None:
-    device = Noting()
-    async with recorded(gateway_of(device)) as (url, towards, _), unity_link.connect(url) as link:
+    gateway, written = gateway_with_queue()
+    async with recorded(gateway) as (url, towards, _), unity_link.connect(url) as link:
         for number in range(300):
             await link.write_queue(QUEUE, [number])
             if number % 50 == 17:
                 towards.replay()
         assert await link.read(0x77) == 0x77
-    assert device.written == list(range(300))
+    assert written == list(range(300))
 
 
 @pytest.mark.asyncio
 async def test_answers_of_an_earlier_lap_that_come_again_are_taken_for_no_other() -> None:
-    async with recorded(gateway_of(Noting())) as (url, _, back), unity_link.connect(url) as link:
+    async with recorded(gateway_with_queue()[0]) as (url, _, back), unity_link.connect(url) as link:
         for number in range(600):
             address = number * 7 % 256
             if number % 50 == 17:
@@ -128,8 +106,8 @@ async def test_answers_of_an_earlier_lap_that_come_again_are_taken_for_no_other(
 
 @pytest.mark.asyncio
 async def test_datagrams_of_an_earlier_session_that_come_again_are_neither_executed_nor_taken() -> None:
-    device = Noting()
-    async with recorded(gateway_of(device)) as (url, towards, back):
+    gateway, written = gateway_with_queue()
+    async with recorded(gateway) as (url, towards, back):
         for session in range(3):
             async with unity_link.connect(url) as link:
                 for number in range(20):
@@ -138,7 +116,7 @@ async def test_datagrams_of_an_earlier_session_that_come_again_are_neither_execu
                         towards.replay()
                         back.replay()
                     assert await link.read(number) == number
-    assert device.written == list(range(60))
+    assert written == list(range(60))
 
 
 async def read_all(samples: unity_link.Subscription) -> None:
@@ -181,8 +159,7 @@ async def test_a_first_host_that_reconnects_takes_the_gateway_again() -> None:
 
 @pytest.mark.asyncio
 async def test_a_reset_in_the_middle_of_a_session_loses_the_link_and_executes_nothing_twice() -> None:
-    device = Noting()
-    gateway = gateway_of(device)
+    gateway, written = gateway_with_queue()
     async with serve_udp(gateway) as url:
         link = await unity_link.connect(url)
         for number in range(10):
@@ -197,7 +174,7 @@ async def test_a_reset_in_the_middle_of_a_session_loses_the_link_and_executes_no
         await link.aclose()
         async with unity_link.connect(url) as again:
             await again.write_queue(QUEUE, [11])
-    assert device.written == [*range(10), 11]
+    assert written == [*range(10), 11]
 
 
 @pytest.mark.asyncio

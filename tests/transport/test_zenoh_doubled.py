@@ -10,30 +10,15 @@ from typing import TYPE_CHECKING, Any
 import pytest
 
 import unity_link
+from recorded_bus import QUEUE, gateway_with_queue
 from sharing import ServedGateway
 from unity_link.bridges.zenoh.streams import Streams
-from unity_link.protocol.configuration import GatewayInfo
 from unity_link.transport.zenoh_session import Network, close_session, open_session
-from unity_link.virtual import VirtualGateway
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
-QUEUE = 0x20
 LAP = 256
-
-
-class Noting:
-    """A device that notes what is written to it."""
-
-    def __init__(self) -> None:
-        self.written: list[int] = []
-
-    def read(self, offset: int, now: float) -> int:
-        return QUEUE
-
-    def write(self, offset: int, value: int, now: float) -> None:
-        self.written.append(value)
 
 
 @contextmanager
@@ -70,10 +55,7 @@ class Doubling:
 
 @pytest.mark.asyncio
 async def test_publications_that_come_twice_are_neither_executed_twice_nor_taken_for_other_answers() -> None:
-    device, gateway = Noting(), VirtualGateway(GatewayInfo(id_digits=2))
-    for address in range(256):
-        gateway.memory[address] = address
-    gateway.attach(device, [QUEUE])
+    gateway, written = gateway_with_queue()
     with socket.create_server(("127.0.0.1", 0)) as one, socket.create_server(("127.0.0.1", 0)) as another:
         first, second = (f"tcp/127.0.0.1:{free.getsockname()[1]}" for free in (one, another))
     with session(listen=(first,)) as bridge, session(connect=(first,), listen=(second,)) as other:
@@ -88,4 +70,4 @@ async def test_publications_that_come_twice_are_neither_executed_twice_nor_taken
         streams.close()
         await shared.finish()
         assert all(way.again > 1000 for way in doubling)
-    assert device.written == list(range(400))
+    assert written == list(range(400))

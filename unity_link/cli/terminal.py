@@ -122,7 +122,7 @@ class _Greeting:
 
         self._stream = stream
         self._loop = asyncio.get_running_loop()
-        self._handshake = Handshake(node, 0, self._loop.time())
+        self._handshake = Handshake(node, 0, self._loop.time(), again=False)
         self._over: asyncio.Future[None] = self._loop.create_future()
         stream.receiver = self
 

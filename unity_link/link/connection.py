@@ -21,9 +21,10 @@ from unity_link.errors import (
     Outcome,
     UnansweredError,
     UnityLinkError,
+    reason_of,
 )
 from unity_link.protocol.group_table import GroupsRestored
-from unity_link.protocol.requests import Batch, Fence, PostedFailure, Request
+from unity_link.protocol.requests import Batch, Fence, Request
 from unity_link.protocol.session import Interrupted, Opened, Session, Unusable
 from unity_link.transport import DriverUrl, load_driver
 from unity_link.transport.stream import Stream
@@ -93,7 +94,6 @@ class Connection:
             Request: _settle,
             Fence: _settle,
             Batch: _settle,
-            PostedFailure: self._ignore,
             Opened: self._session_opened,
             Interrupted: self._gateway_was_reset,
             Unusable: self._connection_failed,
@@ -161,9 +161,6 @@ class Connection:
         for event in events:
             handlers[type(event)](event)
 
-    def _ignore(self, event: object) -> None:
-        """Do nothing."""
-
     def _send(self) -> None:
         """Send what the session has to: a lone request at once, all else together with what follows in this turn."""
         data = self._session.take_output()
@@ -213,7 +210,7 @@ class Connection:
 
     def _pause(self) -> None:
         if self._stream is not None and self._stream.paused:
-            self._session.blocked = True
+            self._session.pause_writing()
         else:
             self._go_on(self._session.resume_writing(self._now()))
 
@@ -253,8 +250,7 @@ class Connection:
         if not self._opened.done():
             self._opened.set_exception(event.error)
         elif not self._opening:
-            error = event.error
-            self._lose(error.reason if isinstance(error, UnansweredError) else str(error))
+            self._lose(reason_of(event.error))
 
     async def _resume(self) -> None:
         """Set up in a new session on the same connection what a gateway has forgotten that was reset."""
@@ -262,7 +258,7 @@ class Connection:
             await self._restore()
         except (UnansweredError, GatewayError) as error:
             if self._session.is_open:
-                self._lose(error.reason if isinstance(error, UnansweredError) else str(error))
+                self._lose(reason_of(error))
 
     # Life
 
@@ -378,7 +374,7 @@ class Connection:
         except (UnansweredError, GatewayError) as error:
             # On a bad line, or where a server has no group free, this attempt has failed; the next one begins with a
             # connection of its own.
-            reason = error.reason if isinstance(error, UnansweredError) else str(error)
+            reason = reason_of(error)
             if self._stream is not None:
                 self._lose(reason)
             raise LinkLostError(reason) from error
@@ -407,7 +403,7 @@ class Connection:
 
 
 def _settle(request: Request | Batch) -> None:
-    """Give the answer or the error of a request to the call that waits for it."""
+    """Set the result or the error of the future that a call awaits."""
     waiter = request.owner
     if waiter is None or waiter.done():
         return

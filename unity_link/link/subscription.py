@@ -140,16 +140,16 @@ class Publishing:
         go_on: Callable[[Events], None],
         answer: Callable[[Request], Coroutine[Any, Any, Any]],
     ) -> None:
-        self.clock: GatewayClock
         self.samples = 0
         self.samples_lost = 0
         self._session = session
         self._go_on = go_on
         self._answer = answer
         self._loop = asyncio.get_running_loop()
+        self._clock: GatewayClock | None = None
         self.handlers: dict[type, Callable[[Any], None]] = {
-            Sampled: lambda event: event.owner.receive(event.body, self._loop.time()),
-            SampledRows: lambda event: event.owner.receive_rows(event.bodies, self._loop.time()),
+            Sampled: lambda event: event.owner.receive(event.body, event.arrived),
+            SampledRows: lambda event: event.owner.receive_rows(event.bodies, event.arrived),
             GroupBegun: lambda event: event.group.owner.restart(),
             GroupStarted: lambda event: event.group.owner.started(),
             GroupRefused: lambda event: event.group.owner.refused(event.error),
@@ -166,11 +166,17 @@ class Publishing:
         """What the gateway says of itself."""
         return self._session.codec.info
 
+    @property
+    def clock(self) -> GatewayClock:
+        """The gateway's time; there is none before the first session."""
+        assert self._clock is not None
+        return self._clock
+
     def start(self, codec: Codec) -> None:
         """Begin with a new session."""
-        if not hasattr(self, "clock"):
-            self.clock = GatewayClock(codec.info.clock_hz)
-        self.clock.resume()
+        if self._clock is None:
+            self._clock = GatewayClock(codec.info.clock_hz)
+        self._clock.resume()
 
     def end(self, error: LinkLostError) -> None:
         """End all subscriptions."""
@@ -204,7 +210,7 @@ class Publishing:
         return group
 
     async def release(self, group: HeldGroup) -> None:
-        """Stop a group and give it back."""
+        """Stop and release a group."""
         request, events = self._session.release(group, self._loop.time())
         if request is not None:
             request.owner = waiter = self._loop.create_future()

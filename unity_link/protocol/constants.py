@@ -6,6 +6,8 @@
 
 LONGEST_SILENCE = 5.0
 """Without anything that can be about a request, and with one under way, after which the link is lost."""
+KEEP_ALIVE = 1.0
+"""Without a request, while groups are set up; then an ``h`` asks whether the gateway still hears, and was not reset."""
 FEWEST_SILENT_TRIES = 3
 """Time outs in silence before the link is lost, however long one takes."""
 MOST_QUICK_SIGNS = 6

@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from unity_link.errors import UnansweredError, UnsupportedError
+from unity_link.protocol.constants import KEEP_ALIVE
 from unity_link.protocol.frames import FrameError, OtherNodeError
 from unity_link.protocol.messages import ErrorCode
 from unity_link.protocol.requests import BatchRun, Fence, Request, gateway_error
@@ -43,6 +44,8 @@ class Sampled(NamedTuple):
     owner: Any
     """What was named when the group was set up."""
     body: bytes
+    arrived: float
+    """On the clock of the session."""
 
 
 class SampledRows(NamedTuple):
@@ -51,6 +54,7 @@ class SampledRows(NamedTuple):
     owner: Any
     bodies: NDArray[np.uint8]
     """Shape (n, length)."""
+    arrived: float
 
 
 class Counters:
@@ -73,6 +77,7 @@ class Exchange:
         groups: the groups of the gateway.
         counters: of the link.
         out: takes the bytes to send.
+        blocked: whether the medium takes no bytes at this time.
     """
 
     def __init__(
@@ -83,10 +88,12 @@ class Exchange:
         groups: GroupTable,
         counters: Counters,
         out: list[bytes],
+        *,
+        blocked: bool,
     ) -> None:
         self.codec = codec
         self.window = window
-        self.blocked = False
+        self.blocked = blocked
         """Whether the medium takes no bytes: what was sent is still held back, so a repetition would be behind it."""
         self.refused: int | None = None
         """The ID of a request that the gateway did not take for it is in no session: it was reset."""
@@ -118,7 +125,7 @@ class Exchange:
                 self._fence(now)
             return
         if isinstance(source, Fence):
-            source.earlier = [other for other in self._waiting if not other.exhausted()]
+            source.follow(self._waiting)
         self._waiting.append(source)
         self.admit(now, events)
 
@@ -197,7 +204,7 @@ class Exchange:
                 before, start = start, self._receive_rows(data, start, now, events)
                 batched = start != before
             if sampling:
-                before, start = start, self._receive_samples(data, start, events)
+                before, start = start, self._receive_samples(data, start, now, events)
                 sampling = start != before
             end = data.find(b"\n", start)
             if end < 0:
@@ -238,7 +245,7 @@ class Exchange:
             window.answered(number, taken, now)
             start += taken * run.reply_size
 
-    def _receive_samples(self, data: bytes, start: int, events: Events) -> int:
+    def _receive_samples(self, data: bytes, start: int, now: float, events: Events) -> int:
         """Take the samples of a group as long as they stand side by side; return where they end."""
         framing = self.codec.framing
         head = data[start : start + len(framing.prefix) + 3]
@@ -253,7 +260,7 @@ class Exchange:
         bodies = framing.open_rows(rows, head)
         if len(bodies) < FEWEST_SAMPLES:
             return start
-        events.append(SampledRows(group.owner, bodies))
+        events.append(SampledRows(group.owner, bodies, now))
         return start + len(bodies) * size
 
     def _receive_line(self, line: bytes, now: float, events: Events) -> None:
@@ -275,7 +282,7 @@ class Exchange:
         elif body[0] == _P:
             group = self._groups.begun.get(body[1:3])
             if group is not None:
-                events.append(Sampled(group.owner, body))
+                events.append(Sampled(group.owner, body, now))
         elif body[0] == _X:
             self._receive_error(body, now, events)
 
@@ -325,12 +332,20 @@ class Exchange:
 
     @property
     def deadline(self) -> float | None:
-        """When `expire` must be called; None while nothing is under way."""
-        return self.window.deadline
+        """When `expire` must be called; None while nothing is under way and no group is set up."""
+        deadline = self.window.deadline
+        if deadline is None and self._groups.begun:
+            return self.window.idle_since + KEEP_ALIVE
+        return deadline
 
     def expire(self, now: float, events: Events) -> None:
         """Let time pass: send again what was not answered in time, and confirm what was posted."""
         window = self.window
+        if window.oldest == window.next:
+            if self._groups.begun and now >= window.idle_since + KEEP_ALIVE:
+                # Samples do not say whether the gateway still hears its host, or was reset since.
+                self._number(Request(self.codec, "H", b"", 0), now)
+            return
         before = self._counters.repetitions
         run = window.expire(now)
         if run is not None:

@@ -22,6 +22,8 @@ CR = b"\r"
 _CR_BYTE = CR[0]
 TOKEN_LINE = b"token "
 """What the first line of a connection begins with where a token is wanted; no command begins so."""
+LONGEST_FRAME = 16_384
+"""Bytes without a line end that are kept: more than the longest message, a sample of 255 words of 64 bits, has."""
 LARGEST_DATAGRAM = 1400
 """Bytes that are put together into one datagram, its header among them: what passes an Ethernet in one piece."""
 _FRAME = re.compile(rb"[^\r\n]*[\r\n]+")

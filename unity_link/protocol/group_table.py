@@ -99,7 +99,7 @@ class GroupTable:
         return group
 
     def release(self, group: HeldGroup) -> bool:
-        """Give a group back; return whether it was held."""
+        """Release a group; return whether it was held."""
         if self._held.get(group.number) is not group:
             return False
         del self._held[group.number]

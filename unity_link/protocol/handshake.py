@@ -3,18 +3,24 @@
 `Q` is asked in plain form, because nothing is known yet, and again in the checked form that follows from the answer;
 only if both agree is the answer believed. `K` then starts the session: the gateway expects the ID that it names, and
 publishes nothing. A plain answer has no CRC, so whatever is wrong with one may be damage: it is asked for again.
+
+Where the same host has had a session before, it sends an `h` first: a gateway that was reset since answers error 0A.
 """
 
 from __future__ import annotations
 
 import contextlib
 import math
+from typing import TYPE_CHECKING, NamedTuple
 
 from unity_link.errors import UnsupportedError
 from unity_link.protocol.configuration import GatewayInfo
 from unity_link.protocol.crc import Crc
 from unity_link.protocol.frames import LF, FrameError, Framing
-from unity_link.protocol.messages import Codec
+from unity_link.protocol.messages import Codec, ErrorCode
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
 
 FIRST_TRY = 0.1
 """Seconds until a question is asked again, doubled each time."""
@@ -23,6 +29,8 @@ LAST_ANSWER = len("K000CCCC\n")
 """Bytes of the last answer, at most for the usual widths."""
 CHECKED_TRIES = 4
 """How often the checked `Q` is asked before the plain answer is doubted."""
+RESET_TRIES = 3
+"""How often a gateway is asked whether it was reset: behind datagrams, it does not answer outside of a session."""
 DAMAGE_PAUSE = 0.002
 """Seconds from a line that is no answer to the next question."""
 DAMAGE_PATIENCE = 16
@@ -34,6 +42,18 @@ _LONGEST_TEXT = 120
 """Characters of what is not understood that a message quotes."""
 
 
+class _Question(NamedTuple):
+    """What is asked, again and again, until it is answered."""
+
+    frame: bytes
+    beginnings: tuple[bytes, ...]
+    """What an answer begins with."""
+    answered: Callable[[bytes, float], None]
+    tries: float = math.inf
+    unanswered: Callable[[float], None] | None = None
+    """What is to be done after so many tries."""
+
+
 class Handshake:
     """One conversation with what is at the other end of a connection.
 
@@ -41,11 +61,13 @@ class Handshake:
         node: number of the node on a shared medium, or None.
         seed: by which the first ID of the session is chosen, any number from 0 on.
         now: the time in seconds.
+        again: whether to ask if the gateway was reset since an earlier session.
     """
 
-    def __init__(self, node: int | None, seed: int, now: float) -> None:
+    def __init__(self, node: int | None, seed: int, now: float, *, again: bool) -> None:
         self._node = node
         self._seed = seed
+        self._again = again
         self._out: list[bytes] = []
         self._heard = 0
         self._text = ""
@@ -57,6 +79,8 @@ class Handshake:
         self._codec: Codec | None = None
         self.complete = False
         """Whether the session has begun: `codec`, `first` and `round_trip` say how."""
+        self.found_reset = False
+        """Whether the gateway has said that it was reset since an earlier session."""
         self.round_trip = 0.0
         """Seconds to the answer to the last question."""
         self._pausing = False
@@ -97,27 +121,37 @@ class Handshake:
     def _ask_plain(self, now: float) -> None:
         # A line end first, for what an earlier program left unfinished; LF, for CR would execute it unchecked.
         self._framing, self._plain = Framing(Crc(), self._node), True
-        self._begin(LF + self._framing.plain_request(b"Q"), b"Q", now)
+        self._ask(_Question(LF + self._framing.plain_request(b"Q"), (b"Q",), self._believe), now)
 
     def _ask_checked(self, now: float) -> None:
         self._framing, self._plain = self.codec.framing, False
-        self._begin(self._framing.checked(b"Q"), b"Q", now, tries=CHECKED_TRIES)
+        question = self._framing.checked(b"Q")
+        self._ask(_Question(question, (b"Q",), self._compare, CHECKED_TRIES, self._doubt), now)
+
+    def _ask_whether_reset(self, now: float) -> None:
+        number = self.codec.id_text[self.first]
+        no_session = b"x" + number + b"%02X" % ErrorCode.NO_SESSION
+
+        def answered(body: bytes, now: float) -> None:
+            self.found_reset = body == no_session
+            self._ask_session(now)
+
+        beginnings = b"h" + number, b"n", no_session
+        question = self._framing.checked(b"h" + number)
+        self._ask(_Question(question, beginnings, answered, RESET_TRIES, self._ask_session), now)
 
     def _ask_session(self, now: float, patience: float = FIRST_TRY) -> None:
         session = b"K" + self.codec.id_text[self.first]
-        self._begin(self._framing.checked(session), session, now, patience)
+        self._ask(_Question(self._framing.checked(session), (session,), self._session_begun), now, patience)
 
-    def _begin(
-        self, question: bytes, beginning: bytes, now: float, patience: float = FIRST_TRY, tries: float = math.inf
-    ) -> None:
-        """Ask until an answer comes that begins as expected, `tries` times at most."""
-        self._question, self._beginning = question, beginning
-        self._patience, self._tries, self._asked = patience, tries, 0
+    def _ask(self, question: _Question, now: float, patience: float = FIRST_TRY) -> None:
+        self._question = question
+        self._patience, self._tries, self._asked = patience, question.tries, 0
         self._began = now
         self._send(now)
 
     def _send(self, now: float) -> None:
-        self._out.append(self._question)
+        self._out.append(self._question.frame)
         self._asked += 1
         self._asked_at = now
         self._damaged = False
@@ -138,9 +172,12 @@ class Handshake:
             self._tries -= 1
         if self._tries > 0:
             self._send(now)
-        else:
-            self._doubtful = b""
-            self._ask_plain(now)
+        elif self._question.unanswered is not None:
+            self._question.unanswered(now)
+
+    def _doubt(self, now: float) -> None:
+        self._doubtful = b""
+        self._ask_plain(now)
 
     # The answers
 
@@ -160,8 +197,8 @@ class Handshake:
                 body = self._framing.open(line)
         if self._pausing:
             return
-        if body.startswith(self._beginning):
-            self._answered(body, now)
+        if body.startswith(self._question.beginnings):
+            self._question.answered(body, now)
             return
         text = line[:_LONGEST_TEXT].decode("ascii", "replace").strip()
         self._text = text if text.isprintable() else ""
@@ -171,16 +208,15 @@ class Handshake:
             self._patience = min(max(DAMAGE_PATIENCE * (now - self._asked_at), SHORTEST_TRY), LONGEST_TRY)
             self.deadline = now + DAMAGE_PAUSE
 
-    def _answered(self, body: bytes, now: float) -> None:
-        if self._beginning != b"Q":
-            self._session_begun(now)
-        elif self._plain:
-            self._believe(body, now)
-        elif body == self._believed:
-            self._ask_session(now)
-        else:
+    def _compare(self, answer: bytes, now: float) -> None:
+        """Take the checked answer: both must say the same."""
+        if answer != self._believed:
             self._doubtful = self._believed
-            self._believe(body, now)
+            self._believe(answer, now)
+        elif self._again:
+            self._ask_whether_reset(now)
+        else:
+            self._ask_session(now)
 
     def _believe(self, answer: bytes, now: float) -> None:
         """Read what the gateway says it is; what it says twice in the same words is no damage.
@@ -202,7 +238,7 @@ class Handshake:
         self._doubtful = answer
         self._ask_plain(now)
 
-    def _session_begun(self, now: float) -> None:
+    def _session_begun(self, _: bytes, now: float) -> None:
         self.round_trip = now - self._began
         if self._asked == 1:
             self.complete = True

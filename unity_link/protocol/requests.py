@@ -328,6 +328,10 @@ class Fence(Request):
         self.earlier: list[Source] = []
         """Sources of several turns that were asked for before."""
 
+    def follow(self, waiting: Iterable[Source]) -> None:
+        """Wait for what waits now and takes several turns."""
+        self.earlier += [source for source in waiting if not source.exhausted()]
+
 
 class Block:
     """A source of several requests that are sent in order and answered one by one."""
@@ -507,11 +511,15 @@ class BatchRun(Message):
         command = self.codec.lower[self.command]
         if not body.startswith(command) or len(body) + self.codec.framing.overhead != self.reply_size:
             return False
+        return self._take(self._start + offset, body[position:], events)
+
+    def _take(self, place: int, data: bytes, events: Events) -> bool:
+        """Take the data of the response to the message at a place of the batch; False where they are none."""
         try:
-            word = int(body[position:] or b"0", 16)
+            word = int(data or b"0", 16)
         except ValueError:
             return False
-        self._batch.put(self._start + offset, np.array([word], self.codec.word_type), events)
+        self._batch.put(place, np.array([word], self.codec.word_type), events)
         return True
 
     def accept_rows(self, offset: int, frames: bytes, events: Events) -> int:

@@ -21,6 +21,7 @@ back.
 from __future__ import annotations
 
 from collections import deque
+from itertools import islice
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from unity_link.errors import (
@@ -34,6 +35,7 @@ from unity_link.errors import (
 from unity_link.protocol.configuration import Feature, GatewayInfo
 from unity_link.protocol.constants import LONGEST_SILENCE
 from unity_link.protocol.exchange import Counters, Exchange
+from unity_link.protocol.frames import LONGEST_FRAME
 from unity_link.protocol.group_table import GroupTable, HeldGroup
 from unity_link.protocol.handshake import LAST_ANSWER, Handshake
 from unity_link.protocol.requests import Events, Fence, Request, Source, Step
@@ -44,8 +46,6 @@ if TYPE_CHECKING:
 
     from unity_link.protocol.messages import Codec, GroupFlag
 
-LONGEST_FRAME = 16_384
-"""Bytes without a line end that are kept: more than the longest message, a sample of 255 words of 64 bits, has."""
 SILENT = "the gateway does not answer any more"
 RESET = "the gateway was reset"
 
@@ -57,7 +57,7 @@ class Opened(NamedTuple):
 
 
 class Interrupted(NamedTuple):
-    """Event: the gateway was reset; the next session is being opened on the same connection."""
+    """Event: the gateway was reset, in a session or between two; the next is being opened on the same connection."""
 
     error: GatewayResetError
 
@@ -96,6 +96,7 @@ class Session:
         self._give_up_at: float | None = None
         """When a gateway that was reset must have answered."""
         self._shortest_timeout = 0.0
+        self._blocked = False
         self._exchange: Exchange | None = None
 
     # State
@@ -131,18 +132,8 @@ class Session:
     def deadline(self) -> float | None:
         """When `expire` must be called; None while there is nothing to wait for."""
         if self._exchange is not None:
-            return self._exchange.window.deadline
+            return self._exchange.deadline
         return None if self._handshake is None else self._handshake.deadline
-
-    @property
-    def blocked(self) -> bool:
-        """Whether the medium takes no bytes: what was sent is still held back, so nothing is sent again."""
-        return self._exchange is not None and self._exchange.blocked
-
-    @blocked.setter
-    def blocked(self, blocked: bool) -> None:
-        if self._exchange is not None:
-            self._exchange.blocked = blocked
 
     def take_output(self) -> bytes:
         """Return the bytes to send, which are forgotten here."""
@@ -167,12 +158,13 @@ class Session:
             shortest_timeout: seconds that the medium may hold an answer back, and some more.
         """
         self._shortest_timeout = shortest_timeout
+        self._blocked = False
         self._rest = b""
         self._out.clear()
-        self._begin(now)
+        self._begin(now, again=self.epoch >= 0)
 
-    def _begin(self, now: float) -> None:
-        self._handshake = Handshake(self._node, self._choose(), now)
+    def _begin(self, now: float, *, again: bool) -> None:
+        self._handshake = Handshake(self._node, self._choose(), now, again=again)
         self._out.append(self._handshake.take_output())
 
     def disconnect(self, reason: str) -> Events:
@@ -198,11 +190,10 @@ class Session:
         """End for good: everything that waits ends."""
         events: Events = []
         self.closed = error
+        self._resumes = False
         self._handshake = None
         if self._exchange is not None:
-            for run, offset, size, outcome in self._exchange.window.unanswered():
-                run.fail_part(offset, size, error.about(outcome), events)
-            self._exchange = None
+            self._end_exchange(error, events)
         while self._waiting:
             self._waiting.popleft().fail(error.about(Outcome.NOT_EXECUTED), events)
         return events
@@ -225,7 +216,7 @@ class Session:
         for place, fence in enumerate(self._waiting):
             if isinstance(fence, Fence):
                 # What is sent again stands before it now.
-                fence.earlier += [source for source in list(self._waiting)[:place] if not isinstance(source, Request)]
+                fence.follow(islice(self._waiting, place))
 
     def _drop_of_session(self, error: LinkLostError, events: Events) -> None:
         for request in [source for source in self._waiting if isinstance(source, Request) and source.of_session]:
@@ -248,7 +239,7 @@ class Session:
             raise self.closed.about(Outcome.NOT_EXECUTED)
         else:
             if isinstance(source, Fence):
-                source.earlier = [other for other in self._waiting if not other.exhausted()]
+                source.follow(self._waiting)
             self._waiting.append(source)
         return events
 
@@ -279,7 +270,7 @@ class Session:
         return events
 
     def release(self, group: HeldGroup, now: float) -> tuple[Request | None, Events]:
-        """Give a group back, and stop it.
+        """Release a group, and stop it.
 
         Returns:
             The request that stops it, None where nothing is left to stop; and events.
@@ -332,10 +323,17 @@ class Session:
         self._advance_handshake(now, events)
         return taken
 
+    def pause_writing(self) -> None:
+        """Send nothing again: the medium takes no bytes, so what was sent before is still held back."""
+        self._blocked = True
+        if self._exchange is not None:
+            self._exchange.blocked = True
+
     def resume_writing(self, now: float) -> Events:
         """Send what has waited for a medium that takes bytes again."""
         events: Events = []
         self._now = now
+        self._blocked = False
         if self._exchange is not None:
             self._exchange.blocked = False
             self._exchange.go_on(now, events)
@@ -362,7 +360,7 @@ class Session:
         self._end_exchange(error, events)
         events.append(Interrupted(error))
         self._give_up_at = now + LONGEST_SILENCE
-        self._begin(now)
+        self._begin(now, again=False)
 
     # The handshake
 
@@ -373,6 +371,9 @@ class Session:
         question = handshake.take_output()
         if question:
             self._out.append(question)
+        if handshake.found_reset:
+            handshake.found_reset = False
+            events.append(Interrupted(GatewayResetError(RESET)))
         if handshake.complete:
             self._handshake = None
             self._give_up_at = None
@@ -393,7 +394,9 @@ class Session:
             codec.ring, handshake.first, credit, byte_time, handshake.round_trip, self._shortest_timeout
         )
         self.epoch += 1
-        self._exchange = Exchange(self._codec, window, self._waiting, self._groups, self.counters, self._out)
+        self._exchange = Exchange(
+            self._codec, window, self._waiting, self._groups, self.counters, self._out, blocked=self._blocked
+        )
         events.append(Opened(info))
         self._exchange.admit(now, events)
         self._groups.start(self._codec, events)

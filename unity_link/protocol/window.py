@@ -179,6 +179,11 @@ class Window(Generic[R]):
         """Number of IDs that were sent and are not done."""
         return self.next - self.oldest & self._mask
 
+    @property
+    def idle_since(self) -> float:
+        """When the last request was done; it holds while none is in flight."""
+        return self._since
+
     # Sending
 
     @property

@@ -10,12 +10,10 @@ import asyncio
 from typing import TYPE_CHECKING, Protocol, cast
 
 from unity_link.protocol.constants import QUICK_TIMEOUT, SHORTEST_TIMEOUT
+from unity_link.protocol.frames import LONGEST_FRAME
 
 if TYPE_CHECKING:
     from collections.abc import Callable
-
-LONGEST_FRAME = 16_384
-"""Bytes without a line end that are kept: more than the longest message, a sample of 255 words of 64 bits, has."""
 
 
 class Receiver(Protocol):

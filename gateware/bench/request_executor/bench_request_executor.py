@@ -149,7 +149,7 @@ async def without_a_session_no_request_with_an_id_is_executed_and_each_is_answer
     assert accesses == []
     assert answers == [_error(NO_SESSION, 7)] * len(requests)
     assert {operation for operation, _ in around.operations} == {"nothing"}
-    # Nor is one to all nodes, which nobody answers; and what is not well-formed is that first.
+    # Nor is a broadcast, which is not answered; and the form is checked before the session.
     await around.execute(Request("W", 7, address=1, word=5, silent=True))
     await around.execute(Request("W", 7, address=1, word=5, error=3))
     # One without an ID is.

@@ -53,8 +53,6 @@ class Conversation:
         self._codec = codec
         self._session = GatewaySession(codec)
         self._sequence = self._session.sequence
-        self._begun = False
-        """Whether a session has begun since the gateway's reset."""
         self._prepare_short_way(codec)
 
     # Frames
@@ -86,7 +84,10 @@ class Conversation:
         """Take one frame."""
         if not line:
             return
+        begun = self._session.begun
         taken = self._session.take(line, plain=plain)
+        if self._session.begun and not begun:
+            self._client.follow_others()
         if taken is UNDER_WAY:
             # Its answer will come, for nothing is lost between the client and here; till then, a sign of life.
             self._client.write(LF)
@@ -98,7 +99,6 @@ class Conversation:
     def reset(self) -> None:
         """End the session, and forget the groups: the gateway was reset."""
         self._session.reset()
-        self._begun = False
         for group in self.groups.values():
             self._shared.slots.forget(group)
         self.groups.clear()
@@ -128,9 +128,6 @@ class Conversation:
             self._relay(request, codec.fields(command, *values), digits, plain=plain)
 
     def _start_session(self, request: DecodedRequest, *, plain: bool) -> None:
-        if not self._begun:
-            self._begun = True
-            self._client.follow_others()
         for group in self.groups.values():
             if group.slot is not None:
                 # Also where it does not run: behind the answer to this, none of its samples may come.

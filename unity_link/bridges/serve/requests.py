@@ -256,13 +256,9 @@ class RelayedRun(BatchRun):
         super().__init__(rows, start, count)
         self._rows = rows
 
-    def accept(self, offset: int, body: bytes, position: int, events: Events) -> bool:
+    def _take(self, place: int, data: bytes, events: Events) -> bool:
         """Hand on the answer to one request."""
-        command = self.codec.lower[self.command]
-        if not body.startswith(command) or len(body) + self.codec.framing.overhead != self.reply_size:
-            return False
-        place = self._start + offset
-        self._rows.take_frames(place, 1, self._rows.reply(place, body[position:]), events)
+        self._rows.take_frames(place, 1, self._rows.reply(place, data), events)
         return True
 
     def accept_rows(self, offset: int, frames: bytes, events: Events) -> int:

@@ -16,7 +16,7 @@ import msgspec
 from unity_link.bridges.serve.groups import Slots
 from unity_link.bridges.serve.requests import Relayed, RelayedRows
 from unity_link.bridges.serve.turns import Turns
-from unity_link.errors import ArgumentError, ConnectError, LinkLostError, UnansweredError, UnityLinkError
+from unity_link.errors import ArgumentError, ConnectError, LinkLostError, UnityLinkError, reason_of
 from unity_link.link.connection import Connection, Reconnect
 from unity_link.protocol.configuration import Feature
 from unity_link.protocol.exchange import Sampled
@@ -233,8 +233,7 @@ class SharedLink(Connection):
         try:
             await self._do(command, fields)
         except UnityLinkError as error:
-            told = error.reason if isinstance(error, UnansweredError) else error
-            reason = f"the groups of the clients could not be set up again ({told})"
+            reason = f"the groups of the clients could not be set up again ({reason_of(error)})"
             if self.connected:
                 self._lose(reason)
             raise LinkLostError(reason) from error
