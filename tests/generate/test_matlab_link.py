@@ -404,6 +404,21 @@ def test_a_gateway_that_was_reset_behind_an_open_line_is_a_lost_link_and_a_new_o
     assert len(set(gateway.sessions())) == 2
 
 
+def test_a_program_that_only_takes_samples_learns_of_a_reset(octave: Octave) -> None:
+    octave.generate(compile_text(FIGURE_1))
+    gateway = ObservedGateway()
+    gateway.detach([254])
+    gateway.attach(ResetButton(gateway), [254])
+    with serve(gateway) as url:
+        shown = octave.run(f"""\
+link = unity_link.Link('{url}');
+samples = link.subscribe(10, 'rate_hz', 100);
+link.write(254, 1);
+attempt('take', @() samples.take(1e6, 30));
+""")
+    assert shown["take"].startswith("unity_link:linkLost the gateway was reset")
+
+
 def test_what_was_sent_again_to_a_gateway_that_was_reset_meanwhile_is_perhaps_executed(octave: Octave) -> None:
     octave.generate(compile_text(FIGURE_1))
     gateway = ObservedGateway()

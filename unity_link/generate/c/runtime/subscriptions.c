@@ -193,11 +193,14 @@ ul_status ul_publish(ul_link *link, ul_subscription *subscription)
     return ask_for(link, (ul_request){.command = "gp", .address = subscription->group - 1});
 }
 
-/* Posted writes are confirmed when there is time. */
+/* Posted writes are confirmed when there is time. Where nothing else is under way, samples do not say whether the
+ * gateway still hears, or was reset: it is asked now and then. */
 static void turn_idle(ul_link *link, double until)
 {
-    if (link->unfenced > 0) send_fence(link);
-    turn(link, until);
+    double due = link->since + KEEP_ALIVE;
+    bool idle = in_flight(link) == 0 && link->subscriptions != NULL;
+    if (link->unfenced > 0 || (idle && now_of(link) >= due)) send_fence(link);
+    turn(link, idle && due < until ? due : until);
 }
 
 ul_status ul_next(ul_link *link, ul_subscription *subscription, ul_sample *sample, double seconds)
