@@ -19,10 +19,10 @@ PYTEST_ARGS ?=
 # Tests run in so many processes side by side, each file in one of them; 0 for none beside pytest's own.
 PYTEST_PROCESSES ?= auto
 
-.PHONY: help venv demo test campaign lint format bench bench-beside bench-ros bench-live table1 docs lock upgrade clean
+.PHONY: help venv demo test campaign lint format bench bench-beside bench-noise bench-ros bench-live table1 docs lock upgrade clean
 
 help: ## list the targets
-	@awk -F ':.*## ' '/^[a-z0-9-]+:.*## / { printf "  make %-10s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
+	@awk -F ':.*## ' '/^[a-z0-9-]+:.*## / { printf "  make %-12s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
 
 venv: $(ALL) ## .venv with the package and every tool, in locked versions
 
@@ -59,6 +59,9 @@ table1: $(ALL) ## the paper's experiment again, into benchmarks/TABLE1.md and pl
 
 bench-ros: $(ALL) ## measure the bridges against their peers, and write benchmarks/BRIDGES.md
 	@$(BIN)/python -m benchmarks.bridges
+
+bench-noise: $(ALL) ## measure what noise leaves of a link's rate, and write benchmarks/NOISE.md
+	@$(BIN)/python -m benchmarks.noise
 
 bench-live: $(ALL) ## measure the live page in Chromium, and write benchmarks/LIVE.md
 	@$(BIN)/python -m benchmarks.live_page

@@ -35,7 +35,7 @@ DAMAGE_PAUSE = 0.002
 """Seconds from a line that is no answer to the next question."""
 DAMAGE_PATIENCE = 16
 """How many times as long as a line took that was no answer, the next answer is waited for."""
-SHORTEST_TRY = 0.005
+SHORTEST_TRY = 0.002
 DAMAGE_COST = 1 / 16
 """What part of a try a question counts that was answered by something else."""
 _LONGEST_TEXT = 120
@@ -84,6 +84,7 @@ class Handshake:
         self.round_trip = 0.0
         """Seconds to the answer to the last question."""
         self._pausing = False
+        self._patience = FIRST_TRY
         self._ask_plain(now)
 
     @property
@@ -144,9 +145,11 @@ class Handshake:
         session = b"K" + self.codec.id_text[self.first]
         self._ask(_Question(self._framing.checked(session), (session,), self._session_begun), now, patience)
 
-    def _ask(self, question: _Question, now: float, patience: float = FIRST_TRY) -> None:
+    def _ask(self, question: _Question, now: float, patience: float | None = None) -> None:
         self._question = question
-        self._patience, self._tries, self._asked = patience, question.tries, 0
+        # What has answered soon, be it damaged, will again.
+        self._patience = min(self._patience, FIRST_TRY) if patience is None else patience
+        self._tries, self._asked = question.tries, 0
         self._began = now
         self._send(now)
 
