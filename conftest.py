@@ -56,7 +56,7 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
             item.add_marker("no_cover")
 
 
-class _Scheduler(LoadScopeScheduling):
+class _Scheduler(LoadScopeScheduling):  # type: ignore[misc]  # pytest-xdist has no types
     """Gives each test to the process that is free, and the blocks of a document, which share names, to one."""
 
     def _split_scope(self, nodeid: str) -> str:
