@@ -6,6 +6,8 @@ import pytest
 
 from gateware.bench.runner import run_bench
 
+pytestmark = pytest.mark.slow
+
 
 @pytest.mark.parametrize("clk_ns", [10.0, 16.0, pytest.param(20.0, marks=pytest.mark.campaign), 40.7])
 def test_ft245_sync(clk_ns: float) -> None:
