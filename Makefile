@@ -29,8 +29,8 @@ venv: $(ALL) ## .venv with the package and every tool, in locked versions
 demo: $(CORE) ## the virtual robot: read, write and subscribe, ten seconds, no hardware
 	@$(BIN)/unity-link demo
 
-# conftest.py says in which order tests run, and in which process.
-PYTEST := $(BIN)/python -m pytest --numprocesses $(PYTEST_PROCESSES)
+# conftest.py says in which order tests run, and in which process; pytest-xdist would begin with the documents.
+PYTEST := $(BIN)/python -m pytest --numprocesses $(PYTEST_PROCESSES) --no-loadscope-reorder
 
 test: $(ALL) ## the test suite
 	@$(PYTEST) $(PYTEST_ARGS)
@@ -39,8 +39,9 @@ test: $(ALL) ## the test suite
 coverage: $(ALL) ## the test suite, and which lines it does not run
 	@$(PYTEST) --cov --cov-report=term $(PYTEST_ARGS)
 
+# Its tests are few and long: none waits for another in one process while the other has nothing to do.
 campaign: $(ALL) ## the searches at length, which `make test` leaves out
-	@$(PYTEST) -m campaign $(PYTEST_ARGS)
+	@$(PYTEST) --dist worksteal -m campaign $(PYTEST_ARGS)
 
 lint: $(ALL) ## formatting, ruff, types, direction of the imports
 	@$(BIN)/ruff format --check .
