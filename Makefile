@@ -16,10 +16,11 @@ PIP_INSTALL := $(BIN)/python -m pip install --quiet --disable-pip-version-check
 PYTHON ?=
 # More options for pytest, as in `make test PYTEST_ARGS="-k window"`.
 PYTEST_ARGS ?=
-# Tests run in so many processes side by side, each file in one of them; 0 for none beside pytest's own.
+# Tests run in so many processes side by side; 0 for none beside pytest's own.
 PYTEST_PROCESSES ?= auto
 
-.PHONY: help venv demo test campaign lint format bench bench-beside bench-noise bench-ros bench-live table1 docs lock upgrade clean
+.PHONY: help venv demo test coverage campaign lint format bench bench-beside bench-noise bench-ros bench-live table1 \
+	docs lock upgrade clean
 
 help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z0-9-]+:.*## / { printf "  make %-12s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
@@ -29,12 +30,19 @@ venv: $(ALL) ## .venv with the package and every tool, in locked versions
 demo: $(CORE) ## the virtual robot: read, write and subscribe, ten seconds, no hardware
 	@$(BIN)/unity-link demo
 
-test: $(ALL) ## the test suite, with coverage
-	@$(BIN)/python -m pytest --numprocesses $(PYTEST_PROCESSES) --dist loadfile --cov --cov-report=term $(PYTEST_ARGS)
+# conftest.py says in which order tests run, and in which process; pytest-xdist would begin with the documents.
+PYTEST := $(BIN)/python -m pytest --numprocesses $(PYTEST_PROCESSES) --no-loadscope-reorder
 
-# Its tests are few and long, so that each goes to the process that is free.
+test: $(ALL) ## the test suite
+	@$(PYTEST) $(PYTEST_ARGS)
+
+# Measuring takes about as long again as the tests do.
+coverage: $(ALL) ## the test suite, and which lines it does not run
+	@$(PYTEST) --cov --cov-report=term $(PYTEST_ARGS)
+
+# Its tests are few and long: none waits for another in one process while the other has nothing to do.
 campaign: $(ALL) ## the searches at length, which `make test` leaves out
-	@$(BIN)/python -m pytest --numprocesses $(PYTEST_PROCESSES) --dist worksteal -m campaign $(PYTEST_ARGS)
+	@$(PYTEST) --dist worksteal -m campaign $(PYTEST_ARGS)
 
 lint: $(ALL) ## formatting, ruff, types, direction of the imports
 	@$(BIN)/ruff format --check .

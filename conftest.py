@@ -21,6 +21,8 @@ import pytest
 from hypothesis import HealthCheck, settings
 from sybil import Example, Sybil
 from sybil.parsers.myst import CodeBlockParser, PythonCodeBlockParser, SkipParser
+from xdist.remote import Producer
+from xdist.scheduler import LoadScopeScheduling
 
 # A suite that was started in the background of a script ignores Ctrl-C, and so would the programs that it interrupts.
 if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
@@ -43,10 +45,28 @@ def pytest_addoption(parser: pytest.Parser) -> None:
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """Measure no coverage of slow tests: they do what quick ones do, for longer, and it would slow them further."""
+    """Begin with the slow tests, and measure no coverage of them.
+
+    Where tests run in several processes, a slow one at the end would have the others wait. What slow tests do quick
+    ones do as well, and coverage would slow them further.
+    """
+    items.sort(key=lambda item: item.get_closest_marker("slow") is None)
     for item in items:
         if item.get_closest_marker("slow") is not None:
             item.add_marker("no_cover")
+
+
+class _Scheduler(LoadScopeScheduling):  # type: ignore[misc]  # pytest-xdist has no types
+    """Gives each test to the process that is free, and the blocks of a document, which share names, to one."""
+
+    def _split_scope(self, nodeid: str) -> str:
+        file, _, _ = nodeid.partition("::")
+        return file if file.endswith(".md") else nodeid
+
+
+def pytest_xdist_make_scheduler(config: pytest.Config, log: Producer) -> LoadScopeScheduling | None:
+    """Return what distributes the tests over processes, unless the command line asks for another way."""
+    return _Scheduler(config, log) if config.getvalue("dist") == "load" else None
 
 
 @pytest.hookimpl(wrapper=True)

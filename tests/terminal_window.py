@@ -25,6 +25,8 @@ GIVEN_BACK = "cursor 1, alternate 0"
 """How a terminal stands that no program has for itself: its cursor is shown, and what stood on its screen is there."""
 PATIENCE = 60
 """Seconds after which a test gives up to wait for something on the screen."""
+NOT_INHERITED = ("COLUMNS", "LINES", "TMUX", "XDG_CONFIG_HOME")
+"""Variables of the terminal and the home that the tests are run from; pytest-xdist has workers of 80 columns."""
 AGAIN_EVERY = 3
 """Seconds after which a line is typed again."""
 
@@ -38,7 +40,7 @@ class Window:
 
     def __init__(self, home: Path) -> None:
         self._socket = str(home / "tmux")
-        environment = {name: value for name, value in os.environ.items() if name not in ("TMUX", "XDG_CONFIG_HOME")} | {
+        environment = {name: value for name, value in os.environ.items() if name not in NOT_INHERITED} | {
             "PATH": os.pathsep.join([str(Path(sys.executable).parent), os.environ["PATH"]]),
             "HOME": str(home),
             "LC_ALL": "C.UTF-8",

@@ -28,6 +28,11 @@ enum mode { off, NULL }
 public values() { @a = 1: signed READWRITE(PUBLISH(words)); @b = 2: mode READWRITE(PUBLISH(words)); }
 group words(1, 10);
 """
+FUNCTIONS_OF_A_FAMILY = """\
+enum mode { off, on }
+public ul_x() { @a = 1: mode READWRITE(PUBLISH(words)); }
+group words(1, 10);
+"""
 
 
 def names() -> st.SearchStrategy[str]:

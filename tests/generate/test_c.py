@@ -12,7 +12,12 @@ from typing import TYPE_CHECKING
 import pytest
 from hypothesis import Phase, example, given, settings
 
-from generate.awkward_names import GROUPS_BY_KEYWORDS, INTERFACE_AS_A_PARAMETER, awkward_specs
+from generate.awkward_names import (
+    FUNCTIONS_OF_A_FAMILY,
+    GROUPS_BY_KEYWORDS,
+    INTERFACE_AS_A_PARAMETER,
+    awkward_specs,
+)
 from generate.every_kind import WORD_BITS, bad_values, every_kind, written
 from generate.peers import (
     MEDIA,
@@ -149,6 +154,7 @@ def test_any_spec_makes_code_that_compiles(tmp_path_factory: pytest.TempPathFact
 @given(awkward_specs())
 @example(GROUPS_BY_KEYWORDS)
 @example(INTERFACE_AS_A_PARAMETER)
+@example(FUNCTIONS_OF_A_FAMILY)
 def test_any_names_make_code_that_compiles(tmp_path_factory: pytest.TempPathFactory, text: str) -> None:
     directory = tmp_path_factory.mktemp("names")
     files = generated("cpp", compile_text(text), directory)

@@ -159,7 +159,7 @@ WITHOUT_FLOW_CONTROL = {
 }
 SHORT_IDS = {**CRC_32, "id_digits": 2}
 LONG_IDS = {**CRC_32, "id_digits": 3}
-SEEDS = 20
+SEEDS = 10
 RATES = pytest.mark.parametrize("total", [0.0, 0.003, 0.01], ids="{:.1%}".format)
 
 

@@ -179,6 +179,8 @@ def test_samples_without_room_are_overruns(gateway: RtlGateway) -> None:
     assert any((later - earlier) % 256 > 1 for earlier, later in itertools.pairwise(numbers))
 
 
+# Slow where it is the first to compile them: it runs early then, and each process compiles others.
+@pytest.mark.slow
 @pytest.mark.parametrize("name", configurations())
 def test_every_configuration_is_what_its_file_says(name: str) -> None:
     assert RtlGateway(name).info == configurations()[name].info

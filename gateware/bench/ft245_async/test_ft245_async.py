@@ -7,7 +7,17 @@ import pytest
 from gateware.bench.runner import run_bench
 
 
-@pytest.mark.parametrize("clock_hz", [12_000_000, 25_000_000, 48_000_000, 50_000_000, 60_000_000, 100_000_000])
+@pytest.mark.parametrize(
+    "clock_hz",
+    [
+        12_000_000,
+        25_000_000,
+        pytest.param(48_000_000, marks=pytest.mark.campaign),
+        50_000_000,
+        pytest.param(60_000_000, marks=pytest.mark.campaign),
+        100_000_000,
+    ],
+)
 def test_ft245_async(clock_hz: int) -> None:
     run_bench("ft245_async", "gateware.bench.ft245_async.bench_ft245_async", generics={"clock_hz": clock_hz})
 

@@ -6,8 +6,10 @@ import pytest
 
 from gateware.bench.runner import run_bench
 
+pytestmark = pytest.mark.slow
 
-@pytest.mark.parametrize("clk_ns", [10.0, 16.0, 20.0, 40.7])
+
+@pytest.mark.parametrize("clk_ns", [10.0, 16.0, pytest.param(20.0, marks=pytest.mark.campaign), 40.7])
 def test_ft245_sync(clk_ns: float) -> None:
     run_bench("ft245_sync", "gateware.bench.ft245_sync.bench_ft245_sync", extra_env={"CLK_NS": str(clk_ns)})
 

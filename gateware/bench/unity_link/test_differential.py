@@ -8,6 +8,7 @@ import pytest
 
 from gateware.bench.runner import run_bench
 
+pytestmark = pytest.mark.slow
 SOURCES = [Path(__file__).resolve().parent / "unity_link_bench.vhd"]
 
 RUNS = [(1_500, 1, 0.0, False), (1_500, 2, 0.2, True)]

@@ -9,6 +9,7 @@ import pytest
 
 from gateware.bench.runner import GATEWARE, run_bench
 
+pytestmark = pytest.mark.slow
 DOCUMENT = GATEWARE.parent / "docs" / "gateware.md"
 SOURCES = [Path(__file__).resolve().parent / "unity_link_bench.vhd"]
 

@@ -11,6 +11,7 @@ import pytest
 from gateware.bench.runner import GATEWARE, run_bench
 from unity_link.protocol.configuration import Feature
 
+pytestmark = pytest.mark.slow
 HERE = Path(__file__).resolve().parent
 VECTORS = GATEWARE.parent / "tests" / "vectors"
 

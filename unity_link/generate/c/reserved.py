@@ -53,7 +53,8 @@ _FAMILIES = re.compile(
     r"|(?:ADJ|ATOMIC|CLOCK|CLONE|CPU|D?BL|DEC\d+|FE|FLT\w*|FP|LC|LDBL|M|MOD|PTHREAD|SCHED|STA|TIMER)_\w+"
     r"|(?:ul|UL|unity_link|UNITY_LINK)_\w+"
 )
-"""Macros by how they begin, and all that is ours; none of them ends in ``_``, as what is renamed does."""
+"""Macros by how they begin, and all that is ours; none ends in ``_``, as what is renamed does, or has ``__`` in it, as
+what is named after that."""
 _SCOPES = """
     int64_t place std the_link uint32_t uint64_t uint8_t unity_link
 """
@@ -196,7 +197,8 @@ INTERFACES = frozenset(f"{_LOCALS}{_HEADERS}".split())
 
 def is_word(identifier: str) -> bool:
     """Whether nothing can have the name, not even a member."""
-    return identifier in WORDS or (identifier[-1] != "_" and _FAMILIES.fullmatch(identifier) is not None)
+    renamed = identifier.endswith("_") or "__" in identifier
+    return identifier in WORDS or (not renamed and _FAMILIES.fullmatch(identifier) is not None)
 
 
 def is_global(identifier: str) -> bool:
