@@ -64,6 +64,7 @@ class _Scheduler(LoadScopeScheduling):  # type: ignore[misc]  # pytest-xdist has
         return file if file.endswith(".md") else nodeid
 
 
+@pytest.hookimpl(optionalhook=True)
 def pytest_xdist_make_scheduler(config: pytest.Config, log: Producer) -> LoadScopeScheduling | None:
     """Return what distributes the tests over processes, unless the command line asks for another way."""
     return _Scheduler(config, log) if config.getvalue("dist") == "load" else None

@@ -29,6 +29,8 @@ if TYPE_CHECKING:
 
     import zenoh
 
+    from unity_link import Sample, Subscription
+
 SPEC = str(Path(__file__).parents[2] / "examples" / "scara.ul")
 GATEWAY = "sim:scara?base_frequency_millihertz=20000000"
 POS_SP, COUNTS = 0x8C, 50 * 4000 / 360
@@ -162,12 +164,18 @@ def test_every_sample_arrives_once_in_order_many_in_one_publication() -> None:
 # Links
 
 
+async def first_of(subscription: Subscription, count: int) -> list[Sample]:
+    return [await anext(subscription) for _ in range(count)]
+
+
 def test_a_link_over_zenoh_is_a_link_like_any_other() -> None:
     async def use(place: str) -> None:
         async with (
             unity_link.connect(url(place), timeout=PATIENCE) as link,
-            link.subscribe([0x80], rate_hz=1000) as mine,
+            link.subscribe([0x80], rate_hz=100) as mine,
         ):
+            # Beside the requests: what is not taken for as long as a busy machine needs for them is lost.
+            samples = asyncio.create_task(first_of(mine, 100))
             await link.write_block(0x8C, [1, 2, 3, 4])
             assert (await link.read_block(0x8C, 4)).tolist() == [1, 2, 3, 4]
             assert len(await link.read_many([0x8C] * 5000)) == 5000
@@ -175,9 +183,8 @@ def test_a_link_over_zenoh_is_a_link_like_any_other() -> None:
                 await link.post(POS_SP, value)
             await link.fence()
             assert await link.read(POS_SP) == 199
-            numbers = [(await anext(mine)).sequence for _ in range(100)]
-            assert numbers == sorted(set(numbers))
-            assert mine.lost == 0
+            numbers = [sample.sequence for sample in await samples]
+            assert numbers == list(range(numbers[0], numbers[0] + 100))
 
     place = free_endpoint()
     with bridge(place) as process:

@@ -184,6 +184,13 @@ def test_a_command_without_stdout_does_its_work() -> None:
     assert result.stderr.startswith("3 samples in ")
 
 
+def test_watch_counts_the_samples_that_it_has_written_and_not_those_that_came_meanwhile() -> None:
+    fast = "sim:?base_frequency_millihertz=50000000"
+    result = run("watch", fast, "0x10", "--rate", "50000", "--count", "3")
+    assert len(result.stdout.splitlines()) == 1 + 3
+    assert result.stderr.startswith("3 samples in ")
+
+
 def test_colours_that_are_forced_on_a_pipe_make_no_picture_of_its_lines() -> None:
     assert in_shell("FORCE_COLOR=1 unity-link watch sim: 0x10 --count 1").stdout.startswith("time\tlost\t0x10\n")
 

@@ -90,13 +90,15 @@ async def _watch(
             if duration is None:
                 raise
         finally:
-            print_note(_summary(samples, time.monotonic() - start))
+            print_note(_summary(samples, count, time.monotonic() - start))
 
 
-def _summary(samples: Subscription, seconds: float) -> str:
+def _summary(samples: Subscription, count: int | None, seconds: float) -> str:
+    # More may have come by the time at which as many as were asked for have been written.
+    shown = samples.received if count is None else min(count, samples.received)
     # The first comes at the beginning, so there is one period less than samples.
     rate = f" ({(samples.received - 1) / seconds:,.1f} Hz)" if samples.received > 1 else ""
-    return f"{samples.received:,} samples in {seconds:.1f} s{rate}, {samples.lost:,} lost"
+    return f"{shown:,} samples in {seconds:.1f} s{rate}, {samples.lost:,} lost"
 
 
 async def _first(count: int | None, samples: Subscription) -> AsyncIterator[Sample]:
