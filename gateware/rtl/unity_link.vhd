@@ -60,6 +60,9 @@ entity unity_link is
     node : integer := -1;
     -- Whether only one side may send at a time (docs/protocol.md, "Half-duplex"): groups publish only when asked by GP.
     half_duplex : boolean := false;
+    -- "uart" with half_duplex: bits for which uart_de is '1' before the first start bit and behind the last stop bit.
+    driver_lead : natural := 1;
+    driver_tail : natural := 0;
     -- What `Q` reports as the build identifier, and whether that is the fingerprint of a spec's map.
     build_id    : std_logic_vector(31 downto 0) := x"00000000";
     fingerprint : boolean                       := false
@@ -73,6 +76,8 @@ entity unity_link is
     uart_txd   : out   std_logic;
     uart_rts_n : out   std_logic;
     uart_cts_n : in    std_logic := '0';
+    -- "uart": '1' while the transceiver is to drive the line; always, unless half_duplex.
+    uart_de : out   std_logic;
     -- "ft245" and "ft245_sync"; ft_clkout and ft_oe_n with the latter only.
     ft_clkout   : in    std_logic                    := '0';
     ft_data_in  : in    std_logic_vector(7 downto 0) := (others => '0');
@@ -258,23 +263,27 @@ begin
       generic map (
         clock_hz     => clock_hz,
         baud         => baud,
-        flow_control => flow_control
+        flow_control => flow_control,
+        half_duplex  => half_duplex,
+        driver_lead  => driver_lead,
+        driver_tail  => driver_tail
       )
       port map (
-        clk      => clk,
-        rst      => rst,
-        rxd      => uart_rxd,
-        txd      => uart_txd,
-        rts_n    => uart_rts_n,
-        cts_n    => uart_cts_n,
-        rx_data  => rx_data,
-        rx_lost  => rx_lost,
-        rx_valid => rx_valid,
-        rx_ready => rx_ready,
-        tx_data  => tx_data,
-        tx_valid => tx_valid,
-        tx_ready => tx_ready,
-        flush    => flush
+        clk           => clk,
+        rst           => rst,
+        rxd           => uart_rxd,
+        txd           => uart_txd,
+        rts_n         => uart_rts_n,
+        cts_n         => uart_cts_n,
+        driver_enable => uart_de,
+        rx_data       => rx_data,
+        rx_lost       => rx_lost,
+        rx_valid      => rx_valid,
+        rx_ready      => rx_ready,
+        tx_data       => tx_data,
+        tx_valid      => tx_valid,
+        tx_ready      => tx_ready,
+        flush         => flush
       );
 
   end generate with_uart;
@@ -283,6 +292,7 @@ begin
 
     uart_txd   <= '1';
     uart_rts_n <= '1';
+    uart_de    <= '0';
 
   end generate without_uart;
 

@@ -154,6 +154,7 @@ async def bytes_leave_with_bits_of_the_right_length_and_without_gaps(dut: SimHan
     assert abs(cycles - nominal) <= 3 + 0.0005 * nominal
     await Timer(round(11 * line.bit_ps), unit="ps")
     assert line.received == list(data)
+    assert dut.driver_enable.value == 1
 
 
 @cocotb.test

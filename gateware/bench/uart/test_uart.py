@@ -32,6 +32,25 @@ def test_uart_with_flow_control(clock_hz: int, baud: int) -> None:
     run_bench("uart", _BENCH, generics={"clock_hz": clock_hz, "baud": baud, "flow_control": True, "rx_slack": 32})
 
 
+@pytest.mark.parametrize(
+    ("clock_hz", "baud", "driver_lead", "driver_tail"),
+    [
+        (12_000_000, 3_000_000, 1, 0),
+        (50_000_000, 11_000_000, 0, 0),
+        (50_000_000, 115_200, 1, 0),
+        (48_000_000, 3_000_000, 3, 2),
+    ],
+)
+def test_uart_with_a_transceiver_on_a_shared_pair(clock_hz: int, baud: int, driver_lead: int, driver_tail: int) -> None:
+    generics = {"clock_hz": clock_hz, "baud": baud, "driver_lead": driver_lead, "driver_tail": driver_tail}
+    run_bench("uart", "gateware.bench.uart.bench_half_duplex", generics={**generics, "half_duplex": True})
+
+
+def test_half_duplex_with_flow_control_is_refused() -> None:
+    with pytest.raises(BenchError, match="half_duplex and flow_control are both true"):
+        run_bench("uart", _BENCH, generics={"half_duplex": True, "flow_control": True})
+
+
 def test_a_baud_rate_above_a_quarter_of_the_clock_is_refused() -> None:
     with pytest.raises(BenchError, match="baud is 4000000, expected at most a quarter of clock_hz"):
         run_bench("uart", _BENCH, generics={"clock_hz": 12_000_000, "baud": 4_000_000})

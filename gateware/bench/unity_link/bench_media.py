@@ -81,7 +81,7 @@ class Ft245:
         return self._chip.from_gateware
 
 
-async def _memory(dut: SimHandleBase) -> None:
+async def memory(dut: SimHandleBase) -> None:
     """Answer each access one cycle later; every address reads what was written there, or 0."""
     words: dict[int, int] = {}
     dut.wb_ack.value = dut.wb_err.value = dut.wb_stall.value = dut.wb_dat_i.value = 0
@@ -99,7 +99,7 @@ async def _begin(dut: SimHandleBase) -> Medium:
     dut.in_valid.value = dut.out_ready.value = dut.trigger.value = 0
     medium = Uart(dut) if os.environ["MEDIUM"] == "uart" else Ft245(dut)
     await start(dut.clk, dut.rst)
-    cocotb.start_soon(_memory(dut))
+    cocotb.start_soon(memory(dut))
     return medium
 
 

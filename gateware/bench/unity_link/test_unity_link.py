@@ -75,6 +75,11 @@ def test_a_gateway_answers_at_the_pins_of_its_medium(medium: str) -> None:
     )
 
 
+def test_a_gateway_shares_a_pair_of_wires_with_its_host() -> None:
+    generics = {"physical": "uart", "baud": 5_000_000, "half_duplex": True}
+    run_bench("unity_link", "gateware.bench.unity_link.bench_shared_pair", generics=generics)
+
+
 def test_there_may_be_256_groups_of_255_addresses() -> None:
     most = {"groups": 256, "group_words": 255, "sample_depth": 512, "data_bits": 8}
     # A tick of 10,000 cycles.

@@ -505,6 +505,8 @@ begin
       end case;
 
       if field = field_address or field = field_group then
+        -- R and WK are about one word, and have no field that says so.
+        v.count        := x"01";
         v.words        := (others => '0');
         v.partial      := '0';
         v.word_exceeds := '0';
@@ -541,7 +543,7 @@ begin
         when field_words =>
           if r.field = field_command or r.partial = '1' or r.words = 0 or r.words(8) = '1' then
             return false;
-          elsif r.node(3 downto 0) = command_wk then
+          elsif masked_write and r.node(3 downto 0) = command_wk then
             return r.words = 2;
           elsif r.node(3 downto 0) = command_w or r.node(3 downto 0) = command_ws then
             return r.words = 1;
@@ -549,7 +551,7 @@ begin
           return true;
 
         when field_list =>
-          return r.partial = '0' and r.words = unsigned(r.count);
+          return groups > 0 and r.partial = '0' and r.words = unsigned(r.count);
 
         when others =>
           return false;
@@ -611,19 +613,9 @@ begin
       v.silent        := in_silent;
       v.out_of_range  := to_std_logic(is_out_of_range);
       v.request_count := r.count;
-
-      case r.node(3 downto 0) is
-
-        when command_r | command_wk | command_w | command_ws =>
-          v.request_count := x"01";
-
-        when command_wm | command_wq =>
-          v.request_count := std_logic_vector(r.words(7 downto 0));
-
-        when others =>
-          null;
-
-      end case;
+      if r.node(2) = '1' then
+        v.request_count := std_logic_vector(r.words(7 downto 0));
+      end if;
 
       if in_error /= error_none then
         v.error := in_error;

@@ -261,7 +261,6 @@ begin
     end if;
     if r.out_of_order = '1' then
       answer_message <= message_out_of_sequence;
-      answer_id      <= std_logic_vector(r.expected);
     end if;
     if is_error = '1' then
       answer_message  <= message_error;
@@ -280,7 +279,8 @@ begin
 
   main : process (clk) is
 
-    variable v : registers_t;
+    variable v        : registers_t;
+    variable distance : unsigned(id_t'range);
 
     procedure begin_group_operation (operation : group_operation_t; state : state_t) is
     begin
@@ -426,6 +426,7 @@ begin
       elsif r.gap_told = '0' then
         v.gap_told     := '1';
         v.out_of_order := '1';
+        v.id           := std_logic_vector(r.expected);
         v.state        := state_answer;
       end if;
 
@@ -475,8 +476,9 @@ begin
     if rising_edge(clk) then
       memory_kept   <= memory_word;
       v             := r;
-      v.is_expected := to_std_logic(unsigned(request_id) = r.expected);
-      v.is_ahead    := not half_ring(unsigned(request_id) - r.expected);
+      distance      := unsigned(request_id) - r.expected;
+      v.is_expected := to_std_logic(distance = 0);
+      v.is_ahead    := not half_ring(distance);
       v.enough_room := to_std_logic(ring_room >= unsigned(request_count));
       v.list_write  := '0';
 

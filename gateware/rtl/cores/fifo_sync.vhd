@@ -81,6 +81,9 @@ begin
   end process storage;
 
   control : process (clk) is
+
+    variable change : unsigned(count'range);
+
   begin
 
     if rising_edge(clk) then
@@ -98,14 +101,17 @@ begin
         use_bypass <= '0';
       end if;
 
+      -- 1, 0 or -1: one adder for both ways.
+      change    := (others => pop and not push);
+      change(0) := push xor pop;
+      count     <= count + change;
+
       if push = '1' and pop = '0' then
-        count     <= count + 1;
         not_empty <= '1';
         if count = depth - 1 then
           not_full <= '0';
         end if;
       elsif push = '0' and pop = '1' then
-        count    <= count - 1;
         not_full <= '1';
         if count = 1 then
           not_empty <= '0';

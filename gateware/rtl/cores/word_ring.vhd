@@ -76,6 +76,7 @@ begin
 
     variable next_write_at : pointer_t;
     variable next_read_at  : pointer_t;
+    variable free          : pointer_t;
 
   begin
 
@@ -88,6 +89,10 @@ begin
       if rollback = '1' then
         next_write_at := committed;
       end if;
+      -- depth - (write_at - read_at) by one subtraction: to add a depth, the highest bit is inverted.
+      free            := read_at - write_at;
+      free(free'high) := not free(free'high);
+      room            <= free;
       if commit = '1' then
         committed <= next_write_at;
       end if;
@@ -96,7 +101,6 @@ begin
       end if;
       write_at  <= next_write_at;
       read_at   <= next_read_at;
-      room      <= to_unsigned(depth, room'length) - (write_at - read_at);
       available <= '0';
       if committed /= next_read_at then
         available <= '1';

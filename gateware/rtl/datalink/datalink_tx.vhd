@@ -158,10 +158,15 @@ begin
             end if;
 
           when state_check =>
+            -- Both digits of the highest byte; then the next one takes its place, by the logic that is there already: a
+            -- CRC after its own highest byte is shifted by eight bits.
             v.out_data  := hex_character(r.crc(crc_bits - 1 downto crc_bits - 4));
             v.out_valid := '1';
-            v.crc       := r.crc(crc_bits - 5 downto 0) & "0000";
-            v.left      := r.left - 1;
+            if r.left(0) = '1' then
+              v.out_data := hex_character(r.crc(crc_bits - 5 downto crc_bits - 8));
+              v.crc      := crc_after(r.crc, r.crc(crc_bits - 1 downto crc_bits - 8), crc_polynomial);
+            end if;
+            v.left := r.left - 1;
             if r.left = 1 then
               v.state := state_lf;
             end if;

@@ -16,6 +16,12 @@
 -- Flow control. With `flow_control` the receiver has a small FIFO, and RTS# goes away when a quarter of it is used: the
 -- rest is for what the far end sends until it has noticed. The transmitter begins no byte while CTS# is high.
 --
+-- Half-duplex. `driver_enable` is for a transceiver on a pair of wires that both sides share, as on RS-485. The driver
+-- is enabled `driver_lead` bits before the first start bit, stays so while byte follows byte, and is disabled
+-- `driver_tail` bits after the last stop bit. It is enabled only where the line has been idle for a bit since the middle
+-- of the last stop bit: so what the far end sends without a pause is not disturbed, also where a frame has ended within
+-- it (CR LF, or noise that made a CR). What is sent is not heard.
+--
 -- `flush` exists because every physical layer has it; a UART holds nothing back.
 
 library ieee;
@@ -33,7 +39,12 @@ entity uart is
     baud         : positive := 115_200;
     flow_control : boolean  := false;
     -- Bytes of the receiver's FIFO, where there is flow control; a power of two, at least 8.
-    rx_slack : positive := 64
+    rx_slack : positive := 64;
+    -- Whether both directions share one pair of wires; then there is no flow control. Bits for which the driver holds
+    -- the line before the first start bit and behind the last stop bit, 0 to 15.
+    half_duplex : boolean := false;
+    driver_lead : natural := 1;
+    driver_tail : natural := 0
   );
   port (
     clk : in    std_logic;
@@ -43,6 +54,8 @@ entity uart is
     txd   : out   std_logic;
     rts_n : out   std_logic;
     cts_n : in    std_logic := '0';
+    -- '1': the transceiver drives the line; always, unless half_duplex.
+    driver_enable : out   std_logic;
     -- Core.
     rx_data  : out   std_logic_vector(7 downto 0);
     rx_lost  : out   std_logic;
@@ -85,6 +98,7 @@ architecture rtl of uart is
 
   signal rx_meta     : std_logic;
   signal rx_now      : std_logic;
+  signal rx_quiet    : std_logic;
   signal rx_history  : std_logic_vector(2 downto 0);
   signal rx_level    : std_logic;
   signal rx_phase    : phase_t;
@@ -109,12 +123,26 @@ architecture rtl of uart is
   signal tx_count : unsigned(3 downto 0);
   signal tx_load  : std_logic;
   signal tx_last  : std_logic;
+  -- Half-duplex.
+  signal driving   : std_logic;
+  signal tail_over : std_logic;
+  signal may_drive : std_logic;
+  signal may_hear  : std_logic;
 
 begin
 
   assert clock_hz / 4 >= baud
     report "uart: baud is " & integer'image(baud) & ", expected at most a quarter of clock_hz (" &
            integer'image(clock_hz / 4) & ")"
+    severity failure;
+
+  assert not (half_duplex and flow_control)
+    report "uart: half_duplex and flow_control are both true, expected one of them at most"
+    severity failure;
+
+  assert driver_lead <= 15 and driver_tail <= 15
+    report "uart: driver_lead is " & integer'image(driver_lead) & " and driver_tail " & integer'image(driver_tail) &
+           ", expected 0 to 15"
     severity failure;
 
   rx_sum <= ('0' & rx_phase) + step;
@@ -132,7 +160,7 @@ begin
   begin
 
     if rising_edge(clk) then
-      rx_meta <= rxd;
+      rx_meta <= rxd or not may_hear;
       rx_now  <= rx_meta;
       if rx_tick = '1' then
         rx_history <= rx_history(1 downto 0) & rx_now;
@@ -141,6 +169,12 @@ begin
       rx_phase  <= rx_sum(rx_phase'range);
       rx_done   <= '0';
       rx_broken <= '0';
+      -- The phase has gone on since the middle of the stop bit.
+      if rx_state /= idle then
+        rx_quiet <= '0';
+      elsif rx_sum(sum_t'high) = '1' then
+        rx_quiet <= '1';
+      end if;
 
       case rx_state is
 
@@ -148,6 +182,9 @@ begin
 
           if rx_level = '1' then
             rx_state <= idle;
+            if half_duplex then
+              rx_phase <= (others => '0');
+            end if;
           end if;
 
         when idle =>
@@ -202,6 +239,7 @@ begin
         rx_history <= (others => '0');
         rx_phase   <= (others => '0');
         rx_state   <= wait_high;
+        rx_quiet   <= '0';
         rx_done    <= '0';
         rx_broken  <= '0';
       end if;
@@ -291,7 +329,7 @@ begin
     rx_lost    <= held(8);
     rx_valid   <= held_valid;
     rts_n      <= '0';
-    may_send   <= '1';
+    may_send   <= may_drive;
   end generate with_flow_control;
 
   tx_sum   <= ('0' & tx_phase) + step;
@@ -300,6 +338,12 @@ begin
   tx_ready <= tx_last and may_send;
   tx_load  <= tx_last and may_send and tx_valid;
   txd      <= tx_shift(0);
+
+  may_drive     <= driving when half_duplex else
+                   '1';
+  may_hear      <= not driving when half_duplex else
+                   '1';
+  driver_enable <= may_drive;
 
   -- `tx_count` is the number of bits still to end, of 10. The phase goes on over a byte that follows without a pause.
   transmit : process (clk) is
@@ -314,14 +358,28 @@ begin
         tx_count <= tx_count - 1;
       end if;
       if tx_load = '1' then
-        tx_shift <= '1' & tx_data & '0';
-        tx_count <= to_unsigned(10, tx_count'length);
+        tx_shift  <= '1' & tx_data & '0';
+        tx_count  <= to_unsigned(10, tx_count'length);
+        tail_over <= '0';
+      elsif half_duplex and tx_last = '1' then
+        -- Lead and tail are bits as well, in which the line stays high.
+        tail_over <= '1';
+        if driving = '0' and tx_valid = '1' and rx_quiet = '1' then
+          driving  <= '1';
+          tx_count <= to_unsigned(driver_lead, tx_count'length);
+        elsif tail_over = '0' and driver_tail > 0 then
+          tx_count <= to_unsigned(driver_tail, tx_count'length);
+        else
+          driving <= '0';
+        end if;
       end if;
 
       if rst = '1' then
-        tx_phase <= (others => '0');
-        tx_shift <= (others => '1');
-        tx_count <= (others => '0');
+        tx_phase  <= (others => '0');
+        tx_shift  <= (others => '1');
+        tx_count  <= (others => '0');
+        driving   <= '0';
+        tail_over <= '1';
       end if;
     end if;
 
