@@ -20,6 +20,8 @@ if TYPE_CHECKING:
 HIGH, LOW = 65_536, 16_384
 """Bytes that wait in a connection at which its writer is told to pause, and may go on."""
 NEVER = 1 << 62
+STRETCH, IN_PIECES = 1_000, 250
+"""Of so many bytes of a line that cuts them the first so many arrive in pieces, the others as they were sent."""
 
 
 class Fault(NamedTuple):
@@ -43,7 +45,7 @@ class Line(NamedTuple):
     latency: float
     """Seconds that a byte takes."""
     piece: int
-    """Most bytes that arrive in one read."""
+    """Most bytes that arrive in one read, where they arrive in pieces."""
 
 
 class Course:
@@ -230,26 +232,30 @@ class End(asyncio.Transport):
 
     def _deliver(self) -> None:
         self._planned = False
-        peer = self.peer
-        if self._dead or not peer._reading or not self._buffer:
+        peer, buffer, course = self.peer, self._buffer, self.course
+        if self._dead or not peer._reading or not buffer:
             return
-        piece = self._line.piece
-        data = bytes(self._buffer[:piece])
-        del self._buffer[:piece]
+        data = bytes(buffer)
+        buffer.clear()
+        if course.position % STRETCH < IN_PIECES and len(data) > self._line.piece:
+            buffer += data[self._line.piece :]
+            data = data[: self._line.piece]
         now = self._loop.time()
-        arrived, rest, fault = self.course.carry(data, now)
-        self._buffer[:0] = rest
+        arrived, rest, fault = course.carry(data, now)
+        if rest:
+            buffer[:0] = rest
         if arrived and not peer._dead:
-            self._network.trace.append((now, self.course.name, "carry", arrived))
+            self._network.trace.append((now, course.name, "carry", arrived))
             peer._protocol.data_received(arrived)
         if fault is not None and fault.kind == "cut":
             self.cut(fault.amount)
             return
-        if self._paused and len(self._buffer) <= LOW and not self._dead:
+        if self._paused and len(buffer) <= LOW and not self._dead:
             self._paused = False
             self._protocol.resume_writing()
-        self._plan(fault.amount if fault is not None else 0.0)
-        if self._ending and not self._buffer:
+        if buffer:
+            self._plan(fault.amount if fault is not None else 0.0)
+        elif self._ending:
             self.abort()
 
 
