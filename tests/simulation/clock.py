@@ -146,3 +146,9 @@ class SimulatedLoop(asyncio.BaseEventLoop):
     async def create_server(self, protocol_factory: Any, host: Any = None, port: Any = None, **_: Any) -> Any:
         """Listen in the network."""
         return self.network.listen(protocol_factory, host, port)
+
+    async def create_datagram_endpoint(  # type: ignore[override]
+        self, protocol_factory: Any, local_addr: Any = None, remote_addr: Any = None, **_: Any
+    ) -> Any:
+        """Open a socket in the network."""
+        return self.network.open_port(protocol_factory, local_addr, remote_addr)

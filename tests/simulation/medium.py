@@ -1,5 +1,7 @@
 """The line between a host and what it connects to: bytes that are late, in pieces, lost, damaged or doubled, and cut.
 
+Or datagrams, which are lost, damaged, doubled and late, each by itself.
+
 A `Network` connects by name. The last part of a host name is who listens, the whole of it is the line: a program that
 opens ``tcp://p3.server0:1`` and one that opens ``tcp://p4.server0:1`` reach the same server over lines of their own.
 A line outlives its connections: its two `Course`s count the bytes that were ever carried, and a fault is bound to one
@@ -20,6 +22,7 @@ if TYPE_CHECKING:
 HIGH, LOW = 65_536, 16_384
 """Bytes that wait in a connection at which its writer is told to pause, and may go on."""
 NEVER = 1 << 62
+Address = tuple[str, int]
 STRETCH, IN_PIECES = 1_000, 250
 """Of so many bytes of a line that cuts them the first so many arrive in pieces, the others as they were sent."""
 
@@ -33,9 +36,11 @@ class Fault(NamedTuple):
     at: int
     """Number of the byte, counted since the world began."""
     kind: str
-    """``lose``, ``flip``, ``double``, ``stall`` or ``cut``."""
+    """``lose``, ``flip``, ``double``, ``stall`` or ``cut``; for a datagram that has the byte ``lose``, ``flip``,
+    ``copy`` or ``late``."""
     amount: float
-    """Bytes that are lost or doubled; the bits that are inverted; seconds for a stall, or until the cut is noticed."""
+    """Bytes that are lost or doubled; the bits that are inverted; seconds for a stall, or until the cut is noticed, or
+    until a datagram or its copy comes."""
 
 
 class Line(NamedTuple):
@@ -102,6 +107,27 @@ class Course:
             else:
                 return bytes(arrived), data[place:], fault
         return bytes(arrived), b"", None
+
+    def scatter(self, datagram: bytes, now: float) -> list[tuple[float, bytes]]:
+        """Return what arrives of a datagram: each copy with the seconds by which it is late."""
+        end = self.position + len(datagram)
+        arriving = [] if self._losing else [(0.0, datagram)]
+        self._losing = max(0, self._losing - len(datagram))
+        while self._next < end:
+            place = self._next - self.position
+            fault = self._pop(now)
+            if fault.kind == "lose":
+                self._losing = max(0, int(fault.amount) - len(datagram))
+                arriving.clear()
+            elif fault.kind == "flip":
+                spoiled = datagram[:place] + bytes([datagram[place] ^ int(fault.amount)]) + datagram[place + 1 :]
+                arriving = [(late, spoiled) for late, _ in arriving]
+            elif fault.kind == "copy":
+                arriving += [(fault.amount, data) for _, data in arriving]
+            else:
+                arriving = [(late + fault.amount, data) for late, data in arriving]
+        self.position = end
+        return arriving
 
     def _pop(self, now: float) -> Fault:
         fault = self._faults.pop()
@@ -259,6 +285,48 @@ class End(asyncio.Transport):
             self.abort()
 
 
+class Port(asyncio.DatagramTransport):
+    """A socket for datagrams: of one who listens, or of a host, which sends to one address over its line.
+
+    Args:
+        network: carries the datagrams.
+        protocol: takes what arrives.
+        address: of the socket.
+        remote: the address that a host sends to.
+    """
+
+    def __init__(
+        self, network: Network, protocol: asyncio.DatagramProtocol, address: Address, remote: Address | None
+    ) -> None:
+        super().__init__({"sockname": address})
+        self.protocol = protocol
+        self._network = network
+        self._address = address
+        self._remote = remote
+        self._closing = False
+
+    def sendto(self, data: Any, addr: Any = None) -> None:
+        if not self._closing:
+            self._network.post(self._address, self._remote or addr, bytes(data), back=self._remote is None)
+
+    def is_closing(self) -> bool:
+        return self._closing
+
+    def close(self) -> None:
+        """Send and take nothing any more."""
+        if not self._closing:
+            self.unplug()
+            self._network.loop.call_soon(self.protocol.connection_lost, None)
+
+    def unplug(self) -> None:
+        """Send and take nothing any more, without a word to the protocol."""
+        self._closing = True
+        if self._network.ports.get(self._address) is self:
+            del self._network.ports[self._address]
+
+    abort = close
+
+
 class _Listener:
     """What `asyncio.Server` is to those who listen."""
 
@@ -294,6 +362,8 @@ class Network:
         """Those who listen and can't be reached now."""
         self.open: dict[End, str] = {}
         """Ends of connections at those who listen, and who it is."""
+        self.ports: dict[Address, Port] = {}
+        """Sockets for datagrams; those of hosts are at their line, and each has a number of its own."""
         self.connections: Counter[str] = Counter()
         """Connections that were made on each line."""
         self._lines = {line.name: line for line in lines}
@@ -331,6 +401,43 @@ class Network:
         far.connection_made(there)
         near.connection_made(here)
         return here, near
+
+    def open_port(
+        self, factory: Callable[[], asyncio.DatagramProtocol], local: Address | None, remote: Address | None
+    ) -> tuple[Port, asyncio.DatagramProtocol]:
+        """Open a socket for datagrams: at a local address, or at any, for one remote address."""
+        address = local
+        if address is None:
+            assert remote is not None
+            host = remote[0]
+            self.connections[host] += 1
+            address = host, self.connections[host]
+            self.trace.append((self.loop.time(), host, "connect", self.connections[host]))
+        protocol = factory()
+        self.ports[address] = port = Port(self, protocol, address, remote)
+        protocol.connection_made(port)
+        return port, protocol
+
+    def post(self, source: Address, target: Address, datagram: bytes, *, back: bool) -> None:
+        """Carry a datagram, if the line does."""
+        name = (target if back else source)[0]
+        line, course = self._lines[name], self.courses[name, back]
+        if not back:
+            target = name.rpartition(".")[2], target[1]
+        for late, arriving in course.scatter(datagram, self.loop.time()):
+            self.loop.call_later(line.latency + late, self._arrive, course.name, source, target, arriving)
+
+    def _arrive(self, name: str, source: Address, target: Address, datagram: bytes) -> None:
+        port = self.ports.get(target)
+        if port is not None and target[0] not in self.away:
+            self.trace.append((self.loop.time(), name, "carry", datagram))
+            port.protocol.datagram_received(datagram, source)
+
+    def unplug(self, address: Address) -> None:
+        """Let an address send and take no datagrams any more."""
+        port = self.ports.get(address)
+        if port is not None:
+            port.unplug()
 
     def cut(self, name: str) -> None:
         """Cut all connections to one who listens."""

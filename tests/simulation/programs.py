@@ -67,6 +67,7 @@ class Program:
     Args:
         name: in stories.
         plan: what it does.
+        url: what it opens.
         tap: before its gateway.
         logs: takes what it asks.
         trace: takes what happens.
@@ -76,6 +77,7 @@ class Program:
         self,
         name: str,
         plan: ProgramPlan,
+        url: str,
         tap: Tap,
         logs: list[LinkLog],
         trace: list[Any],
@@ -83,7 +85,7 @@ class Program:
         self.name = name
         self.links: list[Link] = []
         self._plan = plan
-        self._url = plan.line if ":" in plan.line else f"tcp://{plan.line}:1"
+        self._url = url
         self._tap = tap
         self._logs = logs
         self._trace = trace
@@ -101,7 +103,7 @@ class Program:
         log = LinkLog(
             f"{self.name} link {len(self.links)}",
             self._tap.recorder,
-            shared=".server" in self._plan.line,
+            shared=".server" in self._url,
             reconnect=life.reconnect,
             block_words=link.gateway.block_words,
         )

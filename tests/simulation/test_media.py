@@ -8,13 +8,6 @@ import pytest
 
 from simulation.media import Media, run_medium
 
-
-@pytest.fixture(autouse=True)
-def slack(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Allow for what a busy machine leaves between an instant at a gateway and the program's clock."""
-    monkeypatch.setattr("simulation.oracle._SLACK", 0.5)
-
-
 # asyncio leaves a connection to the garbage collector that it accepts in the moment in which its server closes.
 pytestmark = pytest.mark.filterwarnings("ignore:.*socket.socket:pytest.PytestUnraisableExceptionWarning")
 REQUESTS = 3_000

@@ -25,6 +25,10 @@ SEEDS = 5_000
 """Seeds in each run of the suite."""
 CAMPAIGN_SEEDS = 2_000
 """Seeds within which each known bug must be found."""
+BUILDS = ("default", "crc_32", "short", "short_ids", "slow")
+"""The gateware, compiled, with as many features as a model has."""
+BUILD_SEEDS = 200
+"""Seeds that are run on it."""
 TESTS = Path(__file__).parents[1]
 
 
@@ -52,6 +56,13 @@ def test_no_world_breaks_a_rule_and_the_worlds_are_eventful() -> None:
     assert medians["programs"] >= 2
     assert medians["faults"] >= 3
     assert medians["sessions"] >= 1
+
+
+@pytest.mark.slow
+@pytest.mark.rtl
+def test_no_world_of_the_gateware_itself_breaks_a_rule() -> None:
+    failed = [outcome for seed in range(BUILD_SEEDS) if (outcome := run_seed(seed, builds=BUILDS)).error]
+    assert not failed, "\n".join(f"seed {outcome.plan.seed}: {outcome.error}" for outcome in failed)
 
 
 def test_a_seed_repeats_its_world_to_the_byte_also_in_another_process() -> None:
