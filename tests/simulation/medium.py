@@ -19,8 +19,8 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
-HIGH, LOW = 65_536, 16_384
-"""Bytes that wait in a connection at which its writer is told to pause, and may go on."""
+HIGH = 65_536
+"""Bytes that wait in a connection at which its writer is told to pause; at a quarter it may go on."""
 NEVER = 1 << 62
 Address = tuple[str, int]
 STRETCH, IN_PIECES = 1_000, 250
@@ -51,6 +51,8 @@ class Line(NamedTuple):
     """Seconds that a byte takes."""
     piece: int
     """Most bytes that arrive in one read, where they arrive in pieces."""
+    room: int
+    """Bytes that may wait to be carried before their writer is told to pause, if it names no other number."""
 
 
 class Course:
@@ -162,14 +164,14 @@ class End(asyncio.Transport):
         self._network = network
         self._loop = network.loop
         self._protocol: Any = protocol
-        self._line = line
+        self.line = line
         self._buffer = bytearray()
-        self._high = HIGH
+        self._high = line.room
         self._planned = self._paused = self._closing = self._dead = self._ending = False
         self._reading = True
 
     def set_write_buffer_limits(self, high: int | None = None, low: int | None = None) -> None:
-        self._high = HIGH if high is None else high
+        self._high = self.line.room if high is None else high
 
     def get_write_buffer_size(self) -> int:
         return len(self._buffer)
@@ -203,7 +205,7 @@ class End(asyncio.Transport):
         if waiting > self._high and not self._paused:
             self._paused = True
             self._protocol.pause_writing()
-        self._plan(self._line.latency)
+        self._plan(self.line.latency)
 
     def write_eof(self) -> None:
         """Do nothing: who hears the end of what is said hangs up anyway."""
@@ -218,7 +220,7 @@ class End(asyncio.Transport):
         """End at once; the other side hears of it when a byte would have come there."""
         self._closing = True
         self._end(0.0)
-        self.peer._end(self._line.latency)
+        self.peer._end(self.line.latency)
 
     def drop(self) -> None:
         """Lose what was written and has not arrived."""
@@ -263,9 +265,9 @@ class End(asyncio.Transport):
             return
         data = bytes(buffer)
         buffer.clear()
-        if course.position % STRETCH < IN_PIECES and len(data) > self._line.piece:
-            buffer += data[self._line.piece :]
-            data = data[: self._line.piece]
+        if course.position % STRETCH < IN_PIECES and len(data) > self.line.piece:
+            buffer += data[self.line.piece :]
+            data = data[: self.line.piece]
         now = self._loop.time()
         arrived, rest, fault = course.carry(data, now)
         if rest:
@@ -276,7 +278,7 @@ class End(asyncio.Transport):
         if fault is not None and fault.kind == "cut":
             self.cut(fault.amount)
             return
-        if self._paused and len(buffer) <= LOW and not self._dead:
+        if self._paused and len(buffer) <= self._high // 4 and not self._dead:
             self._paused = False
             self._protocol.resume_writing()
         if buffer:
@@ -442,6 +444,11 @@ class Network:
     def cut(self, name: str) -> None:
         """Cut all connections to one who listens."""
         for end in [end for end, listener in self.open.items() if listener == name]:
+            end.cut(0.0)
+
+    def hang_up(self, line: str) -> None:
+        """Cut the connections of a line."""
+        for end in [end for end in self.open if end.line.name == line]:
             end.cut(0.0)
 
     def drop(self, name: str) -> None:

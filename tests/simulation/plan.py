@@ -9,7 +9,7 @@ from __future__ import annotations
 import random
 from typing import TYPE_CHECKING, Any, NamedTuple, TypeVar
 
-from simulation.medium import Fault, Line
+from simulation.medium import HIGH, Fault, Line
 from unity_link.protocol.configuration import Feature, GatewayInfo
 from unity_link.virtual.rtl import configurations
 
@@ -96,7 +96,7 @@ class Mishap(NamedTuple):
     kind: str
     """``reset``: it is reset, and its connections are cut; ``away``: it also can't be reached for a time; ``reset in
     place``: its connections stay, but what it has sent and has not arrived is lost. A gateway that is reached by
-    datagrams has no connections, and what is under way still comes."""
+    datagrams has no connections, and what is under way still comes. ``hang up``: the connection of a line is cut."""
     seconds: float
 
 
@@ -116,6 +116,10 @@ class Plan(NamedTuple):
         """Return the URL of who listens at the end of a line."""
         by_datagrams = not _is_of_server(line) and gateway_of(line, self.gateways, self.servers).datagrams
         return f"{'udp' if by_datagrams else 'tcp'}://{line}:1"
+
+    def is_swift(self, line: str) -> bool:
+        """Return whether who listens at the end of a line takes and answers all at once: a gateway without limit."""
+        return not _is_of_server(line) and gateway_of(line, self.gateways, self.servers).bytes_per_second is None
 
     def requests(self) -> int:
         """Return how many requests the programs make, at least."""
@@ -178,6 +182,7 @@ class Draw:
             programs.append(self._program(line, gateway_of(line, gateways, servers).info, len(listeners)))
         faults = [fault for line in lines for fault in self._faults(line.name, gateways, servers)]
         mishaps = self._mishaps(count, len(servers))
+        mishaps += self._hang_ups(mishaps, servers, [program.line for program in programs])
         return Plan(self._seed, gateways, servers, tuple(lines), tuple(programs), tuple(faults), tuple(mishaps))
 
     # The world
@@ -188,7 +193,7 @@ class Draw:
         features = GatewayInfo().features
         slow = draw.random() < 0.15
         fifo = draw.choice((64, 256))
-        if slow and draw.random() < 0.6:
+        if draw.random() < (0.6 if slow else 0.1):
             features &= ~Feature.FLOW_CONTROL
         info = GatewayInfo(
             data_bits=draw.choice((32, 32, 36)),
@@ -213,7 +218,8 @@ class Draw:
 
     def _line(self, name: str) -> Line:
         draw = self._random
-        return Line(name, draw.choice((0.0, 2e-5, 2e-4, 1e-3, 5e-3)), draw.choice((1 << 16, 1 << 16, 1 << 16, 64, 13)))
+        latency, piece = draw.choice((0.0, 2e-5, 2e-4, 1e-3, 5e-3, 2e-2)), draw.choice((HIGH, HIGH, HIGH, 64, 13))
+        return Line(name, latency, piece, draw.choice((HIGH, HIGH, HIGH, 300)))
 
     def _faults(self, line: str, gateways: tuple[GatewayPlan, ...], servers: tuple[int, ...]) -> list[Fault]:
         draw = self._random
@@ -254,6 +260,16 @@ class Draw:
         ]
         return mishaps
 
+    def _hang_ups(self, mishaps: list[Mishap], servers: tuple[int, ...], lines: list[str]) -> list[Mishap]:
+        """Draw which clients a server loses soon after it has lost its gateway."""
+        draw = self._random
+        lost = {mishap.whom: mishap.at for mishap in mishaps}
+        return [
+            Mishap(lost[gateway] + draw.uniform(0.0, 0.4), line, "hang up", 0.0)
+            for line in lines
+            if _is_of_server(line) and (gateway := f"gateway{servers[int(line[-1])]}") in lost and draw.random() < 0.3
+        ]
+
     # The programs
 
     def _program(self, line: str, info: GatewayInfo, programs: int) -> ProgramPlan:
@@ -275,7 +291,8 @@ class Draw:
         if kind == "burst":
             return Step("burst", (tuple(self._call() for _ in range(self._random.choice((4, 8, 16)))),))
         if kind == "cancel":
-            return Step("cancel", (self._random.choice((0.0, 1e-4, 1e-3, 0.01)), (self._call(),)))
+            after, count = self._random.choice((0.0, 1e-4, 1e-3, 0.01)), self._random.choice((1, 1, 4, 8))
+            return Step("cancel", (after, tuple(self._call() for _ in range(count))))
         if kind == "sleep":
             return Step("sleep", (self._random.choice((0.0, 0.001, 0.02, 0.1)),))
         return self._call()

@@ -84,6 +84,7 @@ class Program:
     ) -> None:
         self.name = name
         self.links: list[Link] = []
+        self.line = plan.line
         self._plan = plan
         self._url = url
         self._tap = tap
@@ -148,11 +149,14 @@ class Program:
             for task in tasks:
                 await task
         elif step.kind == "cancel":
-            task = self._loop.create_task(self._call(link, log, step.args[1][0]))
+            tasks = [self._loop.create_task(self._call(link, log, inner)) for inner in step.args[1]]
             await asyncio.sleep(step.args[0])
-            task.cancel()
-            with contextlib.suppress(asyncio.CancelledError):
-                await task
+            for task in tasks:
+                task.cancel()
+            await asyncio.wait(tasks)
+            for task in tasks:
+                if not task.cancelled():
+                    await task
         elif step.kind == "listen":
             await self._listen(link, log, *step.args)
         else:

@@ -132,7 +132,22 @@ class World:
         for course in self._network.courses.values():
             if course.most_waiting > MOST_WAITING:
                 raise WorldError("a buffer that grows", f"{course.most_waiting} bytes waited in {course.name}")
+        self._judge_repetitions()
         Oracle(self._without).judge([tap.recorder for tap in self._taps], self._logs)
+
+    def _judge_repetitions(self) -> None:
+        """Check that nothing is sent again where nothing happens between a program and its gateway."""
+        for program in self._programs:
+            if self._plan.is_swift(program.line) and not self._was_disturbed(program.line):
+                again = sum(link.statistics.repetitions for link in program.links)
+                if again:
+                    raise WorldError("requests sent again that were not lost", f"{program.name}: {again}")
+
+    def _was_disturbed(self, line: str) -> bool:
+        """Return whether something has happened to a line, or to who listens at its end."""
+        network = self._network
+        faults = sum(network.courses[line, back].fired for back in (False, True))
+        return faults > 0 or any(mishap.whom == line.rpartition(".")[2] for mishap in self._plan.mishaps)
 
     async def _watch(self, place: int, server: Server) -> None:
         try:
@@ -210,7 +225,9 @@ class World:
         if mishap.whom in self._anew:
             network.unplug((mishap.whom, 1))
             self._anew[mishap.whom].set()
-        if mishap.kind == "reset in place":
+        if mishap.kind == "hang up":
+            network.hang_up(mishap.whom)
+        elif mishap.kind == "reset in place":
             network.drop(mishap.whom)
         else:
             network.cut(mishap.whom)
