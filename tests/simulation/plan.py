@@ -121,6 +121,14 @@ class Plan(NamedTuple):
         """Return whether who listens at the end of a line takes and answers all at once: a gateway without limit."""
         return not _is_of_server(line) and gateway_of(line, self.gateways, self.servers).bytes_per_second is None
 
+    def digits_behind_servers(self) -> dict[str, int]:
+        """Return the digits of IDs on each line to a server, on which no bytes are lost."""
+        return {
+            line.name: gateway_of(line.name, self.gateways, self.servers).info.id_digits
+            for line in self.lines
+            if _is_of_server(line.name)
+        }
+
     def requests(self) -> int:
         """Return how many requests the programs make, at least."""
         return sum(

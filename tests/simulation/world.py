@@ -11,6 +11,7 @@ from types import SimpleNamespace
 from typing import TYPE_CHECKING, Any, cast
 from unittest.mock import patch
 
+from simulation.answers import judge_answers
 from simulation.clock import SimulatedLoop
 from simulation.medium import Network
 from simulation.oracle import MOST_WAITING, LinkLog, Oracle, Tap, WorldError
@@ -133,6 +134,7 @@ class World:
             if course.most_waiting > MOST_WAITING:
                 raise WorldError("a buffer that grows", f"{course.most_waiting} bytes waited in {course.name}")
         self._judge_repetitions()
+        judge_answers(self._trace, plan.digits_behind_servers())
         Oracle(self._without).judge([tap.recorder for tap in self._taps], self._logs)
 
     def _judge_repetitions(self) -> None:
