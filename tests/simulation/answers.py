@@ -10,7 +10,9 @@ from simulation.oracle import WorldError
 if TYPE_CHECKING:
     from collections.abc import Iterable
 
-_NOT_EXPECTED = b"n"
+_NOT_EXPECTED, _ERROR = b"n", b"x"
+LATE_ERRORS = "errors behind later answers of a server"
+"""A rule that can be left out."""
 
 
 class Answers:
@@ -19,11 +21,14 @@ class Answers:
     Args:
         line: its name.
         digits: of an ID.
+        errors: whether they are judged, too.
     """
 
-    def __init__(self, line: str, digits: int) -> None:
+    def __init__(self, line: str, digits: int, *, errors: bool) -> None:
         self._line = line
-        self._answer = re.compile(rb"([g-z]+)([0-9A-F]{%d})" % digits)
+        self._errors = errors
+        # Where there is no session, requests are refused in any order.
+        self._answer = re.compile(rb"(?!x[0-9A-F]{%d}0A)([g-z]+)([0-9A-F]{%d})" % (digits, digits))
         self._ring = 16**digits
         self.begin()
 
@@ -55,15 +60,16 @@ class Answers:
         ahead = (number - self._last) % self._ring
         if self._last < 0 or 0 < ahead < half:
             self._last = number
-        elif not self._told[number]:
+        elif not self._told[number] and (self._errors or not line.startswith(_ERROR)):
             raise WorldError("answers in another order", f"{self._line}: {line!r} comes behind {self._last:#x}")
         self._told[number] = 1
         self._told[(number + half) % self._ring] = 0
 
 
-def judge_answers(trace: Iterable[tuple[object, ...]], digits: dict[str, int]) -> None:
+def judge_answers(trace: Iterable[tuple[object, ...]], digits: dict[str, int], without: frozenset[str]) -> None:
     """Judge the answers on all lines that have digits of an ID named, by what they have carried."""
-    answers = {line: Answers(line, count) for line, count in digits.items()}
+    errors = LATE_ERRORS not in without
+    answers = {line: Answers(line, count, errors=errors) for line, count in digits.items()}
     back = {f"{line}<": taker for line, taker in answers.items()}
     for _, name, kind, *what in trace:
         if kind == "carry" and name in back:

@@ -299,7 +299,8 @@ class Draw:
         if kind == "burst":
             return Step("burst", (tuple(self._call() for _ in range(self._random.choice((4, 8, 16)))),))
         if kind == "cancel":
-            after, count = self._random.choice((0.0, 1e-4, 1e-3, 0.01)), self._random.choice((1, 1, 4, 8))
+            # The later, the more it is what the line has lost or holds back that is given up.
+            after, count = self._random.choice((0.0, 1e-3, 0.01, 0.04, 0.04)), self._random.choice((1, 4, 8))
             return Step("cancel", (after, tuple(self._call() for _ in range(count))))
         if kind == "sleep":
             return Step("sleep", (self._random.choice((0.0, 0.001, 0.02, 0.1)),))
@@ -441,6 +442,6 @@ _CALL_ODDS = {
 }
 _MANNERS = {"by callback": 0.2, "in haste": 0.3}
 """How a program listens, and how often: it is called, and it does not wait until its group has been stopped."""
-_STEP_ODDS = {"call": 60, "burst": 12, "cancel": 8, "sleep": 8, "listen": 12}
+_STEP_ODDS = {"call": 60, "burst": 12, "cancel": 12, "sleep": 8, "listen": 12}
 _CALLS, _CALL_WEIGHTS = list(_CALL_ODDS), list(_CALL_ODDS.values())
 _STEPS, _STEP_WEIGHTS = list(_STEP_ODDS), list(_STEP_ODDS.values())

@@ -9,7 +9,16 @@ from typing import TYPE_CHECKING, Any
 
 import unity_link
 from simulation.oracle import LinkLog, Listening, WorldError
-from unity_link import ConnectError, Link, Reconnect, SamplesLostError, UnityLinkError, UnsupportedError
+from unity_link import (
+    BusTimeoutError,
+    ConnectError,
+    Link,
+    OutOfRangeError,
+    Reconnect,
+    SamplesLostError,
+    UnityLinkError,
+    UnsupportedError,
+)
 from unity_link.errors import LinkClosedError, UnansweredError
 
 if TYPE_CHECKING:
@@ -150,7 +159,7 @@ class Program:
                 await task
         elif step.kind == "cancel":
             tasks = [self._loop.create_task(self._call(link, log, inner)) for inner in step.args[1]]
-            await asyncio.sleep(step.args[0])
+            await asyncio.wait(tasks, timeout=step.args[0])
             for task in tasks:
                 task.cancel()
             await asyncio.wait(tasks)
@@ -238,14 +247,11 @@ class Program:
                 async for sample in subscription:
                     listening.samples.append(sample)
             listening.lost = subscription.lost
-        except (
-            UnsupportedError,
-            SamplesLostError,
-            UnansweredError,
-            unity_link.OutOfRangeError,
-            unity_link.BusTimeoutError,
-        ) as error:
+        except (UnsupportedError, SamplesLostError, UnansweredError, OutOfRangeError, BusTimeoutError) as error:
             self._note("no samples", repr(error))
+            if isinstance(error, OutOfRangeError | BusTimeoutError) and not log.shared:
+                # A server has a group for it or not; a gateway has, where the link has one free.
+                raise WorldError("a group that was refused", f"{log.name}, {addresses}: {error!r}") from error
         else:
             self._note("samples", addresses, len(listening.samples), listening.lost)
         for task in asking:
