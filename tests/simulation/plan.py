@@ -117,9 +117,20 @@ class Plan(NamedTuple):
         by_datagrams = not _is_of_server(line) and gateway_of(line, self.gateways, self.servers).datagrams
         return f"{'udp' if by_datagrams else 'tcp'}://{line}:1"
 
+    def is_never_cut(self, line: str) -> bool:
+        """Return whether a line leads to a gateway that stays, by connections that stay and are not mute for long."""
+        cuts = {fault.line for fault in self.faults if fault.kind == "cut" or fault.amount in _AMOUNTS["mute"]}
+        cuts |= {mishap.whom for mishap in self.mishaps}
+        return not _is_of_server(line) and cuts.isdisjoint((line, line.rpartition(".")[2]))
+
     def is_swift(self, line: str) -> bool:
-        """Return whether who listens at the end of a line takes and answers all at once: a gateway without limit."""
-        return not _is_of_server(line) and gateway_of(line, self.gateways, self.servers).bytes_per_second is None
+        """Return whether the gateway behind a line takes and answers all at once."""
+        return gateway_of(line, self.gateways, self.servers).bytes_per_second is None
+
+    def path(self, line: str) -> list[str]:
+        """Return the lines from a program to its gateway."""
+        server = int(line[-1])
+        return [line, f"server{server}.gateway{self.servers[server]}"] if _is_of_server(line) else [line]
 
     def digits_behind_servers(self) -> dict[str, int]:
         """Return the digits of IDs on each line to a server, on which no bytes are lost."""

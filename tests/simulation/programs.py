@@ -22,7 +22,7 @@ from unity_link import (
 from unity_link.errors import LinkClosedError, UnansweredError
 
 if TYPE_CHECKING:
-    from collections.abc import AsyncIterator, Callable
+    from collections.abc import AsyncIterator, Callable, Iterator
 
     from simulation.oracle import Ask, Tap
     from simulation.plan import Life, ProgramPlan, Step
@@ -98,9 +98,15 @@ class Program:
         self._url = url
         self._tap = tap
         self._logs = logs
+        self._own_logs: list[LinkLog] = []
         self._trace = trace
         self._loop = asyncio.get_running_loop()
         self._mine: dict[int, int] = {}
+
+    def listenings(self) -> Iterator[Listening]:
+        """Return all subscriptions that were."""
+        for log in self._own_logs:
+            yield from log.listenings
 
     async def run(self) -> None:
         """Live all lives."""
@@ -118,6 +124,7 @@ class Program:
             block_words=link.gateway.block_words,
         )
         self._logs.append(log)
+        self._own_logs.append(log)
         self._mine = {}
         leaving = None
         try:

@@ -132,23 +132,37 @@ class World:
         for course in self._network.courses.values():
             if course.most_waiting > MOST_WAITING:
                 raise WorldError("a buffer that grows", f"{course.most_waiting} bytes waited in {course.name}")
-        self._judge_repetitions()
+        self._judge_undisturbed()
+        self._judge_sessions()
         judge_answers(self._trace, plan.digits_behind_servers(), self._without)
         Oracle(self._without).judge([tap.recorder for tap in self._taps], self._logs)
 
-    def _judge_repetitions(self) -> None:
-        """Check that nothing is sent again where nothing happens between a program and its gateway."""
+    def _judge_sessions(self) -> None:
+        """Check that no session ends where no connection is cut and no gateway is reset: each loss is made up for."""
         for program in self._programs:
-            if self._plan.is_swift(program.line) and not self._was_disturbed(program.line):
-                again = sum(link.statistics.repetitions for link in program.links)
-                if again:
-                    raise WorldError("requests sent again that were not lost", f"{program.name}: {again}")
+            again = sum(link.statistics.reconnections for link in program.links)
+            if again and self._plan.is_never_cut(program.line):
+                raise WorldError("a session that ended without need", f"{program.name}: {again}")
+
+    def _judge_undisturbed(self) -> None:
+        """Check that nothing is lost and sent again where nothing happens between a program and its gateway."""
+        for program in self._programs:
+            path = self._plan.path(program.line)
+            if not self._plan.is_swift(program.line) or any(map(self._was_disturbed, path)):
+                continue
+            again = sum(link.statistics.repetitions for link in program.links)
+            # A client of a server does not know at first how long an answer takes.
+            if again and len(path) == 1:
+                raise WorldError("requests sent again that were not lost", f"{program.name}: {again}")
+            for listening in program.listenings():
+                if listening.lost and "buffer" not in listening.arguments:
+                    raise WorldError("samples lost where nothing is", f"{program.name}, {listening.addresses}")
 
     def _was_disturbed(self, line: str) -> bool:
         """Return whether something has happened to a line, or to who listens at its end."""
         network = self._network
         faults = sum(network.courses[line, back].fired for back in (False, True))
-        return faults > 0 or any(mishap.whom == line.rpartition(".")[2] for mishap in self._plan.mishaps)
+        return faults > 0 or any(mishap.whom in (line, line.rpartition(".")[2]) for mishap in self._plan.mishaps)
 
     async def _watch(self, place: int, server: Server) -> None:
         try:
