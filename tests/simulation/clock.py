@@ -147,7 +147,7 @@ class SimulatedLoop(asyncio.BaseEventLoop):
         """Listen in the network."""
         return self.network.listen(protocol_factory, host, port)
 
-    async def create_datagram_endpoint(  # type: ignore[override]
+    async def create_datagram_endpoint(
         self, protocol_factory: Any, local_addr: Any = None, remote_addr: Any = None, **_: Any
     ) -> Any:
         """Open a socket in the network."""

@@ -244,7 +244,8 @@ class Draw:
         draw = self._random
         if draw.random() < 0.1:
             return []
-        gateway, kinds, spacing = gateway_of(line, gateways, servers), _FAULTS, _SPACING
+        kinds: tuple[str, ...] = _FAULTS
+        gateway, spacing = gateway_of(line, gateways, servers), _SPACING
         if _is_of_server(line):
             kinds = _SOCKET_FAULTS
         elif gateway.datagrams:
