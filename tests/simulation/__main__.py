@@ -29,10 +29,11 @@ def main() -> int:
     parser.add_argument("--stories", type=int, default=3, help="most failures that are told in full")
     parser.add_argument("--json", action="store_true", help="print the report for programs")
     parser.add_argument("--trace", action="store_true", help="print all that happens")
+    parser.add_argument("--build", action="append", default=[], help="a build of the gateware to run on, compiled")
     options = parser.parse_args()
     report, kinds = Report(), Counter[str]()
     for seed in range(options.first, options.first + options.count):
-        outcome = run_seed(seed, KNOWN)
+        outcome = run_seed(seed, KNOWN, options.build)
         report.add(outcome)
         if options.trace:
             say(*(f"{when:.6f} {what}" for when, *what in outcome.trace))

@@ -8,7 +8,8 @@ Drivers and servers use it as any loop of asyncio: `create_connection` and its s
 from __future__ import annotations
 
 import asyncio
-import heapq
+from contextvars import Context, copy_context
+from heapq import heappop, heappush
 from typing import TYPE_CHECKING, Any
 
 from unity_link.virtual.modelled_time import DeadlockError
@@ -19,48 +20,110 @@ if TYPE_CHECKING:
 
     from simulation.medium import Network
 
+_RESOLUTION = 1e-9
+
+
+class _Planned:
+    """A call that is planned: what asyncio's handles are, and a third of their cost.
+
+    Args:
+        callback: what is called.
+        args: with what.
+        context: in which context.
+        at: when, at the earliest.
+    """
+
+    __slots__ = ("args", "at", "callback", "context", "is_cancelled")
+
+    def __init__(
+        self, callback: Callable[..., object], args: tuple[Any, ...], context: Context | None, at: float
+    ) -> None:
+        self.callback = callback
+        self.args = args
+        self.context = context or copy_context()
+        self.at = at
+        self.is_cancelled = False
+
+    def cancel(self) -> None:
+        """Have it not called."""
+        self.is_cancelled = True
+        self.args = ()
+
+    def cancelled(self) -> bool:
+        """Return whether it was cancelled."""
+        return self.is_cancelled
+
+    def when(self) -> float:
+        """Return the time of a timer."""
+        return self.at
+
 
 class SimulatedLoop(asyncio.BaseEventLoop):
     """The loop of one world."""
 
     network: Network
+    _ready: deque[_Planned]
     # Of asyncio's own.
-    _ready: deque[asyncio.Handle]
-    _scheduled: list[Any]
-    _timer_cancelled_count: int
     _stopping: bool
 
     def __init__(self) -> None:
         super().__init__()
         self._now = 0.0
-        self._clock_resolution = 1e-9
+        self._timers: list[tuple[float, int, _Planned]] = []
+        """By when they are due; those of one instant in the order in which they were set."""
+        self._timers_set = 0
 
     def time(self) -> float:
         """Return the simulated time in seconds."""
         return self._now
 
-    def _run_once(self) -> None:
-        """Run what is ready; where nothing is, jump to the next timer.
+    def call_soon(  # type: ignore[override]
+        self, callback: Callable[..., object], *args: Any, context: Context | None = None
+    ) -> _Planned:
+        """Call in the next turn."""
+        planned = _Planned(callback, args, context, self._now)
+        self._ready.append(planned)
+        return planned
 
-        Asyncio's own does the same, and asks a selector each time.
-        """
-        ready, scheduled = self._ready, self._scheduled
-        while scheduled and scheduled[0]._cancelled:
-            heapq.heappop(scheduled)._scheduled = False
-            self._timer_cancelled_count -= 1
+    def call_at(  # type: ignore[override]
+        self, when: float, callback: Callable[..., object], *args: Any, context: Context | None = None
+    ) -> _Planned:
+        """Call at an instant."""
+        planned = _Planned(callback, args, context, when)
+        self._timers_set += 1
+        heappush(self._timers, (when, self._timers_set, planned))
+        return planned
+
+    def call_later(  # type: ignore[override]
+        self, delay: float, callback: Callable[..., object], *args: Any, context: Context | None = None
+    ) -> _Planned:
+        """Call after some seconds."""
+        return self.call_at(self._now + delay, callback, *args, context=context)
+
+    def _run_once(self) -> None:
+        """Run what is ready; where nothing is, jump to the next timer."""
+        ready, timers = self._ready, self._timers
+        while timers and timers[0][2].is_cancelled:
+            heappop(timers)
         if not ready and not self._stopping:
-            if not scheduled:
+            if not timers:
                 raise DeadlockError(f"nothing is left to happen at {self._now} s of simulated time")
-            self._now = max(self._now, scheduled[0]._when)
-        due = self._now + self._clock_resolution
-        while scheduled and scheduled[0]._when < due:
-            handle = heapq.heappop(scheduled)
-            handle._scheduled = False
-            ready.append(handle)
+            self._now = max(self._now, timers[0][0])
+        due = self._now + _RESOLUTION
+        while timers and timers[0][0] < due:
+            ready.append(heappop(timers)[2])
         for _ in range(len(ready)):
-            handle = ready.popleft()
-            if not handle._cancelled:
-                handle._run()
+            planned = ready.popleft()
+            if planned.is_cancelled:
+                continue
+            try:
+                planned.context.run(planned.callback, *planned.args)
+            except (SystemExit, KeyboardInterrupt):
+                raise
+            except BaseException as error:  # noqa: BLE001  (as asyncio does)
+                self.call_exception_handler(
+                    {"message": f"Exception in callback {planned.callback}", "exception": error}
+                )
 
     def _process_events(self, event_list: tuple[()]) -> None:
         """Do nothing: there are no events but timers."""
@@ -83,3 +146,9 @@ class SimulatedLoop(asyncio.BaseEventLoop):
     async def create_server(self, protocol_factory: Any, host: Any = None, port: Any = None, **_: Any) -> Any:
         """Listen in the network."""
         return self.network.listen(protocol_factory, host, port)
+
+    async def create_datagram_endpoint(
+        self, protocol_factory: Any, local_addr: Any = None, remote_addr: Any = None, **_: Any
+    ) -> Any:
+        """Open a socket in the network."""
+        return self.network.open_port(protocol_factory, local_addr, remote_addr)

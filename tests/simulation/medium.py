@@ -1,5 +1,7 @@
 """The line between a host and what it connects to: bytes that are late, in pieces, lost, damaged or doubled, and cut.
 
+Or datagrams, which are lost, damaged, doubled and late, each by itself.
+
 A `Network` connects by name. The last part of a host name is who listens, the whole of it is the line: a program that
 opens ``tcp://p3.server0:1`` and one that opens ``tcp://p4.server0:1`` reach the same server over lines of their own.
 A line outlives its connections: its two `Course`s count the bytes that were ever carried, and a fault is bound to one
@@ -17,9 +19,12 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
-HIGH, LOW = 65_536, 16_384
-"""Bytes that wait in a connection at which its writer is told to pause, and may go on."""
+HIGH = 65_536
+"""Bytes that wait in a connection at which its writer is told to pause; at a quarter it may go on."""
 NEVER = 1 << 62
+Address = tuple[str, int]
+STRETCH, IN_PIECES = 1_000, 250
+"""Of so many bytes of a line that cuts them the first so many arrive in pieces, the others as they were sent."""
 
 
 class Fault(NamedTuple):
@@ -31,9 +36,11 @@ class Fault(NamedTuple):
     at: int
     """Number of the byte, counted since the world began."""
     kind: str
-    """``lose``, ``flip``, ``double``, ``stall`` or ``cut``."""
+    """``lose``, ``flip``, ``double``, ``stall`` or ``cut``; for a datagram that has the byte ``lose``, ``flip``,
+    ``copy`` or ``late``."""
     amount: float
-    """Bytes that are lost or doubled; the bits that are inverted; seconds for a stall, or until the cut is noticed."""
+    """Bytes that are lost or doubled; the bits that are inverted; seconds for a stall, or until the cut is noticed, or
+    until a datagram or its copy comes."""
 
 
 class Line(NamedTuple):
@@ -43,7 +50,9 @@ class Line(NamedTuple):
     latency: float
     """Seconds that a byte takes."""
     piece: int
-    """Most bytes that arrive in one read."""
+    """Most bytes that arrive in one read, where they arrive in pieces."""
+    room: int
+    """Bytes that may wait to be carried before their writer is told to pause, if it names no other number."""
 
 
 class Course:
@@ -101,6 +110,27 @@ class Course:
                 return bytes(arrived), data[place:], fault
         return bytes(arrived), b"", None
 
+    def scatter(self, datagram: bytes, now: float) -> list[tuple[float, bytes]]:
+        """Return what arrives of a datagram: each copy with the seconds by which it is late."""
+        end = self.position + len(datagram)
+        arriving = [] if self._losing else [(0.0, datagram)]
+        self._losing = max(0, self._losing - len(datagram))
+        while self._next < end:
+            place = self._next - self.position
+            fault = self._pop(now)
+            if fault.kind == "lose":
+                self._losing = max(0, int(fault.amount) - len(datagram))
+                arriving.clear()
+            elif fault.kind == "flip":
+                spoiled = datagram[:place] + bytes([datagram[place] ^ int(fault.amount)]) + datagram[place + 1 :]
+                arriving = [(late, spoiled) for late, _ in arriving]
+            elif fault.kind == "copy":
+                arriving += [(fault.amount, data) for _, data in arriving]
+            else:
+                arriving = [(late + fault.amount, data) for late, data in arriving]
+        self.position = end
+        return arriving
+
     def _pop(self, now: float) -> Fault:
         fault = self._faults.pop()
         self._next = max(self.position, self._faults[-1].at) if self._faults else NEVER
@@ -134,14 +164,14 @@ class End(asyncio.Transport):
         self._network = network
         self._loop = network.loop
         self._protocol: Any = protocol
-        self._line = line
+        self.line = line
         self._buffer = bytearray()
-        self._high = HIGH
+        self._high = line.room
         self._planned = self._paused = self._closing = self._dead = self._ending = False
         self._reading = True
 
     def set_write_buffer_limits(self, high: int | None = None, low: int | None = None) -> None:
-        self._high = HIGH if high is None else high
+        self._high = self.line.room if high is None else high
 
     def get_write_buffer_size(self) -> int:
         return len(self._buffer)
@@ -175,7 +205,7 @@ class End(asyncio.Transport):
         if waiting > self._high and not self._paused:
             self._paused = True
             self._protocol.pause_writing()
-        self._plan(self._line.latency)
+        self._plan(self.line.latency)
 
     def write_eof(self) -> None:
         """Do nothing: who hears the end of what is said hangs up anyway."""
@@ -190,7 +220,7 @@ class End(asyncio.Transport):
         """End at once; the other side hears of it when a byte would have come there."""
         self._closing = True
         self._end(0.0)
-        self.peer._end(self._line.latency)
+        self.peer._end(self.line.latency)
 
     def drop(self) -> None:
         """Lose what was written and has not arrived."""
@@ -230,27 +260,73 @@ class End(asyncio.Transport):
 
     def _deliver(self) -> None:
         self._planned = False
-        peer = self.peer
-        if self._dead or not peer._reading or not self._buffer:
+        peer, buffer, course = self.peer, self._buffer, self.course
+        if self._dead or not peer._reading or not buffer:
             return
-        piece = self._line.piece
-        data = bytes(self._buffer[:piece])
-        del self._buffer[:piece]
+        data = bytes(buffer)
+        buffer.clear()
+        if course.position % STRETCH < IN_PIECES and len(data) > self.line.piece:
+            buffer += data[self.line.piece :]
+            data = data[: self.line.piece]
         now = self._loop.time()
-        arrived, rest, fault = self.course.carry(data, now)
-        self._buffer[:0] = rest
+        arrived, rest, fault = course.carry(data, now)
+        if rest:
+            buffer[:0] = rest
         if arrived and not peer._dead:
-            self._network.trace.append((now, self.course.name, "carry", arrived))
+            self._network.trace.append((now, course.name, "carry", arrived))
             peer._protocol.data_received(arrived)
         if fault is not None and fault.kind == "cut":
             self.cut(fault.amount)
             return
-        if self._paused and len(self._buffer) <= LOW and not self._dead:
+        if self._paused and len(buffer) <= self._high // 4 and not self._dead:
             self._paused = False
             self._protocol.resume_writing()
-        self._plan(fault.amount if fault is not None else 0.0)
-        if self._ending and not self._buffer:
+        if buffer:
+            self._plan(fault.amount if fault is not None else 0.0)
+        elif self._ending:
             self.abort()
+
+
+class Port(asyncio.DatagramTransport):
+    """A socket for datagrams: of one who listens, or of a host, which sends to one address over its line.
+
+    Args:
+        network: carries the datagrams.
+        protocol: takes what arrives.
+        address: of the socket.
+        remote: the address that a host sends to.
+    """
+
+    def __init__(
+        self, network: Network, protocol: asyncio.DatagramProtocol, address: Address, remote: Address | None
+    ) -> None:
+        super().__init__({"sockname": address})
+        self.protocol = protocol
+        self._network = network
+        self._address = address
+        self._remote = remote
+        self._closing = False
+
+    def sendto(self, data: Any, addr: Any = None) -> None:
+        if not self._closing:
+            self._network.post(self._address, self._remote or addr, bytes(data), back=self._remote is None)
+
+    def is_closing(self) -> bool:
+        return self._closing
+
+    def close(self) -> None:
+        """Send and take nothing any more."""
+        if not self._closing:
+            self.unplug()
+            self._network.loop.call_soon(self.protocol.connection_lost, None)
+
+    def unplug(self) -> None:
+        """Send and take nothing any more, without a word to the protocol."""
+        self._closing = True
+        if self._network.ports.get(self._address) is self:
+            del self._network.ports[self._address]
+
+    abort = close
 
 
 class _Listener:
@@ -288,6 +364,8 @@ class Network:
         """Those who listen and can't be reached now."""
         self.open: dict[End, str] = {}
         """Ends of connections at those who listen, and who it is."""
+        self.ports: dict[Address, Port] = {}
+        """Sockets for datagrams; those of hosts are at their line, and each has a number of its own."""
         self.connections: Counter[str] = Counter()
         """Connections that were made on each line."""
         self._lines = {line.name: line for line in lines}
@@ -326,9 +404,51 @@ class Network:
         near.connection_made(here)
         return here, near
 
+    def open_port(
+        self, factory: Callable[[], asyncio.DatagramProtocol], local: Address | None, remote: Address | None
+    ) -> tuple[Port, asyncio.DatagramProtocol]:
+        """Open a socket for datagrams: at a local address, or at any, for one remote address."""
+        address = local
+        if address is None:
+            assert remote is not None
+            host = remote[0]
+            self.connections[host] += 1
+            address = host, self.connections[host]
+            self.trace.append((self.loop.time(), host, "connect", self.connections[host]))
+        protocol = factory()
+        self.ports[address] = port = Port(self, protocol, address, remote)
+        protocol.connection_made(port)
+        return port, protocol
+
+    def post(self, source: Address, target: Address, datagram: bytes, *, back: bool) -> None:
+        """Carry a datagram, if the line does."""
+        name = (target if back else source)[0]
+        line, course = self._lines[name], self.courses[name, back]
+        if not back:
+            target = name.rpartition(".")[2], target[1]
+        for late, arriving in course.scatter(datagram, self.loop.time()):
+            self.loop.call_later(line.latency + late, self._arrive, course.name, source, target, arriving)
+
+    def _arrive(self, name: str, source: Address, target: Address, datagram: bytes) -> None:
+        port = self.ports.get(target)
+        if port is not None and target[0] not in self.away:
+            self.trace.append((self.loop.time(), name, "carry", datagram))
+            port.protocol.datagram_received(datagram, source)
+
+    def unplug(self, address: Address) -> None:
+        """Let an address send and take no datagrams any more."""
+        port = self.ports.get(address)
+        if port is not None:
+            port.unplug()
+
     def cut(self, name: str) -> None:
         """Cut all connections to one who listens."""
         for end in [end for end, listener in self.open.items() if listener == name]:
+            end.cut(0.0)
+
+    def hang_up(self, line: str) -> None:
+        """Cut the connections of a line."""
+        for end in [end for end in self.open if end.line.name == line]:
             end.cut(0.0)
 
     def drop(self, name: str) -> None:

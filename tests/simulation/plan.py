@@ -7,10 +7,16 @@ how `story` finds the shortest one that still fails.
 from __future__ import annotations
 
 import random
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple, TypeVar
 
-from simulation.medium import Fault, Line
+from simulation.medium import HIGH, Fault, Line
 from unity_link.protocol.configuration import Feature, GatewayInfo
+from unity_link.virtual.rtl import configurations
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+T = TypeVar("T")
 
 # The addresses behind every gateway, by what is there.
 PLAIN = range(0x40)
@@ -45,6 +51,10 @@ class GatewayPlan(NamedTuple):
     """Rate of the line, with the FIFOs at its end; None for one without limit."""
     triggers: tuple[float, ...]
     """When its external trigger rises."""
+    datagrams: bool
+    """Whether it is reached by datagrams, not by a stream."""
+    build: str
+    """Name of a build of the gateware, which runs compiled; none for the model."""
 
 
 class Step(NamedTuple):
@@ -85,7 +95,8 @@ class Mishap(NamedTuple):
     whom: str
     kind: str
     """``reset``: it is reset, and its connections are cut; ``away``: it also can't be reached for a time; ``reset in
-    place``: its connections stay, but what it has sent and has not arrived is lost."""
+    place``: its connections stay, but what it has sent and has not arrived is lost. A gateway that is reached by
+    datagrams has no connections, and what is under way still comes. ``hang up``: the connection of a line is cut."""
     seconds: float
 
 
@@ -101,6 +112,34 @@ class Plan(NamedTuple):
     faults: tuple[Fault, ...]
     mishaps: tuple[Mishap, ...]
 
+    def url(self, line: str) -> str:
+        """Return the URL of who listens at the end of a line."""
+        by_datagrams = not _is_of_server(line) and gateway_of(line, self.gateways, self.servers).datagrams
+        return f"{'udp' if by_datagrams else 'tcp'}://{line}:1"
+
+    def is_never_cut(self, line: str) -> bool:
+        """Return whether a line leads to a gateway that stays, by connections that stay and are not mute for long."""
+        cuts = {fault.line for fault in self.faults if fault.kind == "cut" or fault.amount in _AMOUNTS["mute"]}
+        cuts |= {mishap.whom for mishap in self.mishaps}
+        return not _is_of_server(line) and cuts.isdisjoint((line, line.rpartition(".")[2]))
+
+    def is_swift(self, line: str) -> bool:
+        """Return whether the gateway behind a line takes and answers all at once."""
+        return gateway_of(line, self.gateways, self.servers).bytes_per_second is None
+
+    def path(self, line: str) -> list[str]:
+        """Return the lines from a program to its gateway."""
+        server = int(line[-1])
+        return [line, f"server{server}.gateway{self.servers[server]}"] if _is_of_server(line) else [line]
+
+    def digits_behind_servers(self) -> dict[str, int]:
+        """Return the digits of IDs on each line to a server, on which no bytes are lost."""
+        return {
+            line.name: gateway_of(line.name, self.gateways, self.servers).info.id_digits
+            for line in self.lines
+            if _is_of_server(line.name)
+        }
+
     def requests(self) -> int:
         """Return how many requests the programs make, at least."""
         return sum(
@@ -110,6 +149,16 @@ class Plan(NamedTuple):
             for task in life.tasks
             for step in task
         )
+
+
+def _is_of_server(line: str) -> bool:
+    return line.rpartition(".")[2].startswith("server")
+
+
+def gateway_of(line: str, gateways: Sequence[T], servers: Sequence[int]) -> T:
+    """Return the gateway at the end of a line, or behind the server there."""
+    number = int(line[-1])
+    return gateways[servers[number] if _is_of_server(line) else number]
 
 
 _POLYNOMIALS = {8: 0x07, 16: 0x1021, 32: 0x04C11DB7}
@@ -122,10 +171,12 @@ class Draw:
 
     Args:
         seed: chooses everything.
+        builds: of the gateware, by name: the gateways are of these; none for models.
     """
 
-    def __init__(self, seed: int) -> None:
+    def __init__(self, seed: int, builds: Sequence[str] = ()) -> None:
         self._random = random.Random(seed)
+        self._builds = builds
         self._seed = seed
         self._value = FIRST_VALUE
         self._listened: set[tuple[str, tuple[int, ...]]] = set()
@@ -147,12 +198,10 @@ class Draw:
         for number, listener in enumerate(listeners[:8]):
             line = f"p{number}.{listener}"
             lines.append(self._line(line))
-            place = servers[int(listener[-1])] if listener.startswith("server") else int(listener[-1])
-            programs.append(self._program(line, gateways[place].info, len(listeners)))
-        faults = [
-            fault for line in lines for fault in self._faults(line.name, self._crc_bits(line.name, gateways, servers))
-        ]
+            programs.append(self._program(line, gateway_of(line, gateways, servers).info, len(listeners)))
+        faults = [fault for line in lines for fault in self._faults(line.name, gateways, servers)]
         mishaps = self._mishaps(count, len(servers))
+        mishaps += self._hang_ups(mishaps, servers, [program.line for program in programs])
         return Plan(self._seed, gateways, servers, tuple(lines), tuple(programs), tuple(faults), tuple(mishaps))
 
     # The world
@@ -163,7 +212,7 @@ class Draw:
         features = GatewayInfo().features
         slow = draw.random() < 0.15
         fifo = draw.choice((64, 256))
-        if slow and draw.random() < 0.6:
+        if draw.random() < (0.6 if slow else 0.1):
             features &= ~Feature.FLOW_CONTROL
         info = GatewayInfo(
             data_bits=draw.choice((32, 32, 36)),
@@ -179,45 +228,43 @@ class Draw:
             features=features,
         )
         triggers = tuple(sorted(draw.uniform(0, 3) for _ in range(draw.choice((0, 0, 5, 20)))))
-        return GatewayPlan(info, draw.choice((50_000.0, 200_000.0)) if slow else None, triggers)
+        rate = draw.choice((50_000.0, 200_000.0)) if slow else None
+        datagrams, build = draw.random() < 0.2, ""
+        if self._builds:
+            build = draw.choice(self._builds)
+            info, rate = configurations()[build].info, None
+        return GatewayPlan(info, rate, triggers, datagrams, build)
 
     def _line(self, name: str) -> Line:
         draw = self._random
-        return Line(name, draw.choice((0.0, 2e-5, 2e-4, 1e-3, 5e-3)), draw.choice((1 << 16, 1 << 16, 1 << 16, 64, 13)))
+        latency, piece = draw.choice((0.0, 2e-5, 2e-4, 1e-3, 5e-3, 2e-2)), draw.choice((HIGH, HIGH, HIGH, 64, 13))
+        return Line(name, latency, piece, draw.choice((HIGH, HIGH, HIGH, 300)))
 
-    @staticmethod
-    def _crc_bits(line: str, gateways: tuple[GatewayPlan, ...], servers: tuple[int, ...]) -> int:
-        listener, number = line.rpartition(".")[2][:-1], int(line[-1])
-        return gateways[servers[number] if listener == "server" else number].info.crc_bits
-
-    def _faults(self, line: str, crc_bits: int) -> list[Fault]:
+    def _faults(self, line: str, gateways: tuple[GatewayPlan, ...], servers: tuple[int, ...]) -> list[Fault]:
         draw = self._random
         if draw.random() < 0.1:
             return []
-        kinds = _SOCKET_FAULTS if line.rpartition(".")[2].startswith("server") else _FAULTS
+        kinds: tuple[str, ...] = _FAULTS
+        gateway, spacing = gateway_of(line, gateways, servers), _SPACING
+        if _is_of_server(line):
+            kinds = _SOCKET_FAULTS
+        elif gateway.datagrams:
+            kinds, spacing = _DATAGRAM_FAULTS, 0
+        most = 1000 if gateway.info.crc_bits == LONG_CRC or gateway.datagrams else 1
         faults: list[Fault] = []
         for back in (False, True):
             place = 0
             for _ in range(draw.choice((0, 1, 2, 4, 8))):
-                place += int(draw.expovariate(1 / 250)) + (_SPACING if faults and faults[-1].back == back else 0)
-                faults.append(
-                    self._fault(line, draw.choice(kinds), place, back=back, most=1000 if crc_bits == LONG_CRC else 1)
-                )
+                place += int(draw.expovariate(1 / 250)) + (spacing if faults and faults[-1].back == back else 0)
+                faults.append(self._fault(line, draw.choice(kinds), place, back=back, most=most))
         return faults
 
     def _fault(self, line: str, kind: str, at: int, *, back: bool, most: int) -> Fault:
         draw = self._random
-        if kind == "lose":
-            return Fault(line, back, at, kind, min(most, draw.choice((1, 1, 1, 2, 30))))
-        if kind == "flip":
-            return Fault(line, back, at, kind, 1 << draw.randrange(8))
-        if kind == "double":
-            return Fault(line, back, at, kind, min(most, draw.choice((1, 1, 2, 40))))
-        if kind == "stall":
-            return Fault(line, back, at, kind, draw.choice((0.005, 0.05, 0.3)))
-        if kind == "mute":
-            return Fault(line, back, at, "lose", min(most, draw.choice((100, 300, 1000))))
-        return Fault(line, back, at, kind, draw.choice((0.0, 0.0, 0.001, 0.05)))
+        amount = 1 << draw.randrange(8) if kind == "flip" else draw.choice(_AMOUNTS[kind])
+        if kind in ("lose", "double", "mute"):
+            amount = min(most, amount)
+        return Fault(line, back, at, "lose" if kind == "mute" else kind, amount)
 
     def _mishaps(self, gateways: int, servers: int) -> list[Mishap]:
         draw = self._random
@@ -232,6 +279,16 @@ class Draw:
             if draw.random() < 0.2
         ]
         return mishaps
+
+    def _hang_ups(self, mishaps: list[Mishap], servers: tuple[int, ...], lines: list[str]) -> list[Mishap]:
+        """Draw which clients a server loses soon after it has lost its gateway."""
+        draw = self._random
+        lost = {mishap.whom: mishap.at for mishap in mishaps}
+        return [
+            Mishap(lost[gateway] + draw.uniform(0.0, 0.4), line, "hang up", 0.0)
+            for line in lines
+            if _is_of_server(line) and (gateway := f"gateway{servers[int(line[-1])]}") in lost and draw.random() < 0.3
+        ]
 
     # The programs
 
@@ -254,7 +311,9 @@ class Draw:
         if kind == "burst":
             return Step("burst", (tuple(self._call() for _ in range(self._random.choice((4, 8, 16)))),))
         if kind == "cancel":
-            return Step("cancel", (self._random.choice((0.0, 1e-4, 1e-3, 0.01)), (self._call(),)))
+            # The later, the more it is what the line has lost or holds back that is given up.
+            after, count = self._random.choice((0.0, 1e-3, 0.01, 0.04, 0.04)), self._random.choice((1, 4, 8))
+            return Step("cancel", (after, tuple(self._call() for _ in range(count))))
         if kind == "sleep":
             return Step("sleep", (self._random.choice((0.0, 0.001, 0.02, 0.1)),))
         return self._call()
@@ -343,9 +402,11 @@ class Draw:
                 break
         self._listened.add((kind, addresses))
         base = info.base_frequency_hz
+        quick = max(1, round(base / _QUICK))
         arguments: dict[str, Any] = {}
         if kind in ("periodic", "changed"):
-            arguments["divisor"] = draw.choice((1, 2, 5)) if base <= 200 or kind == "changed" else draw.choice((5, 20))
+            divisors = (1, 2, 5) if base <= _SLOW or kind == "changed" else (5, 20)
+            arguments["divisor"] = quick * draw.choice(divisors)
         arguments["on_change"] = kind == "changed"
         arguments["trigger"] = kind == "triggered"
         arguments["timestamps"] = draw.random() < 0.6
@@ -361,8 +422,21 @@ class Draw:
 
 
 _FAULTS = ("lose", "lose", "flip", "flip", "double", "stall", "cut", "mute")
+_DATAGRAM_FAULTS = ("lose", "lose", "flip", "copy", "copy", "late", "late", "mute")
 _SOCKET_FAULTS = ("stall", "stall", "cut")
 """What a socket does, which is all that is between a server and its clients."""
+_SLOW, _QUICK = 200, 1_000
+"""Base frequencies up to which a group may publish at each tick, and above which it looks no more often."""
+_AMOUNTS: dict[str, tuple[float, ...]] = {
+    "lose": (1, 1, 1, 2, 30),
+    "double": (1, 1, 2, 40),
+    "mute": (100, 300, 1000),
+    "stall": (0.005, 0.05, 0.3),
+    "cut": (0.0, 0.0, 0.001, 0.05),
+    "copy": (0.0, 0.001, 0.01, 0.1, 0.4, 2.0),
+    "late": (0.0, 0.001, 0.01, 0.1, 0.4, 2.0),
+}
+"""What a `Fault` may amount to."""
 _CALL_ODDS = {
     "read": 20,
     "write": 20,
@@ -380,6 +454,6 @@ _CALL_ODDS = {
 }
 _MANNERS = {"by callback": 0.2, "in haste": 0.3}
 """How a program listens, and how often: it is called, and it does not wait until its group has been stopped."""
-_STEP_ODDS = {"call": 60, "burst": 12, "cancel": 8, "sleep": 8, "listen": 12}
+_STEP_ODDS = {"call": 60, "burst": 12, "cancel": 12, "sleep": 8, "listen": 12}
 _CALLS, _CALL_WEIGHTS = list(_CALL_ODDS), list(_CALL_ODDS.values())
 _STEPS, _STEP_WEIGHTS = list(_STEP_ODDS), list(_STEP_ODDS.values())

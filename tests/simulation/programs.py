@@ -9,11 +9,20 @@ from typing import TYPE_CHECKING, Any
 
 import unity_link
 from simulation.oracle import LinkLog, Listening, WorldError
-from unity_link import ConnectError, Link, Reconnect, SamplesLostError, UnityLinkError, UnsupportedError
+from unity_link import (
+    BusTimeoutError,
+    ConnectError,
+    Link,
+    OutOfRangeError,
+    Reconnect,
+    SamplesLostError,
+    UnityLinkError,
+    UnsupportedError,
+)
 from unity_link.errors import LinkClosedError, UnansweredError
 
 if TYPE_CHECKING:
-    from collections.abc import AsyncIterator, Callable
+    from collections.abc import AsyncIterator, Callable, Iterator
 
     from simulation.oracle import Ask, Tap
     from simulation.plan import Life, ProgramPlan, Step
@@ -67,6 +76,7 @@ class Program:
     Args:
         name: in stories.
         plan: what it does.
+        url: what it opens.
         tap: before its gateway.
         logs: takes what it asks.
         trace: takes what happens.
@@ -76,19 +86,27 @@ class Program:
         self,
         name: str,
         plan: ProgramPlan,
+        url: str,
         tap: Tap,
         logs: list[LinkLog],
         trace: list[Any],
     ) -> None:
         self.name = name
         self.links: list[Link] = []
+        self.line = plan.line
         self._plan = plan
-        self._url = plan.line if ":" in plan.line else f"tcp://{plan.line}:1"
+        self._url = url
         self._tap = tap
         self._logs = logs
+        self._own_logs: list[LinkLog] = []
         self._trace = trace
         self._loop = asyncio.get_running_loop()
         self._mine: dict[int, int] = {}
+
+    def listenings(self) -> Iterator[Listening]:
+        """Return all subscriptions that were."""
+        for log in self._own_logs:
+            yield from log.listenings
 
     async def run(self) -> None:
         """Live all lives."""
@@ -101,11 +119,12 @@ class Program:
         log = LinkLog(
             f"{self.name} link {len(self.links)}",
             self._tap.recorder,
-            shared=".server" in self._plan.line,
+            shared=".server" in self._url,
             reconnect=life.reconnect,
             block_words=link.gateway.block_words,
         )
         self._logs.append(log)
+        self._own_logs.append(log)
         self._mine = {}
         leaving = None
         try:
@@ -146,11 +165,14 @@ class Program:
             for task in tasks:
                 await task
         elif step.kind == "cancel":
-            task = self._loop.create_task(self._call(link, log, step.args[1][0]))
-            await asyncio.sleep(step.args[0])
-            task.cancel()
-            with contextlib.suppress(asyncio.CancelledError):
-                await task
+            tasks = [self._loop.create_task(self._call(link, log, inner)) for inner in step.args[1]]
+            await asyncio.wait(tasks, timeout=step.args[0])
+            for task in tasks:
+                task.cancel()
+            await asyncio.wait(tasks)
+            for task in tasks:
+                if not task.cancelled():
+                    await task
         elif step.kind == "listen":
             await self._listen(link, log, *step.args)
         else:
@@ -232,14 +254,11 @@ class Program:
                 async for sample in subscription:
                     listening.samples.append(sample)
             listening.lost = subscription.lost
-        except (
-            UnsupportedError,
-            SamplesLostError,
-            UnansweredError,
-            unity_link.OutOfRangeError,
-            unity_link.BusTimeoutError,
-        ) as error:
+        except (UnsupportedError, SamplesLostError, UnansweredError, OutOfRangeError, BusTimeoutError) as error:
             self._note("no samples", repr(error))
+            if isinstance(error, OutOfRangeError | BusTimeoutError) and not log.shared:
+                # A server has a group for it or not; a gateway has, where the link has one free.
+                raise WorldError("a group that was refused", f"{log.name}, {addresses}: {error!r}") from error
         else:
             self._note("samples", addresses, len(listening.samples), listening.lost)
         for task in asking:

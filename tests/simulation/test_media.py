@@ -7,17 +7,12 @@ import asyncio
 import pytest
 
 from simulation.media import Media, run_medium
-
-
-@pytest.fixture(autouse=True)
-def slack(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Allow for what a busy machine leaves between an instant at a gateway and the program's clock."""
-    monkeypatch.setattr("simulation.oracle._SLACK", 0.5)
-
+from unity_link.virtual import pump
 
 # asyncio leaves a connection to the garbage collector that it accepts in the moment in which its server closes.
 pytestmark = pytest.mark.filterwarnings("ignore:.*socket.socket:pytest.PytestUnraisableExceptionWarning")
 REQUESTS = 3_000
+LATE_REQUESTS = 2_000
 CAMPAIGN_REQUESTS = 1_000_000
 
 
@@ -26,6 +21,11 @@ def test_programs_on_a_real_medium_that_is_spoiled_and_cut_break_no_rule(medium:
     result = asyncio.run(run_medium(medium, REQUESTS))
     assert result.cuts
     assert result.repetitions
+
+
+def test_a_gateway_that_runs_late_is_judged_by_the_clock_of_the_programs(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(pump, "MOST_STEPS", 1)
+    assert asyncio.run(run_medium("unix", LATE_REQUESTS)).requests
 
 
 @pytest.mark.campaign
