@@ -23,7 +23,6 @@ import msgspec
 from simulation.oracle import Oracle, Tap, WorldError
 from simulation.plan import Draw
 from simulation.programs import Program
-from simulation.world import KNOWN
 from unity_link.transport.ft232h.eeprom_image import build_eeprom
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.faults import Noise, NoisyLine
@@ -164,7 +163,7 @@ class _Run:
         finally:
             serving.cancel()
             await asyncio.wait({serving})
-        Oracle(KNOWN).judge([tap.recorder], logs)
+        Oracle().judge([tap.recorder], logs)
         result = self._result
         result.programs += 1
         for link in program.links:

@@ -330,14 +330,7 @@ _BLOCKS = frozenset({"write_block", "write_queue"})
 
 
 class Oracle:
-    """Judges a world that has ended.
-
-    Args:
-        without: rules that are not judged, see `world.KNOWN`.
-    """
-
-    def __init__(self, without: frozenset[str]) -> None:
-        self._without = without
+    """Judges a world that has ended."""
 
     def judge(self, recorders: Sequence[Recorder], logs: Sequence[LinkLog]) -> None:
         """Raise `WorldError` where a rule was broken."""

@@ -135,7 +135,7 @@ class World:
         self._judge_undisturbed()
         self._judge_sessions()
         judge_answers(self._trace, plan.digits_behind_servers(), self._without)
-        Oracle(self._without).judge([tap.recorder for tap in self._taps], self._logs)
+        Oracle().judge([tap.recorder for tap in self._taps], self._logs)
 
     def _judge_sessions(self) -> None:
         """Check that no session ends where no connection is cut and no gateway is reset: each loss is made up for."""

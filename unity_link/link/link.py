@@ -187,14 +187,17 @@ class Link(Connection):
         """Send a write without waiting for its execution; waits only while too many requests are under way.
 
         It is executed exactly once and in order all the same. Its errors are raised by the next `fence`, or where the
-        ``async with`` block of the link ends.
+        ``async with`` block of the link ends. On a half-duplex medium each write is answered, and this returns then.
         """
         self._check_address(address)
         self._check_word(value)
         codec = self._codec
-        request = Request(codec, "WS", codec.fields("WS", address, value), None)
+        fields = codec.fields("WS", address, value)
         self._posted = True
-        await self._post(request)
+        if self._takes_turns:
+            await self._post_answered(Request(codec, "W", fields, 0))
+        else:
+            await self._post(Request(codec, "WS", fields, None))
 
     async def fence(self) -> None:
         """Wait until everything that was asked for before has been executed.
@@ -300,9 +303,12 @@ class Link(Connection):
         """
         where, what = self._write_arguments(addresses, values)
         self._check_count(len(where))
-        info = self.gateway
+        fields = [(where, self.gateway.address_digits), (what, self.gateway.data_digits)]
         self._posted = True
-        await self._post(Batch(self._codec, "WS", [(where, info.address_digits), (what, info.data_digits)]))
+        if self._takes_turns:
+            await self._post_answered(Batch(self._codec, "W", fields))
+        else:
+            await self._post(Batch(self._codec, "WS", fields))
 
     # Publishing
 
@@ -402,6 +408,18 @@ class Link(Connection):
         except CancelledError:
             posted.cancel()
             raise
+
+    @property
+    def _takes_turns(self) -> bool:
+        """Whether both sides share a pair of wires, so that each must know when its turn is."""
+        return Feature.HALF_DUPLEX in self.gateway.features
+
+    async def _post_answered(self, posted: Request | Batch) -> None:
+        """Have writes done that are answered, with their error kept as that of posted ones."""
+        try:
+            await self._answer(posted)
+        except UnityLinkError as error:
+            self._note_posted(PostedFailure(error, 1))
 
     async def _read_words(self, command: str, address: int, count: int, step: int) -> Words:
         codec, info = self._codec, self.gateway

@@ -391,7 +391,13 @@ class Session:
         credit = None if Feature.FLOW_CONTROL in info.features else info.receive_fifo_bytes
         byte_time = handshake.round_trip / LAST_ANSWER
         window: Window[Any] = Window(
-            codec.ring, handshake.first, credit, byte_time, handshake.round_trip, self._shortest_timeout
+            codec.ring,
+            handshake.first,
+            credit,
+            byte_time,
+            handshake.round_trip,
+            self._shortest_timeout,
+            1 if Feature.HALF_DUPLEX in info.features else None,
         )
         self.epoch += 1
         self._exchange = Exchange(

@@ -116,6 +116,7 @@ class Window(Generic[R]):
         byte_time: seconds that one byte may need on the wire, at most; round trips of many bytes show where it is less.
         round_trip: a first measurement in seconds, if there is one.
         shortest_timeout: seconds that the medium may hold an answer back, and some more.
+        most: requests in flight, at most; None for half the ring.
     """
 
     def __init__(
@@ -126,16 +127,18 @@ class Window(Generic[R]):
         byte_time: float = 0.0,
         round_trip: float | None = None,
         shortest_timeout: float = SHORTEST_TIMEOUT,
+        most: int | None = None,
     ) -> None:
         self._mask = ring - 1
         self._half = ring // 2
+        self._most = self._half if most is None else most
         self._byte_limit = byte_limit
         self._byte_time = self._reply_byte_time = byte_time
         self._slots: list[R | None] = [None] * ring
         self.oldest = self.executed = self.next = first
         self._to_repeat = first
         """The next ID that is to be sent again; `next` where none is."""
-        self._allowed = self._half
+        self._allowed = self._most
         self._allowed_after_loss = 0
         self._bytes = 0
         self.unfenced = 0
@@ -202,7 +205,9 @@ class Window(Generic[R]):
         """
         if self._to_repeat != self.next:
             return 0
-        ids = min(self._allowed - self._outstanding, self._half - self.in_flight) - posted
+        ids = min(self._allowed - self._outstanding, self._half - self.in_flight)
+        # A window of one has no room for both.
+        ids -= posted and self._most > 1
         if self._byte_limit is not None:
             most = (self._byte_limit - self._bytes) // size - posted
             # A request longer than the whole FIFO goes alone.
@@ -340,8 +345,8 @@ class Window(Generic[R]):
             self._slots[number] = None
         else:
             self._fill(number, count, None)
-        if self._allowed < self._half:
-            self._allowed = min(self._half, self._allowed + count)
+        if self._allowed < self._most:
+            self._allowed = min(self._most, self._allowed + count)
         if self._timeout != self._measured_timeout and (number - self._sent_once_from & self._mask) <= self._half:
             self._timeout = self._measured_timeout
         after = number + count & self._mask
@@ -499,7 +504,7 @@ class Window(Generic[R]):
         self._timed = None
         # Each answer has let one more be in flight, so this is twice what came through since the loss before.
         came = 2 * (self._allowed - self._allowed_after_loss)
-        self._allowed = max(min(self._allowed // 2, came), min(FEWEST_IN_FLIGHT, self._half))
+        self._allowed = max(min(self._allowed // 2, came), min(FEWEST_IN_FLIGHT, self._most))
         self._allowed_after_loss = self._allowed
         self._to_repeat = self.oldest
         self._sent_once_from = self.next
