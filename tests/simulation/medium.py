@@ -368,6 +368,8 @@ class Network:
         """Sockets for datagrams; those of hosts are at their line, and each has a number of its own."""
         self.connections: Counter[str] = Counter()
         """Connections that were made on each line."""
+        self.on_return: Callable[[Line], None] = lambda _: None
+        """Called when a line is connected again."""
         self._lines = {line.name: line for line in lines}
         self.courses = {
             (line.name, back): Course(
@@ -400,6 +402,8 @@ class Network:
         self.open[there] = name
         self.connections[host] += 1
         self.trace.append((self.loop.time(), host, "connect", self.connections[host]))
+        if self.connections[host] > 1:
+            self.on_return(line)
         far.connection_made(there)
         near.connection_made(here)
         return here, near

@@ -89,14 +89,16 @@ class ProgramPlan(NamedTuple):
 
 
 class Mishap(NamedTuple):
-    """What befalls a gateway or a server at an instant, whatever is on its lines."""
+    """What befalls a gateway, a server or a client at an instant, whatever is on its lines."""
 
     at: float
+    """Seconds since the world began; of a ``hang up`` latencies since the server's line was connected again."""
     whom: str
     kind: str
     """``reset``: it is reset, and its connections are cut; ``away``: it also can't be reached for a time; ``reset in
     place``: its connections stay, but what it has sent and has not arrived is lost. A gateway that is reached by
-    datagrams has no connections, and what is under way still comes. ``hang up``: the connection of a line is cut."""
+    datagrams has no connections, and what is under way still comes. ``hang up``: the connection of a
+    client's line is cut each time when its server has its gateway back."""
     seconds: float
 
 
@@ -124,8 +126,9 @@ class Plan(NamedTuple):
         return not _is_of_server(line) and cuts.isdisjoint((line, line.rpartition(".")[2]))
 
     def is_swift(self, line: str) -> bool:
-        """Return whether the gateway behind a line takes and answers all at once."""
-        return gateway_of(line, self.gateways, self.servers).bytes_per_second is None
+        """Return whether the gateway behind a line takes and answers all at once, as a model does."""
+        gateway = gateway_of(line, self.gateways, self.servers)
+        return gateway.bytes_per_second is None and not gateway.build
 
     def path(self, line: str) -> list[str]:
         """Return the lines from a program to its gateway."""
@@ -281,13 +284,13 @@ class Draw:
         return mishaps
 
     def _hang_ups(self, mishaps: list[Mishap], servers: tuple[int, ...], lines: list[str]) -> list[Mishap]:
-        """Draw which clients a server loses soon after it has lost its gateway."""
+        """Draw which clients a server loses while it sets up their groups again, behind three questions."""
         draw = self._random
-        lost = {mishap.whom: mishap.at for mishap in mishaps}
+        lost = {mishap.whom for mishap in mishaps}
         return [
-            Mishap(lost[gateway] + draw.uniform(0.0, 0.4), line, "hang up", 0.0)
+            Mishap(draw.uniform(6.0, 9.0), line, "hang up", 0.0)
             for line in lines
-            if _is_of_server(line) and (gateway := f"gateway{servers[int(line[-1])]}") in lost and draw.random() < 0.3
+            if _is_of_server(line) and f"gateway{servers[int(line[-1])]}" in lost and draw.random() < 0.6
         ]
 
     # The programs

@@ -30,6 +30,7 @@ from unity_link.virtual.serving import serve_tcp, serve_udp
 if TYPE_CHECKING:
     from collections.abc import AsyncIterator, Sequence
 
+    from simulation.medium import Line
     from simulation.sendings import Sendings
     from unity_link.virtual import BareGateway, Gateway
 
@@ -126,7 +127,9 @@ class World:
                 server = await stack.enter_async_context(serve(url, tcp=1, host=f"server{place}"))
                 stack.callback(loop.create_task(self._watch(place, server)).cancel)
             for mishap in plan.mishaps:
-                loop.call_at(mishap.at, self._befall, mishap)
+                if mishap.kind != "hang up":
+                    loop.call_at(mishap.at, self._befall, mishap)
+            self._network.on_return = self._hang_up
             loop.call_at(CALM_AFTER, self._network.calm)
             await self._run_programs(loop)
         for course in self._network.courses.values():
@@ -232,6 +235,13 @@ class World:
                 task.cancel()
         await asyncio.wait(tasks, timeout=10)
         raise WorldError("a program that waits for ever", "; ".join(waiting[:3]) or "no call")
+
+    def _hang_up(self, line: Line) -> None:
+        """Have clients leave when the line of their server is connected again."""
+        server, _, gateway = line.name.partition(".")
+        for mishap in self._plan.mishaps:
+            if mishap.kind == "hang up" and mishap.whom.endswith(f".{server}") and gateway:
+                self._network.loop.call_later(mishap.at * line.latency, self._befall, mishap)
 
     def _befall(self, mishap: Mishap) -> None:
         self._trace.append((asyncio.get_running_loop().time(), mishap.whom, "mishap", mishap.kind))
