@@ -19,6 +19,7 @@ from unity_link import AnswerLostError, BusTimeoutError, LinkLostError, OutOfRan
 from unity_link.bridges.serve.client import MOST_UNDER_WAY, MOST_UNSENT
 from unity_link.bridges.serve.shared import PATIENCE, SharedLink
 from unity_link.protocol.configuration import Feature, GatewayInfo
+from unity_link.protocol.messages import Codec
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.faults import Noise, NoisyLine
 from unity_link.virtual.gateway import Gateway
@@ -219,6 +220,53 @@ async def test_a_lone_read_waits_for_one_turn_of_the_others_and_not_for_all_they
     # 60 blocks of 2 KB are 1.2 s; one turn of each of three others, and what is ahead of them, is some 10 KB.
     assert left > 20
     assert each < 0.12
+
+
+class InOneRead(Valve):
+    """Answers together what it is asked within ten milliseconds."""
+
+    def __init__(self, gateway: VirtualGateway) -> None:
+        super().__init__(gateway)
+        self._kept = b""
+        self._due: float | None = None
+
+    @property
+    def next_due(self) -> float | None:
+        return self._due
+
+    def receive(self, data: bytes, now: float) -> bytes:
+        self._kept += super().receive(data, now)
+        if self._due is None:
+            self._due = now + 0.01
+        return b""
+
+    def advance(self, now: float, room: int | None = None) -> bytes:
+        if self._due is None or now < self._due:
+            return b""
+        kept, self._kept, self._due = self._kept, b"", None
+        return kept
+
+
+@on_simulated_time
+async def test_the_error_of_a_posted_write_is_told_before_the_answers_to_what_was_asked_behind_it() -> None:
+    gateway = VirtualGateway()
+    RecordedBus(gateway, failing=frozenset({0x44}))
+    codec = Codec(gateway.info)
+    requests = [codec.request("R", 0, b"01"), codec.request("WS", 1, b"4400000001")]
+    requests += [codec.request("R", number, b"01") for number in range(2, 40)]
+    async with sharing(InOneRead(gateway)) as shared:
+        client = call(shared)
+        client.transport.write(codec.framing.checked(b"K000"))
+        await settle(shared)
+        client.take()
+        # Where they arrive together, those of single words behind a posted write are not taken together.
+        client.transport.write(b"".join(requests[:2]))
+        await asyncio.sleep(0.001)
+        client.transport.write(b"".join(requests[2:]))
+        await until(lambda: client.heard.count(b"\n") == len(requests))
+        bodies = [codec.framing.open(frame) for frame in client.take().splitlines()]
+    assert [body[:6] for body in bodies[:3]] == [b"r00000", b"x00104", b"r00200"]
+    assert len(bodies) == 40
 
 
 @contextlib.asynccontextmanager

@@ -1,7 +1,6 @@
 """Run seeds of the simulation: ``python -m simulation FIRST [COUNT]``, from the directory of the tests.
 
-A world that fails is told as a story, and the program ends with 1. The last lines are what was injected. `KNOWN` of
-`simulation.world` names what is not judged.
+A world that fails is told as a story, and the program ends with 1. The last lines are what was injected.
 """
 
 from __future__ import annotations
@@ -12,7 +11,7 @@ from collections import Counter
 
 from simulation.report import Report
 from simulation.story import shrink, tell
-from simulation.world import KNOWN, run_seed
+from simulation.world import run_seed
 
 
 def say(*lines: str) -> None:
@@ -33,14 +32,14 @@ def main() -> int:
     options = parser.parse_args()
     report, kinds = Report(), Counter[str]()
     for seed in range(options.first, options.first + options.count):
-        outcome = run_seed(seed, KNOWN, options.build)
+        outcome = run_seed(seed, options.build)
         report.add(outcome)
         if options.trace:
             say(*(f"{when:.6f} {what}" for when, *what in outcome.trace))
         if outcome.error is not None:
             kinds[outcome.error.kind] += 1
             if sum(kinds.values()) <= options.stories:
-                say(tell(outcome, shrink(outcome, KNOWN)))
+                say(tell(outcome, shrink(outcome)))
             else:
                 say(f"seed {seed}: {outcome.error}"[:300])
     for kind, number in kinds.most_common():

@@ -10,9 +10,7 @@ from simulation.oracle import WorldError
 if TYPE_CHECKING:
     from collections.abc import Iterable
 
-_NOT_EXPECTED, _ERROR = b"n", b"x"
-LATE_ERRORS = "errors behind later answers of a server"
-"""A rule that can be left out."""
+_NOT_EXPECTED = b"n"
 
 
 class Answers:
@@ -21,12 +19,10 @@ class Answers:
     Args:
         line: its name.
         digits: of an ID.
-        errors: whether they are judged, too.
     """
 
-    def __init__(self, line: str, digits: int, *, errors: bool) -> None:
+    def __init__(self, line: str, digits: int) -> None:
         self._line = line
-        self._errors = errors
         # Where there is no session, requests are refused in any order.
         self._answer = re.compile(rb"(?!x[0-9A-F]{%d}0A)([g-z]+)([0-9A-F]{%d})" % (digits, digits))
         self._ring = 16**digits
@@ -60,16 +56,15 @@ class Answers:
         ahead = (number - self._last) % self._ring
         if self._last < 0 or 0 < ahead < half:
             self._last = number
-        elif not self._told[number] and (self._errors or not line.startswith(_ERROR)):
+        elif not self._told[number]:
             raise WorldError("answers in another order", f"{self._line}: {line!r} comes behind {self._last:#x}")
         self._told[number] = 1
         self._told[(number + half) % self._ring] = 0
 
 
-def judge_answers(trace: Iterable[tuple[object, ...]], digits: dict[str, int], without: frozenset[str]) -> None:
+def judge_answers(trace: Iterable[tuple[object, ...]], digits: dict[str, int]) -> None:
     """Judge the answers on all lines that have digits of an ID named, by what they have carried."""
-    errors = LATE_ERRORS not in without
-    answers = {line: Answers(line, count, errors=errors) for line, count in digits.items()}
+    answers = {line: Answers(line, count) for line, count in digits.items()}
     back = {f"{line}<": taker for line, taker in answers.items()}
     for _, name, kind, *what in trace:
         if kind == "carry" and name in back:

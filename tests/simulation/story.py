@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, TypeVar
 
-from simulation.world import KNOWN, World
+from simulation.world import World
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -21,7 +21,7 @@ MOST_EVENTS = 60
 T = TypeVar("T")
 
 
-def shrink(outcome: Outcome, without: frozenset[str] = KNOWN, most_runs: int = MOST_RUNS) -> Outcome:
+def shrink(outcome: Outcome, most_runs: int = MOST_RUNS) -> Outcome:
     """Return the run of a shorter plan that breaks the same rule, or the run itself where none is found."""
     assert outcome.error is not None
     kind, best, runs = outcome.error.kind, outcome, 0
@@ -32,7 +32,7 @@ def shrink(outcome: Outcome, without: frozenset[str] = KNOWN, most_runs: int = M
             if runs == most_runs:
                 return best
             runs += 1
-            attempt = World(plan, without).run()
+            attempt = World(plan).run()
             if attempt.error is not None and attempt.error.kind == kind:
                 best, shorter = attempt, True
                 break

@@ -11,7 +11,7 @@ from types import SimpleNamespace
 from typing import TYPE_CHECKING, Any, cast
 from unittest.mock import patch
 
-from simulation.answers import LATE_ERRORS, judge_answers
+from simulation.answers import judge_answers
 from simulation.clock import SimulatedLoop
 from simulation.medium import Network
 from simulation.oracle import MOST_WAITING, LinkLog, Oracle, Tap, WorldError
@@ -34,9 +34,6 @@ if TYPE_CHECKING:
     from simulation.sendings import Sendings
     from unity_link.virtual import BareGateway, Gateway
 
-# To be taken out one by one, as the product is mended.
-KNOWN = frozenset({LATE_ERRORS})
-"""Rules that today's code is known to break, and that are not judged."""
 CALM_AFTER = 10.0
 """Seconds after which nothing goes wrong any more."""
 SETTLED_AFTER = 90.0
@@ -66,10 +63,9 @@ class Outcome:
 class World:
     """One run of a plan."""
 
-    def __init__(self, plan: Plan, without: frozenset[str] = KNOWN) -> None:
+    def __init__(self, plan: Plan) -> None:
         self.outcome = Outcome(plan)
         self._plan = plan
-        self._without = without
         self._trace = self.outcome.trace
         self._taps: list[Tap] = []
         self._programs: list[Program] = []
@@ -137,7 +133,7 @@ class World:
                 raise WorldError("a buffer that grows", f"{course.most_waiting} bytes waited in {course.name}")
         self._judge_undisturbed()
         self._judge_sessions()
-        judge_answers(self._trace, plan.digits_behind_servers(), self._without)
+        judge_answers(self._trace, plan.digits_behind_servers())
         Oracle().judge([tap.recorder for tap in self._taps], self._logs)
 
     def _judge_sessions(self) -> None:
@@ -276,6 +272,6 @@ def _describe(context: dict[str, Any]) -> str:
     return f"{context.get('message')}: {error!r}"
 
 
-def run_seed(seed: int, without: frozenset[str] = KNOWN, builds: Sequence[str] = ()) -> Outcome:
+def run_seed(seed: int, builds: Sequence[str] = ()) -> Outcome:
     """Draw the plan of a seed and run it, on builds of the gateware if some are named."""
-    return World(Draw(seed, builds).plan(), without).run()
+    return World(Draw(seed, builds).plan()).run()

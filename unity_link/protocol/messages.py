@@ -11,6 +11,7 @@ Field letters, as in the protocol: ``a`` address, ``d`` data word, ``m`` mask, `
 from __future__ import annotations
 
 import enum
+import functools
 import re
 from binascii import hexlify, unhexlify
 from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
@@ -156,8 +157,7 @@ class Codec:
             "s": 2,
             "i": info.id_digits,
         }
-        self.id_text = [b"%0*X" % (info.id_digits, number) for number in range(self.ring)]
-        self.id_number = {text: number for number, text in enumerate(self.id_text)}
+        self.id_text, self.id_number, self._id_rows = _id_tables(info.id_digits)
         self.word_type: np.dtype[np.unsignedinteger[Any]] = _FORMS[info.data_digits].held
         self.lower = {name: name.lower().encode() for name in COMMANDS}
         """The commands as they stand before an ID."""
@@ -166,7 +166,6 @@ class Codec:
         """Characters of a checked frame with an ID, beyond its fields or data."""
         self.commands = {name: row for name, row in COMMANDS.items() if row.feature in info.features}
         self._layouts = {name: self._layout(row.fields) for name, row in COMMANDS.items()}
-        self._id_rows = np.frombuffer(b"".join(self.id_text), np.uint8).reshape(self.ring, info.id_digits)
 
     # Requests, host to gateway
 
@@ -378,6 +377,17 @@ class Codec:
         """Return the %-format of a request's fields, and the digits of the items of the list at its end, if any."""
         layout = b"".join(b"%b" if letter in LISTS else b"%%0%dX" % self.digits[letter] for letter in letters)
         return layout, self.digits[LISTS[letters[-1]]] if letters[-1:] in LISTS else 0
+
+
+@functools.cache
+def _id_tables(digits: int) -> tuple[list[bytes], dict[bytes, int], NDArray[np.uint8]]:
+    """Return the IDs of so many digits as text, their numbers by it, and their digits, shape (ring, digits).
+
+    Made once, not at each connection: with three digits there are thousands.
+    """
+    texts = [b"%0*X" % (digits, number) for number in range(16**digits)]
+    rows = np.frombuffer(b"".join(texts), np.uint8).reshape(16**digits, digits)
+    return texts, {text: number for number, text in enumerate(texts)}, rows
 
 
 class _Form(NamedTuple):

@@ -6,7 +6,7 @@ ID and the form that its client used, so that the answer can be put under that I
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Protocol
+from typing import TYPE_CHECKING, NamedTuple, Protocol
 
 from unity_link.errors import GatewayError, Outcome, UnansweredError, UnityLinkError, UnsupportedError
 from unity_link.protocol.messages import COMMANDS, Codec, ErrorCode, Repetition
@@ -192,13 +192,9 @@ class RelayedRows(Batch):
         """Return some of the requests."""
         return RelayedRun(self, start, count)
 
-    def take_frames(self, offset: int, count: int, frames: bytes, events: Events) -> None:
-        """Take the frames that answer some of the requests."""
+    def take_frames(self, offset: int, count: int, frames: bytes) -> None:
+        """Take the frames that answer some of the requests, and tell the client what is answered in order."""
         self._early.setdefault(offset, (count, frames))
-        events.append(self)
-
-    def tell(self) -> None:
-        """Tell the client what has been answered in order."""
         self._asker.answer_rows(self)
 
     def ready(self) -> tuple[int, int, bytes]:
@@ -222,7 +218,7 @@ class RelayedRows(Batch):
             if offset not in known:
                 code = ErrorCode.BUS_TIMEOUT if offset < self.sent else unsent
                 self._early[offset] = (1, self.error_frame(offset, code))
-        self.tell()
+        self._asker.answer_rows(self)
 
     def error_frame(self, offset: int, code: ErrorCode) -> bytes:
         """Return the frame of an error for the client."""
@@ -239,6 +235,21 @@ class RelayedRows(Batch):
 
     def _number(self, offset: int) -> int:
         return self.number + offset & self.codec.ring - 1
+
+
+class RowsAnswered(NamedTuple):
+    """Event: some of a client's requests for single words are answered."""
+
+    rows: RelayedRows
+    offset: int
+    """The first of them."""
+    size: int
+    frames: bytes
+    """For the client."""
+
+    def tell(self) -> None:
+        """Tell the client, behind what the events before this one tell."""
+        self.rows.take_frames(self.offset, self.size, self.frames)
 
 
 class RelayedRun(BatchRun):
@@ -258,7 +269,7 @@ class RelayedRun(BatchRun):
 
     def _take(self, place: int, data: bytes, events: Events) -> bool:
         """Hand on the answer to one request."""
-        self._rows.take_frames(place, 1, self._rows.reply(place, data), events)
+        events.append(RowsAnswered(self._rows, place, 1, self._rows.reply(place, data)))
         return True
 
     def accept_rows(self, offset: int, frames: bytes, events: Events) -> int:
@@ -266,7 +277,7 @@ class RelayedRun(BatchRun):
         number, place = self.first + offset & self.codec.ring - 1, self._start + offset
         data = self.codec.matching_rows(self.command, number, frames, self._rows.reply_digits or 0)
         if len(data):
-            self._rows.take_frames(place, len(data), self._rows.replies(place, data), events)
+            events.append(RowsAnswered(self._rows, place, len(data), self._rows.replies(place, data)))
         return len(data)
 
     def fail_part(self, offset: int, count: int, error: UnityLinkError, events: Events) -> None:
@@ -274,7 +285,7 @@ class RelayedRun(BatchRun):
         rows, code = self._rows, _code_of(error, self.command)
         for place in range(self._start + offset, self._start + offset + count):
             frame = rows.reply(place, b"") if code is None else rows.error_frame(place, code)
-            rows.take_frames(place, 1, frame, events)
+            events.append(RowsAnswered(rows, place, 1, frame))
 
 
 def _code_of(error: UnityLinkError, command: str) -> ErrorCode | None:

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 import msgspec
 
 from unity_link.bridges.serve.groups import Slots
-from unity_link.bridges.serve.requests import Relayed, RelayedRows
+from unity_link.bridges.serve.requests import Relayed, RowsAnswered
 from unity_link.bridges.serve.turns import Turns
 from unity_link.errors import ArgumentError, ConnectError, LinkLostError, UnityLinkError, reason_of
 from unity_link.link.connection import Connection, Reconnect
@@ -70,7 +70,7 @@ class SharedLink(Connection):
         self._errands: set[asyncio.Task[None]] = set()
         self._handlers |= {
             Relayed: lambda request: request.tell(),
-            RelayedRows: lambda rows: rows.tell(),
+            RowsAnswered: lambda answered: answered.tell(),
             Sampled: lambda sample: sample.owner.receive(sample.body),
         }
 
