@@ -58,6 +58,14 @@ class _Planned:
         return self.at
 
 
+MOST_TURNS = 100_000
+"""Turns of the loop at one instant, after which time stands still."""
+
+
+class LivelockError(Exception):
+    """Callbacks go on for ever while no time passes."""
+
+
 class SimulatedLoop(asyncio.BaseEventLoop):
     """The loop of one world."""
 
@@ -72,6 +80,8 @@ class SimulatedLoop(asyncio.BaseEventLoop):
         self._timers: list[tuple[float, int, _Planned]] = []
         """By when they are due; those of one instant in the order in which they were set."""
         self._timers_set = 0
+        self._turns = 0
+        """At this instant."""
 
     def time(self) -> float:
         """Return the simulated time in seconds."""
@@ -102,13 +112,8 @@ class SimulatedLoop(asyncio.BaseEventLoop):
 
     def _run_once(self) -> None:
         """Run what is ready; where nothing is, jump to the next timer."""
+        self._advance()
         ready, timers = self._ready, self._timers
-        while timers and timers[0][2].is_cancelled:
-            heappop(timers)
-        if not ready and not self._stopping:
-            if not timers:
-                raise DeadlockError(f"nothing is left to happen at {self._now} s of simulated time")
-            self._now = max(self._now, timers[0][0])
         due = self._now + _RESOLUTION
         while timers and timers[0][0] < due:
             ready.append(heappop(timers)[2])
@@ -124,6 +129,20 @@ class SimulatedLoop(asyncio.BaseEventLoop):
                 self.call_exception_handler(
                     {"message": f"Exception in callback {planned.callback}", "exception": error}
                 )
+
+    def _advance(self) -> None:
+        """Jump to the next timer where nothing is ready."""
+        timers = self._timers
+        while timers and timers[0][2].is_cancelled:
+            heappop(timers)
+        if not self._ready and not self._stopping:
+            if not timers:
+                raise DeadlockError(f"nothing is left to happen at {self._now} s of simulated time")
+            if timers[0][0] > self._now:
+                self._now, self._turns = timers[0][0], 0
+        self._turns += 1
+        if self._turns > MOST_TURNS:
+            raise LivelockError(f"time stands still at {self._now} s of simulated time")
 
     def _process_events(self, event_list: tuple[()]) -> None:
         """Do nothing: there are no events but timers."""

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any, cast
 from unittest.mock import patch
 
 from simulation.answers import judge_answers
-from simulation.clock import SimulatedLoop
+from simulation.clock import LivelockError, SimulatedLoop
 from simulation.medium import Network
 from simulation.oracle import MOST_WAITING, LinkLog, Oracle, Tap, WorldError
 from simulation.plan import BURST, Draw, GatewayPlan, Mishap, Plan, gateway_of
@@ -95,6 +95,8 @@ class World:
             self.outcome.error = error
         except DeadlockError as error:
             self.outcome.error = WorldError("everything waits", str(error))
+        except LivelockError as error:
+            self.outcome.error = WorldError("callbacks for ever", str(error))
         finally:
             self.outcome.seconds = loop.time()
             self._count()

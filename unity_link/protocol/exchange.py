@@ -341,11 +341,6 @@ class Exchange:
     def expire(self, now: float, events: Events) -> None:
         """Let time pass: send again what was not answered in time, and confirm what was posted."""
         window = self.window
-        if window.oldest == window.next:
-            if self._groups.begun and now >= window.idle_since + KEEP_ALIVE:
-                # Samples do not say whether the gateway still hears its host, or was reset since.
-                self._number(Request(self.codec, "H", b"", 0), now)
-            return
         before = self._counters.repetitions
         run = window.expire(now)
         if run is not None:
@@ -357,6 +352,9 @@ class Exchange:
             self._repeat()
             self._counters.timeouts += self._counters.repetitions > before
         self._fence(now)
+        if window.oldest == window.next and self._groups.begun and now >= window.idle_since + KEEP_ALIVE:
+            # Samples do not say whether the gateway still hears its host, or was reset since.
+            self._number(Request(self.codec, "H", b"", 0), now)
 
     def _place(self, run: Message) -> int:
         """Return the place in its run of the oldest message that waits for an answer."""
