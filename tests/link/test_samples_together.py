@@ -9,9 +9,10 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import unity_link
-from simulated_time import run_simulated
+from simulated_time import on_simulated_time, run_simulated
 from unity_link.protocol.configuration import GatewayInfo
 from unity_link.virtual import VirtualGateway
+from valve import Valve
 
 if TYPE_CHECKING:
     from unity_link import Link, Subscription
@@ -28,10 +29,11 @@ class Arriving(NamedTuple):
 
 
 steady = st.just(Arriving(1, None))
+doubled = st.just(Arriving(0, None))
 missing = st.builds(Arriving, st.sampled_from([2, 200, 257, 513]) | st.integers(2, 700), st.none())
 damaged = st.builds(Arriving, st.just(1), st.sampled_from([b"", b"\n", b"X", b"P0", b"P00", b"g", b"\r"]))
 lines = st.lists(
-    st.lists(steady, min_size=1, max_size=60) | st.lists(missing, max_size=2) | st.lists(damaged, max_size=2),
+    st.lists(steady, min_size=1, max_size=60) | st.lists(missing | doubled, max_size=2) | st.lists(damaged, max_size=2),
     max_size=8,
 ).map(lambda parts: [line for part in parts for line in part])
 
@@ -84,3 +86,20 @@ def test_samples_that_arrive_together_are_those_that_arrive_one_by_one(
         for together in (True, False)
     )
     assert together == one_by_one
+
+
+class DoublingLine(Valve):
+    """Has samples arrive twice."""
+
+    def advance(self, now: float, room: int | None = None) -> bytes:
+        answer = super().advance(now, room)
+        return 2 * answer if answer.startswith(b"P") else answer
+
+
+@on_simulated_time
+async def test_a_sample_that_a_line_doubles_is_delivered_once() -> None:
+    line = DoublingLine(VirtualGateway(GatewayInfo(base_frequency_millihertz=1_000_000)))
+    async with unity_link.connect(line) as link, link.subscribe([1], rate_hz=1000) as subscription:
+        sequences = [(await anext(subscription)).sequence for _ in range(30)]
+        assert sequences == list(range(30))
+        assert subscription.lost == 0

@@ -500,7 +500,7 @@ class Oracle:
             )
             if [word >> ADDRESS_SHIFT for word in words] != list(listening.addresses):
                 raise WorldError("a sample of another group", f"{where}: {[f'{word:#x}' for word in words]}")
-            published = {place for place in listening.published.samples.get(text, ()) if place > min(places)}
+            published = {place for place in listening.published.samples.get(text, ()) if place >= min(places)}
             if not published:
                 raise WorldError("a sample that was not published", f"{where}: {text!r}")
             instant = recorder.instants[words[0] & _COUNT]
@@ -592,7 +592,9 @@ def _next_places(
     for new in published:
         if new[0] == life:
             due = new[1] - number - 1
-            if lost == due or (due >= 0x100 and _ambiguous(lost, due, listening)):
+            # Two digits do not tell a sample that the line has doubled from one a whole round later; a timestamp does.
+            again = due == -1 and lost % 0x100 == 0xFF and not listening.arguments["timestamps"]
+            if again or lost == due or (due >= 0x100 and _ambiguous(lost, due, listening)):
                 yield new
         elif new[0] > life and (
             listening.link.shared or _lost_over_lives(listening.published, listening.arguments, old, new, lost)
