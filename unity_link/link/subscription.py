@@ -388,7 +388,7 @@ class Subscription:
         except ValueError:
             return
         instant = None if timestamp is None else self._publishing.clock.seconds(timestamp, now)
-        if self._came_before(instant):
+        if self._came_before(sequence, instant):
             return
         lost = self._count_lost(sequence, instant)
         self._keep(Sample(self._sequence, instant, time.time(), values, lost, self._publishing.epoch))
@@ -421,7 +421,7 @@ class Subscription:
         instants: list[float] | list[None] = [None] * len(values)
         if timestamps is not None:
             instants = self._publishing.clock.seconds_of(timestamps, now).tolist()
-        if self._came_before(instants[0]):
+        if self._came_before(sequence, instants[0]):
             sequence, instants, values = sequence + 1, instants[1:], values[1:]
             if not instants:
                 return
@@ -459,9 +459,9 @@ class Subscription:
         for sample in samples:
             self._keep(sample)
 
-    def _came_before(self, at: float | None) -> bool:
+    def _came_before(self, sequence: int, at: float | None) -> bool:
         """Return whether the line has doubled the last sample; without timestamps, that could be one a round later."""
-        return at is not None and at == self._sampled_at
+        return at is not None and at == self._sampled_at and not (sequence - self._sequence) & 0xFF
 
     def _count_lost(self, sequence: int, at: float | None) -> int:
         """Return how many samples are missing before this one; a timestamp tells how often two digits went round."""
