@@ -63,19 +63,20 @@ class Connection:
     Args:
         target: the URL of a gateway, or one of this process.
         reconnect: how a lost connection is opened again; None: it is not.
+        resumes: whether reads are sent again in the next session on the same connection, too.
     """
 
     gateway: GatewayInfo
     """What the gateway says of itself."""
 
-    def __init__(self, target: DriverUrl | Medium, reconnect: Reconnect | None) -> None:
+    def __init__(self, target: DriverUrl | Medium, reconnect: Reconnect | None, *, resumes: bool = False) -> None:
         self._codec: Codec
         self._target = target
         self._reconnect = reconnect
         self._loop = asyncio.get_running_loop()
         self._now = self._loop.time
         node = target.node if isinstance(target, DriverUrl) else None
-        self._session = Session(node, choose_seed, resumes=reconnect is not None)
+        self._session = Session(node, choose_seed, resumes=resumes or reconnect is not None)
         self._stream: Stream | None = None
         self._timer: asyncio.TimerHandle | None = None
         self._timer_at = 0.0

@@ -80,8 +80,8 @@ class Link(Connection):
     Every call may raise `LinkLostError`, `BusError` and `BusTimeoutError`.
     """
 
-    def __init__(self, target: DriverUrl | Medium, reconnect: Reconnect | None) -> None:
-        super().__init__(target, reconnect)
+    def __init__(self, target: DriverUrl | Medium, reconnect: Reconnect | None, *, resumes: bool = False) -> None:
+        super().__init__(target, reconnect, resumes=resumes)
         self._publishing = Publishing(self._session, self._go_on, self._answer)
         self._posted = False
         self._posted_error: UnityLinkError | None = None

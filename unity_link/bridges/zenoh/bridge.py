@@ -113,8 +113,9 @@ class ZenohBridge:
                 shared.open_when_there()
                 await self._serve(session, self._prefix, shared)
             except LinkLostError:
-                # It says why.
-                shared.ended.result()
+                if shared.ended.done():
+                    # It says why.
+                    shared.ended.result()
                 raise
             finally:
                 await shared.finish()

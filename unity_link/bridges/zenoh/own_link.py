@@ -28,7 +28,9 @@ class OwnLink(Link):
     def __init__(self, shared: SharedLink, target: DriverUrl | Medium) -> None:
         # A node's number is between the shared link and its gateway alone.
         super().__init__(
-            msgspec.structs.replace(target, options={}) if isinstance(target, DriverUrl) else target, reconnect=None
+            msgspec.structs.replace(target, options={}) if isinstance(target, DriverUrl) else target,
+            reconnect=None,
+            resumes=True,
         )
         self._shared = shared
 

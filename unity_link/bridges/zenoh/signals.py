@@ -26,7 +26,7 @@ from unity_link.bridges.topics import topic_name
 from unity_link.bridges.zenoh.describing import describe
 from unity_link.bridges.zenoh.writing import Reader
 from unity_link.data import Group, Readable, Writable
-from unity_link.errors import ArgumentError, UnansweredError, UnityLinkError
+from unity_link.errors import ArgumentError, GatewayResetError, UnansweredError, UnityLinkError
 from unity_link.transport.inbox import Inbox
 
 if TYPE_CHECKING:
@@ -138,7 +138,7 @@ class Signals:
         if not faults:
             self.written += sum(map(len, objects))
         for fault in faults:
-            if isinstance(fault, UnansweredError):
+            if isinstance(fault, UnansweredError) and not isinstance(fault, GatewayResetError):
                 raise fault
             self._faults.tell(AWAY if self._shared.away else str(fault))
 
