@@ -19,8 +19,7 @@ PYTEST_ARGS ?=
 # Tests run in so many processes side by side; 0 for none beside pytest's own.
 PYTEST_PROCESSES ?= auto
 
-.PHONY: help venv demo test coverage campaign lint format bench bench-beside bench-noise bench-ros bench-live table1 \
-	docs lock upgrade clean
+.PHONY: help venv demo test coverage campaign lint format bench bench-beside bench-noise bench-ros bench-live table1 docs lock upgrade clean
 
 help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z0-9-]+:.*## / { printf "  make %-12s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
