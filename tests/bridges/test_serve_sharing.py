@@ -13,10 +13,12 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from recorded_bus import RecordedBus
+from shared_pair import PAIR, SharedPair
 from sharing import PipedLink, call, open_directly, settle, sharing, until
 from simulated_time import on_simulated_time, run_simulated
 from unity_link import (
     AnswerLostError,
+    BusError,
     BusTimeoutError,
     GatewayResetError,
     LinkLostError,
@@ -42,6 +44,8 @@ if TYPE_CHECKING:
 
 KILOHERTZ = 1_000_000
 """A base frequency at which simulated time is quick."""
+FAILING = 0x44
+"""An address whose accesses end in a bus error."""
 
 
 # Exactly once, in order
@@ -634,3 +638,40 @@ async def test_a_posted_write_that_was_lost_is_told_before_what_was_asked_behind
         valve.answers_pass = True
         await until(lambda: client.heard.count(b"\n") == 3)
         assert client.take() == b"r00000000002\r\nx00105\r\nh002\r\n"
+
+
+# A shared pair of wires
+
+
+@on_simulated_time
+async def test_behind_a_half_duplex_medium_nothing_is_sent_while_an_answer_is_owed() -> None:
+    gateway = VirtualGateway(PAIR)
+    bus = RecordedBus(gateway, failing=frozenset({FAILING}))
+    pair = SharedPair(gateway)
+    async with sharing(pair) as shared, PipedLink(shared) as link, PipedLink(shared) as other:
+        await asyncio.gather(
+            *[link.post(1, value) for value in range(40)],
+            link.post_many([2] * 40, range(40)),
+            *[other.write(3, value) for value in range(40)],
+            *[link.read(1) for _ in range(40)],
+        )
+        await link.post(FAILING, 1)
+        await other.post(4, 1)
+        with pytest.raises(BusError):
+            await link.fence()
+        assert await link.read(4) == 1
+        await other.fence()
+    assert pair.collisions == []
+    for address in (1, 2, 3):
+        assert [value for where, value in bus.writes if where == address] == list(range(40))
+
+
+@on_simulated_time
+async def test_behind_a_half_duplex_medium_a_posted_write_that_is_typed_is_executed_in_silence() -> None:
+    gateway = VirtualGateway(PAIR)
+    RecordedBus(gateway, failing=frozenset({FAILING}))
+    async with sharing(SharedPair(gateway)) as shared:
+        terminal = call(shared)
+        terminal.transport.write(b"WS0100000007\rR01\rWS4400000007\r")
+        await settle(shared)
+        assert terminal.take() == b"R0100000007\r\nX04\r\n"

@@ -8,40 +8,12 @@ import pytest
 
 import unity_link
 from recorded_bus import RecordedBus
+from shared_pair import PAIR, SharedPair
 from simulated_time import on_simulated_time
 from unity_link import BusError
-from unity_link.protocol.configuration import Feature, GatewayInfo
 from unity_link.virtual import VirtualGateway
-from unity_link.virtual.line import SlowLine
-from valve import Valve
 
-PAIR = GatewayInfo(features=GatewayInfo().features | Feature.HALF_DUPLEX)
 FAILING = 0x44
-
-
-class SharedPair(Valve):
-    """Counts what the host sends while an answer is on its way."""
-
-    def __init__(self, gateway: VirtualGateway) -> None:
-        super().__init__(SlowLine(gateway, 100_000))
-        self.owed = 0
-        self.collisions: list[bytes] = []
-
-    def receive(self, data: bytes, now: float) -> bytes:
-        for frame in data.splitlines():
-            if self.owed:
-                self.collisions.append(frame)
-            self.owed += bool(frame)
-        return self._count(super().receive(data, now))
-
-    def advance(self, now: float, room: int | None = None) -> bytes:
-        return self._count(super().advance(now, room))
-
-    def _count(self, answers: bytes) -> bytes:
-        self.owed -= sum(
-            not line.startswith(b"P") for line in answers.splitlines(keepends=True) if line.endswith(b"\n")
-        )
-        return answers
 
 
 @on_simulated_time

@@ -14,6 +14,7 @@ import numpy as np
 
 from unity_link.bridges.serve.groups import ClientGroup, Settings
 from unity_link.bridges.serve.requests import Relayed, RelayedRows, answer_digits
+from unity_link.protocol.configuration import Feature
 from unity_link.protocol.frames import LF
 from unity_link.protocol.gateway_session import UNDER_WAY, Answer, GatewaySession
 from unity_link.protocol.messages import Codec, DecodedRequest, ErrorCode
@@ -51,6 +52,8 @@ class Conversation:
         self._client = client
         self._shared = shared
         self._codec = codec
+        self._takes_turns = Feature.HALF_DUPLEX in shared.gateway.features
+        """Whether the gateway's medium lets only one side send at a time."""
         self._session = GatewaySession(codec)
         self._sequence = self._session.sequence
         self._prepare_short_way(codec)
@@ -145,9 +148,12 @@ class Conversation:
         after: Callable[[bool], None] | None = None,
         stored: Callable[[], None] | None = None,
     ) -> None:
-        codec = self._codec
+        codec, command = self._codec, request.command
         head = codec.response(request)
-        relayed = Relayed(codec, request.command, fields, digits, self._client, head, request.id, plain=plain)
+        if command == "WS" and self._takes_turns:
+            # The gateway answers, so that the next request cannot meet an error of this one; the client hears errors.
+            command, head, digits = "W", b"", 0
+        relayed = Relayed(codec, command, fields, digits, self._client, head, request.id, plain=plain)
         relayed.after = after
         relayed.stored = stored
         self._client.hand_on(relayed, self._session.awaited)
@@ -211,7 +217,7 @@ class Conversation:
             head, command = 1, "R"
         elif size == self._write_size and line[0] == _W:
             head, command, digits = 1, "W", 0
-        elif size == self._write_size + 1 and line[:2] == b"ws":
+        elif size == self._write_size + 1 and line[:2] == b"ws" and not self._takes_turns:
             head, command, digits = 2, "WS", None
         else:
             return False

@@ -54,7 +54,7 @@ class Relayed(Request):
         fields: hex digits, as the gateway is to see them.
         digits: hex digits of the answer's data, None where nothing answers.
         asker: who is answered.
-        head: what the answer has before its data: command, and ID or echo.
+        head: what the answer has before its data: command, and ID or echo; empty where only errors are answered.
         number: the client's ID, None where it gave none.
         plain: whether the request was a plain frame, and so is its answer.
     """
@@ -153,7 +153,7 @@ class Relayed(Request):
     @property
     def of_no_session(self) -> bool:
         """Whether it can be executed in any session: it was not sent, has no ID, and names no group."""
-        return not self.sent and self.after is None and self.head[:1].isupper()
+        return not self.sent and self.after is None and self.number is None and not self.silent
 
 
 class RelayedRows(Batch):
