@@ -1,8 +1,4 @@
-"""How samples get from the event loop to a thread that writes or sends them, so that neither waits for the other.
-
-A bridge is left alone for days. A gateway that was reset behind an open line says nothing of that, nor of the groups
-that it has forgotten: so it is asked for a word now and then, which tells.
-"""
+"""How samples get from the event loop to a thread that writes or sends them, so that neither waits for the other."""
 
 from __future__ import annotations
 
@@ -19,9 +15,6 @@ if TYPE_CHECKING:
     from concurrent.futures import Executor
 
     from unity_link.data import Batch, Group, GroupSubscription
-
-ASK_EVERY = 1.0
-"""Seconds between words that are read to see whether the gateway is still the one whose groups were set up."""
 
 
 class Carrier:
@@ -70,7 +63,7 @@ class Carrier:
         try:
             with first_error():
                 async with AsyncExitStack() as stack, asyncio.TaskGroup() as tasks:
-                    for coroutine in (*beside, self._ask()):
+                    for coroutine in beside:
                         tasks.create_task(coroutine)
                     self._subscriptions = [
                         await stack.enter_async_context(group.subscribe(buffer=self._buffer)) for group in self._groups
@@ -81,14 +74,6 @@ class Carrier:
             for number, subscription in enumerate(self._subscriptions):
                 await self._drain(number, subscription, thread)
             raise
-
-    async def _ask(self) -> None:
-        # It is read all the time, so to read it once more changes nothing.
-        asked = self._groups[0].proxies[0]
-        while True:
-            await asyncio.sleep(ASK_EVERY)
-            with contextlib.suppress(GatewayError):
-                await asked.bus.read(asked.signal.address)
 
     async def _carry(self, number: int, subscription: GroupSubscription, thread: Executor) -> None:
         loop = asyncio.get_running_loop()

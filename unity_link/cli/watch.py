@@ -6,7 +6,6 @@ On a terminal, a live table with a curve for each address; in a pipe, a line for
 from __future__ import annotations
 
 import asyncio
-import contextlib
 import time
 from typing import TYPE_CHECKING, Annotated
 
@@ -16,7 +15,7 @@ from unity_link.cli.arguments import DEFAULT_TIMEOUT, Json, Timeout, Url, number
 from unity_link.cli.output import is_live, print_json, print_line, print_note
 from unity_link.cli.running import run
 from unity_link.cli.words import Format, address_text, in_form, to_signed
-from unity_link.errors import ArgumentError, GatewayError, LinkLostError, first_error
+from unity_link.errors import ArgumentError, first_error
 
 if TYPE_CHECKING:
     from collections.abc import AsyncIterator, Callable
@@ -25,8 +24,6 @@ if TYPE_CHECKING:
     from unity_link.link.subscription import Sample, Subscription
 
 FRAMES_PER_SECOND = 15
-ASK_EVERY = 1.0
-"""Seconds between questions whether the gateway is still the one that was asked for the samples."""
 
 
 def add_to(app: typer.Typer) -> None:
@@ -134,26 +131,17 @@ class _Writer:
 
 
 async def _follow(
-    link: Link, samples: Subscription, count: int | None, take: Callable[[Sample], None], look: Callable[[], None]
+    samples: Subscription, count: int | None, take: Callable[[Sample], None], look: Callable[[], None]
 ) -> None:
     """Pass the first `count` samples to `take`, or all, and look beside that how things stand."""
     with first_error():
         async with asyncio.TaskGroup() as tasks:
-            beside = [tasks.create_task(_repeat(look)), tasks.create_task(_ask(link))]
+            beside = tasks.create_task(_repeat(look))
             try:
                 async for sample in _first(count, samples):
                     take(sample)
             finally:
-                for task in beside:
-                    task.cancel()
-
-
-async def _ask(link: Link) -> None:
-    """Ask for nothing now and then: a gateway that was reset behind an open line says by itself no more of it."""
-    while True:
-        await asyncio.sleep(ASK_EVERY)
-        with contextlib.suppress(GatewayError, LinkLostError):
-            await link.fence()
+                beside.cancel()
 
 
 async def _repeat(action: Callable[[], None]) -> None:
@@ -192,7 +180,7 @@ async def _show_lines(url: str, link: Link, samples: Subscription, count: int | 
             away = not away
             print_note("the gateway has gone away: it is waited for" if away else "the gateway is back")
 
-    await _follow(link, samples, count, take, look)
+    await _follow(samples, count, take, look)
 
 
 async def _show_live(url: str, link: Link, samples: Subscription, count: int | None, writer: _Writer) -> None:
@@ -201,4 +189,4 @@ async def _show_live(url: str, link: Link, samples: Subscription, count: int | N
 
     view = WatchView(url, link, samples, [address_text(a, link.gateway) for a in samples.schedule.addresses], writer)
     async with full_screen(view.render) as draw:
-        await _follow(link, samples, count, view.take, draw)
+        await _follow(samples, count, view.take, draw)

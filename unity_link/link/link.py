@@ -93,6 +93,8 @@ class Link(Connection):
     def _begin(self, codec: Codec) -> None:
         self._highest_address = (1 << codec.info.address_bits) - 1
         self._highest_word = (1 << codec.info.data_bits) - 1
+        # Where both sides share a pair of wires, each must know when its turn is.
+        self._takes_turns = Feature.HALF_DUPLEX in codec.info.features
         self._publishing.start(codec)
 
     def _ended(self, error: LinkLostError) -> None:
@@ -408,11 +410,6 @@ class Link(Connection):
         except CancelledError:
             posted.cancel()
             raise
-
-    @property
-    def _takes_turns(self) -> bool:
-        """Whether both sides share a pair of wires, so that each must know when its turn is."""
-        return Feature.HALF_DUPLEX in self.gateway.features
 
     async def _post_answered(self, posted: Request | Batch) -> None:
         """Have writes done that are answered, with their error kept as that of posted ones."""

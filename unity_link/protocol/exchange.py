@@ -334,9 +334,17 @@ class Exchange:
     def deadline(self) -> float | None:
         """When `expire` must be called; None while nothing is under way and no group is set up."""
         deadline = self.window.deadline
-        if deadline is None and self._groups.begun:
-            return self.window.idle_since + KEEP_ALIVE
-        return deadline
+        return self._keep_alive_due if deadline is None else deadline
+
+    @property
+    def _keep_alive_due(self) -> float | None:
+        """When the gateway is to be asked whether it still hears its host; None while that is of no concern.
+
+        Samples say neither that it does nor that it was not reset since.
+        """
+        if self.window.oldest != self.window.next or not self._groups.begun:
+            return None
+        return self.window.idle_since + KEEP_ALIVE
 
     def expire(self, now: float, events: Events) -> None:
         """Let time pass: send again what was not answered in time, and confirm what was posted."""
@@ -352,8 +360,8 @@ class Exchange:
             self._repeat()
             self._counters.timeouts += self._counters.repetitions > before
         self._fence(now)
-        if window.oldest == window.next and self._groups.begun and now >= window.idle_since + KEEP_ALIVE:
-            # Samples do not say whether the gateway still hears its host, or was reset since.
+        keep_alive_due = self._keep_alive_due
+        if keep_alive_due is not None and now >= keep_alive_due:
             self._number(Request(self.codec, "H", b"", 0), now)
 
     def _place(self, run: Message) -> int:
