@@ -12,8 +12,8 @@ from unity_link.virtual.bus import AccessError
 if TYPE_CHECKING:
     from unity_link.virtual import BareGateway
 
-QUEUE = 0x20
-"""The address of a `queue_of_writes`."""
+WRITTEN = 0x100
+"""Where writes to a `gateway_of_short_laps` go, behind what is read."""
 
 
 class RecordedBus:
@@ -47,23 +47,9 @@ class RecordedBus:
         self.words[offset] = value
 
 
-class _Queue:
-    """A device that records what is written to it."""
-
-    def __init__(self) -> None:
-        self.written: list[int] = []
-
-    def read(self, offset: int, now: float) -> int:
-        return QUEUE
-
-    def write(self, offset: int, value: int, now: float) -> None:
-        self.written.append(value)
-
-
-def gateway_with_queue() -> tuple[VirtualGateway, list[int]]:
-    """Return a gateway of short laps, each of whose words is its address, and what is written to `QUEUE`, in order."""
-    gateway, queue = VirtualGateway(GatewayInfo(id_digits=2)), _Queue()
-    for address in range(256):
-        gateway.memory[address] = address
-    gateway.attach(queue, [QUEUE])
-    return gateway, queue.written
+def gateway_of_short_laps() -> tuple[VirtualGateway, RecordedBus]:
+    """Return a gateway each of whose first 256 words is its address, and the bus that recorded what was written."""
+    gateway = VirtualGateway(GatewayInfo(id_digits=2, address_bits=16))
+    bus = RecordedBus(gateway, WRITTEN + 1)
+    bus.words |= {address: address for address in range(256)}
+    return gateway, bus

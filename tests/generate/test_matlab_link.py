@@ -387,11 +387,17 @@ class ResetButton:
         self._gateway.reset()
 
 
-def test_a_gateway_that_was_reset_behind_an_open_line_is_a_lost_link_and_a_new_one_goes_on(octave: Octave) -> None:
-    octave.generate(compile_text(FIGURE_1))
+def gateway_with_reset_button() -> ObservedGateway:
+    """Return a gateway that a write to address 254 resets."""
     gateway = ObservedGateway()
     gateway.detach([254])
     gateway.attach(ResetButton(gateway), [254])
+    return gateway
+
+
+def test_a_gateway_that_was_reset_behind_an_open_line_is_a_lost_link_and_a_new_one_goes_on(octave: Octave) -> None:
+    octave.generate(compile_text(FIGURE_1))
+    gateway = gateway_with_reset_button()
     with serve(gateway) as url:
         shown = octave.run(_RESET.format(url=url))
     assert shown["sampled"] == shown["read"] == doubles(7)
@@ -406,10 +412,7 @@ def test_a_gateway_that_was_reset_behind_an_open_line_is_a_lost_link_and_a_new_o
 
 def test_a_program_that_only_takes_samples_learns_of_a_reset(octave: Octave) -> None:
     octave.generate(compile_text(FIGURE_1))
-    gateway = ObservedGateway()
-    gateway.detach([254])
-    gateway.attach(ResetButton(gateway), [254])
-    with serve(gateway) as url:
+    with serve(gateway_with_reset_button()) as url:
         shown = octave.run(f"""\
 link = unity_link.Link('{url}');
 samples = link.subscribe(10, 'rate_hz', 100);

@@ -87,6 +87,7 @@ class SimulatedLoop(asyncio.BaseEventLoop):
         """Return the simulated time in seconds."""
         return self._now
 
+    # Callbacks are kept as `_Planned`, which is all of a `Handle` that asyncio uses, and costs less.
     def call_soon(  # type: ignore[override]
         self, callback: Callable[..., object], *args: Any, context: Context | None = None
     ) -> _Planned:

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 import pytest
 
 import unity_link
-from recorded_bus import QUEUE, gateway_with_queue
+from recorded_bus import WRITTEN, gateway_of_short_laps
 from unity_link import ConnectError, LinkLostError
 from unity_link.errors import Outcome, UnsupportedError
 from unity_link.protocol.configuration import GatewayInfo
@@ -25,8 +25,6 @@ from unity_link.virtual.serving import serve_udp
 
 if TYPE_CHECKING:
     from collections.abc import AsyncIterator
-
-SHORT_LAP = GatewayInfo(id_digits=2)
 
 
 class Recording(Straying[Any]):
@@ -62,7 +60,7 @@ async def recorded(gateway: VirtualGateway) -> AsyncIterator[tuple[str, Recordin
 @pytest.mark.asyncio
 @pytest.mark.parametrize("seed", range(3))
 async def test_over_a_bad_network_all_is_executed_once_in_order_and_answered_right(seed: int) -> None:
-    gateway, written = gateway_with_queue()
+    gateway, bus = gateway_of_short_laps()
     chances = {"loss": 0.02, "late": 0.03, "double": 0.1}
     towards: Straying[Any] = Straying(2 * seed, latest=600, **chances)
     back: Straying[Any] = Straying(2 * seed + 1, latest=600, **chances)
@@ -73,29 +71,29 @@ async def test_over_a_bad_network_all_is_executed_once_in_order_and_answered_rig
         unity_link.connect(relayed, timeout=60) as link,
     ):
         for start in range(300):
-            writes = [link.write(QUEUE, next(numbers)) for _ in range(2)]
+            writes = [link.write(WRITTEN, next(numbers)) for _ in range(2)]
             reads = [link.read((start + place) % 256) for place in range(4)]
             answers = await asyncio.gather(*writes, *reads)
             assert answers[2:] == [(start + place) % 256 for place in range(4)]
         assert link.statistics.repetitions
-    assert written == list(range(600))
+    assert bus.writes == [(WRITTEN, number) for number in range(600)]
 
 
 @pytest.mark.asyncio
 async def test_requests_of_an_earlier_lap_that_come_again_are_not_executed() -> None:
-    gateway, written = gateway_with_queue()
+    gateway, bus = gateway_of_short_laps()
     async with recorded(gateway) as (url, towards, _), unity_link.connect(url) as link:
         for number in range(300):
-            await link.write_queue(QUEUE, [number])
+            await link.write_queue(WRITTEN, [number])
             if number % 50 == 17:
                 towards.replay()
         assert await link.read(0x77) == 0x77
-    assert written == list(range(300))
+    assert bus.writes == [(WRITTEN, number) for number in range(300)]
 
 
 @pytest.mark.asyncio
 async def test_answers_of_an_earlier_lap_that_come_again_are_taken_for_no_other() -> None:
-    async with recorded(gateway_with_queue()[0]) as (url, _, back), unity_link.connect(url) as link:
+    async with recorded(gateway_of_short_laps()[0]) as (url, _, back), unity_link.connect(url) as link:
         for number in range(600):
             address = number * 7 % 256
             if number % 50 == 17:
@@ -106,17 +104,17 @@ async def test_answers_of_an_earlier_lap_that_come_again_are_taken_for_no_other(
 
 @pytest.mark.asyncio
 async def test_datagrams_of_an_earlier_session_that_come_again_are_neither_executed_nor_taken() -> None:
-    gateway, written = gateway_with_queue()
+    gateway, bus = gateway_of_short_laps()
     async with recorded(gateway) as (url, towards, back):
         for session in range(3):
             async with unity_link.connect(url) as link:
                 for number in range(20):
-                    await link.write_queue(QUEUE, [20 * session + number])
+                    await link.write_queue(WRITTEN, [20 * session + number])
                     if number % 5 == 0:
                         towards.replay()
                         back.replay()
                     assert await link.read(number) == number
-    assert written == list(range(60))
+    assert bus.writes == [(WRITTEN, number) for number in range(60)]
 
 
 async def read_all(samples: unity_link.Subscription) -> None:
@@ -159,13 +157,13 @@ async def test_a_first_host_that_reconnects_takes_the_gateway_again() -> None:
 
 @pytest.mark.asyncio
 async def test_a_reset_in_the_middle_of_a_session_loses_the_link_and_executes_nothing_twice() -> None:
-    gateway, written = gateway_with_queue()
+    gateway, bus = gateway_of_short_laps()
     async with serve_udp(gateway) as url:
         link = await unity_link.connect(url)
         for number in range(10):
-            await link.write_queue(QUEUE, [number])
+            await link.write_queue(WRITTEN, [number])
     gateway.reset()
-    writing = asyncio.ensure_future(link.write_queue(QUEUE, [10]))
+    writing = asyncio.ensure_future(link.write_queue(WRITTEN, [10]))
     await asyncio.sleep(0)
     async with serve_udp(gateway, port_of(url)):
         with pytest.raises(LinkLostError, match="the gateway was reset") as caught:
@@ -173,8 +171,8 @@ async def test_a_reset_in_the_middle_of_a_session_loses_the_link_and_executes_no
         assert caught.value.outcome is Outcome.UNKNOWN
         await link.aclose()
         async with unity_link.connect(url) as again:
-            await again.write_queue(QUEUE, [11])
-    assert written == [*range(10), 11]
+            await again.write_queue(WRITTEN, [11])
+    assert bus.writes == [(WRITTEN, number) for number in [*range(10), 11]]
 
 
 @pytest.mark.asyncio

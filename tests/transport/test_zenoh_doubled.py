@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import pytest
 
 import unity_link
-from recorded_bus import QUEUE, gateway_with_queue
+from recorded_bus import WRITTEN, gateway_of_short_laps
 from sharing import ServedGateway
 from unity_link.bridges.zenoh.streams import Streams
 from unity_link.transport.zenoh_session import Network, close_session, open_session
@@ -55,7 +55,7 @@ class Doubling:
 
 @pytest.mark.asyncio
 async def test_publications_that_come_twice_are_neither_executed_twice_nor_taken_for_other_answers() -> None:
-    gateway, written = gateway_with_queue()
+    gateway, bus = gateway_of_short_laps()
     with socket.create_server(("127.0.0.1", 0)) as one, socket.create_server(("127.0.0.1", 0)) as another:
         first, second = (f"tcp/127.0.0.1:{free.getsockname()[1]}" for free in (one, another))
     with session(listen=(first,)) as bridge, session(connect=(first,), listen=(second,)) as other:
@@ -65,9 +65,9 @@ async def test_publications_that_come_twice_are_neither_executed_twice_nor_taken
         doubling = [Doubling(other, f"robot/@link/*/{way}") for way in ("up", "down")]
         async with unity_link.connect(f"zenoh:robot?connect={first},{second}", timeout=20) as link:
             for number in range(400):
-                await link.write_queue(QUEUE, [number])
+                await link.write_queue(WRITTEN, [number])
                 assert await link.read(number % 256) == number % 256
         streams.close()
         await shared.finish()
         assert all(way.again > 1000 for way in doubling)
-    assert written == list(range(400))
+    assert bus.writes == [(WRITTEN, number) for number in range(400)]
