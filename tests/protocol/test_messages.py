@@ -160,7 +160,7 @@ def test_the_word_of_a_numbered_write_is_never_short(body: bytes) -> None:
 @given(codec=ALL_FEATURES, data=st.data(), node=st.sampled_from([None, 0x5A]))
 def test_many_requests_are_written_as_each_alone(codec: Codec, data: st.DataObject, node: int | None) -> None:
     codec = Codec(codec.info, node)
-    count = data.draw(st.integers(1, 20))
+    count = data.draw(st.integers(1, 40))
     first = data.draw(st.integers(0, codec.ring - 1) | st.just(codec.ring - 1))
     width = data.draw(st.integers(1, 12))
     rows = np.frombuffer(

@@ -15,8 +15,9 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from unity_link.errors import UnansweredError, UnsupportedError
+from unity_link.protocol.configuration import Feature
 from unity_link.protocol.constants import KEEP_ALIVE
-from unity_link.protocol.frames import FrameError, OtherNodeError
+from unity_link.protocol.frames import LF, FrameError, OtherNodeError
 from unity_link.protocol.messages import ErrorCode
 from unity_link.protocol.requests import BatchRun, Fence, Request, gateway_error
 
@@ -106,6 +107,8 @@ class Exchange:
         self._open = codec.framing.open
         self._sample = codec.framing.prefix + b"P"
         """What samples begin with, which say nothing about requests."""
+        # An empty frame, so that damage to the end of the last one is found; where sides take turns, that one is alone.
+        self._repetition_end = b"" if Feature.HALF_DUPLEX in codec.info.features else LF
         self._batching = False
         """Whether answers to many requests may be under way."""
 
@@ -177,7 +180,7 @@ class Exchange:
         """Send unanswered requests again; an ``h`` in place of those that are not wanted any more."""
         if self.blocked:
             return
-        codec = self.codec
+        codec, repeated = self.codec, False
         for number, run, offset, count in self.window.repetition():
             self._counters.repetitions += count
             if run.unwanted():
@@ -186,6 +189,9 @@ class Exchange:
             else:
                 frames = run.encode(offset, count)
             self._send(frames)
+            repeated = True
+        if repeated:
+            self._send(self._repetition_end)
 
     # Responses
 
@@ -273,7 +279,7 @@ class Exchange:
             self._counters.damaged += 1
             if not line.startswith(self._sample):
                 self.window.heard = True
-                self.window.damaged(now)
+                self.window.answer_damaged(now)
             return
         if len(body) < 2:
             self._counters.stray += 1

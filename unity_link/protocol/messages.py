@@ -72,6 +72,8 @@ COMMANDS: dict[str, Command] = {
 }
 WITHOUT_ID = frozenset({"Q", "K"})
 LISTS = {"D": "d", "A": "a"}
+_FEWEST_ROWS = 20
+"""Frames that are worth a turn of numpy."""
 
 
 class ErrorCode(enum.IntEnum):
@@ -189,6 +191,13 @@ class Codec:
             fields: hex digits of the fields, shape (n, width).
         """
         count = len(fields)
+        if count < _FEWEST_ROWS:
+            # A turn of numpy costs as much as so many frames.
+            numbers = range(first, first + count)
+            return b"".join(
+                self.request(command, number & self.ring - 1, row.tobytes())
+                for number, row in zip(numbers, fields, strict=True)
+            )
         head = np.frombuffer(self.framing.prefix + self.lower[command], np.uint8)
         ids = self._id_rows.take(np.arange(first, first + count), axis=0, mode="wrap")
         covered = np.concatenate((np.broadcast_to(head, (count, len(head))), ids, fields), axis=1)

@@ -17,29 +17,33 @@ expects next, so the whole state of both sides fits on that ring. The host keeps
 What comes in, and what the window does:
 
     ==============================  ==========================================================================
-    response to an unanswered ID    answered; `executed` moves behind it; if `oldest` stays before `executed`
-                                    then an answer was lost: go back
+    response to an unanswered ID    answered; `executed` moves behind it; what was sent before it and is not answered
+                                    was lost: where the gateway has executed all that, send it again; else go back
     response to any other ID        stale, the answer to a repetition: nothing
-    ``n i``                         `executed` moves to i; go back
+    ``n i``                         `executed` moves to i; go back, unless it was beyond i already
     ``X01`` ``X07`` ``X09``         a request arrived damaged: go back
-    a frame with a wrong CRC        an answer arrived damaged, perhaps: go back
     ``X02`` ``X03``                 the same, and the third time for the same request: give that one up
+    a frame with a wrong CRC        an answer arrived damaged, perhaps: send the oldest again
     time out, something was heard   go back, with twice the time out; after too many for the same request: give that
                                     one up; after as many for the ``h`` in its place: lost
     time out, nothing was heard     go back, with twice the time out; after `LONGEST_SILENCE`: lost
     ==============================  ==========================================================================
 
-*Go back* means: send the unanswered requests again, in order, from `oldest`. While the line loses, fewer requests are
-kept in flight, because one damaged frame costs all those sent behind it: half as many, and at most twice as many as
-came through since the loss before. The repetition, too, sends only as many at a time, and new requests follow behind
-its end. What is answered does not count, so that new requests follow also where the oldest alone is sent again: where
-the end of a lone frame is damaged, only what follows it can show that.
+*Go back* means: send the unanswered requests again, in order, from `oldest`. One damaged request costs all those sent
+behind it. So where it goes back, fewer are kept in flight: half as many, and at most twice as many as came through
+since it went back before; some answers later it is one more. The repetition, too, sends only as many at a time, and new
+requests follow behind its end. What is answered does not count, so that new requests follow also where the oldest alone
+is sent again.
 
-A gap brings many signs (the damaged frame, the out-of-sequence one behind it, the skipped answer). So after it has gone
-back, the window takes no further sign as long as `oldest` has not moved and a sign must still be about what was sent
-before: for the least round trip seen, and twice as long each time. A later sign says that the repetition was lost, too.
-What brings no sign at all, the time out finds. Where no flow control protects the gateway's receive FIFO, only the time
-out sends the same once more: what waits in the FIFO must have left it.
+A damaged answer costs nothing but itself. Both directions keep the order, and the window knows in which order requests
+were sent, repetitions among them. So a response says which others will not come any more.
+
+A gap brings many signs (the damaged request, the out-of-sequence one behind it). So after it has gone back, the window
+takes no further sign as long as neither `oldest` nor `executed` has moved and a sign must still be about what was sent
+before: for the least round trip seen, and twice as long each time; the first few, for a usual round trip at most. A
+later sign says that the repetition was lost, too. What brings no sign at all, the time out finds. Where no flow control
+protects the gateway's receive FIFO, only the time out sends the same once more: what waits in the FIFO must have left
+it.
 
 Something was *heard* if it can be about a request; samples are not. A request that is given up, or that is not wanted
 any more, keeps its ID, for those behind it build on it; when it is sent again, it is sent as ``h``.
@@ -51,11 +55,13 @@ by any progress after a sign of loss.
 
 from __future__ import annotations
 
+import math
 from itertools import chain
 from typing import TYPE_CHECKING, Generic, NamedTuple, TypeVar
 
 from unity_link.errors import Outcome
 from unity_link.protocol.constants import (
+    ANSWERS_FOR_ONE_MORE,
     FENCE_DELAY,
     FEWEST_IN_FLIGHT,
     FEWEST_SILENT_TRIES,
@@ -80,11 +86,13 @@ class Run:
     A single request is a run of one. A run of many lets a batch be numbered, sent and answered in one step.
     """
 
-    __slots__ = ("count", "first", "posted", "reply_size", "size")
+    __slots__ = ("count", "first", "posted", "reply_size", "sending", "size")
 
     def __init__(self, count: int, size: int, reply_size: int) -> None:
         self.first = 0
         """The first ID, given by the window."""
+        self.sending = 0
+        """Place of the first request among all that were sent, given by the window."""
         self.count = count
         """Number of requests."""
         self.size = size
@@ -129,17 +137,25 @@ class Window(Generic[R]):
         shortest_timeout: float = SHORTEST_TIMEOUT,
         most: int | None = None,
     ) -> None:
-        self._mask = ring - 1
-        self._half = ring // 2
+        self._mask, self._half = ring - 1, ring // 2
         self._most = self._half if most is None else most
         self._byte_limit = byte_limit
         self._byte_time = self._reply_byte_time = byte_time
         self._slots: list[R | None] = [None] * ring
         self.oldest = self.executed = self.next = first
-        self._to_repeat = first
-        """The next ID that is to be sent again; `next` where none is."""
+        self._to_repeat = self._repeat_end = first
+        """The IDs that are to be sent again: from one mark on and before the other; none where they are equal."""
+        self._sent = 0
+        """Number of requests sent, repetitions counted as well."""
+        self._sendings: dict[int, int] = {}
+        """Places, among all that were sent, of requests that were sent again, by ID; what is before that of the run is
+        of an earlier lap."""
+        self._ambiguous_until: dict[int, float] = {}
+        """Until when an answer may be to an earlier sending of a request that was sent again, by ID."""
+        self._repeat_ambiguous_until = 0.0
+        """The same of what is to be sent again."""
         self._allowed = self._most
-        self._allowed_after_loss = 0
+        self._allowed_after_loss = self._came = 0
         self._bytes = 0
         self.unfenced = 0
         """Posted writes that nothing with an answer was sent behind."""
@@ -154,12 +170,11 @@ class Window(Generic[R]):
         self._shortest_timeout = shortest_timeout if byte_limit is None else SHORTEST_TIMEOUT
         self._least_round_trip = 0.0 if round_trip is None else round_trip
         self._measured_timeout = self._timeout = FIRST_TIMEOUT
-        self._sent_once_from = first
-        """The first ID that was not under way when the window last went back."""
-        self._since = 0.0
-        self._silent_since = 0.0
-        self._silent_tries = 0
-        self._tries = 0
+        # The first IDs: behind all that were sent again, behind the last that was sent again for a damaged answer, and
+        # what the gateway expected when the window last went back.
+        self._sent_once_from = self._asked_to = self._gap = first
+        self._since = self._silent_since = 0.0
+        self._tries = self._silent_tries = self._refusals = 0
         self.heard = False
         """Something that can be about a request has arrived since the last time out, be it damaged: set by the reader.
         """
@@ -169,9 +184,7 @@ class Window(Generic[R]):
         """Whether it went back last because the time had run out."""
         self._next_sign = float("-inf")
         """When a sign can be about the repetition."""
-        self._refused = False
-        self._refusals = 0
-        self._gave_up = False
+        self._refused = self._gave_up = False
         self.lost = False
         """The gateway does not answer any more: too many time outs in silence, or not even an ``h`` comes through."""
         if round_trip is not None:
@@ -192,7 +205,7 @@ class Window(Generic[R]):
     @property
     def wants_repetition(self) -> bool:
         """Whether the window has gone back, and not all was sent again yet: call `repetition` when something came."""
-        return self._to_repeat != self.next
+        return self._to_repeat != self._repeat_end
 
     def most_room(self, size: int) -> int:
         """Return for how many requests of `size` characters there is room while nothing is under way."""
@@ -203,7 +216,7 @@ class Window(Generic[R]):
 
         Posted writes leave room for the ``h`` that will confirm them.
         """
-        if self._to_repeat != self.next:
+        if self._to_repeat != self._repeat_end:
             return 0
         ids = min(self._allowed - self._outstanding, self._half - self.in_flight)
         # A window of one has no room for both.
@@ -218,6 +231,8 @@ class Window(Generic[R]):
         """Assign IDs to a run that is now sent. The caller has seen that there is room (an ``h`` needs none)."""
         first, count = self.next, run.count
         run.first = first
+        run.sending = self._sent
+        self._sent += count
         after = first + count & self._mask
         if count == 1:
             self._slots[first] = run
@@ -237,11 +252,11 @@ class Window(Generic[R]):
                 self._timed_bytes = (self._bytes, run.reply_size)
         if self.oldest == first:
             self._since = self._silent_since = now
-        self.next = self._to_repeat = after
+        self.next = after
 
     def needs_fence(self, now: float) -> bool:
         """Return whether posted writes have waited long enough, or are many enough, to be confirmed by an ``h``."""
-        if not self.unfenced or self._to_repeat != self.next:
+        if not self.unfenced or self._to_repeat != self._repeat_end:
             return False
         if self._byte_limit is not None and 4 * self._unfenced_bytes >= self._byte_limit:
             return True
@@ -249,16 +264,16 @@ class Window(Generic[R]):
 
     def repetition(self) -> Iterator[tuple[int, R, int, int]]:
         """Return what is to be sent again now, in order: ID, run, offset in the run, count."""
-        room = max(self._allowed, self._posted_first() + 1) - self._open(self.oldest, self._to_repeat)
-        for run, offset, size in self._parts(self._to_repeat, self.next):
-            number, count = run.first + offset & self._mask, max(0, min(size, room))
+        least = self._open(self.oldest, self._behind_next_with_answer(self.oldest))
+        room = max(self._allowed, least) - self._open(self.oldest, self._to_repeat)
+        for run, offset, count in self._parts(self._to_repeat, self._repeat_end, room):
+            number = run.first + offset & self._mask
+            self._note_repetition(number, count)
             self._to_repeat = number + count & self._mask
-            if count:
-                yield number, run, offset, count
+            yield number, run, offset, count
             room -= count
-            if count < size:
-                return
-        self._to_repeat = self.next
+        if not self._open(self._to_repeat, self._repeat_end):
+            self._to_repeat = self._repeat_end
 
     def unanswered(self, refused: int | None = None) -> Iterator[Unanswered[R]]:
         """Return all that is not done, in order.
@@ -296,24 +311,20 @@ class Window(Generic[R]):
         between = slots[first:last] if first <= last else slots[first:] + slots[:last]
         return len(between) - between.count(None)
 
-    def _posted_first(self) -> int:
-        """Return how many posted writes, which nothing answers, come before the oldest request with an answer."""
-        posted, position = 0, self.oldest
-        while position != self.next and ((run := self._slots[position]) is None or run.posted):
-            posted += run is not None
-            position = position + 1 & self._mask
-        return posted
-
-    def _parts(self, position: int, last: int) -> Iterator[tuple[R, int, int]]:
-        """Return the runs that wait for answers between two IDs: run, offset in the run, count."""
-        while position != last:
-            run = self._slots[position]
-            count = 1
-            while (position + count & self._mask) != last and self._slots[position + count & self._mask] is run:
-                count += 1
-            if run is not None:
-                yield run, position - run.first & self._mask, count
-            position = position + count & self._mask
+    def _parts(self, position: int, last: int, most: int | None = None) -> Iterator[tuple[R, int, int]]:
+        """Return the runs that wait for answers between two IDs, of `most` requests: run, offset in the run, count."""
+        slots, mask = self._slots, self._mask
+        room = len(slots) if most is None else most
+        while position != last and room > 0:
+            run = slots[position]
+            if run is None:
+                position = position + 1 & mask
+                continue
+            first, offset = position, position - run.first & mask
+            while position != last and slots[position] is run and room > 0:
+                position = position + 1 & mask
+                room -= 1
+            yield run, offset, position - first & mask
 
     # Receiving
 
@@ -341,12 +352,15 @@ class Window(Generic[R]):
             self._reply_byte_time = min(self._reply_byte_time, round_trip / self._timed_bytes[1])
             self._timed = None
             self._next_measurement = now + MEASUREMENT_PAUSE
+        told = self._sendings or number != self.oldest
+        sending = self._answered_sending(run, number + count - 1 & self._mask, now) if told else 0
         if count == 1:
             self._slots[number] = None
         else:
             self._fill(number, count, None)
         if self._allowed < self._most:
-            self._allowed = min(self._most, self._allowed + count)
+            self._came += count
+            self._allowed = min(self._most, self._allowed_after_loss + self._came // ANSWERS_FOR_ONE_MORE)
         if self._timeout != self._measured_timeout and (number - self._sent_once_from & self._mask) <= self._half:
             self._timeout = self._measured_timeout
         after = number + count & self._mask
@@ -354,17 +368,16 @@ class Window(Generic[R]):
             self._bytes -= run.size * count
             self.oldest = self.executed = after
             self._moved(now)
+            if told:
+                self._find_lost(sending, now)
             return
         if self._distance(after) > self._distance(self.executed):
             if self._distance(number) > self._distance(self.executed):
                 self._confirm(number)
             self._bytes -= run.size * (after - self.executed & self._mask)
             self.executed = after
-        overtook = number != self.oldest
         self._news(now)
-        # The answer to the oldest says nothing of those behind it, which were perhaps sent again together with it.
-        if overtook and self.oldest != self.executed:
-            self._go_back(now)
+        self._find_lost(sending, now)
 
     def out_of_sequence(self, expected: int, now: float) -> None:
         """Record ``n``: the gateway expects this ID, so a request has been lost."""
@@ -373,11 +386,36 @@ class Window(Generic[R]):
         if self._distance(expected) > self._distance(self.executed):
             self._confirm(expected)
             self._news(now)
-        self._go_back(now)
+        run = self._slots[expected]
+        if expected == self.executed and run is not None:
+            # Nothing behind a request that was lost is executed before that was sent again.
+            sent_once = self._sending(run, expected) == self._first_sending(run, expected)
+            self._go_back(now, ambiguous_until=now if sent_once else math.inf)
 
     def damaged(self, now: float) -> None:
-        """Go back for ``X01``, ``X07`` or ``X09``, where a request arrived damaged, or for a damaged answer."""
-        self._go_back(now)
+        """Record ``X01``, ``X07`` or ``X09``: a request arrived damaged."""
+        if self.oldest == self.executed:
+            self._go_back(now)
+        else:
+            # Perhaps the repetition of one of which the answer was lost; of another, ``n`` will tell.
+            self.answer_damaged(now)
+
+    def answer_damaged(self, now: float) -> None:
+        """Record that something arrived damaged: perhaps the answer to the oldest, or to the next if it came before."""
+        if self._gone_back and now < self._next_sign:
+            return
+        asked = self._distance(self._asked_to)
+        if not 0 < asked <= self.in_flight:
+            self._asked_to = self.oldest
+        elif now >= self._next_sign:
+            self._go_back(now)
+            return
+        start = self._asked_to
+        end = self._asked_to = self._behind_next_with_answer(start)
+        if start != end and not self._is_to_be_repeated(start):
+            self._next_sign = now + self._least_round_trip
+            self._waited = False
+            self._repeat(start, end, now, self._next_sign)
 
     def refused(self, now: float) -> R | None:
         """Record ``X02`` or ``X03``: give the run whose request is given up, if this was once too often."""
@@ -395,7 +433,7 @@ class Window(Generic[R]):
     @property
     def deadline(self) -> float | None:
         """When `expire` must be called, or a fence is due; None while nothing is under way."""
-        repeating = self._to_repeat != self.next
+        repeating = self._to_repeat != self._repeat_end
         if self.unfenced == self.in_flight and not repeating:
             # Posted writes alone have no answer to wait for: their fence will.
             return self._fence_due
@@ -472,8 +510,10 @@ class Window(Generic[R]):
         if not self._waited:
             # What the window went back for was a sign, so the answer is not a late one to what was sent before.
             self._timeout = self._measured_timeout
-        if self._to_repeat != self.next and self._distance(self._to_repeat) > self._distance(self.next):
+        if self._to_repeat != self._repeat_end and self._distance(self._to_repeat) > self.in_flight:
             self._to_repeat = self.oldest
+            if self._distance(self._repeat_end) > self.in_flight:
+                self._repeat_end = self.oldest
 
     def _give_up(self) -> R | None:
         given_up = self._slots[self.oldest]
@@ -484,30 +524,99 @@ class Window(Generic[R]):
         self._gave_up = True
         return given_up
 
-    def _go_back(self, now: float) -> None:
+    def _go_back(self, now: float, ambiguous_until: float = math.inf) -> None:
         """Go back for a sign of loss, unless it may be one of the loss before."""
-        begun = self._to_repeat != self.oldest
-        if self.oldest != self.next and begun and (not self._gone_back or now >= self._next_sign):
+        begun = self._to_repeat != self.oldest or self._repeat_end != self.next
+        known = self._gone_back and self.executed == self._gap and now < self._next_sign
+        if self.oldest != self.next and begun and not known:
             self._waited = False
-            self._repeat_from_oldest(now)
+            self._repeat_from_oldest(now, ambiguous_until)
 
-    def _repeat_from_oldest(self, now: float) -> None:
-        least = (
-            self._least_round_trip if self._gone_back < MOST_QUICK_SIGNS else max(self._least_round_trip, SLOWER_SIGNS)
-        )
-        pause = min(least * 2**self._gone_back, LONGEST_TIMEOUT)
+    def _first_sending(self, run: R, number: int) -> int:
+        """Return the place of a request among all that were sent, as it was sent first."""
+        return run.sending + (number - run.first & self._mask)
+
+    def _sending(self, run: R, number: int) -> int:
+        """Return the same, as it was sent last."""
+        return max(self._first_sending(run, number), self._sendings.get(number, 0))
+
+    def _answered_sending(self, run: R, number: int, now: float) -> int:
+        """Return the same, as it was sent when it was answered now, or before."""
+        ambiguous = now < self._ambiguous_until.get(number, now)
+        return self._first_sending(run, number) if ambiguous else self._sending(run, number)
+
+    def _note_repetition(self, number: int, count: int) -> None:
+        numbers = [number + place & self._mask for place in range(count)]
+        self._sendings.update(zip(numbers, range(self._sent, self._sent + count), strict=True))
+        self._sent += count
+        self._ambiguous_until.update(dict.fromkeys(numbers, self._repeat_ambiguous_until))
+
+    def _find_lost(self, sending: int, now: float) -> None:
+        """Send again what was sent before a request that is answered now, and is not: it or its answer was lost.
+
+        Where the gateway has executed it, only the answer was lost, and what is behind it is on its way.
+        """
+        if self._sent_once == self.oldest:
+            self._sendings.clear()
+            self._ambiguous_until.clear()
+        if not self._is_lost(self.oldest, sending):
+            return
+        self._waited = False
+        if self._is_lost(self.executed, sending):
+            self._repeat_from_oldest(now, now)
+            return
+        end = self.oldest
+        while end != self.executed and (self._slots[end] is None or self._is_lost(end, sending)):
+            end = end + 1 & self._mask
+        self._repeat(self.oldest, end, now, now)
+
+    def _is_lost(self, number: int, sending: int) -> bool:
+        """Return whether a request waits for its answer, and was sent before another that was answered."""
+        run = self._slots[number]
+        return run is not None and self._sending(run, number) < sending and not self._is_to_be_repeated(number)
+
+    def _is_to_be_repeated(self, number: int) -> bool:
+        return number - self._to_repeat & self._mask < self._repeat_end - self._to_repeat & self._mask
+
+    def _behind_next_with_answer(self, position: int) -> int:
+        """Return the ID behind the next request that has an answer; that of the next where all are posted writes."""
+        while position != self.next:
+            run = self._slots[position]
+            position = position + 1 & self._mask
+            if run is not None and not run.posted:
+                break
+        return position
+
+    def _repeat_from_oldest(self, now: float, ambiguous_until: float = math.inf) -> None:
+        if self._gone_back < MOST_QUICK_SIGNS:
+            pause = min(self._least_round_trip * 2**self._gone_back, self.smoothed_round_trip or 0.0)
+        else:
+            pause = min(max(self._least_round_trip, SLOWER_SIGNS) * 2**self._gone_back, LONGEST_TIMEOUT)
         # What waits in a receive FIFO that can overflow must have left it before the same is sent once more.
         self._next_sign = now + (pause if self._byte_limit is None else LONGEST_TIMEOUT)
         # Beyond this the pause is the longest anyway.
         self._gone_back = min(self._gone_back + 1, MOST_QUICK_SIGNS * 2)
         self._refused = False
+        if self._allowed < self._most:
+            self._allowed = min(self._allowed, 4 * self._came)
+        self._allowed = self._allowed_after_loss = max(self._allowed // 2, min(FEWEST_IN_FLIGHT, self._most))
+        self._came = 0
+        self._gap = self.executed
+        self._repeat(self.oldest, self.next, now, ambiguous_until)
+
+    def _repeat(self, start: int, end: int, now: float, ambiguous_until: float) -> None:
+        """Have all sent again that waits for its answer from one ID on and before another, besides what is to be."""
+        if self._to_repeat == self._repeat_end:
+            self._to_repeat, self._repeat_end = start, end
+            self._repeat_ambiguous_until = ambiguous_until
+        else:
+            self._to_repeat = min(self._to_repeat, start, key=self._distance)
+            self._repeat_end = max(self._repeat_end, end, key=self._distance)
+            whole = (start, end) == (self._to_repeat, self._repeat_end)
+            self._repeat_ambiguous_until = ambiguous_until if whole else math.inf
+        if self._distance(end) > self._distance(self._sent_once):
+            self._sent_once_from = end
         self._timed = None
-        # Each answer has let one more be in flight, so this is twice what came through since the loss before.
-        came = 2 * (self._allowed - self._allowed_after_loss)
-        self._allowed = max(min(self._allowed // 2, came), min(FEWEST_IN_FLIGHT, self._most))
-        self._allowed_after_loss = self._allowed
-        self._to_repeat = self.oldest
-        self._sent_once_from = self.next
         self._since = now
 
     def _measure(self, round_trip: float) -> None:
