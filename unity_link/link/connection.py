@@ -80,6 +80,8 @@ class Connection:
         self._stream: Stream | None = None
         self._timer: asyncio.TimerHandle | None = None
         self._timer_at = 0.0
+        self._flushing = False
+        """Whether what the session has to send is sent at the end of this turn of the event loop."""
         self._opened: asyncio.Future[None] = self._loop.create_future()
         """Done when the connection that is being opened is of use, or is known not to be."""
         self._opening = False
@@ -92,9 +94,9 @@ class Connection:
         self._bytes_before = (0, 0)
         self._closed = self._closed_by_program = False
         self._handlers: dict[type, Callable[[Any], None]] = {
-            Request: _settle,
-            Fence: _settle,
-            Batch: _settle,
+            Request: settle,
+            Fence: settle,
+            Batch: settle,
             Opened: self._session_opened,
             Interrupted: self._gateway_was_reset,
             Unusable: self._connection_failed,
@@ -136,7 +138,8 @@ class Connection:
         events = session.submit(source, self._now())
         if events:
             self._handle(events)
-        self._send()
+        if session.output and not self._flushing:
+            self._send()
         if self._timer is None or not isinstance(source, Request) or source.posted:
             self._set_timer()
 
@@ -154,7 +157,8 @@ class Connection:
         """Do what follows from a call of the session."""
         if events:
             self._handle(events)
-        self._send()
+        if self._session.output and not self._flushing:
+            self._send()
         self._set_timer()
 
     def _handle(self, events: Events) -> None:
@@ -164,12 +168,17 @@ class Connection:
 
     def _send(self) -> None:
         """Send what the session has to: a lone request at once, all else together with what follows in this turn."""
+        if self._session.in_flight == 1:
+            self._flush()
+        else:
+            self._flushing = True
+            self._loop.call_soon(self._flush)
+
+    def _flush(self) -> None:
+        self._flushing = False
         data = self._session.take_output()
         if data and self._stream is not None:
-            if self._session.in_flight == 1:
-                self._stream.send(data)
-            else:
-                self._stream.send_soon(data)
+            self._stream.send(data)
 
     def _set_timer(self) -> None:
         """Have `_tick` called by the session's deadline; a timer that comes too early sets itself again."""
@@ -194,10 +203,12 @@ class Connection:
     def receive(self, data: bytes) -> int:
         """Take what has arrived."""
         now = self._now()
-        events = self._session.receive(data, now)
+        session = self._session
+        events = session.receive(data, now)
         if events:
             self._handle(events)
-        self._send()
+        if session.output and not self._flushing:
+            self._send()
         if self._timer is None or self._timer_at - now > _LATE:
             self._set_timer()
         return len(data)
@@ -403,7 +414,7 @@ class Connection:
             await stream.close()
 
 
-def _settle(request: Request | Batch) -> None:
+def settle(request: Request | Batch) -> None:
     """Set the result or the error of the future that a call awaits."""
     waiter = request.owner
     if waiter is None or waiter.done():

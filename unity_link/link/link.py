@@ -22,7 +22,7 @@ from unity_link.errors import (
     UnityLinkError,
     UnsupportedError,
 )
-from unity_link.link.connection import Connection, Reconnect
+from unity_link.link.connection import Connection, Reconnect, settle
 from unity_link.link.subscription import Overflow, Publishing, Sample, Schedule, Subscription, check_addresses
 from unity_link.protocol.configuration import Feature
 from unity_link.protocol.messages import Codec, GroupFlag, Words
@@ -147,9 +147,11 @@ class Link(Connection):
 
     async def read(self, address: int) -> int:
         """Read the word at `address`."""
-        self._check_address(address)
+        # Also a number that is no `int`, as numpy's, may be right.
+        if type(address) is not int or not 0 <= address <= self._highest_address:
+            self._check_address(address)
         codec = self._codec
-        request = Request(codec, "R", codec.fields("R", address), codec.info.data_digits)
+        request = Request(codec, "R", codec.fields("R", address), codec.data_digits)
         # As `_answer` would: this is the most frequent call.
         request.owner = waiter = self._loop.create_future()
         self._submit(request)
@@ -401,10 +403,12 @@ class Link(Connection):
 
     async def _post(self, posted: Request | Batch) -> None:
         """Have posted writes sent; what has found room at once is not waited for."""
-        posted.owner = waiter = self._loop.create_future()
         self._submit(posted)
-        if posted.sent == posted.count or waiter.done():
+        if posted.sent == posted.count:
             return
+        posted.owner = waiter = self._loop.create_future()
+        if posted.done:
+            settle(posted)
         try:
             await waiter
         except CancelledError:

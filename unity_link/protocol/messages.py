@@ -145,6 +145,7 @@ class Codec:
 
     def __init__(self, info: GatewayInfo, node: int | None = None) -> None:
         self.info = info
+        self.data_digits = info.data_digits
         self.framing = Framing(Crc(info.crc_bits, info.crc_polynomial), node)
         self.ring: int = 16**info.id_digits
         """Number of IDs."""

@@ -88,7 +88,8 @@ class Session:
         self._resumes = resumes
         self._now = 0.0
         self._rest = b""
-        self._out: list[bytes] = []
+        self.output: list[bytes] = []
+        """What is to be sent; `take_output` returns it."""
         self._waiting: deque[Source] = deque()
         self._codec: Codec | None = None
         self._groups: GroupTable | None = None
@@ -137,9 +138,7 @@ class Session:
 
     def take_output(self) -> bytes:
         """Return the bytes to send, which are forgotten here."""
-        out = self._out
-        if not out:
-            return b""
+        out = self.output
         data = out[0] if len(out) == 1 else b"".join(out)
         out.clear()
         return data
@@ -160,12 +159,12 @@ class Session:
         self._shortest_timeout = shortest_timeout
         self._blocked = False
         self._rest = b""
-        self._out.clear()
+        self.output.clear()
         self._begin(now, again=self.epoch >= 0)
 
     def _begin(self, now: float, *, again: bool) -> None:
         self._handshake = Handshake(self._node, self._choose(), now, again=again)
-        self._out.append(self._handshake.take_output())
+        self.output.append(self._handshake.take_output())
 
     def disconnect(self, reason: str) -> Events:
         """End what the connection carried: it is closed, or about to be.
@@ -294,25 +293,28 @@ class Session:
         self._now = now
         if self._rest:
             data = self._rest + data
+            self._rest = b""
         while data:
-            taken = self._receive(data, now, events)
+            exchange = self._exchange
+            if exchange is None:
+                taken = self._receive_first(data, now, events)
+            else:
+                taken = exchange.receive(data, now, events)
+                if exchange.refused is not None:
+                    self._gateway_was_reset(now, events)
+            if taken == len(data):
+                break
             data = data[taken:]
             if not taken:
+                # Noise without a line end is no frame; what is kept of it must not grow.
+                self._rest = data if len(data) <= LONGEST_FRAME else b""
                 break
-        # Noise without a line end is no frame; what is kept of it must not grow.
-        self._rest = data if len(data) <= LONGEST_FRAME else b""
         if self._exchange is not None:
             self._exchange.go_on(now, events)
         return events
 
-    def _receive(self, data: bytes, now: float, events: Events) -> int:
-        """Hand bytes to what is expecting them; return how many were taken."""
-        exchange = self._exchange
-        if exchange is not None:
-            taken = exchange.receive(data, now, events)
-            if exchange.refused is not None:
-                self._gateway_was_reset(now, events)
-            return taken
+    def _receive_first(self, data: bytes, now: float, events: Events) -> int:
+        """Hand bytes to the handshake, if there is one; return how many were taken."""
         if self._handshake is None:
             return len(data)
         try:
@@ -370,7 +372,7 @@ class Session:
         assert handshake is not None
         question = handshake.take_output()
         if question:
-            self._out.append(question)
+            self.output.append(question)
         if handshake.found_reset:
             handshake.found_reset = False
             events.append(Interrupted(GatewayResetError(RESET)))
@@ -401,7 +403,7 @@ class Session:
         )
         self.epoch += 1
         self._exchange = Exchange(
-            self._codec, window, self._waiting, self._groups, self.counters, self._out, blocked=self._blocked
+            self._codec, window, self._waiting, self._groups, self.counters, self.output, blocked=self._blocked
         )
         events.append(Opened(info))
         self._exchange.admit(now, events)

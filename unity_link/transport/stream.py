@@ -1,7 +1,7 @@
 """Layer 1, stream: what stands between a driver's transport and the messages.
 
-It hands on what arrives in whole reads, keeps the beginning of a frame until its end has come, and collects what is
-sent in one turn of the event loop into one write. It never looks into a frame.
+It hands on what arrives in whole reads, keeps the beginning of a frame until its end has come, and holds back what is
+sent while the transport takes no bytes. It never looks into a frame.
 """
 
 from __future__ import annotations
@@ -39,32 +39,22 @@ class Stream(asyncio.Protocol):
         self.bytes_received = 0
         self.bytes_sent = 0
         self.closed = False
-        self._loop = asyncio.get_running_loop()
         self._transport: asyncio.Transport | None = None
-        self._ended: asyncio.Future[None] = self._loop.create_future()
+        self._ended: asyncio.Future[None] = asyncio.get_running_loop().create_future()
         self._rest = b""
-        self._out: list[bytes] = []
-        self._flushing = False
+        self._held_back: list[bytes] = []
         self.paused = False
         """Whether the transport has asked for no more bytes: what is sent now is held back here."""
 
     # Called by users of the stream
 
     def send(self, data: bytes) -> None:
-        """Send at once; for a frame that nothing is under way before."""
-        transport = self._transport
-        if self._out or self.paused or transport is None or self.closed:
-            self.send_soon(data)
-        else:
+        """Send as soon as the transport takes bytes; what is sent when the connection has ended is dropped."""
+        if self.paused:
+            self._held_back.append(data)
+        elif self._transport is not None and not self.closed:
             self.bytes_sent += len(data)
-            transport.write(data)
-
-    def send_soon(self, data: bytes) -> None:
-        """Send together with all else that is sent in this turn of the event loop."""
-        self._out.append(data)
-        if not self._flushing and not self.paused:
-            self._flushing = True
-            self._loop.call_soon(self._flush)
+            self._transport.write(data)
 
     @property
     def shortest_timeout(self) -> float:
@@ -92,15 +82,6 @@ class Stream(asyncio.Protocol):
         if choose is not None and not self.closed:
             await choose(mode)
 
-    def _flush(self) -> None:
-        self._flushing = False
-        if self._out and not self.paused:
-            data = b"".join(self._out)
-            self._out.clear()
-            if self._transport is not None and not self.closed:
-                self.bytes_sent += len(data)
-                self._transport.write(data)
-
     # Called by the transport
 
     def connection_made(self, transport: asyncio.BaseTransport) -> None:
@@ -111,14 +92,15 @@ class Stream(asyncio.Protocol):
     def data_received(self, data: bytes) -> None:
         """Hand on a whole read."""
         self.bytes_received += len(data)
-        if self.receiver is None:
-            self._rest = b""
-            return
         if self._rest:
             data = self._rest + data
-        rest = data[self.receiver.receive(data) :]
+            self._rest = b""
+        if self.receiver is None:
+            return
+        taken = self.receiver.receive(data)
         # Noise without a line end is no frame; what is kept of it must not grow.
-        self._rest = rest if len(rest) <= LONGEST_FRAME else b""
+        if 0 < len(data) - taken <= LONGEST_FRAME:
+            self._rest = data[taken:]
 
     def pause_writing(self) -> None:
         """Hold back what is sent from now on."""
@@ -129,14 +111,17 @@ class Stream(asyncio.Protocol):
     def resume_writing(self) -> None:
         """Send what was held back."""
         self.paused = False
-        self._flush()
+        held_back = b"".join(self._held_back)
+        self._held_back.clear()
+        if held_back:
+            self.send(held_back)
         if self.on_pause is not None:
             self.on_pause()
 
     def connection_lost(self, exc: Exception | None) -> None:
         """Tell the receiver."""
         self.closed = True
-        self._out.clear()
+        self._held_back.clear()
         if not self._ended.done():
             self._ended.set_result(None)
         if self.receiver is not None:
