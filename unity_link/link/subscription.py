@@ -42,6 +42,8 @@ if TYPE_CHECKING:
 
 Overflow = Literal["drop_oldest", "fail"]
 NOT_OPEN = "the subscription is not open: write `async with ...subscribe(...) as samples:`, or `with` in blocking code"
+_ROWS_TOGETHER = 64
+"""Samples whose words lie in one array: so many stay in memory where one of them is kept."""
 _HEAD = 5
 """Characters before the fields of a publish: the letter, the group and the sequence."""
 _TIMESTAMP_DIGITS = 8
@@ -317,7 +319,8 @@ class Subscription:
         return self
 
     async def __anext__(self) -> Sample:
-        await self._wait()
+        if not self._buffer:
+            await self._wait()
         return self._next()
 
     async def take(self) -> list[Sample]:
@@ -431,8 +434,8 @@ class Subscription:
         self._sampled_at = instants[-1]
         self._keep_all(
             [
-                Sample(first + offset, instant, arrived, words.copy(), 0 if offset else lost, epoch)
-                for offset, (instant, words) in enumerate(zip(instants, values, strict=True))
+                Sample(first + offset, instant, arrived, words, 0 if offset else lost, epoch)
+                for offset, (instant, words) in enumerate(zip(instants, _apart(values), strict=True))
             ]
         )
 
@@ -510,6 +513,12 @@ class Subscription:
     def _wake(self) -> None:
         if self._waiter is not None and not self._waiter.done():
             self._waiter.set_result(None)
+
+
+def _apart(values: Words) -> list[Words]:
+    """Return the rows of an array, of which no more than a few stay in memory together."""
+    starts = range(0, len(values), _ROWS_TOGETHER)
+    return [row for start in starts for row in values[start : start + _ROWS_TOGETHER].copy()]
 
 
 _COUNTED = GroupFlag.PERIODIC | GroupFlag.TRIGGER | GroupFlag.ON_CHANGE

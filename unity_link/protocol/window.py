@@ -185,6 +185,8 @@ class Window(Generic[R]):
         self._next_sign = float("-inf")
         """When a sign can be about the repetition."""
         self._refused = self._gave_up = False
+        self._troubled = False
+        """Whether there is something that `_moved` has to begin anew."""
         self.lost = False
         """The gateway does not answer any more: too many time outs in silence, or not even an ``h`` comes through."""
         if round_trip is not None:
@@ -218,7 +220,9 @@ class Window(Generic[R]):
         """
         if self._to_repeat != self._repeat_end:
             return 0
-        ids = min(self._allowed - self._outstanding, self._half - self.in_flight)
+        in_flight = self.next - self.oldest & self._mask
+        outstanding = in_flight if self.oldest == self.executed else self._outstanding
+        ids = min(self._allowed - outstanding, self._half - in_flight)
         # A window of one has no room for both.
         ids -= posted and self._most > 1
         if self._byte_limit is not None:
@@ -234,10 +238,7 @@ class Window(Generic[R]):
         run.sending = self._sent
         self._sent += count
         after = first + count & self._mask
-        if count == 1:
-            self._slots[first] = run
-        else:
-            self._fill(first, count, run)
+        self._fill(first, count, run)
         self._bytes += run.size * count
         if run.posted:
             if not self.unfenced:
@@ -251,7 +252,7 @@ class Window(Generic[R]):
                 self._timed = (first, now)
                 self._timed_bytes = (self._bytes, run.reply_size)
         if self.oldest == first:
-            self._since = self._silent_since = now
+            self._since = now
         self.next = after
 
     def needs_fence(self, now: float) -> bool:
@@ -354,10 +355,7 @@ class Window(Generic[R]):
             self._next_measurement = now + MEASUREMENT_PAUSE
         told = self._sendings or number != self.oldest
         sending = self._answered_sending(run, number + count - 1 & self._mask, now) if told else 0
-        if count == 1:
-            self._slots[number] = None
-        else:
-            self._fill(number, count, None)
+        self._fill(number, count, None)
         if self._allowed < self._most:
             self._came += count
             self._allowed = min(self._most, self._allowed_after_loss + self._came // ANSWERS_FOR_ONE_MORE)
@@ -367,7 +365,9 @@ class Window(Generic[R]):
         if number == self.oldest == self.executed:
             self._bytes -= run.size * count
             self.oldest = self.executed = after
-            self._moved(now)
+            self._since = now
+            if self._troubled:
+                self._moved(now)
             if told:
                 self._find_lost(sending, now)
             return
@@ -421,7 +421,7 @@ class Window(Generic[R]):
         """Record ``X02`` or ``X03``: give the run whose request is given up, if this was once too often."""
         given_up = None
         if self.oldest != self.next and self.oldest == self.executed and not self._refused:
-            self._refused = True
+            self._refused = self._troubled = True
             self._refusals += 1
             if self._refusals == MOST_REFUSALS:
                 given_up = self._give_up()
@@ -453,15 +453,17 @@ class Window(Generic[R]):
             return None
         given_up = None
         self._tries += 1
+        self._troubled = True
         # Also where something was heard: it may be the beginning of a long answer on a slow line.
         self._timeout = min(2 * self._timeout, LONGEST_TIMEOUT)
         if self.heard:
             self._silent_tries = 0
-            self._silent_since = now
             if self._tries > MOST_TRIES:
                 self.lost = self._gave_up
                 given_up = self._give_up()
         else:
+            if not self._silent_tries:
+                self._silent_since = self._since
             self._silent_tries += 1
             self.lost = self._silent_tries >= FEWEST_SILENT_TRIES and now - self._silent_since >= LONGEST_SILENCE
         self.heard = False
@@ -475,6 +477,9 @@ class Window(Generic[R]):
         return number - self.oldest & self._mask
 
     def _fill(self, first: int, count: int, run: R | None) -> None:
+        if count == 1:
+            self._slots[first] = run
+            return
         before_wrap = min(count, self._mask + 1 - first)
         self._slots[first : first + before_wrap] = [run] * before_wrap
         self._slots[: count - before_wrap] = [run] * (count - before_wrap)
@@ -500,13 +505,13 @@ class Window(Generic[R]):
             self.oldest = position
             self._moved(now)
         self._tries = self._silent_tries = 0
-        self._since = self._silent_since = now
+        self._since = now
 
     def _moved(self, now: float) -> None:
         """Begin anew with another `oldest`."""
         self._refused = self._gave_up = False
         self._gone_back = self._refusals = self._tries = self._silent_tries = 0
-        self._since = self._silent_since = now
+        self._since = now
         if not self._waited:
             # What the window went back for was a sign, so the answer is not a late one to what was sent before.
             self._timeout = self._measured_timeout
@@ -514,6 +519,7 @@ class Window(Generic[R]):
             self._to_repeat = self.oldest
             if self._distance(self._repeat_end) > self.in_flight:
                 self._repeat_end = self.oldest
+        self._troubled = self._to_repeat != self._repeat_end
 
     def _give_up(self) -> R | None:
         given_up = self._slots[self.oldest]
@@ -521,7 +527,7 @@ class Window(Generic[R]):
             # What it is sent as from now on, an ``h``, has an answer.
             given_up.posted = False
         self._tries = self._refusals = self._gone_back = 0
-        self._gave_up = True
+        self._gave_up = self._troubled = True
         return given_up
 
     def _go_back(self, now: float, ambiguous_until: float = math.inf) -> None:
@@ -617,6 +623,7 @@ class Window(Generic[R]):
         if self._distance(end) > self._distance(self._sent_once):
             self._sent_once_from = end
         self._timed = None
+        self._troubled = True
         self._since = now
 
     def _measure(self, round_trip: float) -> None:
