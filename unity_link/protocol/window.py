@@ -353,8 +353,9 @@ class Window(Generic[R]):
             self._reply_byte_time = min(self._reply_byte_time, round_trip / self._timed_bytes[1])
             self._timed = None
             self._next_measurement = now + MEASUREMENT_PAUSE
-        told = self._sendings or number != self.oldest
-        sending = self._answered_sending(run, number + count - 1 & self._mask, now) if told else 0
+        # Without repetitions, the answer to the oldest says nothing of the others.
+        tells = self._sendings or number != self.oldest
+        sending = self._answered_sending(run, number + count - 1 & self._mask, now) if tells else 0
         self._fill(number, count, None)
         if self._allowed < self._most:
             self._came += count
@@ -368,7 +369,7 @@ class Window(Generic[R]):
             self._since = now
             if self._troubled:
                 self._moved(now)
-            if told:
+            if tells:
                 self._find_lost(sending, now)
             return
         if self._distance(after) > self._distance(self.executed):
@@ -539,15 +540,15 @@ class Window(Generic[R]):
             self._repeat_from_oldest(now, ambiguous_until)
 
     def _first_sending(self, run: R, number: int) -> int:
-        """Return the place of a request among all that were sent, as it was sent first."""
+        """Return the place of the first sending of a request among all sendings."""
         return run.sending + (number - run.first & self._mask)
 
     def _sending(self, run: R, number: int) -> int:
-        """Return the same, as it was sent last."""
+        """Return the place of the last sending of a request."""
         return max(self._first_sending(run, number), self._sendings.get(number, 0))
 
     def _answered_sending(self, run: R, number: int, now: float) -> int:
-        """Return the same, as it was sent when it was answered now, or before."""
+        """Return the place of the sending that is answered now, or of an earlier one where that is not known."""
         ambiguous = now < self._ambiguous_until.get(number, now)
         return self._first_sending(run, number) if ambiguous else self._sending(run, number)
 
