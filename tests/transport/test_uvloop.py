@@ -29,13 +29,14 @@ def run(coroutine: Coroutine[object, object, None]) -> None:
         runner.run(coroutine)
 
 
-@pytest.fixture(params=["tcp", "unix", "serial"])
+@pytest.fixture(params=["tcp", "unix", "serial", "serial?library=pyserial-asyncio"])
 def url(request: pytest.FixtureRequest, tmp_path: Path) -> Iterator[str]:
     """Serve a gateway by another process."""
-    command = [sys.executable, str(SERVER), request.param, str(tmp_path / "gateway"), "0"]
+    medium, mark, options = request.param.partition("?")
+    command = [sys.executable, str(SERVER), medium, str(tmp_path / "gateway"), "0"]
     with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as process:
         assert process.stdout is not None
-        yield process.stdout.readline().strip()
+        yield process.stdout.readline().strip() + mark + options
         process.kill()
 
 
