@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import argparse
+import os
 from contextlib import ExitStack
+from importlib.util import find_spec
 from pathlib import Path
 
 from rich.console import Console
@@ -24,7 +26,11 @@ def main() -> None:
     parser.add_argument("--rounds", type=int, default=RUNS, help="how often each contender runs")
     parser.add_argument("--quick", action="store_true", help="a round of little work, to try it; writes nothing")
     arguments = parser.parse_args()
+    missing = [name for name in ("litex", "pymodbus", "uhal") if find_spec(name) is None]
+    if missing:
+        parser.error(f"{', '.join(missing)} cannot be imported here: `make bench-peers` installs what it needs")
     rounds, size = (1, QUICK) if arguments.quick else (arguments.rounds, Size())
+    seen_on = f"{machine()}, with a load of {os.getloadavg()[0]:.1f} before the run"
     console = Console()
     finishes: list[Finish] = []
     for medium in (on_pty, on_udp, on_tcp):
@@ -36,7 +42,7 @@ def main() -> None:
                     beside = "" if finish.ratio is None else f", {finish.ratio:.2f} times as quick as {finish.beside}"
                     console.print(f"{finish.medium}, {finish.question}, {finish.contender}: {finish.figure}{beside}")
     if not arguments.quick:
-        PAGE.write_text(report.replaced(PAGE.read_text(), report.text(finishes, machine(), rounds, PICTURE)))
+        PAGE.write_text(report.replaced(PAGE.read_text(), report.text(finishes, seen_on, rounds, PICTURE)))
         report.draw(finishes, DOCS / PICTURE)
 
 
