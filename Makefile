@@ -10,7 +10,10 @@ BIN := $(VENV)/bin
 # `make demo` needs the package alone; everything else the whole tool box.
 CORE := $(VENV)/.core-installed
 ALL := $(VENV)/.all-installed
-PIP_INSTALL := $(BIN)/python -m pip install --quiet --disable-pip-version-check
+# What Unity-Link is measured beside has an environment of its own: nothing else is to depend on it.
+PEERS_VENV := $(VENV)/peers
+PEERS := $(PEERS_VENV)/.installed
+PIP_INSTALL := -m pip install --quiet --disable-pip-version-check
 
 # Python to build .venv with: any from 3.11. Choose another by `make venv PYTHON=...`.
 PYTHON ?=
@@ -19,7 +22,7 @@ PYTEST_ARGS ?=
 # Tests run in so many processes side by side; 0 for none beside pytest's own.
 PYTEST_PROCESSES ?= auto
 
-.PHONY: help venv demo test coverage campaign lint format bench bench-beside bench-noise bench-ros bench-live table1 docs lock upgrade clean
+.PHONY: help venv demo test coverage campaign lint format bench bench-peers bench-beside bench-noise bench-ros bench-live table1 docs lock upgrade clean
 
 help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z0-9-]+:.*## / { printf "  make %-12s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
@@ -53,8 +56,11 @@ format: $(ALL) ## put the Python sources into the project's form
 	@$(BIN)/ruff format .
 	@$(BIN)/ruff check --fix .
 
-bench: $(ALL) ## measure, and write benchmarks/RESULTS.md
+bench: $(ALL) bench-peers ## measure, beside peers too, and write benchmarks/RESULTS.md
 	@$(BIN)/python -m benchmarks
+
+bench-peers: $(PEERS) ## measure Unity-Link beside its peers, and write docs/performance.md
+	@$(PEERS_VENV)/bin/python -m benchmarks.peers
 
 # The revision that `make bench-beside` compares with.
 REVISION ?= a3abcb1
@@ -84,6 +90,8 @@ lock: $(ALL) ## lock what pyproject.toml asks for, keeping the versions that are
 	$(UV_LOCK) $(UPGRADE) --group build -o requirements/core.lock
 	$(UV_LOCK) $(UPGRADE) --constraints requirements/core.lock --all-extras \
 		--group build --group dev --group docs --group gateware -o requirements/all.lock
+	$(UV_LOCK) $(UPGRADE) --constraints requirements/all.lock --extra plot \
+		--group build --group peers -o requirements/peers.lock
 
 upgrade: UPGRADE := --upgrade
 upgrade: lock ## lock the newest versions
@@ -105,18 +113,23 @@ $(BIN)/python:
 
 # Without build isolation, so that the build back end is a locked one as well.
 define install
-	@echo "Installing $(1) into $(VENV)"
-	@$(PIP_INSTALL) --require-hashes --requirement $(1)
-	@$(PIP_INSTALL) --no-deps --no-build-isolation --editable .
+	@echo "Installing $(1) into $(2)"
+	@$(2)/bin/python $(PIP_INSTALL) --require-hashes --requirement $(1)
+	@$(2)/bin/python $(PIP_INSTALL) --no-deps --no-build-isolation --editable .
 endef
 
 $(CORE): requirements/core.lock pyproject.toml | $(BIN)/python
-	$(call install,requirements/core.lock)
+	$(call install,requirements/core.lock,$(VENV))
 	@touch $@
 
 $(ALL): requirements/all.lock pyproject.toml | $(BIN)/python
-	$(call install,requirements/all.lock)
+	$(call install,requirements/all.lock,$(VENV))
 	@touch $@ $(CORE)
+
+$(PEERS): requirements/peers.lock pyproject.toml | $(BIN)/python
+	@$(BIN)/python -m venv $(PEERS_VENV)
+	$(call install,requirements/peers.lock,$(PEERS_VENV))
+	@touch $@
 
 # The gateware's targets; it also adds its own checks to `lint` and `test`.
 -include gateware/gateware.mk

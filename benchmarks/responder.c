@@ -4,17 +4,25 @@
  * and the group commands on plain memory. It trusts its wire: no session, no sequence rules, no errors.
  * A running group publishes as fast as the wire takes it, without timestamps.
  *
- * usage: responder FD CONFIGURATION     (an open pseudo-terminal or socket; the answer to Q, by which it sends)
+ * usage: responder FD CONFIGURATION     (the answer to Q, by which it sends)
+ *
+ * FD is an open pseudo-terminal or stream socket, a listening one, which serves one host after the other, or one of
+ * datagrams. Of these it trusts that none is late.
  */
+#define _GNU_SOURCE
 #include <errno.h>
 #include <poll.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <netinet/in.h>
+#include <netinet/tcp.h>
+#include <sys/socket.h>
+#include <sys/uio.h>
 #include <unistd.h>
 
-enum { DATA = 8, MOST = 1 << 16, WORDS = 1 << 16, PUBLISHES = 256 };
+enum { DATA = 8, MOST = 1 << 16, WORDS = 1 << 16, PUBLISHES = 256, DATAGRAM = 1400, HEADER = 32 };
 
 static uint32_t crc_table[256];
 static uint32_t memory[WORDS];
@@ -24,6 +32,10 @@ static const char *configuration;
 static int fd, id_digits, address_digits, crc_bits;
 static int running, words, group, sequence;
 static uint16_t addresses[256];
+static int datagrams, asked, asked_plainly;
+static uint32_t session, offer = 1, sent_datagrams;
+static struct sockaddr_storage host;
+static socklen_t host_length;
 
 static const char digit[] = "0123456789ABCDEF";
 
@@ -36,19 +48,6 @@ static void make_table(uint32_t polynomial)
             crc = crc & 0x80000000u ? crc << 1 ^ polynomial : crc << 1;
         crc_table[byte] = crc;
     }
-}
-
-static void flush(void)
-{
-    size_t sent = 0;
-    while (sent < out_length) {
-        ssize_t n = write(fd, out + sent, out_length - sent);
-        if (n < 0 && errno != EINTR)
-            exit(0);
-        if (n > 0)
-            sent += (size_t)n;
-    }
-    out_length = 0;
 }
 
 static void put_hex(uint32_t value, int digits)
@@ -70,6 +69,54 @@ static void end_frame(size_t start)
         crc = crc_table[crc >> 24 ^ (uint8_t)out[i]] ^ crc << 8;
     put_hex(crc >> (32 - crc_bits), crc_bits / 4);
     out[out_length++] = '\n';
+}
+
+/* The header of a datagram is made behind the frames. What answers a question is outside the count. */
+static void send_datagram(const char *frames, size_t length)
+{
+    size_t start = out_length;
+    put("U", 1);
+    put_hex(asked ? offer : session, 8);
+    put_hex(asked ? 0 : ++sent_datagrams, 8);
+    if (asked_plainly)
+        put("\r\n", 2);
+    else
+        end_frame(start);
+    struct iovec parts[] = {{out + start, out_length - start}, {(void *)frames, length}};
+    struct msghdr message = {.msg_name = &host, .msg_namelen = host_length, .msg_iov = parts, .msg_iovlen = 2};
+    sendmsg(fd, &message, 0);
+    out_length = start;
+}
+
+static void send_datagrams(void)
+{
+    const char *end = out + out_length, *from = out, *to = out;
+    while (to < end) {
+        const char *next = (const char *)memchr(to, '\n', (size_t)(end - to)) + 1;
+        if (to > from && next - from > DATAGRAM - HEADER) {
+            send_datagram(from, (size_t)(to - from));
+            from = to;
+        }
+        to = next;
+    }
+    if (to > from)
+        send_datagram(from, (size_t)(to - from));
+}
+
+/* Where the other end has gone, reading finds the end. */
+static void flush(void)
+{
+    size_t sent = 0;
+    if (datagrams)
+        send_datagrams();
+    while (!datagrams && sent < out_length) {
+        ssize_t n = write(fd, out + sent, out_length - sent);
+        if (n < 0 && errno != EINTR)
+            break;
+        if (n > 0)
+            sent += (size_t)n;
+    }
+    out_length = 0;
 }
 
 static uint32_t get_hex(const char *text, int digits)
@@ -149,17 +196,36 @@ static void publish(void)
     }
 }
 
-int main(int argc, char **argv)
+/* Read; of a datagram the frames behind its header. A K behind a header opens the session. */
+static ssize_t receive(char *in, size_t room)
+{
+    if (!datagrams)
+        return read(fd, in, room);
+    host_length = sizeof host;
+    ssize_t n = recvfrom(fd, in, room, 0, (struct sockaddr *)&host, &host_length);
+    char *frames = n > 0 && in[0] == 'U' ? memchr(in, '\n', (size_t)n) : NULL;
+    asked = frames == NULL;
+    asked_plainly = asked && n > 0 && in[n - 1] == '\r';
+    if (asked)
+        return n;
+    frames++;
+    n -= frames - in;
+    if (n > 0 && *frames == 'K') {
+        session = get_hex(in + 1, 8);
+        offer = session + 1;
+        sent_datagrams = 0;
+    }
+    memmove(in, frames, (size_t)n);
+    return n;
+}
+
+/* Answer until the other end goes. */
+static void serve(void)
 {
     static char in[MOST];
     size_t held = 0;
 
-    if (argc != 3)
-        return 2;
-    fd = atoi(argv[1]);
-    configure(argv[2]);
-    for (uint32_t i = 0; i < WORDS; i++)
-        memory[i] = i * 0x01010101u;
+    running = 0;
     for (;;) {
         struct pollfd ready = {fd, POLLIN, 0};
         if (running) {
@@ -167,12 +233,12 @@ int main(int argc, char **argv)
             flush();
         }
         if (poll(&ready, 1, running ? 0 : -1) < 0 && errno != EINTR)
-            return 0;
+            return;
         if (!(ready.revents & (POLLIN | POLLHUP | POLLERR)))
             continue;
-        ssize_t n = read(fd, in + held, sizeof in - held);
+        ssize_t n = receive(in + held, sizeof in - held);
         if (n <= 0)
-            return 0;
+            return;
         held += (size_t)n;
         char *frame = in;
         for (char *at = in; at < in + held; at++)
@@ -186,5 +252,32 @@ int main(int argc, char **argv)
         held -= (size_t)(frame - in);
         memmove(in, frame, held);
         flush();
+    }
+}
+
+static int option(int descriptor, int name)
+{
+    int value = 0;
+    socklen_t size = sizeof value;
+    return getsockopt(descriptor, SOL_SOCKET, name, &value, &size) < 0 ? 0 : value;
+}
+
+int main(int argc, char **argv)
+{
+    if (argc != 3)
+        return 2;
+    int given = fd = atoi(argv[1]), at_once = 1;
+    configure(argv[2]);
+    for (uint32_t i = 0; i < WORDS; i++)
+        memory[i] = i * 0x01010101u;
+    datagrams = option(given, SO_TYPE) == SOCK_DGRAM;
+    if (!option(given, SO_ACCEPTCONN)) {
+        serve();
+        return 0;
+    }
+    while ((fd = accept(given, NULL, NULL)) >= 0) {
+        setsockopt(fd, IPPROTO_TCP, TCP_NODELAY, &at_once, sizeof at_once);
+        serve();
+        close(fd);
     }
 }

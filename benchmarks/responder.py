@@ -5,10 +5,11 @@ from __future__ import annotations
 import asyncio
 import os
 import shutil
+import socket
 import subprocess
 import tempfile
 import tty
-from contextlib import contextmanager
+from contextlib import ExitStack, contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -19,6 +20,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterator
 
 SOURCE = Path(__file__).with_name("responder.c")
+LOOPBACK = "127.0.0.1"
 GATEWAY = GatewayInfo(features=Feature.GROUPS | Feature.FLOW_CONTROL, receive_fifo_bytes=4096, transmit_fifo_bytes=4096)
 """What the responder usually is."""
 
@@ -31,31 +33,66 @@ def exchange(info: GatewayInfo, command: str, *values: Any, reads: Any = None) -
 
 
 @contextmanager
-def responder(info: GatewayInfo = GATEWAY) -> Iterator[str]:
-    """Run the responder in another process behind a pseudo-terminal, and return the path of ours.
+def serving(source: Path, medium: str, *arguments: str) -> Iterator[str]:
+    """Compile a program, run it at the end of a medium, and return the other end.
 
     Args:
-        info: what it answers to ``Q``, of words of 32 bits and addresses of at most 16.
+        source: of a program in C, whose first argument is the descriptor of its end.
+        medium: ``pty``, the other end is the path of a pseudo-terminal; or ``tcp`` or ``udp``, it is a port.
+        arguments: further ones.
 
     Raises:
         FileNotFoundError: where there is no C compiler.
     """
     compiler = shutil.which("cc") or shutil.which("gcc") or shutil.which("clang")
     if compiler is None:
-        raise FileNotFoundError("the benchmarks need a C compiler for their responder: apt install gcc")
-    with tempfile.TemporaryDirectory() as directory:
-        program = Path(directory) / "responder"
-        subprocess.run([compiler, "-O2", "-Wall", "-Wextra", "-o", program, SOURCE], check=True)
-        theirs, ours = os.openpty()
-        tty.setraw(ours)
-        arguments = [str(program), str(theirs), info.to_hex().decode()]
-        with subprocess.Popen(arguments, pass_fds=[theirs]) as process:
-            os.close(theirs)
-            try:
-                yield os.ttyname(ours)
-            finally:
-                process.kill()
-                os.close(ours)
+        raise FileNotFoundError("the benchmarks need a C compiler for their responders: apt install gcc")
+    with ExitStack() as stack:
+        program = Path(stack.enter_context(tempfile.TemporaryDirectory())) / source.stem
+        subprocess.run([compiler, "-O2", "-Wall", "-Wextra", "-Werror", "-o", program, source], check=True)
+        theirs, name = _PLACES[medium](stack)
+        process = subprocess.Popen([str(program), str(theirs), *arguments], pass_fds=[theirs])
+        stack.enter_context(process)
+        stack.callback(process.kill)
+        yield name
+
+
+def _terminal(stack: ExitStack) -> tuple[int, str]:
+    theirs, ours = os.openpty()
+    # Their end stays open here as well, so that a host may come before the program.
+    stack.callback(os.close, theirs)
+    stack.callback(os.close, ours)
+    tty.setraw(ours)
+    return theirs, os.ttyname(ours)
+
+
+def _listener(stack: ExitStack) -> tuple[int, str]:
+    server = stack.enter_context(socket.create_server((LOOPBACK, 0)))
+    return server.fileno(), str(server.getsockname()[1])
+
+
+def _datagrams(stack: ExitStack) -> tuple[int, str]:
+    server = stack.enter_context(socket.socket(socket.AF_INET, socket.SOCK_DGRAM))
+    server.bind((LOOPBACK, 0))
+    return server.fileno(), str(server.getsockname()[1])
+
+
+_PLACES = {"pty": _terminal, "tcp": _listener, "udp": _datagrams}
+
+
+@contextmanager
+def responder(info: GatewayInfo = GATEWAY, medium: str = "pty") -> Iterator[str]:
+    """Run the responder in another process, and return the other end of its medium, as `serving` does.
+
+    Args:
+        info: what it answers to ``Q``, of words of 32 bits and addresses of at most 16.
+        medium: ``pty``, ``tcp`` or ``udp``.
+
+    Raises:
+        FileNotFoundError: where there is no C compiler.
+    """
+    with serving(SOURCE, medium, info.to_hex().decode()) as end:
+        yield end
 
 
 class BareLoop:

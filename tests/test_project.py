@@ -56,6 +56,16 @@ def test_the_versions_of_both_lock_files_agree() -> None:
     assert core <= whole
 
 
+def test_peers_are_measured_with_the_versions_that_everything_else_is_locked_to() -> None:
+    whole, peers = (
+        re.findall(r"^(\S+)==(\S+)", (ROOT / "requirements" / f"{name}.lock").read_text(), re.MULTILINE)
+        for name in ("all", "peers")
+    )
+    shared = {name for name, _ in whole} & {name for name, _ in peers}
+    assert "numpy" in shared
+    assert {pin for pin in peers if pin[0] in shared} <= set(whole)
+
+
 def test_no_tracked_file_names_a_machine_or_a_registry() -> None:
     places = re.compile(rb"(?<![\w.~}])/(root|work|home/\w+|tmp/\w+|opt/\w+)/|pythonhosted|index-url *=")
     found = {

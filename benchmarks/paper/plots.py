@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from benchmarks.paper.stacks import StackName
 
 BURSTS, PUBLISHING = "figure3.png", "figure4.png"
-_DOTS_PER_INCH = 150
+DOTS_PER_INCH = 150
 # Okabe and Ito's colours, which people with any colour vision can tell apart.
 _COLOURS: dict[SendImmediate, str] = {"off": "#0072B2", "always": "#D55E00", "adaptive": "#009E73"}
 _PAPER, _LINE, _GREY = "#CC79A7", "#444444", "#888888"
@@ -23,7 +23,7 @@ _STYLES: dict[StackName, dict[str, Any]] = {
     "full stack": {"linestyle": "-", "marker": "o", "markersize": 4.5},
     "low-level": {"linestyle": (0, (4, 2)), "marker": "s", "markersize": 3.5, "alpha": 0.85},
 }
-_STYLE: dict[Any, Any] = {
+STYLE: dict[Any, Any] = {
     "font.family": "sans-serif",
     "font.size": 10,
     "axes.titlesize": 12,
@@ -54,13 +54,13 @@ def draw(results: Results, folder: Path) -> list[Path]:
             "plots need matplotlib, which is not installed: pip install 'unity-link[plot]'"
         ) from error
     files = []
-    with mpl.rc_context(_STYLE):
+    with mpl.rc_context(STYLE):
         for name, picture in ((BURSTS, _draw_bursts), (PUBLISHING, _draw_publishing)):
             figure = Figure(figsize=(11, 5) if picture is _draw_bursts else (8, 5.2), layout="constrained")
             picture(figure, results)
             files.append(folder / name)
             # No date and no version: the same figures give the same file.
-            figure.savefig(files[-1], dpi=_DOTS_PER_INCH, metadata={"Software": None})
+            figure.savefig(files[-1], dpi=DOTS_PER_INCH, metadata={"Software": None})
     return files
 
 

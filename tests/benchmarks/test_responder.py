@@ -9,7 +9,7 @@ import msgspec
 import pytest
 
 import unity_link
-from benchmarks.responder import GATEWAY, exchange, responder
+from benchmarks.responder import GATEWAY, LOOPBACK, exchange, responder
 
 pytestmark = pytest.mark.skipif(
     not any(shutil.which(name) for name in ("cc", "gcc", "clang")), reason="no C compiler: apt install gcc"
@@ -21,20 +21,34 @@ WIDTHS = [
 ]
 
 
+async def work(url: str, info: unity_link.GatewayInfo) -> None:
+    async with unity_link.connect(url, timeout=60) as link:
+        assert link.gateway == info
+        assert await link.read(0x0B) == 0x0B0B0B0B
+        await link.write_block(0x10, [1, 2, 3])
+        assert (await link.read_many([0x11, 0x12, 0x13])).tolist() == [2, 3, 0x13131313]
+        assert (await link.read_block(0, 256)).tolist()[0x12:] == [3, *(n * 0x01010101 for n in range(0x13, 256))]
+        async with link.subscribe([0x10, 0x11], divisor=1, timestamps=False) as samples:
+            assert (await anext(samples)).values.tolist() == [1, 2]
+        assert link.statistics.damaged_frames == 0
+
+
 @pytest.mark.parametrize("info", WIDTHS, ids=["usual", "short", "long"])
 def test_it_answers_a_link_with_the_widths_it_was_told(info: unity_link.GatewayInfo) -> None:
-    async def work(path: str) -> None:
-        async with unity_link.connect(f"serial:{path}", timeout=60) as link:
-            assert link.gateway == info
-            assert await link.read(0x0B) == 0x0B0B0B0B
-            await link.write_block(0x10, [1, 2, 3])
-            assert (await link.read_many([0x11, 0x12, 0x13])).tolist() == [2, 3, 0x13131313]
-            async with link.subscribe([0x10, 0x11], divisor=1, timestamps=False) as samples:
-                assert (await anext(samples)).values.tolist() == [1, 2]
-            assert link.statistics.damaged_frames == 0
-
     with responder(info) as path:
-        asyncio.run(work(path))
+        asyncio.run(work(f"serial:{path}", info))
+
+
+@pytest.mark.parametrize("medium", ["tcp", "udp"])
+def test_it_answers_one_link_after_the_other_over_a_network(medium: str) -> None:
+    with responder(medium=medium) as port:
+        asyncio.run(work(f"{medium}://{LOOPBACK}:{port}", GATEWAY))
+        asyncio.run(read_once_more(f"{medium}://{LOOPBACK}:{port}"))
+
+
+async def read_once_more(url: str) -> None:
+    async with unity_link.connect(url, timeout=60) as link:
+        assert await link.read(0x11) == 2
 
 
 @pytest.mark.parametrize("info", WIDTHS, ids=["usual", "short", "long"])

@@ -1,8 +1,9 @@
 """The gateways that the tests of the link run on, each by its id.
 
 `make_gateway` has every kind: `sim`, the model; `rtl`, the compiled gateware; and the model behind a virtual FT232H,
-reached by the driver of a scheme in `SCHEMES`; `serve`, the model through a server that shares it; and `zenoh`, the
-same over a network. `make_bare` has those that can live on simulated time, on which no thread of a driver can.
+reached by the driver of a scheme in `SCHEMES`; `serve`, the model through a server that shares it; `zenoh`, the
+same over a network; and `pipes`, the model over a medium of the user's own. `make_bare` has those that can live on
+simulated time, on which neither a thread of a driver can nor another process.
 """
 
 from __future__ import annotations
@@ -15,6 +16,7 @@ import pytest_asyncio
 
 import unity_link
 from makers import RTL, Maker, compiled, simulated, with_failing
+from over_pipes import connect_through_pipes
 from over_zenoh import zenoh_network
 from sharing import connect_through_server
 from unity_link.transport import load_driver, parse_url
@@ -71,7 +73,7 @@ def make_direct(request: pytest.FixtureRequest) -> Maker:
     return MAKERS[request.param]
 
 
-@pytest.fixture(params=["sim", "serve", "zenoh", RTL, *SCHEMES])
+@pytest.fixture(params=["sim", "serve", "zenoh", "pipes", RTL, *SCHEMES])
 def make_gateway(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> Iterator[Maker]:
     """Make gateways of each kind in turn, and have links to them go the way of the kind."""
     with ExitStack() as stack:
@@ -87,6 +89,8 @@ def make_gateway(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch
             monkeypatch.setattr(WAY, connect_through_chip)
         if request.param == "serve":
             monkeypatch.setattr(WAY, connect_through_server)
+        if request.param == "pipes":
+            monkeypatch.setattr(WAY, connect_through_pipes)
         if request.param == "zenoh":
             monkeypatch.setattr(WAY, stack.enter_context(zenoh_network()))
         yield MAKERS.get(request.param, simulated)

@@ -19,7 +19,10 @@ import pytest
 
 import unity_link
 from unity_link import ArgumentError, ConnectError, LinkLostError
+from unity_link.protocol.constants import QUICK_TIMEOUT
 from unity_link.transport import load_driver, parse_url
+from unity_link.transport.serial import _transport_class
+from unity_link.transport.stream import Stream
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.serving import serve_pty, serve_tcp, serve_unix
 
@@ -27,7 +30,9 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
 
 SERVER = Path(__file__).with_name("serve.py")
-STREAMS = ["serial", "tcp", "unix"]
+PORTS = ["serial", "pyserial-asyncio"]
+"""Serial ports, by the default library and by the other one."""
+STREAMS = [*PORTS, "tcp", "unix"]
 MEDIA = [*STREAMS, "udp"]
 
 
@@ -37,13 +42,19 @@ def serve(tmp_path: Path) -> Iterator[Callable[..., tuple[str, subprocess.Popen[
     with contextlib.ExitStack() as stack:
 
         def start(medium: str, loss: float = 0.0) -> tuple[str, subprocess.Popen[str]]:
-            command = [sys.executable, str(SERVER), medium, str(tmp_path / "gateway"), str(loss)]
+            served = "serial" if medium in PORTS else medium
+            command = [sys.executable, str(SERVER), served, str(tmp_path / "gateway"), str(loss)]
             process = stack.enter_context(subprocess.Popen(command, stdout=subprocess.PIPE, text=True))
             stack.callback(process.kill)
             assert process.stdout is not None
-            return process.stdout.readline().strip(), process
+            return by_library(process.stdout.readline().strip(), medium), process
 
         yield start
+
+
+def by_library(url: str, medium: str) -> str:
+    """Return the URL of a port for one of `PORTS`, any other as it is."""
+    return f"{url}?library={medium}" if medium in PORTS[1:] else url
 
 
 async def hold(url: str) -> None:
@@ -53,8 +64,10 @@ async def hold(url: str) -> None:
 
 @pytest.mark.asyncio
 @pytest.mark.parametrize("turns", range(12))
-async def test_a_port_is_free_again_when_a_connection_to_it_was_cancelled(turns: int) -> None:
-    async with serve_pty(VirtualGateway()) as url:
+@pytest.mark.parametrize("library", PORTS)
+async def test_a_port_is_free_again_when_a_connection_to_it_was_cancelled(library: str, turns: int) -> None:
+    async with serve_pty(VirtualGateway()) as served:
+        url = by_library(served, library)
         opening = asyncio.create_task(hold(url))
         for _ in range(turns):
             await asyncio.sleep(0)
@@ -130,7 +143,7 @@ async def read_all(samples: unity_link.Subscription) -> None:
 
 def serving(medium: str, gateway: VirtualGateway, folder: Path) -> contextlib.AbstractAsyncContextManager[str]:
     """Serve a gateway in this process."""
-    if medium == "serial":
+    if medium in PORTS:
         return serve_pty(gateway)
     return serve_tcp(gateway) if medium == "tcp" else serve_unix(gateway, folder / "gateway")
 
@@ -139,7 +152,8 @@ def serving(medium: str, gateway: VirtualGateway, folder: Path) -> contextlib.Ab
 @pytest.mark.parametrize("medium", STREAMS)
 async def test_a_link_may_be_opened_again_after_it_was_closed(medium: str, tmp_path: Path) -> None:
     gateway = VirtualGateway()
-    async with serving(medium, gateway, tmp_path) as url:
+    async with serving(medium, gateway, tmp_path) as served:
+        url = by_library(served, medium)
         for value in range(5):
             async with unity_link.connect(url) as link:
                 assert await link.read(1) == value
@@ -150,8 +164,10 @@ async def test_a_link_may_be_opened_again_after_it_was_closed(medium: str, tmp_p
 
 
 @pytest.mark.asyncio
-async def test_a_port_that_is_in_use_is_one_clear_error() -> None:
-    async with serve_pty(VirtualGateway()) as url, unity_link.connect(url) as link:
+@pytest.mark.parametrize("library", PORTS)
+async def test_a_port_that_is_in_use_is_one_clear_error(library: str) -> None:
+    async with serve_pty(VirtualGateway()) as served, unity_link.connect(served) as link:
+        url = by_library(served, library)
         with pytest.raises(ConnectError, match="in use by another program"):
             await unity_link.connect(url)
         assert await link.read(0) == 0
@@ -184,6 +200,7 @@ async def test_what_is_not_there_is_one_clear_error(url: str, message: str) -> N
         "serial:/dev/ttyUSB0?baud=fast",
         "serial:/dev/ttyUSB0?baud=0",
         "serial:/dev/ttyUSB0?rtscts=2",
+        "serial:/dev/ttyUSB0?library=pyserial",
         "serial:/dev/ttyUSB0?parity=even",
         "tcp://host",
         "tcp:host:1",
@@ -228,16 +245,24 @@ async def test_a_datagram_port_where_nobody_is_times_out_with_what_to_check() ->
         await unity_link.connect(f"udp://127.0.0.1:{port}", timeout=0.3)
 
 
-# Back-pressure
+@pytest.mark.asyncio
+async def test_a_library_that_is_not_installed_says_how_to_install_it(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(sys.modules, "serial_asyncio", None)
+    _transport_class.cache_clear()
+    with pytest.raises(ConnectError, match=r"is not installed here: pip install 'unity-link\[pyserial-asyncio\]'"):
+        await unity_link.connect("serial:/dev/ttyUSB0?library=pyserial-asyncio")
+
+
+# What a port tells
 
 
 class Listener(asyncio.Protocol):
-    """Takes note of what a transport tells."""
+    """Keeps what a transport tells."""
 
     def __init__(self) -> None:
         self.paused = asyncio.Event()
         self.resumed = asyncio.Event()
-        self.lost = asyncio.Event()
+        self.lost: asyncio.Future[Exception | None] = asyncio.get_running_loop().create_future()
 
     def pause_writing(self) -> None:
         self.paused.set()
@@ -246,33 +271,83 @@ class Listener(asyncio.Protocol):
         self.resumed.set()
 
     def connection_lost(self, exc: Exception | None) -> None:
-        self.lost.set()
+        self.lost.set_result(exc)
+
+
+class Terminal:
+    """A pseudo-terminal: a port for a program, and the other end of it."""
+
+    def __init__(self) -> None:
+        self.other_end, self._port = pty.openpty()
+        tty.setraw(self._port)
+        self.url = f"serial:{os.ttyname(self._port)}"
+        self.complaints: list[dict[str, object]] = []
+        asyncio.get_running_loop().set_exception_handler(lambda _, complaint: self.complaints.append(complaint))
+
+    async def connect(self, library: str, protocol: asyncio.Protocol) -> asyncio.Transport:
+        url = parse_url(by_library(self.url, library))
+        return await load_driver("serial").connect(url, protocol)
+
+    async def take(self, size: int) -> bytes:
+        received = bytearray()
+        while len(received) < size:
+            received += await asyncio.get_running_loop().run_in_executor(None, os.read, self.other_end, 65_536)
+        return bytes(received)
+
+    def unplug(self) -> None:
+        """End both sides."""
+        os.close(self.other_end)
+        os.close(self._port)
 
 
 @pytest.mark.asyncio
-async def test_more_than_a_port_takes_is_held_back_and_arrives_whole() -> None:
-    master, slave = pty.openpty()
-    tty.setraw(slave)
-    listener = Listener()
-    url = parse_url(f"serial:{os.ttyname(slave)}")
-    transport = await load_driver("serial").connect(url, listener)
+@pytest.mark.parametrize("library", PORTS)
+async def test_a_pseudo_terminal_is_known_to_answer_as_soon_as_a_socket(library: str) -> None:
+    terminal = Terminal()
+    stream = Stream()
+    await terminal.connect(library, stream)
+    assert stream.shortest_timeout == QUICK_TIMEOUT
+    await stream.close()
+    terminal.unplug()
+
+
+@pytest.mark.asyncio
+@pytest.mark.parametrize("library", PORTS)
+async def test_more_than_a_port_takes_is_held_back_and_arrives_whole(library: str) -> None:
+    terminal, listener = Terminal(), Listener()
+    transport = await terminal.connect(library, listener)
     sent = os.urandom(500_000)
     for start in range(0, len(sent), 10_000):
         transport.write(sent[start : start + 10_000])
     await listener.paused.wait()
-    loop, received = asyncio.get_running_loop(), bytearray()
-    while len(received) < len(sent):
-        received += await loop.run_in_executor(None, os.read, master, 65_536)
-    assert bytes(received) == sent
+    assert await terminal.take(len(sent)) == sent
     await listener.resumed.wait()
+    for _ in range(10):
+        await asyncio.sleep(0)
+    transport.write(b"more")
+    assert await terminal.take(4) == b"more"
     transport.close()
-    await listener.lost.wait()
-    os.close(master)
-    os.close(slave)
+    assert await listener.lost is None
+    terminal.unplug()
+    assert terminal.complaints == []
 
 
 @pytest.mark.asyncio
-@pytest.mark.parametrize("medium", ["serial", "tcp"])
+@pytest.mark.parametrize("library", PORTS)
+@pytest.mark.parametrize("unsent", [0, 500_000])
+async def test_a_port_that_is_unplugged_is_a_lost_connection_and_no_complaint(library: str, unsent: int) -> None:
+    terminal, listener = Terminal(), Listener()
+    transport = await terminal.connect(library, listener)
+    transport.write(bytes(unsent))
+    terminal.unplug()
+    transport.write(b"into nothing")
+    await listener.lost
+    assert transport.is_closing()
+    assert terminal.complaints == []
+
+
+@pytest.mark.asyncio
+@pytest.mark.parametrize("medium", [*PORTS, "tcp"])
 async def test_a_gateway_that_does_not_read_for_a_while_gets_everything_in_the_end(
     serve: Callable[..., tuple[str, subprocess.Popen[str]]], medium: str
 ) -> None:

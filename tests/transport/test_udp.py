@@ -7,6 +7,7 @@ import contextlib
 import itertools
 import random
 import socket
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import pytest
@@ -18,6 +19,9 @@ from unity_link.errors import Outcome, UnsupportedError
 from unity_link.protocol.configuration import GatewayInfo
 from unity_link.protocol.crc import Crc
 from unity_link.protocol.frames import Framing
+from unity_link.transport import open_medium, parse_url
+from unity_link.transport.stream import Stream
+from unity_link.transport.udp import LARGE, MOST_TOGETHER, RECEIVE_BUFFER, DatagramAdapter
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.faults import Straying
 from unity_link.virtual.relay import relay_udp
@@ -25,6 +29,9 @@ from unity_link.virtual.serving import serve_udp
 
 if TYPE_CHECKING:
     from collections.abc import AsyncIterator
+
+SYSTEM_LIMIT = int(Path("/proc/sys/net/core/rmem_max").read_text())
+"""Bytes that may wait at a socket."""
 
 
 class Recording(Straying[Any]):
@@ -244,3 +251,58 @@ async def test_a_gateway_of_the_version_without_headers_is_told_by_its_version()
     async with scripted({b"Q\r": b"Q012008020800000007FF0100FF0005F5E10002FAF0800100010000FF00000000\r\n"}) as url:
         with pytest.raises(UnsupportedError, match="the gateway speaks version 01 of the protocol"):
             await unity_link.connect(url)
+
+
+@pytest.mark.asyncio
+async def test_the_answers_to_long_blocks_may_wait_at_the_socket_as_far_as_the_system_allows() -> None:
+    url = parse_url("udp://127.0.0.1:7001")
+    transport = await open_medium(url, Stream())
+    assert isinstance(transport, DatagramAdapter)
+    assert transport._socket is not None
+    # Linux doubles it, for what it keeps beside the bytes.
+    room = transport._socket.getsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF)
+    assert room == 2 * min(RECEIVE_BUFFER, SYSTEM_LIMIT)
+    transport.abort()
+    await asyncio.sleep(0)
+
+
+class Passing:
+    """Takes each datagram for frames of a session."""
+
+    def take(self, datagram: bytes) -> bytes:
+        return datagram
+
+
+class Receiving(asyncio.Protocol):
+    """Keeps what it is given at a time, until all has come."""
+
+    def __init__(self, size: int) -> None:
+        self.pieces: list[bytes] = []
+        self.whole = asyncio.Event()
+        self._size = size
+
+    def data_received(self, data: bytes) -> None:
+        self.pieces.append(data)
+        if sum(map(len, self.pieces)) >= self._size:
+            self.whole.set()
+
+
+@pytest.mark.asyncio
+@pytest.mark.parametrize("size", [10, LARGE])
+async def test_large_datagrams_that_have_come_are_handed_on_together_in_order(size: int) -> None:
+    datagrams = [b"%0*d\n" % (size - 1, number) for number in range(3 * MOST_TOGETHER)]
+    receiving = Receiving(size * len(datagrams))
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as gateway:
+        gateway.bind(("127.0.0.1", 0))
+        transport = await open_medium(parse_url(f"udp://127.0.0.1:{gateway.getsockname()[1]}"), receiving)
+        assert isinstance(transport, DatagramAdapter)
+        assert transport._socket is not None
+        transport._datagrams = Passing()  # type: ignore[assignment]
+        for datagram in datagrams:
+            gateway.sendto(datagram, transport._socket.getsockname())
+        await receiving.whole.wait()
+    assert b"".join(receiving.pieces) == b"".join(datagrams)
+    turns = 3 if size == LARGE else len(datagrams)
+    assert len(receiving.pieces) == turns
+    transport.abort()
+    await asyncio.sleep(0)

@@ -1,4 +1,4 @@
-"""Links on uvloop, whose transports and timers are not of asyncio's classes, over each medium that is a stream."""
+"""Links on uvloop, whose transports and timers are of none of asyncio's classes, over each medium of the system."""
 
 from __future__ import annotations
 
@@ -29,13 +29,14 @@ def run(coroutine: Coroutine[object, object, None]) -> None:
         runner.run(coroutine)
 
 
-@pytest.fixture(params=["tcp", "unix", "serial"])
+@pytest.fixture(params=["tcp", "unix", "udp", "serial", "serial?library=pyserial-asyncio"])
 def url(request: pytest.FixtureRequest, tmp_path: Path) -> Iterator[str]:
     """Serve a gateway by another process."""
-    command = [sys.executable, str(SERVER), request.param, str(tmp_path / "gateway"), "0"]
+    medium, mark, options = request.param.partition("?")
+    command = [sys.executable, str(SERVER), medium, str(tmp_path / "gateway"), "0"]
     with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as process:
         assert process.stdout is not None
-        yield process.stdout.readline().strip()
+        yield process.stdout.readline().strip() + mark + options
         process.kill()
 
 
@@ -58,7 +59,7 @@ async def use(url: str) -> None:
         assert link.statistics.damaged_frames == 0
 
 
-def test_a_link_works_on_uvloop_over_every_stream(url: str) -> None:
+def test_a_link_works_on_uvloop_over_every_medium(url: str) -> None:
     run(use(url))
 
 

@@ -94,11 +94,11 @@ async def _terminal(url: str, *, plain: bool, timeout: float) -> None:  # noqa: 
 async def _connect(target: DriverUrl, stream: Stream) -> Codec:
     from unity_link.protocol.configuration import GatewayInfo
     from unity_link.protocol.messages import Codec
-    from unity_link.transport import load_driver
+    from unity_link.transport import open_medium
 
     try:
         async with asyncio.timeout(DEFAULT_TIMEOUT):
-            await load_driver(target.scheme).connect(target, stream)
+            await open_medium(target, stream)
     except TimeoutError:
         raise ConnectError(f"{target.text}: the connection was not accepted within {DEFAULT_TIMEOUT:g} s") from None
     except ConnectError as error:

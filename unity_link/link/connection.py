@@ -26,7 +26,7 @@ from unity_link.errors import (
 from unity_link.protocol.group_table import GroupsRestored
 from unity_link.protocol.requests import Batch, Fence, Request
 from unity_link.protocol.session import Interrupted, Opened, Session, Unusable
-from unity_link.transport import DriverUrl, load_driver
+from unity_link.transport import DriverUrl, open_medium
 from unity_link.transport.stream import Stream
 
 if TYPE_CHECKING:
@@ -303,7 +303,7 @@ class Connection:
 
     async def _connect_stream(self, stream: Stream) -> None:
         if isinstance(self._target, DriverUrl):
-            await load_driver(self._target.scheme).connect(self._target, stream)
+            await open_medium(self._target, stream)
         else:
             await self._target.open(stream)
 

@@ -7,6 +7,7 @@ prefix of `Z` and two digits, which the CRC covers. Everything above this module
 
 from __future__ import annotations
 
+import functools
 import re
 from typing import TYPE_CHECKING
 
@@ -26,7 +27,6 @@ LONGEST_FRAME = 16_384
 """Bytes without a line end that are kept: more than the longest message, a sample of 255 words of 64 bits, has."""
 LARGEST_DATAGRAM = 1400
 """Bytes that are put together into one datagram, its header among them: what passes an Ethernet in one piece."""
-_FRAME = re.compile(rb"[^\r\n]*[\r\n]+")
 
 
 class FrameError(ValueError):
@@ -107,10 +107,10 @@ def datagrams(data: bytes, room: int = LARGEST_DATAGRAM) -> list[bytes]:
     """Return frames in as few pieces of at most `room` bytes as they fit in; a longer frame is not cut."""
     if 0 < len(data) <= room:
         return [data]
-    packed: list[bytes] = []
-    for frame in _FRAME.findall(data):
-        if packed and len(packed[-1]) + len(frame) <= room:
-            packed[-1] += frame
-        else:
-            packed.append(frame)
-    return packed
+    return _pieces(room).findall(data)
+
+
+@functools.cache
+def _pieces(room: int) -> re.Pattern[bytes]:
+    """Return what matches as many whole frames as fit, or one that is longer."""
+    return re.compile(rb"(?s:.{1,%d}(?<=[\r\n])(?![\r\n])|[^\r\n]*[\r\n]+)" % room)

@@ -1,12 +1,14 @@
 """Layers 0 and 1, the media: one file each, with a URL scheme, imported only when its scheme is asked for.
 
-A driver module has a coroutine ``connect(url, protocol)`` that opens the medium and returns an `asyncio` transport that
-feeds `protocol`, and ``OPTIONS``, the names of the URL options that it takes; where these depend on the URL, also a
-function ``options_of(url)``. It may have a coroutine ``prepare(url)`` for what takes its time once on a machine and
-says nothing about the gateway: no time-out counts it.
+A program adds a medium of its own by `register`. Its `Driver` has a coroutine ``connect(url, protocol)`` that opens the
+medium and returns an `asyncio` transport that feeds `protocol`, and ``OPTIONS``, the names of the URL options that it
+takes. It may also have:
 
-The transport's ``get_extra_info("shortest_timeout")`` are the seconds that the medium may hold an answer back, and some
-more; where it says nothing, a socket is quick, and everything else as slow as a USB chip.
+- a function ``options_of(url)``, where the options depend on the URL
+- a coroutine ``prepare(url)``, for what takes its time once on a machine and says nothing about the gateway: no
+  time-out counts it
+
+docs/reference/media.md states what the transport has to do.
 """
 
 from __future__ import annotations
@@ -18,13 +20,20 @@ from urllib.parse import parse_qsl, urlsplit
 
 import msgspec
 
-from unity_link.errors import ArgumentError
+from unity_link.errors import ArgumentError, ConnectError
 
 if TYPE_CHECKING:
     import asyncio
+    from importlib.metadata import EntryPoints
 
-_MODULES: dict[str, str] = {}
-"""The module of each scheme."""
+__all__ = ["ENTRY_POINTS", "Driver", "DriverUrl", "Medium", "register"]
+
+ENTRY_POINTS = "unity_link.transports"
+"""The group of entry points by which an installed package adds schemes, each with the module or object that is its
+driver."""
+_DRIVERS: dict[str, str | Driver] = {}
+"""The driver of each scheme, or its module."""
+_SCHEME = re.compile(r"[a-z][a-z0-9+.-]*")
 _STAND_INS: dict[str, str] = {}
 """The module of what stands in for a device, by the device in the URL."""
 _DEVICE_NAMES = frozenset({"ftdi", "ftdi-async"})
@@ -39,7 +48,7 @@ class DriverUrl(msgspec.Struct, frozen=True):
     """A parsed URL, such as ``serial:/dev/ttyUSB0?baud=12000000`` or ``tcp://robot:7001``."""
 
     text: str
-    """As it was given, without a token: what messages name."""
+    """The URL as it was given, without a token; messages name it."""
     scheme: str
     host: str
     """A computer; or a device, as it stands in the URL."""
@@ -96,12 +105,18 @@ class DriverUrl(msgspec.Struct, frozen=True):
 
 
 class Driver(Protocol):
-    """What a module that is registered for a scheme offers."""
+    """What opens the URLs of a scheme: a module, or an object."""
 
     OPTIONS: frozenset[str]
+    """Names of the URL options that it takes."""
 
     async def connect(self, url: DriverUrl, protocol: asyncio.Protocol) -> asyncio.Transport:
-        """Open the medium; raise `ConnectError` where it can't be opened."""
+        """Open the medium, and return the transport that ``protocol.connection_made`` was called with.
+
+        Raises:
+            ArgumentError: for a URL that cannot be.
+            ConnectError: where the medium cannot be opened; an OSError becomes one.
+        """
 
 
 class Medium(Protocol):
@@ -111,9 +126,61 @@ class Medium(Protocol):
         """Open the medium; raise `ConnectError` where it can't be opened."""
 
 
-def register(scheme: str, module: str) -> None:
-    """Have URLs of a scheme opened by a module, which is a `Driver` and is imported when a URL asks for it."""
-    _MODULES[scheme] = module
+def register(scheme: str, driver: str | Driver) -> None:
+    """Have URLs of a scheme opened by a driver.
+
+    Args:
+        scheme: what stands before the colon: lower-case letters, digits, ``+``, ``-`` and ``.``, a letter first.
+        driver: the driver, or the name of the module that is it, which is imported when a URL asks for it.
+
+    Raises:
+        ArgumentError: for a scheme that has other characters or another driver, and an object that is no driver.
+    """
+    if not _SCHEME.fullmatch(scheme):
+        raise ArgumentError(
+            f"{scheme!r} is no scheme of a URL: lower-case letters, digits, +, - and . were expected, a letter first"
+        )
+    if not isinstance(driver, str):
+        _check(scheme, driver)
+    if _DRIVERS.setdefault(scheme, driver) != driver:
+        raise ArgumentError(f"{scheme}: is registered already, by {_name(_DRIVERS[scheme])}: choose another scheme")
+
+
+def _check(scheme: str, driver: object) -> None:
+    missing = [name for name in ("connect", "OPTIONS") if not hasattr(driver, name)]
+    if missing:
+        raise ArgumentError(f"{_name(driver)} is no driver for {scheme}:, for it has no {' and no '.join(missing)}")
+
+
+def _name(driver: object) -> str:
+    return driver if isinstance(driver, str) else getattr(driver, "__name__", type(driver).__qualname__)
+
+
+def _installed() -> EntryPoints:
+    # Here and not at the top: it is slow to import, and few programs have a medium of another package.
+    from importlib.metadata import entry_points
+
+    return entry_points(group=ENTRY_POINTS)
+
+
+def _register_installed(scheme: str) -> bool:
+    """Register the driver that an installed package has for a scheme; return whether there is one.
+
+    Raises:
+        ArgumentError: where several packages have one, or what one has is no driver.
+        ConnectError: where it cannot be imported.
+    """
+    points = _installed().select(name=scheme)
+    packages = sorted(point.dist.name for point in points if point.dist)
+    if len(points) > 1:
+        raise ArgumentError(f"{scheme}: is a medium of several packages ({', '.join(packages)}): uninstall all but one")
+    for point in points:
+        try:
+            driver = point.load()
+        except (ImportError, AttributeError) as error:
+            raise ConnectError(f"{scheme}: of the package {packages[0]} cannot be imported ({error})") from error
+        register(scheme, driver)
+    return bool(points)
 
 
 def register_stand_in(device: str, module: str) -> None:
@@ -131,10 +198,11 @@ def parse_url(url: str) -> DriverUrl:
 
     Raises:
         ArgumentError: for an unknown scheme, a malformed URL, or an option that the scheme does not know.
+        ConnectError: where the driver of the scheme cannot be imported.
     """
     scheme, text = url.partition(":")[0], _TOKEN.sub("...", url)
-    if scheme not in _MODULES or ":" not in url:
-        known = ", ".join(f"{name}:" for name in _MODULES)
+    if ":" not in url or not (scheme in _DRIVERS or _register_installed(scheme)):
+        known = ", ".join(f"{name}:" for name in dict.fromkeys((*_DRIVERS, *_installed().names)))
         raise ArgumentError(f"{text!r} is no URL of a gateway: it should begin with one of {known}")
     try:
         parts = urlsplit(url)
@@ -155,8 +223,33 @@ def parse_url(url: str) -> DriverUrl:
 
 
 def load_driver(scheme: str) -> Driver:
-    """Import the driver of a scheme."""
-    return cast("Driver", importlib.import_module(_MODULES[scheme]))
+    """Return the driver of a scheme.
+
+    Raises:
+        ArgumentError: where the module that was registered is none.
+        ConnectError: where that cannot be imported.
+    """
+    driver = _DRIVERS[scheme]
+    if not isinstance(driver, str):
+        return driver
+    try:
+        module = importlib.import_module(driver)
+    except ImportError as error:
+        raise ConnectError(f"{driver}, the driver of {scheme}:, cannot be imported ({error})") from error
+    _check(scheme, module)
+    return cast("Driver", module)
+
+
+async def open_medium(url: DriverUrl, protocol: asyncio.Protocol) -> asyncio.Transport:
+    """Open the medium of a URL.
+
+    Raises:
+        ConnectError: where it cannot be opened.
+    """
+    try:
+        return await load_driver(url.scheme).connect(url, protocol)
+    except OSError as error:
+        raise ConnectError(f"it cannot be opened ({error.strerror or str(error) or type(error).__name__})") from error
 
 
 async def prepare(url: DriverUrl) -> None:

@@ -1,13 +1,14 @@
 """``serial:/dev/ttyUSB0?baud=12000000``: a serial port, USB adapter or pseudo-terminal.
 
 Built on pyserial-asyncio-fast, the kept fork of pyserial-asyncio: it tries each write at once instead of waiting for
-the port to become writable, which is one turn of the event loop less on every request. Its transport is taken over with
-four changes, for what a fast link needs and a terminal does not:
+the port to become writable, which is one turn of the event loop less on every request. ``library=pyserial-asyncio``
+chooses the original. What a fast link needs and a terminal does not is put into the port that either is given, and not
+into its transport:
 
 - a write is one system call that takes what fits (pyserial's tries for ever while a port is full, and
   the loop with it);
-- whole reads of up to 64 KiB, by one system call as well (its own are of 1 KiB, by two);
-- an end to watching for writability when all is written (it never stops, and then fails in every turn of the loop);
+- a read is one system call of up to 64 KiB (pyserial's are two calls, and the libraries ask for 1 KiB);
+- closing leaves it to the operating system to send what it has taken (the original would have the loop wait for it);
 - a port that was unplugged is a lost connection, not a report to the loop's exception handler.
 """
 
@@ -15,20 +16,26 @@ from __future__ import annotations
 
 import asyncio
 import errno
+import functools
+import importlib
 import os
 from typing import TYPE_CHECKING, Any
 
 import serial
-from serial_asyncio_fast import SerialTransport
 
 from unity_link.errors import ArgumentError, ConnectError
 from unity_link.protocol.constants import QUICK_TIMEOUT
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     from unity_link.transport import DriverUrl
 
-OPTIONS = frozenset({"baud", "rtscts"})
+OPTIONS = frozenset({"baud", "rtscts", "library"})
 DEFAULT_BAUD = 115_200
+DEFAULT_LIBRARY = "pyserial-asyncio-fast"
+LIBRARIES = {DEFAULT_LIBRARY: "serial_asyncio_fast", "pyserial-asyncio": "serial_asyncio"}
+"""The module of each package that joins pyserial to asyncio."""
 LARGEST_READ = 65_536
 _PSEUDO_TERMINALS = range(136, 144)
 """Major numbers of their device files on Linux."""
@@ -42,14 +49,50 @@ async def connect(url: DriverUrl, protocol: asyncio.Protocol) -> asyncio.Transpo
     if baud <= 0:
         raise ArgumentError(f"baud={baud} in {url.text} is not positive")
     rtscts = url.flag("rtscts")
+    library = url.options.get("library", DEFAULT_LIBRARY)
+    if library not in LIBRARIES:
+        raise ArgumentError(f"library={library} in {url.text} is neither {' nor '.join(LIBRARIES)}")
+    make_transport = _transport_class(library)
     try:
         port = SerialPort(url.path, baudrate=baud, rtscts=rtscts, timeout=0, write_timeout=0, exclusive=True)
     except (serial.SerialException, OSError, ValueError) as error:
         raise ConnectError(_explain(url.path, error)) from error
-    transport = PortTransport(asyncio.get_running_loop(), protocol, port)
+    loop = asyncio.get_running_loop()
+    transport: asyncio.Transport = make_transport(loop, protocol, port)
+    port.on_failure = functools.partial(loop.call_soon, _give_up, transport)
+    if library == DEFAULT_LIBRARY:
+        # The fork (0.16) goes on watching for writability when all is written, and then fails in every turn of the
+        # loop. Its public `flush` ends the watching.
+        port.on_drained = transport.flush  # type: ignore[attr-defined]  # asyncio's has none
     # It tells the protocol in the next turn of the loop only, and until then there is nothing to write to.
     await asyncio.sleep(0)
     return transport
+
+
+def _give_up(transport: asyncio.Transport) -> None:
+    if not transport.is_closing():
+        transport.abort()
+
+
+@functools.cache
+def _transport_class(library: str) -> Any:
+    try:
+        module = importlib.import_module(LIBRARIES[library])
+    except ImportError:
+        raise ConnectError(f"{library} is not installed here: pip install 'unity-link[{library}]'") from None
+
+    class PortTransport(module.SerialTransport):  # type: ignore[misc, name-defined]  # it is not known before
+        """The library's transport, which also tells how soon a pseudo-terminal answers."""
+
+        def __init__(self, loop: asyncio.AbstractEventLoop, protocol: asyncio.Protocol, port: SerialPort) -> None:
+            super().__init__(loop, protocol, port)
+            self._told = {"shortest_timeout": QUICK_TIMEOUT} if port.is_pseudo_terminal else {}
+
+        def get_extra_info(self, name: str, default: Any = None) -> Any:
+            """Return what is known of the port."""
+            return self._told.get(name, super().get_extra_info(name, default))
+
+    return PortTransport
 
 
 def _explain(path: str, error: Exception) -> str:
@@ -64,41 +107,56 @@ def _explain(path: str, error: Exception) -> str:
 
 
 class SerialPort(serial.Serial):
-    """A port that says at once how much it took."""
+    """A port that takes and gives at once what it can."""
+
+    on_drained: Callable[[], None] | None = None
+    """Is called where a write took everything after one that did not."""
+    on_failure: Callable[[], object] | None = None
+    """Is called where a write has failed."""
+    _short = False
+
+    @property
+    def is_pseudo_terminal(self) -> bool:
+        """Return whether another program is the other end."""
+        return os.major(os.fstat(self.fileno()).st_rdev) in _PSEUDO_TERMINALS
+
+    def read(self, size: int = 1, /) -> bytes:  # noqa: ARG002  (more than the libraries ask for is welcome to them)
+        """Return all that has come.
+
+        Raises:
+            SerialException: where the port is gone.
+        """
+        assert self.fd is not None
+        try:
+            data = os.read(self.fd, LARGEST_READ)
+        except BlockingIOError:
+            return b""
+        except OSError as error:
+            raise serial.SerialException(error.errno, error.strerror) from error
+        if not data:
+            raise serial.SerialException("the port is gone")
+        return data
 
     def write(self, data: Any, /) -> int:
         """Write what fits; raises BlockingIOError where nothing does."""
         assert self.fd is not None
-        return os.write(self.fd, data)
-
-
-class PortTransport(SerialTransport):
-    """The library's transport, with the changes that this module's docstring gives."""
-
-    def __init__(self, loop: asyncio.AbstractEventLoop, protocol: asyncio.Protocol, port: serial.Serial) -> None:
-        super().__init__(loop, protocol, port)
-        self._descriptor = port.fileno()
-        if os.major(os.fstat(self._descriptor).st_rdev) in _PSEUDO_TERMINALS:
-            self._extra["shortest_timeout"] = QUICK_TIMEOUT  # type: ignore[attr-defined]  # asyncio tells it by this
-
-    def _read_ready(self) -> None:
         try:
-            data = os.read(self._descriptor, LARGEST_READ)
-        except (BlockingIOError, InterruptedError):
-            return
-        except OSError as error:
-            self._abort(error)
-            return
-        if data:
-            self._protocol.data_received(data)
-        else:
-            self._abort(None)
+            written = os.write(self.fd, data)
+        except BlockingIOError:
+            self._short = True
+            raise
+        except OSError:
+            # To raise it would have the library report it to the loop.
+            if self.on_failure is not None:
+                self.on_failure()
+            return len(data)
+        if written < len(data):
+            self._short = True
+        elif self._short:
+            self._short = False
+            if self.on_drained is not None:
+                self.on_drained()
+        return written
 
-    def _write_ready(self) -> None:
-        if self._write_buffer:
-            super()._write_ready()
-        if not self._write_buffer:
-            self._remove_writer()
-
-    def _fatal_error(self, exc: BaseException, message: str = "") -> None:  # noqa: ARG002  (the library's signature)
-        self._abort(exc)
+    def flush(self) -> None:
+        """Leave what the operating system has taken to it."""

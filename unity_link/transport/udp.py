@@ -6,6 +6,8 @@ Each connection has a socket of its own, and so a port of its own, and one sessi
 from __future__ import annotations
 
 import asyncio
+import contextlib
+import socket
 from typing import TYPE_CHECKING, Any
 
 from unity_link.errors import ConnectError
@@ -14,9 +16,18 @@ from unity_link.protocol.datagrams import HostDatagrams
 from unity_link.transport.tcp import address
 
 if TYPE_CHECKING:
+    from collections.abc import Iterator
+
     from unity_link.transport import DriverUrl
 
 OPTIONS: frozenset[str] = frozenset()
+RECEIVE_BUFFER = 1 << 22
+"""Bytes that wait in the system, as far as it allows so many: those of the blocks that are asked for at a time."""
+LARGE = 1024
+"""Bytes of a datagram behind which there are probably others."""
+LARGEST = 65_536
+MOST_TOGETHER = 64
+"""Datagrams that are read on in one turn of the loop."""
 
 
 async def connect(url: DriverUrl, protocol: asyncio.Protocol) -> asyncio.Transport:
@@ -43,30 +54,46 @@ class DatagramAdapter(asyncio.Transport, asyncio.DatagramProtocol):
         super().__init__({"shortest_timeout": QUICK_TIMEOUT})
         self._protocol = protocol
         self._datagrams = HostDatagrams(node)
+        self._socket: socket.socket | None = None
         self._over: ConnectError | None = None
         self._endpoint: asyncio.DatagramTransport | None = None
 
     def connection_made(self, transport: asyncio.DatagramTransport) -> None:  # type: ignore[override]
         """Begin."""
         self._endpoint = transport
+        known = transport.get_extra_info("socket")
+        if known is not None:
+            # What an event loop tells of its socket can't be read from.
+            self._socket = socket.fromfd(known.fileno(), known.family, known.type)
+            self._socket.setblocking(False)  # noqa: FBT003  (it has no name)
+            # Some systems refuse what is beyond their limit, others take the limit.
+            with contextlib.suppress(OSError):
+                self._socket.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, RECEIVE_BUFFER)
         self._protocol.connection_made(self)
 
     def datagram_received(self, data: bytes, addr: tuple[Any, ...]) -> None:  # noqa: ARG002
-        """Hand on the frames of a datagram that is neither late nor doubled; end where the session is over."""
+        """Hand on the frames of datagrams that are neither late nor doubled; end where the session is over."""
+        frames = self._take(data)
+        if len(data) >= LARGE and self._socket is not None:
+            frames += b"".join(map(self._take, _read_on(self._socket)))
+        if frames:
+            self._protocol.data_received(frames)
+
+    def _take(self, datagram: bytes) -> bytes:
         try:
-            frames = self._datagrams.take(data)
+            return self._datagrams.take(datagram)
         except ConnectError as error:
             self._over = error
             self.abort()
-            return
-        if frames:
-            self._protocol.data_received(frames)
+            return b""
 
     def error_received(self, exc: Exception) -> None:
         """Ignore that a datagram was refused: it is as good as lost, and the gateway may come yet."""
 
     def connection_lost(self, exc: Exception | None) -> None:
         """Hand on the end."""
+        if self._socket is not None:
+            self._socket.close()
         self._protocol.connection_lost(exc or self._over)
 
     def pause_writing(self) -> None:
@@ -96,3 +123,10 @@ class DatagramAdapter(asyncio.Transport, asyncio.DatagramProtocol):
         """Close the socket at once."""
         if self._endpoint is not None:
             self._endpoint.abort()
+
+
+def _read_on(opened: socket.socket) -> Iterator[bytes]:
+    """Read what else has come: the event loop gives one datagram in a turn, and turns cost more than datagrams."""
+    with contextlib.suppress(OSError):
+        for _ in range(MOST_TOGETHER):
+            yield opened.recv(LARGEST)

@@ -1,0 +1,124 @@
+"""On a pseudo-terminal: LiteX' `CommUART`, pyserial by hand, and pymodbus with RTU frames."""
+
+from __future__ import annotations
+
+import threading
+from typing import TYPE_CHECKING, Any
+
+import serial
+
+from benchmarks.peers.modbus import Modbus
+from benchmarks.peers.ours import BLOCKS, LONE, LONE_BLOCKING, TASKS, Ours
+from benchmarks.peers.race import ADDRESS, BLOCK, RESPONDERS, Contender, Race, Size, expect, median_of, seconds_of
+from benchmarks.responder import GATEWAY, exchange, responder, serving
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+    from contextlib import ExitStack
+
+MEDIUM = "pty"
+BURST = 255
+"""Words of LiteX' longest read."""
+
+
+def races(stack: ExitStack, size: Size) -> list[Race]:
+    """Return the races on this medium."""
+    ours = Ours(stack, "pty", size)
+    litex = _Litex(stack.enter_context(serving(RESPONDERS, "pty", "litex")), size)
+    by_hand = _ByHand(stack.enter_context(responder()), size)
+    modbus = Modbus("pymodbus, RTU", stack.enter_context(serving(RESPONDERS, "pty", "modbus-rtu")), size)
+    return [
+        Race(
+            "a read, one after the other", MEDIUM, "", [*ours.lone(), litex.lone(), by_hand.lone(), modbus.lone(LONE)]
+        ),
+        Race("many reads", MEDIUM, "reads", [*ours.many(), litex.many(), by_hand.many(), modbus.gathered(TASKS)]),
+        Race("a block of 65,536 words", MEDIUM, "words", [*ours.block(), litex.block(), modbus.block(BLOCKS)]),
+    ]
+
+
+class _Litex:
+    def __init__(self, path: str, size: Size) -> None:
+        self._path = path
+        self._size = size
+
+    def lone(self) -> Contender:
+        return Contender("LiteX, `CommUART.read`", self._with_port(self._read_alone), LONE_BLOCKING)
+
+    def many(self) -> Contender:
+        return Contender("LiteX, one after the other", self._with_port(self._read_many), TASKS)
+
+    def block(self) -> Contender:
+        return Contender("LiteX, bursts of 255", self._with_port(self._read_block), BLOCKS, wire=4)
+
+    def _with_port(self, work: Callable[[Any], float]) -> Callable[[], float]:
+        def run() -> float:
+            from litex.tools.remote.comm_uart import CommUART
+
+            bridge = CommUART(self._path)
+            expect(bridge.read(4 * ADDRESS))
+            try:
+                return work(bridge)
+            finally:
+                bridge.close()
+
+        return run
+
+    def _read_alone(self, bridge: Any) -> float:
+        return median_of(lambda: bridge.read(4 * ADDRESS), self._size.lone)
+
+    def _read_many(self, bridge: Any) -> float:
+        count = self._size.lone
+
+        def work() -> None:
+            for _ in range(count):
+                bridge.read(4 * ADDRESS)
+
+        return seconds_of(work) / count
+
+    def _read_block(self, bridge: Any) -> float:
+        def work() -> list[int]:
+            words: list[int] = []
+            while len(words) < BLOCK:
+                words += bridge.read(4 * len(words), min(BURST, BLOCK - len(words)))
+            return words
+
+        return seconds_of(work) / BLOCK
+
+
+class _ByHand:
+    """What somebody writes who needs no more than a word: the frames of a read, and a lock around them."""
+
+    def __init__(self, path: str, size: Size) -> None:
+        self._path = path
+        self._size = size
+        self._lock = threading.Lock()
+        self._request, response = exchange(GATEWAY, "R", ADDRESS, reads=0)
+        self._length = len(response)
+        begin = 1 + GATEWAY.id_digits
+        self._word = slice(begin, begin + GATEWAY.data_bits // 4)
+
+    def lone(self) -> Contender:
+        return Contender("pyserial and a lock", self._read_alone, LONE_BLOCKING)
+
+    def many(self) -> Contender:
+        return Contender("pyserial and a lock, one after the other", self._read_many, TASKS)
+
+    def _read(self, port: serial.Serial) -> int:
+        with self._lock:
+            port.write(self._request)
+            return int(port.read(self._length)[self._word], 16)
+
+    def _read_alone(self) -> float:
+        with serial.Serial(self._path) as port:
+            expect(self._read(port))
+            return median_of(lambda: self._read(port), self._size.lone)
+
+    def _read_many(self) -> float:
+        count = self._size.lone
+        with serial.Serial(self._path) as port:
+
+            def work() -> None:
+                for _ in range(count):
+                    self._read(port)
+
+            return seconds_of(work) / count

@@ -1,0 +1,123 @@
+"""What all races share: contenders on one medium that do the same work in turn, and how each came off.
+
+This machine is shared and noisy, so what counts are ratios within one round, in which every contender runs once; the
+figures beside them are medians over the rounds.
+"""
+
+from __future__ import annotations
+
+import statistics
+import time
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import msgspec
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+RESPONDERS = Path(__file__).with_name("responders.c")
+"""What answers the peers."""
+ADDRESS = 0x0A
+WORD = 0x0A0A0A0A
+"""What all responders have at `ADDRESS`."""
+BLOCK = 65_536
+
+
+class Size(msgspec.Struct, frozen=True):
+    """How much work there is in a round."""
+
+    lone: int = 3000
+    together: int = 25_600
+    queue: int = 100_000
+    blocks: int = 8
+    """Of `BLOCK` words."""
+
+
+QUICK = Size(lone=100, together=512, queue=2000, blocks=1)
+
+
+class Contender(msgspec.Struct, frozen=True):
+    """One way to do the work of a race."""
+
+    name: str
+    run: Callable[[], float]
+    """Does the work, and returns its seconds for one unit."""
+    beside: str = ""
+    """Of a peer: the name of ours that does the same in the same kind of program."""
+    wire: float = 0.0
+    """Bytes of answers on the wire for one unit, where that is told."""
+
+
+class Race(msgspec.Struct, frozen=True):
+    """The same work by ours and by peers."""
+
+    question: str
+    medium: str
+    unit: str
+    """Of a rate; empty where the time is told."""
+    contenders: list[Contender]
+
+
+class Finish(msgspec.Struct, frozen=True):
+    """How a contender came off."""
+
+    question: str
+    medium: str
+    contender: str
+    figure: str
+    beside: str
+    ratio: float | None
+    """How many times as quick as ours it is, median over the rounds; None of ours."""
+
+
+def run_race(race: Race, rounds: int) -> list[Finish]:
+    """Run all contenders in turn, once to warm up."""
+    for contender in race.contenders:
+        contender.run()
+    seen = [{contender.name: contender.run() for contender in race.contenders} for _ in range(rounds)]
+    return [_finish(race, contender, seen) for contender in race.contenders]
+
+
+def _finish(race: Race, contender: Contender, seen: list[dict[str, float]]) -> Finish:
+    seconds = statistics.median(times[contender.name] for times in seen)
+    ratio = None
+    if contender.beside:
+        ratio = statistics.median(times[contender.beside] / times[contender.name] for times in seen)
+    return Finish(
+        race.question, race.medium, contender.name, _figure(race, contender, seconds), contender.beside, ratio
+    )
+
+
+def _figure(race: Race, contender: Contender, seconds: float) -> str:
+    if not race.unit:
+        return f"{seconds * 1e6:.1f} µs"
+    wire = f", {contender.wire / seconds / 1e6:.0f} MB/s of the wire" if contender.wire else ""
+    return f"{1 / seconds:,.0f} {race.unit}/s{wire}"
+
+
+def median_of(call: Callable[[], object], count: int) -> float:
+    """Return the median of the times that a call takes."""
+    times = []
+    for _ in range(count):
+        start = time.perf_counter()
+        call()
+        times.append(time.perf_counter() - start)
+    return statistics.median(times)
+
+
+def seconds_of(call: Callable[[], object]) -> float:
+    """Return how long a call takes."""
+    start = time.perf_counter()
+    call()
+    return time.perf_counter() - start
+
+
+def expect(value: object, expected: object = WORD) -> None:
+    """Check what a contender has read: one that is quick and wrong has not finished.
+
+    Raises:
+        RuntimeError: where it is something else.
+    """
+    if value != expected:
+        raise RuntimeError(f"{value!r} was read where {expected!r} stands")

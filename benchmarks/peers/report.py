@@ -1,0 +1,124 @@
+"""What the races have shown: a table and a picture, and before them what is quicker elsewhere."""
+
+from __future__ import annotations
+
+import datetime as dt
+from typing import TYPE_CHECKING, Any
+
+import unity_link
+from benchmarks.paper.plots import DOTS_PER_INCH, STYLE
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+    from benchmarks.peers.race import Finish
+
+BEGIN, END = "<!-- Written by `make bench-peers`: begin -->", "<!-- end -->"
+_LEVEL = 1.05
+"""What is closer to ours than this is level with it."""
+_QUICKER, _SLOWER = "#B3261E", "#2E6DA4"
+
+
+def text(finishes: list[Finish], machine: str, rounds: int, picture: str) -> str:
+    """Return the section of the page.
+
+    Args:
+        finishes: of all races, in order.
+        machine: on which they were run.
+        rounds: how often each contender has run.
+        picture: the path of the picture, as the page names it.
+    """
+    seen = (
+        f"Seen on {dt.datetime.now(dt.UTC):%Y-%m-%d} by unity-link {unity_link.__version__}: {machine}. Medians of "
+        f"{rounds} rounds, in each of which all run in turn; the ratios are medians of those within a round."
+    )
+    lines = [
+        BEGIN,
+        "",
+        "## Quicker elsewhere",
+        "",
+        *(_quicker(finishes) or ["Nothing was in this run."]),
+        "",
+        "## All of it",
+        "",
+        seen,
+        "",
+        f"![How many times as quick as Unity-Link each peer is]({picture})",
+        "",
+        "| what | on | by | | beside it |",
+        "|---|---|---|---|---|",
+        *(_line(finish) for finish in finishes),
+        "",
+        END,
+    ]
+    return "\n".join(lines)
+
+
+def replaced(page: str, section: str) -> str:
+    """Return a page with its section replaced."""
+    before, _, rest = page.partition(BEGIN)
+    _, _, after = rest.partition(END)
+    return before + section + after
+
+
+def _quicker(finishes: list[Finish]) -> list[str]:
+    quicker = sorted((finish for finish in finishes if _ratio(finish) >= _LEVEL), key=_ratio, reverse=True)
+    return [
+        f"- {finish.contender}, {finish.question} on {finish.medium}: {finish.figure}, "
+        f"**{_ratio(finish):.1f} times** as quick as {finish.beside}."
+        for finish in quicker
+    ]
+
+
+def _line(finish: Finish) -> str:
+    beside = f"{_ratio(finish):.2f} times {finish.beside}" if finish.beside else ""
+    return f"| {finish.question} | {finish.medium} | {finish.contender} | {finish.figure} | {beside} |"
+
+
+def _ratio(finish: Finish) -> float:
+    return finish.ratio or 0.0
+
+
+def draw(finishes: list[Finish], file: Path) -> None:
+    """Draw how many times as quick as ours each peer is, a panel for each question."""
+    import matplotlib as mpl
+    from matplotlib.figure import Figure
+
+    peers: dict[str, list[Finish]] = {}
+    for finish in finishes:
+        if finish.ratio is not None:
+            peers.setdefault(finish.question, []).append(finish)
+    sizes = [len(panel) for panel in peers.values()]
+    with mpl.rc_context(STYLE):
+        figure = Figure(figsize=(9, 1 + 0.5 * sum(sizes)), layout="constrained")
+        all_axes = figure.subplots(len(peers), 1, sharex=True, squeeze=False, height_ratios=sizes)[:, 0]
+        for axes, (question, panel) in zip(all_axes, peers.items(), strict=True):
+            _draw_panel(axes, question, panel)
+        ratios = [1.0, *(_ratio(finish) for panel in peers.values() for finish in panel)]
+        axes.set_xlim(min(ratios) / 2, max(ratios) * 2)
+        axes.set_xlabel("times as quick as Unity-Link: left of the line slower, right of it quicker")
+        # No date and no version: the same figures give the same file.
+        figure.savefig(file, dpi=DOTS_PER_INCH, metadata={"Software": None})
+
+
+def _draw_panel(axes: Any, question: str, peers: list[Finish]) -> None:
+    places = range(len(peers), 0, -1)
+    for place, peer in zip(places, peers, strict=True):
+        ratio = _ratio(peer)
+        side = 1 if ratio > 1 else -1
+        axes.barh(place, ratio - 1, left=1, height=0.62, color=_QUICKER if ratio > 1 else _SLOWER)
+        axes.annotate(
+            f"{ratio:.2g}",
+            (ratio, place),
+            (4 * side, 0),
+            textcoords="offset points",
+            ha="left" if ratio > 1 else "right",
+            va="center",
+            fontsize=9,
+        )
+    axes.set_yticks(list(places), [f"{peer.contender.replace('`', '')} ({peer.medium})" for peer in peers], fontsize=9)
+    axes.set_xscale("log")
+    axes.xaxis.set_major_formatter("{x:g}")
+    axes.axvline(1, color="#333333", linewidth=1)
+    axes.grid(visible=False, axis="y")
+    axes.set_title(question[0].upper() + question[1:])

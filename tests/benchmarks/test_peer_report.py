@@ -1,0 +1,56 @@
+"""The page about peers: what is quicker elsewhere comes first, and what was written by hand stays."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from benchmarks.peers.race import Contender, Finish, Race, run_race
+from benchmarks.peers.report import BEGIN, END, draw, replaced, text
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+
+FINISHES = [
+    Finish("a read", "UDP", "ours", "20.0 µs", "", None),
+    Finish("a read", "UDP", "slow", "40.0 µs", "ours", 0.5),
+    Finish("a read", "UDP", "quick", "10.0 µs", "ours", 2.0),
+    Finish("a read", "UDP", "level", "19.5 µs", "ours", 1.03),
+    Finish("a block", "UDP", "quickest", "9 words/s", "ours", 3.0),
+]
+
+
+def test_what_is_quicker_elsewhere_is_said_before_the_table_the_quickest_first() -> None:
+    first, _, table = text(FINISHES, "a machine", 7, "peers.png").partition("## All of it")
+    assert [line for line in first.splitlines() if line.startswith("- ")] == [
+        "- quickest, a block on UDP: 9 words/s, **3.0 times** as quick as ours.",
+        "- quick, a read on UDP: 10.0 µs, **2.0 times** as quick as ours.",
+    ]
+    assert table.count("\n| a ") == len(FINISHES)
+
+
+def test_a_run_in_which_nothing_was_quicker_says_so() -> None:
+    assert "Nothing was in this run." in text(FINISHES[:2], "a machine", 7, "peers.png")
+
+
+def test_only_the_section_of_the_page_is_replaced() -> None:
+    page = f"before\n{BEGIN}\nold\n{END}\nafter\n"
+    once = replaced(page, text(FINISHES, "a machine", 7, "peers.png"))
+    assert once.startswith(f"before\n{BEGIN}\n")
+    assert once.endswith(f"{END}\nafter\n")
+    assert "old" not in once
+    assert replaced(once, f"{BEGIN}\n{END}") == f"before\n{BEGIN}\n{END}\nafter\n"
+
+
+def test_the_picture_is_the_same_for_the_same_figures(tmp_path: Path) -> None:
+    draw(FINISHES, tmp_path / "one.png")
+    draw(FINISHES, tmp_path / "other.png")
+    assert (tmp_path / "one.png").read_bytes() == (tmp_path / "other.png").read_bytes() != b""
+
+
+def test_the_ratio_is_the_median_of_those_within_a_round() -> None:
+    times = iter([9.0, 9.0, 4.0, 2.0, 8.0, 1.0, 2.0, 2.0])
+    ways = [Contender("ours", lambda: next(times)), Contender("peer", lambda: next(times), "ours")]
+    ours, peer = run_race(Race("a read", "UDP", "reads", ways), 3)
+    assert (ours.figure, ours.ratio) == ("0 reads/s", None)
+    assert (peer.figure, peer.ratio) == ("0 reads/s", 2.0)

@@ -1,0 +1,21 @@
+"""Hands on between its pipes and a Unix socket: ``hand_on.py PATH``."""
+
+import os
+import socket
+import sys
+import threading
+
+
+def hand_on_input(connection: socket.socket) -> None:
+    """Hand on what comes in, until it ends."""
+    while data := os.read(0, 65536):
+        connection.sendall(data)
+    connection.shutdown(socket.SHUT_WR)
+
+
+with socket.socket(socket.AF_UNIX) as connected:
+    connected.connect(sys.argv[1])
+    threading.Thread(target=hand_on_input, args=[connected], daemon=True).start()
+    while received := connected.recv(65536):
+        while received:
+            received = received[os.write(1, received) :]
