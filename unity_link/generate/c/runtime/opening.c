@@ -150,6 +150,7 @@ static ul_status learn(opening *opens)
         if (status == UL_OK && ask(opens, "Q", false, CHECKED_TRIES) && is_last_answer(opens, plain)) return UL_OK;
     }
     if (status == UL_UNSUPPORTED) return status;
+    if (link->gone) return fail(link, UL_NO_CONNECTION, "", "the connection was lost before the gateway answered");
     if (opens->heard > 0)
         return fail(link, UL_NO_CONNECTION, "", "bytes arrived, but no answer: check the speed of the port");
     return fail(link, UL_NO_CONNECTION, "", "no gateway answered: check its power, the port and the wiring");
@@ -200,6 +201,11 @@ ul_status ul_open(ul_link *link, const ul_transport *transport, int node, double
 const char *ul_error(const ul_link *link)
 {
     return link->error;
+}
+
+const char *ul_end(const ul_link *link)
+{
+    return link->end;
 }
 
 const char *ul_status_text(ul_status status)
