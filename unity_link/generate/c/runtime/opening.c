@@ -152,7 +152,7 @@ static ul_status learn(opening *opens)
     if (status == UL_UNSUPPORTED) return status;
     if (link->gone) return fail(link, UL_NO_CONNECTION, "", "the connection was lost before the gateway answered");
     if (opens->heard > 0)
-        return fail(link, UL_NO_CONNECTION, "", "bytes arrived, but no answer: check the speed of the port");
+        return fail(link, UL_NO_CONNECTION, "", "no gateway answered, but bytes arrived: check the speed of the port");
     return fail(link, UL_NO_CONNECTION, "", "no gateway answered: check its power, the port and the wiring");
 }
 
