@@ -36,7 +36,7 @@ from generate.programs import CPP, HERE, SANITIZED, C, Driven, Simulated, checke
 from spec_examples import FIGURE_1, specs
 from unity_link.generate.c.layout import Layout
 from unity_link.protocol.configuration import Feature, GatewayInfo
-from unity_link.protocol.constants import LONGEST_SILENCE, LONGEST_TIMEOUT
+from unity_link.protocol.constants import FEWEST_IN_FLIGHT, LONGEST_SILENCE, LONGEST_TIMEOUT
 from unity_link.protocol.crc import Crc
 from unity_link.protocol.frames import Framing
 from unity_link.protocol.messages import ErrorCode
@@ -59,6 +59,7 @@ LOST, LOST_EXECUTED, LOST_NOT_EXECUTED, UNANSWERED, NO_CONNECTION, UNSUPPORTED, 
 )
 SILENT = "the gateway does not answer any more; the request is"
 EXAMPLES = HERE.parents[1] / "examples"
+DEFAULT_INFO = GatewayInfo()
 
 
 @pytest.fixture(scope="session")
@@ -551,8 +552,8 @@ def test_an_answer_is_waited_for_as_long_as_a_usb_chip_may_keep_it_unless_the_me
 class Faulty:
     """A gateway of which the answers that a pattern finds are damaged, so many times each."""
 
-    def __init__(self, pattern: bytes, times: int) -> None:
-        self._gateway, self._pattern, self._times = VirtualGateway(), re.compile(pattern), times
+    def __init__(self, pattern: bytes, times: int, info: GatewayInfo = DEFAULT_INFO) -> None:
+        self._gateway, self._pattern, self._times = VirtualGateway(info), re.compile(pattern), times
         self._damaged: Counter[bytes] = Counter()
 
     def __call__(self, data: bytes, now: float) -> bytes:
@@ -594,6 +595,91 @@ def test_what_a_line_loses_under_many_requests_is_found_by_signs_and_hardly_ever
         # The last line end of a batch is behind all that could be a sign that it was lost.
         assert timeouts < damaged / 50
         assert client.now < 1
+
+
+def test_half_of_what_was_lost_is_sent_again_at_first_and_the_rest_as_answers_come(driver: Path) -> None:
+    gateway, sizes = VirtualGateway(), list[int]()
+
+    def losing_two(data: bytes, now: float) -> bytes:
+        if reads := data.count(b"r"):
+            sizes.append(reads)
+        return b"" if reads and len(sizes) <= 2 else gateway.receive(data, now)
+
+    with Simulated(driver, losing_two) as client:
+        client.words("connect test: 5")
+        assert client.words("rmany " + "10 " * 128) == [0] * 128
+        # Nothing came through between the losses; then each answer lets one more be sent again beside the next.
+        assert sizes == [128, 64, FEWEST_IN_FLIGHT, 16, 32, 64, 8]
+        client.words("close")
+
+
+def test_what_is_answered_is_not_sent_again_and_the_answer_to_the_oldest_is_no_sign_of_loss(driver: Path) -> None:
+    gateway, waiting, sent = ObservedGateway(), list[bytes](), list[bytes]()
+
+    def one_by_one(data: bytes, now: float) -> bytes:
+        sent.extend(re.findall(rb"r[^\n]*", data))
+        answers = gateway.receive(data, now).splitlines(keepends=True)
+        if len(sent) == 4:
+            # The answers to the first three are lost.
+            answers = answers[-1:]
+        waiting.extend(answers)
+        return waiting.pop(0) if waiting else b""
+
+    with Simulated(driver, one_by_one) as client:
+        client.words("connect test: 5")
+        assert client.words("rmany 10 11 12 13") == [0] * 4
+        assert sent[4:] == sent[:3]
+        assert client.words("statistics")[3] == 0
+        client.words("close")
+
+
+def test_a_gateway_without_flow_control_is_sent_the_same_once_more_only_when_the_time_is_out(driver: Path) -> None:
+    info = GatewayInfo(features=Feature(0x7F) & ~Feature.FLOW_CONTROL, receive_fifo_bytes=64)
+    with Simulated(driver, Faulty(b"r", 2, info)) as client:
+        client.words("connect test: 5")
+        client.words("read 10")
+        repetitions, timeouts = client.words("statistics")[2:4]
+        assert (repetitions, timeouts) == (2, 1)
+        client.words("close")
+
+
+@pytest.mark.parametrize("flow_control", [True, False])
+@pytest.mark.parametrize("program", ["driver", "small_driver"])
+def test_posted_and_answered_writes_are_executed_once_and_in_order_whatever_the_line_loses(
+    request: pytest.FixtureRequest, program: str, *, flow_control: bool
+) -> None:
+    features = Feature(0x7F) if flow_control else Feature(0x7F) & ~Feature.FLOW_CONTROL
+    info = GatewayInfo(crc_bits=32, crc_polynomial=0x04C11DB7, features=features, receive_fifo_bytes=127)
+    for seed in range(4):
+        gateway = ObservedGateway(info)
+        chances = {"loss": 0.0015 * (seed + 1), "flip": 0.0015 * (seed + 1)}
+        line = NoisyLine(gateway, Noise(2 * seed, **chances), Noise(2 * seed + 1, **chances))
+        with Simulated(request.getfixturevalue(program), line.receive) as client:
+            client.words("connect test: 60")
+            for first in (0, 300):
+                for value in range(first, first + 150):
+                    client.words(f"post 20 {value:X}")
+                client.words("wmany " + " ".join(f"20 {value:X}" for value in range(first + 150, first + 300)))
+            assert client.words("rmany " + "20 " * 200) == [599] * 200
+            assert client.words("statistics")[2] > 0
+            client.words("close")
+        assert [word for _, word in gateway.bus_log.writes] == list(range(600))
+
+
+def test_an_opening_that_noise_has_drawn_out_does_not_have_later_losses_wait(driver: Path) -> None:
+    gateway, losses = VirtualGateway(), Counter({b"K": 4, b"r": 1})
+
+    def losing(data: bytes, now: float) -> bytes:
+        answers = gateway.receive(data, now)
+        losses[answers[:1]] -= 1
+        return b"" if losses[answers[:1]] >= 0 else answers
+
+    with Simulated(driver, losing) as client:
+        client.words("connect test: 30")
+        began = client.now
+        assert client.words("rmany " + "10 " * 128) == [0] * 128
+        assert client.now - began < 2 * LONGEST_TIMEOUT
+        client.words("close")
 
 
 def test_a_gateway_without_flow_control_gets_no_more_than_its_fifo_holds(client: Driven) -> None:

@@ -97,11 +97,8 @@ def _fingerprint() -> str:
     """Return what tells a MEX file that was built from other sources: it does not depend on the spec."""
     digest = hashlib.sha256(repr(TABLE).encode())
     folder = Path(c.__file__).parent
-    for path in (
-        *sorted(folder.glob("unity_link*.jinja")),
-        *sorted(folder.glob("runtime/*.c")),
-        *sorted(_SOURCE.glob("*.jinja")),
-    ):
+    paths = [*folder.glob("unity_link*.jinja"), *folder.glob("runtime/*.c"), *_SOURCE.glob("*.jinja")]
+    for path in sorted(paths):
         digest.update(path.read_bytes())
     return digest.hexdigest()[:16]
 

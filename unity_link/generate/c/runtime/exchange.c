@@ -83,7 +83,6 @@ static void end_session(ul_link *link, uint32_t never, const char *end)
     uint32_t executed = distance(link, link->executed), sent_once = distance(link, link->sent_once);
     if (!link->gone) link->end = end;
     link->gone = true;
-    link->wants_repetition = false;
     if (never < sent_once) never = sent_once;
     for (uint32_t place = 0; place < in_flight(link); place++) {
         ul_request *request = slot_of(link, link->oldest + place);
@@ -91,7 +90,7 @@ static void end_session(ul_link *link, uint32_t never, const char *end)
         if (request->waiting) settle(request, status);
         request->waiting = false;
     }
-    link->oldest = link->executed = link->sent_once = link->next;
+    link->oldest = link->executed = link->sent_once = link->to_repeat = link->next;
     link->unfenced = 0;
     link->bytes = 0;
 }
@@ -148,13 +147,17 @@ static void send_fence(ul_link *link)
     link->statistics.requests++;
 }
 
+/* Send again what is to be sent again now. */
 static void repeat(ul_link *link)
 {
-    link->wants_repetition = false;
-    link->sent_once = link->next;
-    for (uint32_t id = link->oldest; id != link->next && !link->gone; id = (id + 1) & link->ring_mask) {
+    unsigned room = repetition_room(link);
+    while (is_repeating(link) && !link->gone) {
+        uint32_t id = link->to_repeat;
         const ul_request *request = slot_of(link, id);
+        if (request->waiting && room == 0) return;
+        link->to_repeat = after(link, id);
         if (!request->waiting) continue;
+        room--;
         link->statistics.repetitions++;
         send_request(link, request, id);
     }
@@ -171,12 +174,9 @@ static void turn(ul_link *link, double until)
     if (until > now) link->transport.wait(link->transport.context, false, until - now);
     receive_bytes(link);
     ul_request given_up = {.batch = NULL};
-    bool had_to = link->wants_repetition;
     if (note_time(link, now_of(link), &given_up)) lose(link, SILENT);
     settle(&given_up, UL_UNANSWERED);
-    if (link->gone || !link->wants_repetition) return;
-    if (!had_to) link->statistics.timeouts++;
-    repeat(link);
+    if (is_repeating(link)) repeat(link);
 }
 
 /* Say what is wrong with a request, or NULL. */
@@ -208,7 +208,7 @@ static void start(ul_link *link, ul_batch *batch, ul_request request)
         }
     }
     while (link->open && !link->gone && !has_room(link, size, request.posted)) {
-        if (link->unfenced > 0) send_fence(link);
+        if (can_fence(link)) send_fence(link);
         turn(link, now_of(link) + LONGEST_TIMEOUT);
     }
     if (batch != NULL) batch->pending++;

@@ -205,7 +205,7 @@ static void turn_idle(ul_link *link, double until)
 {
     double due = link->since + KEEP_ALIVE;
     bool idle = in_flight(link) == 0 && link->subscriptions != NULL;
-    if (link->unfenced > 0 || (idle && now_of(link) >= due)) send_fence(link);
+    if (can_fence(link) || (idle && now_of(link) >= due)) send_fence(link);
     turn(link, idle && due < until ? due : until);
 }
 
