@@ -160,8 +160,8 @@ static bool needs_fence(const ul_link *link)
         || (link->byte_limit != SIZE_MAX && 4 * link->unfenced_bytes >= link->byte_limit);
 }
 
-/* How many requests may be sent again now. Of posted writes, which nothing answers, it is at least as many as stand before
- * one with an answer, and that one. */
+/* How many requests may be sent again now: at least the posted writes, which nothing answers, that stand before the
+ * first request with an answer, and that one. */
 static unsigned repetition_room(const ul_link *link)
 {
     unsigned most = 1, sent = waiting_between(link, link->oldest, link->to_repeat);
