@@ -163,6 +163,7 @@ static void subscribe(void)
     one->on_change = strchr(flags, 'c') != NULL;
     one->trigger = strchr(flags, 'e') != NULL;
     one->immediate = strchr(flags, 'i') != NULL;
+    if (strchr(flags, '1') != NULL) one->group = 1;
     if (strchr(flags, 'b') != NULL) one->callback = called_back;
     if (strchr(flags, 'z') != NULL) one->callback = close_link;
     one->context = &last;
@@ -186,6 +187,31 @@ static void next_sample(void)
     printf("0 %" PRIu64 " %" PRIu64 " %a", sample.sequence, sample.lost, sample.time);
     print_words(sample.words, one->count);
     printf("\n");
+    fflush(stdout);
+}
+
+static void await_samples(void)
+{
+    ul_subscription *one = &subscriptions[next_number()];
+    size_t count = next_number();
+    finish(ul_await(&the_link, one, count, strtod(next_text(), NULL)), NULL, 0);
+}
+
+/* A fence, and what became of the posted writes before it. */
+static void print_posts(void)
+{
+    ul_batch fence = UL_BATCH;
+    ul_start_fence(&the_link, &fence);
+    uint64_t status = ul_finish(&the_link, &fence);
+    ul_batch posts = ul_take_posts(&the_link);
+    uint64_t all[] = {status, posts.status, posts.address, posts.failed, posts.unknown, posts.not_executed};
+    finish(UL_OK, all, sizeof all / sizeof *all);
+}
+
+static void print_end(void)
+{
+    const char *end = ul_end(&the_link);
+    printf("0%s%s\n", end == NULL ? "" : " ", end == NULL ? "" : end);
     fflush(stdout);
 }
 
@@ -284,6 +310,12 @@ static void do_command(const char *command)
         finish(ul_unsubscribe(&the_link, &subscriptions[next_number()]), NULL, 0);
     } else if (!strcmp(command, "next")) {
         next_sample();
+    } else if (!strcmp(command, "await")) {
+        await_samples();
+    } else if (!strcmp(command, "posts")) {
+        print_posts();
+    } else if (!strcmp(command, "end")) {
+        print_end();
     } else if (!strcmp(command, "lost")) {
         finish(UL_OK, &subscriptions[next_number()].lost, 1);
     } else if (!strcmp(command, "poll")) {

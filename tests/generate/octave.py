@@ -7,6 +7,7 @@ line; the tests look at the lines. Numbers are printed so that no bit is lost: `
 from __future__ import annotations
 
 import functools
+import os
 import shutil
 import struct
 import subprocess
@@ -15,10 +16,14 @@ from typing import TYPE_CHECKING
 from unity_link.generate import generate, write
 
 if TYPE_CHECKING:
+    from collections.abc import Mapping
     from pathlib import Path
 
     from unity_link.spec import Spec
 
+MEX_FILE = "unity_link_mex.mex"
+CAREFULLY = {"CFLAGS": "-O1 -Wall -Wextra -Werror"}
+"""How the MEX file is compiled for the tests."""
 LONGEST_RUN = 300
 """Seconds after which a script is ended that hangs."""
 _PRELUDE = """\
@@ -63,37 +68,40 @@ def why_not() -> str:
     octave = shutil.which("octave-cli")
     if octave is None:
         return "octave-cli is not installed (Debian: apt install octave)"
-    found = subprocess.run([octave, "--eval", "pkg('load', 'instrument-control')"], capture_output=True, check=False)
-    if found.returncode:
-        return "Octave's instrument-control is not installed (Debian: apt install octave-instrument-control)"
+    if shutil.which("mkoctfile") is None:
+        return "mkoctfile is not installed (Debian: apt install liboctave-dev)"
     return ""
 
 
 class Octave:
-    """Octave in a folder with generated code."""
+    """Octave in a folder with generated code, which is built already where a MEX file is given."""
 
-    def __init__(self, folder: Path) -> None:
+    def __init__(self, folder: Path, mex_file: Path | None = None) -> None:
         self.folder = folder
+        self._mex_file = mex_file
 
     def generate(self, spec: Spec) -> None:
         """Add the class of a spec."""
         write(generate("matlab", spec), self.folder)
+        if self._mex_file is not None:
+            shutil.copy2(self._mex_file, self.folder)
 
-    def start(self, script: str) -> subprocess.Popen[str]:
-        """Run a script."""
+    def start(self, script: str, environment: Mapping[str, str] | None = None) -> subprocess.Popen[str]:
+        """Run a script, with some more variables in its environment."""
         (self.folder / "script.m").write_text(f"{_PRELUDE}{script}\nexit(0);\n", encoding="utf-8")
         return subprocess.Popen(
             ["octave-cli", "--no-init-file", "--quiet", "script.m"],
             cwd=self.folder,
+            env={**os.environ, **(environment or {})},
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
             stderr=subprocess.PIPE,
             text=True,
         )
 
-    def run(self, script: str) -> dict[str, str]:
+    def run(self, script: str, environment: Mapping[str, str] | None = None) -> dict[str, str]:
         """Run a script to its end, and return what it showed, by its labels."""
-        with self.start(script) as process:
+        with self.start(script, environment) as process:
             try:
                 output, errors = process.communicate(timeout=LONGEST_RUN)
             finally:

@@ -6,6 +6,7 @@ import asyncio
 import contextlib
 import random
 import re
+import signal
 import socket
 import threading
 from pathlib import Path
@@ -13,7 +14,7 @@ from typing import TYPE_CHECKING
 
 import pytest
 
-from generate.octave import Octave, doubles, numbers, words
+from generate.octave import LONGEST_RUN, Octave, doubles, numbers, words
 from generate.peers import (
     MEDIA,
     Fault,
@@ -198,13 +199,155 @@ attempt('queue', @() link.read_queue(1, 1));
 """)
     assert shown["url"].startswith("unity_link:argumentError 'telnet://here' is no URL of a gateway")
     assert shown["option"].startswith("unity_link:argumentError 'bits=7'")
-    assert shown["node"].startswith("unity_link:argumentError node=255")
+    assert shown["node"].startswith("unity_link:argumentError 'node=255'")
     assert shown["nobody"].startswith("unity_link:connectError tcp://127.0.0.1:1 cannot be opened")
     assert shown["silent"].startswith("unity_link:connectError no gateway answered")
-    assert shown["hung up"].startswith("unity_link:connectError tcp://127.0.0.1:")
+    assert shown["hung up"] == "unity_link:connectError the connection was lost before the gateway answered"
     assert shown["widths"].startswith("unity_link:unsupported the gateway has words of 16 bits")
     for label in ("groups", "masked", "queue"):
         assert shown[label].startswith("unity_link:unsupported the gateway was built without"), shown[label]
+
+
+# What is kept in the MEX file
+
+_HANDLES = """\
+link = unity_link.Link('{url}');
+other = unity_link.Link('{other}');
+samples = link.subscribe(1, 'rate_hz', 100);
+link.write(1, 5);
+other.write(1, 6);
+show('two', [link.read(1), other.read(1)]);
+stranger = other.subscribe(1, 'rate_hz', 100);
+show('samples', [samples.take(1).words < 6, stranger.take(1).words]);
+attempt('a subscription as a link', @() unity_link_mex('read', samples.number, 1));
+attempt('a link as a subscription', @() unity_link_mex('take', link.number, 1));
+attempt('none', @() unity_link_mex('read', 1e9, 1));
+attempt('no number', @() unity_link_mex('read', 'link', 1));
+attempt('two numbers', @() unity_link_mex('read', [link.number, link.number], 1));
+attempt('nothing', @() unity_link_mex('read', [], 1));
+attempt('not a number', @() unity_link_mex('read', NaN, 1));
+attempt('an object', @() unity_link_mex('read', link, 1));
+attempt('a command', @() unity_link_mex('reed', link.number, 1));
+attempt('no command', @() unity_link_mex());
+attempt('few arguments', @() unity_link_mex('read', link.number));
+attempt('a cell of words', @() link.write_block(1, {{1, 2}}));
+attempt('complex', @() link.write(1, 1i));
+attempt('a sparse address', @() link.read(sparse(1)));
+attempt('a text', @() link.write_many(1:2, 'ab'));
+number = link.number;
+waiting = samples.number;
+link.close();
+attempt('closed', @() link.read(1));
+attempt('closed take', @() samples.take(1000));
+samples.close();
+attempt('closed subscription', @() unity_link_mex('take', waiting, 1));
+samples = other.subscribe(2, 'rate_hz', 100);
+delete(other);
+attempt('take without its link', @() samples.take(1000));
+samples.close();
+delete(link);
+attempt('deleted', @() unity_link_mex('read', number, 1));
+attempt('deleted twice', @() unity_link_mex('release', number));
+"""
+
+
+def test_a_number_that_is_none_of_a_link_or_subscription_is_an_error_and_two_links_stay_apart(octave: Octave) -> None:
+    octave.generate(compile_text(FIGURE_1))
+    with simulate("tcp") as url, simulate("unix", str(octave.folder / "socket")) as other:
+        shown = octave.run(_HANDLES.format(url=url, other=other))
+    assert shown.pop("two") == doubles(5, 6)
+    assert shown.pop("samples") == doubles(1, 6)
+    assert shown.pop("closed") == "unity_link:linkLost the link was closed; the request is known not to be executed"
+    for label in ("closed take", "take without its link"):
+        assert shown.pop(label) == "unity_link:linkLost the link was closed"
+    assert shown["a link as a subscription"].endswith("is not the number of a subscription")
+    assert shown["deleted"].endswith("it was deleted, or never made")
+    wrong = {label: text for label, text in shown.items() if not text.startswith("unity_link:argumentError ")}
+    assert wrong == {}
+
+
+def test_a_package_that_is_not_built_says_what_to_call_and_is_there_when_that_is_done(bare_octave: Octave) -> None:
+    bare_octave.generate(compile_text(FIGURE_1))
+    link = bare_octave.folder / "+unity_link" / "Link.m"
+    with simulate("tcp") as url:
+        shown = bare_octave.run(f"""\
+attempt('not built', @() scara('{url}'));
+unity_link.build();
+link = unity_link.Link('{url}');
+show('read', link.read(1));
+attempt('build with a link', @() unity_link.build());
+show('still there', link.read(1));
+clear link
+unity_link.build();
+""")
+        link.write_text(re.sub(r"'open', '\w+'", "'open', 'new'", link.read_text(encoding="utf-8")), encoding="utf-8")
+        shown |= bare_octave.run(f"attempt('generated anew', @() scara('{url}'));")
+    assert shown == {
+        "not built": "unity_link:notBuilt the package unity_link is not built yet: call unity_link.build() once",
+        "read": doubles(0),
+        "build with a link": (
+            "unity_link:argumentError a link is open: clear all links and subscriptions before building anew"
+        ),
+        "still there": doubles(0),
+        "generated anew": (
+            "unity_link:notBuilt the package unity_link was generated anew since it was built: call unity_link.build()"
+        ),
+    }
+    sources = {"unity_link.h", "unity_link.c", "unity_link_posix.c", "unity_link_mex.c"}
+    assert {path.name for path in (bare_octave.folder / "+unity_link" / "source").iterdir()} == sources
+
+
+def test_a_build_without_a_compiler_says_what_is_missing(bare_octave: Octave) -> None:
+    bare_octave.generate(compile_text(FIGURE_1))
+    shown = bare_octave.run("attempt('build', @() unity_link.build());", {"CC": "/no/such/compiler"})
+    assert shown["build"].startswith("unity_link:noCompiler the package unity_link could not be compiled (")
+    assert "is a C compiler installed? Octave needs liboctave-dev beside it" in shown["build"]
+
+
+_CLEARED = """\
+link = unity_link.Link('{url}');
+samples = link.subscribe(1, 'rate_hz', 100);
+clear unity_link_mex
+show('kept', samples.take(1).words);
+show('locked', mislocked('unity_link_mex'));
+clear all
+printf('unlocked\\t%d\\n', ~mislocked('unity_link_mex'));
+link = unity_link.Link('{url}');
+link.post(1, 7);
+samples = link.subscribe(1, 'rate_hz', 100);
+printf('again\\t%d\\n', samples.take(1).words);
+"""
+
+
+def test_octave_ends_well_with_open_links_and_after_all_is_cleared(octave: Octave) -> None:
+    octave.generate(compile_text(FIGURE_1))
+    with serve(VirtualGateway()) as url:
+        shown = octave.run(_CLEARED.format(url=url))
+    assert shown == {"kept": doubles(0), "locked": "logical 1", "unlocked": "1", "again": "7"}
+
+
+def test_a_ctrl_c_ends_a_take_and_leaves_the_link_as_it_is(octave: Octave) -> None:
+    octave.generate(compile_text(FIGURE_1))
+    script = """\
+link = unity_link.Link('{url}');
+samples = link.subscribe(1, 'rate_hz', 100);
+unwind_protect
+  show('began', samples.take(1).words);
+  samples.take(1e6, 1000);
+unwind_protect_cleanup
+  link.write(1, 9);
+  show('read', link.read(1));
+  show('samples', samples.take(1000).words(end));
+end_unwind_protect
+"""
+    with simulate("tcp") as url, octave.start(script.format(url=url)) as process:
+        assert process.stdout is not None
+        assert process.stdout.readline().startswith("began")
+        process.send_signal(signal.SIGINT)
+        output, _ = process.communicate(timeout=LONGEST_RUN)
+    assert output.splitlines() == [f"read\t{doubles(9)}", f"samples\t{doubles(9)}"]
+    # That of a script that was interrupted.
+    assert process.returncode == 1
 
 
 # Lost frames
@@ -499,14 +642,14 @@ def test_a_gateway_of_another_version_is_named_with_what_to_do(octave: Octave) -
         assert line.count("^Q") == 2
     assert shown["other"] == (
         "unity_link:unsupported the gateway speaks version 01 of the protocol and this program version 02: build the "
-        "gateway anew with this version of unity-link, or generate this package with one that speaks 01"
+        "gateway anew with this version of unity-link, or generate the client with one that speaks 01"
     )
 
 
 @pytest.mark.parametrize(
     ("settings", "most"),
-    [(("features=0x6f", "receive_fifo_bytes=64"), 5), ((), 2048)],
-    ids=["a small FIFO", "half of all IDs"],
+    [(("features=0x6f", "receive_fifo_bytes=64"), 5), ((), 128)],
+    ids=["a small FIFO", "the window"],
 )
 def test_no_more_is_in_flight_than_the_gateway_takes(octave: Octave, settings: tuple[str, ...], most: int) -> None:
     octave.generate(compile_text(FIGURE_1))
@@ -604,6 +747,20 @@ def test_samples_of_groups_and_addresses_come_with_their_numbers_times_and_value
     for label in ("bad rate", "both", "option", "address"):
         assert shown[label].startswith("unity_link:argumentError "), shown[label]
     assert shown["group"] == "j1 j2 j3 j4 1"
+
+
+def test_more_samples_than_the_buffer_holds_are_taken_part_by_part(octave: Octave) -> None:
+    octave.generate(compile_text(FIGURE_1))
+    with simulate("tcp") as url:
+        shown = octave.run(f"""\
+link = unity_link.Link('{url}');
+samples = link.subscribe([1 2], 'rate_hz', 500, 'buffer', 40);
+data = samples.take(200);
+show('sizes', [size(data.words), size(data.time), sum(data.lost)]);
+show('sequence', isequal(data.sequence, (0:199).'));
+show('none', numel(samples.take(0).sequence));
+""")
+    assert shown == {"sizes": doubles(200, 2, 200, 1, 0), "sequence": "logical 1", "none": doubles(0)}
 
 
 def test_lost_samples_are_counted(octave: Octave) -> None:

@@ -2,8 +2,11 @@
 
 - ``scara.m``, from `interface.m`: a class with the signals as nested structs, so that ``robot.legs(2).coxa.cpos.get()``
   is what a program writes; arrays begin at 1, as all of them do there
-- ``+unity_link/``, from the folder `runtime`: the link (`Link`, over `Exchange`, `Framing`, `Port`), its subscriptions,
-  and what a signal does. The same for every spec but for the first lines
+- ``+unity_link/``, from the folder `runtime`: the link, its subscriptions, and what a signal does. The same for every
+  spec but for the first lines
+- ``+unity_link/source/``: the client in C (target ``c``), which does all of it, and the MEX file around it, from the
+  folder `source`; `build` of the package compiles them into one file, ``unity_link_mex``
+- ``unity_link_mex.m``: what says so as long as it is not built
 
 Written in what both languages have: no ``enumeration`` blocks, no `arguments` blocks, no string objects, and of Octave
 nothing of its own. The package keeps the names of both out of the way of the user's.
@@ -11,13 +14,14 @@ nothing of its own. The package keeps the names of both out of the way of the us
 
 from __future__ import annotations
 
+import hashlib
 import math
 import re
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
 from unity_link.errors import UnsupportedError
-from unity_link.generate import GeneratedFile
+from unity_link.generate import GeneratedFile, c
 from unity_link.generate.matlab.names import MEMBERS, identifiers
 from unity_link.protocol.constants import TABLE
 from unity_link.spec import ComponentArray
@@ -30,7 +34,9 @@ if TYPE_CHECKING:
 
 DOC = "MATLAB and GNU Octave: a class with the signals, and the package that it stands on"
 PACKAGE = "unity_link"
+MEX = "unity_link_mex"
 _RUNTIME = Path(__file__).with_name("runtime")
+_SOURCE = Path(__file__).with_name("source")
 _LINE_LENGTH = 116
 _FLAGS = {False: "false", True: "true"}
 _EXACT = 1 << 53
@@ -56,7 +62,7 @@ class Property(NamedTuple):
 
 def files(interface: Interface, templates: Templates) -> Iterator[GeneratedFile]:
     """Make the files of an interface."""
-    name = identifiers([interface.name], [PACKAGE])[interface.name]
+    name = identifiers([interface.name], [PACKAGE, MEX])[interface.name]
     lines = list(_lines(interface.root, "", [*MEMBERS, name]))
     paths = {line.signal.path: line.path for line in lines if line.signal is not None}
     # A variable of the class's own name would hide the class.
@@ -76,9 +82,25 @@ def files(interface: Interface, templates: Templates) -> Iterator[GeneratedFile]
         call=_call,
     )
     yield GeneratedFile(f"{name}.m", text)
-    for template in sorted(_RUNTIME.glob("*.jinja")):
-        text = templates.render(f"runtime/{template.stem}", constants=TABLE)
-        yield GeneratedFile(f"+{PACKAGE}/{template.stem}", text)
+    yield GeneratedFile(f"{MEX}.m", templates.render(f"{MEX}.m"))
+    built_from = _fingerprint()
+    for folder, place in ((_RUNTIME, f"+{PACKAGE}"), (_SOURCE, f"+{PACKAGE}/source")):
+        for template in sorted(folder.glob("*.jinja")):
+            text = templates.render(f"{folder.name}/{template.stem}", fingerprint=built_from)
+            yield GeneratedFile(f"{place}/{template.stem}", text)
+    client = templates.of("c", c.FILTERS)
+    for source in c.RUNTIME:
+        yield GeneratedFile(f"+{PACKAGE}/source/{source}", client.render(source, constants=TABLE))
+
+
+def _fingerprint() -> str:
+    """Return what tells a MEX file that was built from other sources: it does not depend on the spec."""
+    digest = hashlib.sha256(repr(TABLE).encode())
+    folder = Path(c.__file__).parent
+    paths = [*folder.glob("unity_link*.jinja"), *folder.glob("runtime/*.c"), *_SOURCE.glob("*.jinja")]
+    for path in sorted(paths):
+        digest.update(path.read_bytes())
+    return digest.hexdigest()[:16]
 
 
 def _members(part: Component) -> list[str]:
@@ -182,14 +204,18 @@ def _numbers(values: list[int]) -> list[str]:
     """Write numbers of one type: where one is too large for a double, all as uint64."""
     if max(values) < _EXACT:
         return [number(value) for value in values]
-    return [f"unity_link.Hex.to_numbers('{value:X}')" for value in values]
+    return [_wide(value, "uint64") for value in values]
+
+
+def _wide(value: int, kind: str) -> str:
+    """Write a number of 64 bits that a double does not hold, by its halves."""
+    return f"typecast(uint32([{value & 0xFFFFFFFF} {value >> 32 & 0xFFFFFFFF}]), '{kind}')"
 
 
 def number(value: float) -> str:
     """Write a number that MATLAB reads as the same number."""
     if isinstance(value, int) and abs(value) >= _EXACT:
-        whole = f"unity_link.Hex.to_numbers('{value & (1 << 64) - 1:X}')"
-        return whole if value > 0 else f"typecast({whole}, 'int64')"
+        return _wide(value, "uint64" if value > 0 else "int64")
     if not math.isfinite(value):
         raise UnsupportedError(f"{value} is no number that MATLAB code can have here")
     return repr(value)

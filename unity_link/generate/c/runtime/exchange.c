@@ -5,6 +5,8 @@
  */
 
 enum { MOST_READS = 16 };
+static const char SILENT[] = "the gateway does not answer any more";
+static const char LINE_GONE[] = "the connection was lost (its port, or its other side, is gone)";
 
 static void receive_bytes(ul_link *link);
 static void take_sample(ul_link *link, text body);
@@ -14,41 +16,34 @@ static double now_of(const ul_link *link)
     return link->transport.now == NULL ? 0 : link->transport.now(link->transport.context);
 }
 
-/* Leave a sentence for `ul_error`. */
-static ul_status fail(ul_link *link, ul_status status, const char *what, const char *reason)
+static bool is_lost(ul_status status)
 {
-    snprintf(link->error, sizeof link->error, "%s%s%s", what, *what == '\0' ? "" : ": ", reason);
-    return status;
+    return status == UL_LOST || status == UL_LOST_EXECUTED || status == UL_LOST_NOT_EXECUTED;
 }
 
-/* Return what a status means on this link: what a loss of the gateway's session does is not the line's. */
-static const char *meaning_of(const ul_link *link, ul_status status)
+/* Leave a sentence for `ul_error`. Without a reason it is that of the status, and of a lost link what ended it. */
+static ul_status fail(ul_link *link, ul_status status, const char *what, const char *reason)
 {
-    if (link->was_reset) {
-        if (status == UL_LOST) return "the gateway was reset, which ends the link; the request is perhaps executed";
-        if (status == UL_LOST_EXECUTED)
-            return "the gateway was reset, which ends the link; the request is known to be executed";
-        if (status == UL_LOST_NOT_EXECUTED)
-            return "the gateway was reset, which ends the link; the request is known not to be executed";
+    const char *between = *what == '\0' ? "" : ": ", *outcome = "";
+    if (reason == NULL) reason = ul_status_text(status);
+    if (is_lost(status) && link->end != NULL) {
+        outcome = strchr(reason, ';');
+        reason = link->end;
     }
-    return ul_status_text(status);
+    snprintf(link->error, sizeof link->error, "%s%s%s%s", what, between, reason, outcome);
+    return status;
 }
 
 static ul_status fail_at(ul_link *link, ul_status status, const char *what, uint32_t address, const char *reason)
 {
     char where[128];
     snprintf(where, sizeof where, "%.100s at 0x%0*lX", what, (int)link->address_digits, (unsigned long)address);
-    return fail(link, status, where, reason == NULL ? meaning_of(link, status) : reason);
+    return fail(link, status, where, reason);
 }
 
 static ul_status fail_batch(ul_link *link, const ul_batch *batch)
 {
     return fail_at(link, batch->status, batch->what, batch->address, batch->reason);
-}
-
-static bool is_lost(ul_status status)
-{
-    return status == UL_LOST || status == UL_LOST_EXECUTED || status == UL_LOST_NOT_EXECUTED;
 }
 
 /* Put the end of a request into its batch, if it has one. Nothing of the caller's is touched for it any more. */
@@ -57,9 +52,11 @@ static void settle(const ul_request *request, ul_status status)
     ul_batch *batch = request->batch;
     if (batch == NULL) return;
     if (batch->pending > 0) batch->pending--;
-    if (status == UL_OK) {
-        batch->answered++;
-    } else if (batch->status == UL_OK) {
+    if (status == UL_OK) batch->answered++;
+    else if (status == UL_LOST) batch->unknown++;
+    else if (status == UL_LOST_NOT_EXECUTED) batch->not_executed++;
+    else if (status != UL_LOST_EXECUTED) batch->failed++;
+    if (status != UL_OK && batch->status == UL_OK) {
         batch->status = status;
         batch->address = request->address;
         batch->what = shape_of(request->command)->name;
@@ -81,11 +78,11 @@ static void refuse(ul_batch *batch, ul_status status, const char *what, uint32_t
 
 /* The session has ended, and all its requests with it: those from a place in the window on are known not to be executed,
  * unless they were sent more than once. */
-static void end_session(ul_link *link, uint32_t never)
+static void end_session(ul_link *link, uint32_t never, const char *end)
 {
     uint32_t executed = distance(link, link->executed), sent_once = distance(link, link->sent_once);
+    if (!link->gone) link->end = end;
     link->gone = true;
-    link->wants_repetition = false;
     if (never < sent_once) never = sent_once;
     for (uint32_t place = 0; place < in_flight(link); place++) {
         ul_request *request = slot_of(link, link->oldest + place);
@@ -93,21 +90,21 @@ static void end_session(ul_link *link, uint32_t never)
         if (request->waiting) settle(request, status);
         request->waiting = false;
     }
-    link->oldest = link->executed = link->sent_once = link->next;
+    link->oldest = link->executed = link->sent_once = link->to_repeat = link->next;
     link->unfenced = 0;
     link->bytes = 0;
 }
 
-/* The line has ended. */
-static void lose(ul_link *link)
+/* The line has ended, of which nothing is known about the requests under way. */
+static void lose(ul_link *link, const char *end)
 {
-    end_session(link, in_flight(link));
+    end_session(link, in_flight(link), end);
 }
 
 /* End the link. From here on its transport is the caller's again, and not used any more. */
 static void shut(ul_link *link)
 {
-    lose(link);
+    lose(link, "the link was closed");
     link->open = false;
     link->subscriptions = NULL;
     link->transport.close(link->transport.context);
@@ -123,12 +120,12 @@ static void flush(ul_link *link)
     while (sent < link->send_size && !link->gone) {
         ptrdiff_t taken = link->transport.send(link->transport.context, link->send + sent, link->send_size - sent);
         if (taken < 0) {
-            lose(link);
+            lose(link, LINE_GONE);
         } else if (taken > 0) {
             sent += (size_t)taken;
             stuck_since = now_of(link);
         } else if (now_of(link) - stuck_since >= LONGEST_SILENCE) {
-            lose(link);
+            lose(link, SILENT);
         } else {
             link->transport.wait(link->transport.context, true, LONGEST_TIMEOUT);
             receive_bytes(link);
@@ -150,13 +147,17 @@ static void send_fence(ul_link *link)
     link->statistics.requests++;
 }
 
+/* Send again what is to be sent again now. */
 static void repeat(ul_link *link)
 {
-    link->wants_repetition = false;
-    link->sent_once = link->next;
-    for (uint32_t id = link->oldest; id != link->next && !link->gone; id = (id + 1) & link->ring_mask) {
+    unsigned room = repetition_room(link);
+    while (is_repeating(link) && !link->gone) {
+        uint32_t id = link->to_repeat;
         const ul_request *request = slot_of(link, id);
+        if (request->waiting && room == 0) return;
+        link->to_repeat = after(link, id);
         if (!request->waiting) continue;
+        room--;
         link->statistics.repetitions++;
         send_request(link, request, id);
     }
@@ -173,12 +174,9 @@ static void turn(ul_link *link, double until)
     if (until > now) link->transport.wait(link->transport.context, false, until - now);
     receive_bytes(link);
     ul_request given_up = {.batch = NULL};
-    bool had_to = link->wants_repetition;
-    if (note_time(link, now_of(link), &given_up)) lose(link);
+    if (note_time(link, now_of(link), &given_up)) lose(link, SILENT);
     settle(&given_up, UL_UNANSWERED);
-    if (link->gone || !link->wants_repetition) return;
-    if (!had_to) link->statistics.timeouts++;
-    repeat(link);
+    if (is_repeating(link)) repeat(link);
 }
 
 /* Say what is wrong with a request, or NULL. */
@@ -210,7 +208,7 @@ static void start(ul_link *link, ul_batch *batch, ul_request request)
         }
     }
     while (link->open && !link->gone && !has_room(link, size, request.posted)) {
-        if (link->unfenced > 0) send_fence(link);
+        if (can_fence(link)) send_fence(link);
         turn(link, now_of(link) + LONGEST_TIMEOUT);
     }
     if (batch != NULL) batch->pending++;
@@ -231,8 +229,7 @@ static void note_error(ul_link *link, text code, uint32_t id, double now)
     ul_request *request = find(link, id);
     bool sound = take_number(&code, 2, &number) && code.size == 0;
     if (sound && number == UL_NO_SESSION) {
-        link->was_reset = true;
-        end_session(link, distance(link, id));
+        end_session(link, distance(link, id), "the gateway was reset, which ends the link");
         return;
     }
     if (!sound || request == NULL) {
@@ -283,7 +280,7 @@ static void take_nameless_error(ul_link *link, text code, double now)
     if (number == UL_DAMAGED || number == UL_TOO_LONG || number == UL_RECEIVE_OVERFLOW) note_loss(link, now);
     if (number == UL_UNKNOWN_COMMAND || number == UL_MALFORMED) {
         ul_request given_up = {.batch = NULL};
-        if (note_refusal(link, now, &given_up)) lose(link);
+        if (note_refusal(link, now, &given_up)) lose(link, SILENT);
         settle(&given_up, (ul_status)number);
     }
 }
@@ -333,7 +330,7 @@ static bool fill(ul_link *link)
     link->receive_size = rest;
     size_t room = sizeof link->receive - rest;
     ptrdiff_t come = link->transport.receive(link->transport.context, link->receive + rest, room);
-    if (come < 0) lose(link);
+    if (come < 0) lose(link, LINE_GONE);
     if (come <= 0) return false;
     link->receive_size += (size_t)come;
     return true;

@@ -11,7 +11,7 @@ static const double FIRST_PATIENCE = 0.1, LONGEST_PATIENCE = 1.0;
 
 typedef struct opening {
     ul_link *link;
-    double until;
+    double until, asked;
     size_t heard;
     char answer[LONGEST_ANSWER];
     size_t size;
@@ -37,7 +37,8 @@ static bool ask(opening *opens, const char *question, bool plain, unsigned tries
         at = plain ? put_text(at, "\r") : put_check(link, at, start);
         link->send_size = (size_t)(at - link->send);
         flush(link);
-        double end = now_of(link) + patience;
+        opens->asked = now_of(link);
+        double end = opens->asked + patience;
         for (double now; (now = now_of(link)) < end && !link->gone;) {
             text line, answer;
             while (next_line(link, &line)) {
@@ -150,8 +151,9 @@ static ul_status learn(opening *opens)
         if (status == UL_OK && ask(opens, "Q", false, CHECKED_TRIES) && is_last_answer(opens, plain)) return UL_OK;
     }
     if (status == UL_UNSUPPORTED) return status;
+    if (link->gone) return fail(link, UL_NO_CONNECTION, "", "the connection was lost before the gateway answered");
     if (opens->heard > 0)
-        return fail(link, UL_NO_CONNECTION, "", "bytes arrived, but no answer: check the speed of the port");
+        return fail(link, UL_NO_CONNECTION, "", "no gateway answered, but bytes arrived: check the speed of the port");
     return fail(link, UL_NO_CONNECTION, "", "no gateway answered: check its power, the port and the wiring");
 }
 
@@ -166,18 +168,20 @@ static uint32_t choose_first(const ul_link *link)
     return (uint32_t)(bits >> (64 - 4 * link->info.id_digits));
 }
 
-/* Start the session. An answer does not say to which `K` it is, so the round trip counts from the first one. */
+/* Start the session. An answer does not say to which `K` it is: the round trip counts from the first one, and the least
+ * that it, and a byte, can take from the last one. */
 static ul_status start_session(opening *opens)
 {
     ul_link *link = opens->link;
     char session[8];
     uint32_t first = choose_first(link);
     *put_number(put_text(session, "K"), link->info.id_digits, first) = '\0';
-    double asked = now_of(link);
+    double began = now_of(link);
     if (!ask(opens, session, false, UINT32_MAX))
         return fail(link, UL_NO_CONNECTION, "", "the gateway does not answer any more");
-    double round_trip = now_of(link) - asked;
-    start_window(link, first, round_trip / (double)(strlen(session) + link->crc_digits + 1), round_trip);
+    double now = now_of(link), least = now - opens->asked;
+    start_window(link, first, least / (double)(strlen(session) + link->crc_digits + 1), now - began);
+    link->least_round_trip = least;
     return UL_OK;
 }
 
@@ -200,6 +204,11 @@ ul_status ul_open(ul_link *link, const ul_transport *transport, int node, double
 const char *ul_error(const ul_link *link)
 {
     return link->error;
+}
+
+const char *ul_end(const ul_link *link)
+{
+    return link->end;
 }
 
 const char *ul_status_text(ul_status status)

@@ -88,7 +88,7 @@ static bool give_sample(const ul_link *link, ul_subscription *subscription, ul_s
 
 static ul_status fail_plainly(ul_link *link, ul_status status)
 {
-    return fail(link, status, "subscription", meaning_of(link, status));
+    return fail(link, status, "subscription", NULL);
 }
 
 static bool is_subscribed(const ul_link *link, const ul_subscription *subscription)
@@ -107,15 +107,21 @@ static bool is_held(const ul_link *link, unsigned group)
 
 /* Choose a group that is free, from the last one down. What was chosen on a link that was lost is chosen anew. Samples
  * of whoever had the group before come before the answer to `GS`, and so find nobody. */
-static bool choose_group(const ul_link *link, ul_subscription *subscription)
+static ul_status choose_group(ul_link *link, ul_subscription *subscription)
 {
-    unsigned group = link->info.groups;
-    if (subscription->group != 0 && !subscription->chosen)
-        return subscription->group <= group && !is_held(link, subscription->group - 1);
+    char reason[96];
+    unsigned groups = link->info.groups, group = groups;
+    if (subscription->group != 0 && !subscription->chosen) {
+        if (subscription->group <= groups && !is_held(link, subscription->group - 1)) return UL_OK;
+        snprintf(reason, sizeof reason, "group %u of the gateway is in use, or there is none", subscription->group - 1);
+        return fail(link, UL_BAD_ARGUMENT, "subscription", reason);
+    }
     while (group > 0 && is_held(link, group - 1)) group--;
     subscription->group = group;
     subscription->chosen = group > 0;
-    return subscription->chosen;
+    if (subscription->chosen) return UL_OK;
+    snprintf(reason, sizeof reason, "all %u groups of the gateway are in use: end a subscription first", groups);
+    return fail(link, UL_UNSUPPORTED, "subscription", reason);
 }
 
 /* Turn what was asked for into flags, a divisor and the rate that comes of it; NULL, or what is wrong. */
@@ -156,11 +162,11 @@ ul_status ul_subscribe(ul_link *link, ul_subscription *subscription)
         return fail(link, UL_UNSUPPORTED, "subscription", "the gateway was built without groups");
     const char *wrong = plan(link, subscription);
     if (wrong != NULL) return fail(link, UL_BAD_ARGUMENT, "subscription", wrong);
-    if (!choose_group(link, subscription))
-        return fail(link, UL_UNSUPPORTED, "subscription", "the group, or every group of the gateway, is in use");
+    ul_status status = choose_group(link, subscription);
+    if (status != UL_OK) return status;
 
     uint32_t group = subscription->group - 1;
-    ul_status status = ask_for(link, (ul_request){.command = "gs", .address = group, .word = subscription->flags,
+    status = ask_for(link, (ul_request){.command = "gs", .address = group, .word = subscription->flags,
                                                   .mask = subscription->divisor, .count = subscription->count,
                                                   .addresses = subscription->addresses});
     if (status != UL_OK) return status;
@@ -199,20 +205,26 @@ static void turn_idle(ul_link *link, double until)
 {
     double due = link->since + KEEP_ALIVE;
     bool idle = in_flight(link) == 0 && link->subscriptions != NULL;
-    if (link->unfenced > 0 || (idle && now_of(link) >= due)) send_fence(link);
+    if (can_fence(link) || (idle && now_of(link) >= due)) send_fence(link);
     turn(link, idle && due < until ? due : until);
+}
+
+ul_status ul_await(ul_link *link, ul_subscription *subscription, size_t count, double seconds)
+{
+    double until = now_of(link) + (is_subscribed(link, subscription) ? seconds : 0);
+    while (subscription->waiting < count) {
+        if (link->gone) return fail_plainly(link, UL_LOST);
+        turn_idle(link, until);
+        if (subscription->waiting < count && now_of(link) >= until) return fail_plainly(link, UL_NO_SAMPLE);
+    }
+    return UL_OK;
 }
 
 ul_status ul_next(ul_link *link, ul_subscription *subscription, ul_sample *sample, double seconds)
 {
-    double until = now_of(link) + (is_subscribed(link, subscription) ? seconds : 0);
-    while (!give_sample(link, subscription, sample)) {
-        if (link->gone) return fail_plainly(link, UL_LOST);
-        turn_idle(link, until);
-        if (give_sample(link, subscription, sample)) return UL_OK;
-        if (now_of(link) >= until) return fail_plainly(link, UL_NO_SAMPLE);
-    }
-    return UL_OK;
+    ul_status status = ul_await(link, subscription, 1, seconds);
+    if (status == UL_OK) give_sample(link, subscription, sample);
+    return status;
 }
 
 /* Call the callbacks with the samples that wait now. As a callback may end any subscription, and bring in more samples,

@@ -61,6 +61,11 @@ void ul_start_write_queue(ul_link *link, ul_batch *batch, uint32_t address, cons
     start_block(link, batch, (ul_request){.command = "wq", .address = address, .source = words}, count, 0);
 }
 
+void ul_start_fence(ul_link *link, ul_batch *batch)
+{
+    start(link, batch, (ul_request){.command = "h"});
+}
+
 ul_status ul_read(ul_link *link, uint32_t address, uint64_t *word)
 {
     ul_batch batch = UL_BATCH;
@@ -146,23 +151,30 @@ ul_status ul_post(ul_link *link, uint32_t address, uint64_t word)
     return fail_at(link, was_lost ? UL_LOST_NOT_EXECUTED : UL_LOST, "posted write", address, NULL);
 }
 
-/* Give the first error of the posted writes since the last time, or else a status. */
-static ul_status take_posts(ul_link *link, ul_status status)
+ul_batch ul_take_posts(ul_link *link)
 {
     ul_batch posts = link->posts;
     link->posts = UL_BATCH;
+    return posts;
+}
+
+/* Give the first error of the posted writes since the last time, or else a status. */
+static ul_status report_posts(ul_link *link, ul_status status)
+{
+    ul_batch posts = ul_take_posts(link);
     return posts.status == UL_OK ? status : fail_batch(link, &posts);
 }
 
 ul_status ul_fence(ul_link *link)
 {
-    return take_posts(link, ask_for(link, (ul_request){.command = "h"}));
+    return report_posts(link, ask_for(link, (ul_request){.command = "h"}));
 }
 
 ul_status ul_close(ul_link *link)
 {
     if (!link->open) return UL_OK;
-    ul_status status = link->gone ? take_posts(link, UL_OK) : ul_fence(link);
+    bool idle = link->gone || in_flight(link) == 0;
+    ul_status status = idle ? report_posts(link, UL_OK) : ul_fence(link);
     shut(link);
     return status;
 }
