@@ -94,11 +94,11 @@ async def _terminal(url: str, *, plain: bool, timeout: float) -> None:  # noqa: 
 async def _connect(target: DriverUrl, stream: Stream) -> Codec:
     from unity_link.protocol.configuration import GatewayInfo
     from unity_link.protocol.messages import Codec
-    from unity_link.transport import load_driver
+    from unity_link.transport import open_medium
 
     try:
         async with asyncio.timeout(DEFAULT_TIMEOUT):
-            await load_driver(target.scheme).connect(target, stream)
+            await open_medium(target, stream)
     except TimeoutError:
         raise ConnectError(f"{target.text}: the connection was not accepted within {DEFAULT_TIMEOUT:g} s") from None
     except ConnectError as error:
@@ -168,7 +168,7 @@ class _Session:
     """Sends what is typed and shows what comes."""
 
     def __init__(self, stream: Stream, codec: Codec, *, plain: bool) -> None:
-        from unity_link.cli.explain import Interpreter
+        from unity_link.protocol.interpreter import Interpreter
 
         self.codec = codec
         self.answered = asyncio.Event()
@@ -191,9 +191,9 @@ class _Session:
             self._stream.send(_encoded(line[1:]) + b"\n")
             return None
         body = _encoded(line)
-        command = self._interpreter.listen(body)
+        request = self._interpreter.listen(body)
         self._stream.send(framing.plain_request(body) if self._plain else framing.checked(body))
-        return command
+        return None if request is None else request.command
 
     async def answer(self, seconds: float) -> bool:
         """Wait for the answer to what was sent last; say whether it came."""
@@ -226,7 +226,7 @@ class _Session:
         # Noise may well be what tells a terminal to clear its screen.
         visible = repr(bytes(body))[2:-1]
         try:
-            self.show(Text.assemble((visible, "bold"), "  ", (self._interpreter.explain(line), "cyan")))
+            self.show(Text.assemble((visible, "bold"), "  ", (self._interpreter.explain(line).words, "cyan")))
         except OSError as error:
             self._end(error)
         if not body.startswith(b"P"):
@@ -321,7 +321,7 @@ async def _converse(url: str, session: _Session, timeout: float) -> None:  # noq
     from prompt_toolkit.input import create_input
     from prompt_toolkit.patch_stdout import patch_stdout
 
-    from unity_link.cli.explain import summary
+    from unity_link.protocol.interpreter import summary
 
     keyboard = create_input()
     # While something is printed above the prompt, the terminal would edit lines itself, and take keys such as Ctrl-D.
