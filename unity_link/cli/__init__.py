@@ -9,7 +9,7 @@ One file for each family of commands. They parse, show and explain; what they do
 - `spec` has the commands about specs: check, fmt, show, import; `generate` writes code from one
 - `recording` has record and replay; `export` is about recordings and specs; `ros` has the bridges to ROS
 - `zenoh` has the bridge to Zenoh
-- `snoop` has explain, for files of what passed on a connection
+- `snoop` has explain and retrace, for files of what passed on a connection
 - `ft232h` has those about the chip's EEPROM
 - `live` shows signals on a page; `serve` shares a link; `service` tells systemd of a command that runs for long
 - `plots` draws curves, `full_screen` gives a picture the whole terminal for a while

@@ -1,4 +1,4 @@
-"""`unity-link explain`: what passed on a connection, read aloud."""
+"""`unity-link explain` and `retrace`: what passed on a connection, read aloud, and played into the gateware."""
 
 from __future__ import annotations
 
@@ -13,11 +13,12 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from unity_link.cli.arguments import Json  # noqa: TC001  (typer reads it)
-from unity_link.cli.output import print_error, print_json, print_note
+from unity_link.cli.output import print_error, print_json, print_line, print_note
 from unity_link.errors import ArgumentError
 
 if TYPE_CHECKING:
     from unity_link.protocol.conversation import Conversation, Heard
+    from unity_link.virtual.rtl.retrace import Report
 
 SnoopPath = Annotated[
     Path,
@@ -33,6 +34,7 @@ FAILED = 1
 def add_to(app: typer.Typer) -> None:
     """Add the commands of this file."""
     app.command()(explain)
+    app.command()(retrace)
 
 
 def explain(file: SnoopPath, *, begin: From = 0.0, end: To = None, json: Json = False) -> None:
@@ -40,12 +42,83 @@ def explain(file: SnoopPath, *, begin: From = 0.0, end: To = None, json: Json = 
 
     Times are seconds from the first record on. > is what the host sent, < what the gateway sent. A summary comes last.
     """
-    check_times(begin, end)
+    _check_times(begin, end)
     if not _Reader(json=json, begin=begin, end=math.inf if end is None else end).read(file):
         raise typer.Exit(FAILED)
 
 
-def check_times(begin: float, end: float | None) -> None:
+def retrace(
+    file: SnoopPath,
+    *,
+    rtl: Annotated[bool, typer.Option("--rtl", help="Into the compiled gateware; there is no other way yet.")] = False,
+    vcd: Annotated[
+        Path | None, typer.Option("--vcd", metavar="OUT", help="Write its inner signals as a waveform.")
+    ] = None,
+    begin: From = 0.0,
+    end: To = None,
+    connection: Annotated[
+        int | None, typer.Option(metavar="N", min=0, help="Of a file of several gateways: the one to play.")
+    ] = None,
+) -> None:
+    """Play the host's bytes of a snoop into the gateware, and compare its answers and samples.
+
+    The bus answers what was recorded. --from and --to say which part the waveform shows; its time is that of explain.
+    What comes behind --to is not played. GTKWave and Surfer open the waveform.
+    """
+    if not rtl:
+        raise ArgumentError("retrace plays into the compiled gateware, and wants to be told so: --rtl")
+    _check_times(begin, end)
+    from unity_link.transport.snoop import read
+    from unity_link.virtual.rtl.retrace import Retrace, differing, fitting
+    from unity_link.virtual.rtl.snooped import read_snooped
+
+    damage: list[str] = []
+    snooped = read_snooped(read(file, damage.append), connection, end)
+    build = fitting(snooped)
+    if fields := differing(build.info, snooped.info):
+        print_note(f"played into {build.name!r}, which differs from the recorded gateway in {', '.join(fields)}")
+    gateway = Retrace(snooped, build)
+    if vcd is not None:
+        gateway.show(vcd, begin, math.inf if end is None else end)
+    report = gateway.play()
+    if vcd is not None:
+        gateway.finish(vcd)
+    print_line(_comparison(report, snooped.astray))
+    for text in damage:
+        print_error(text)
+    if report.first is not None:
+        print_error(_difference(report))
+    if damage or report.first is not None:
+        raise typer.Exit(FAILED)
+
+
+def _comparison(report: Report, astray: int) -> str:
+    text = (
+        f"{report.seconds:.6f} s played: {report.answers:,} answers and {report.samples:,} samples compared, "
+        f"{report.differences:,} of them differ"
+    )
+    if report.unknown:
+        text += f"; {report.unknown:,} answers were not recorded"
+    if report.triggered:
+        text += f"; {report.triggered:,} samples by triggers are left out"
+    if astray:
+        text += f"; {astray:,} frames of the gateway answer nothing known"
+    return text
+
+
+def _difference(report: Report) -> str:
+    from unity_link.transport.tap import as_text
+
+    first = report.first
+    assert first is not None
+    recorded, retraced = (as_text(frame) or "nothing" for frame in (first.recorded, first.retraced))
+    what = f"to {as_text(first.sent.lstrip())}" if first.sent else "a sample"
+    return (
+        f"first difference at {first.time:.6f} s, {what}: {recorded} was recorded, {retraced} comes from the gateware"
+    )
+
+
+def _check_times(begin: float, end: float | None) -> None:
     """Check the ends of a stretch of time.
 
     Raises:
