@@ -76,6 +76,21 @@ def retraced(path: Path) -> Report:
     return Retrace(recorded, fitting(recorded)).play()
 
 
+def checked(body: bytes) -> bytes:
+    return body + Crc().text(body) + b"\n"
+
+
+def written(path: Path, *packets: tuple[float, bool, bytes], name: str = "hand") -> Path:
+    """Write a snoop of packets: seconds, whether sent, bytes."""
+    blocks = [pcapng.packet(Packet(0, round(time * 1e9), sent, data)) for time, sent, data in packets]
+    path.write_bytes(pcapng.section() + pcapng.interface(name) + b"".join(blocks))
+    return path
+
+
+QUESTION = [(1.0, True, b"\nQ\r"), (1.1, False, b"Q" + SLOW.to_hex() + b"\r\n"), (1.2, True, checked(b"K000"))]
+SESSION = [*QUESTION, (1.25, False, checked(b"K000"))]
+
+
 async def a_minute_without_groups(link: unity_link.Link) -> None:
     loop, chance, count = asyncio.get_running_loop(), random.Random(1), 0
     end = loop.time() + 60
@@ -209,6 +224,59 @@ def test_the_waveform_of_a_stretch_of_time_has_that_alone_and_idle_time_costs_no
     assert bytes(one.byte for one in bytes_at_pins(Waveform(vcd), "in")) == b"".join(step.frame for step in steps)
 
 
+@pytest.mark.parametrize("noise", ["loss=0.0005&seed=3", "flip=0.0005&seed=8", "loss=0.002&seed=2"])
+def test_what_a_bad_line_lost_or_damaged_on_the_way_to_the_gateway_is_so_again(noise: str, tmp_path: Path) -> None:
+    path = snoop_of(f"{URLS['model']}&{noise}", tmp_path / "a.snoop", a_second_with_groups)
+    recorded = snooped(path)
+    report = retraced(path)
+    assert (report.first, report.differences) == (None, 0)
+    assert recorded.astray > 0
+    assert report.answers > 100
+    assert report.samples > 200
+    answers = [step.answer for step in recorded.steps if step.answer]
+    assert any(answer.startswith((b"X01", b"n")) for answer in answers)
+
+
+@pytest.mark.parametrize(
+    ("packets", "answers"),
+    [
+        (
+            # The answer to the first was lost, so that the queue cannot be read again.
+            [
+                (2.0, True, checked(b"rq0000A02")),
+                (2.1, True, checked(b"rq0000A02")),
+                (2.2, False, checked(b"x00008")),
+            ],
+            3,
+        ),
+        (
+            [
+                (2.0, True, checked(b"w0000A00000001") + checked(b"w0010A00000002")),
+                (2.1, False, checked(b"X01") + checked(b"n000")),
+                (2.2, True, checked(b"w0000A00000001") + checked(b"w0010A00000002")),
+                (2.3, False, checked(b"w000") + checked(b"w001")),
+            ],
+            6,
+        ),
+        (
+            [
+                (2.0, True, checked(b"w0000A00000001") + checked(b"w0010A00000002") + checked(b"w0020A00000003")),
+                (2.1, False, checked(b"n000")),
+                (2.2, True, checked(b"w0000A00000001") + checked(b"w0010A00000002")),
+                (2.3, False, checked(b"w000") + checked(b"w001")),
+            ],
+            5,
+        ),
+    ],
+    ids=["answered before", "damaged", "missed"],
+)
+def test_each_sign_of_loss_is_understood(
+    tmp_path: Path, packets: list[tuple[float, bool, bytes]], answers: int
+) -> None:
+    report = retraced(written(tmp_path / "a.snoop", *SESSION, *packets))
+    assert (report.first, report.differences, report.answers) == (None, 0, answers)
+
+
 class Failing:
     """A device whose first address refuses, and whose second does not answer."""
 
@@ -268,21 +336,6 @@ def test_a_node_on_a_shared_medium_is_played_into_one_of_its_number(tmp_path: Pa
     recorded = snooped(snoop_of(url, tmp_path / "a.snoop", use))
     assert (recorded.node, fitting(recorded).name) == (5, "node")
     assert all(step.answer is not None and step.answer.startswith(b"Z05") for step in recorded.steps)
-
-
-def checked(body: bytes) -> bytes:
-    return body + Crc().text(body) + b"\n"
-
-
-def written(path: Path, *packets: tuple[float, bool, bytes], name: str = "hand") -> Path:
-    """Write a snoop of packets: seconds, whether sent, bytes."""
-    blocks = [pcapng.packet(Packet(0, round(time * 1e9), sent, data)) for time, sent, data in packets]
-    path.write_bytes(pcapng.section() + pcapng.interface(name) + b"".join(blocks))
-    return path
-
-
-QUESTION = [(1.0, True, b"\nQ\r"), (1.1, False, b"Q" + SLOW.to_hex() + b"\r\n"), (1.2, True, checked(b"K000"))]
-SESSION = [*QUESTION, (1.25, False, checked(b"K000"))]
 
 
 @pytest.mark.parametrize(

@@ -133,6 +133,8 @@ class Retrace(RtlGateway):
         """The number of the last sample of each group."""
         self._silent_at = -1
         """The cycle in which an access was left without an answer."""
+        self._given: dict[int, tuple[int, list[int]]] = {}
+        """The number and the words of the last sample of each group that was taken."""
         self._given_up: set[int] = set()
         """Groups that did not come as far as they should."""
         self._set_time(0.0)
@@ -291,6 +293,7 @@ class Retrace(RtlGateway):
         self._place[group] += 1
         self._settings[group] = self._snooped.groups[group][self._place[group]]
         self._sampled[group] = -1
+        self._given.pop(group, None)
         self._given_up.discard(group)
 
     def _collect(self) -> None:
@@ -377,14 +380,35 @@ class Retrace(RtlGateway):
         return None
 
     def _sampled_word(self, group: int, sequence: int, index: int) -> int:
-        """Return a word of a sample: that of the last before it where it was not recorded, or was not due yet."""
+        """Return a word of a sample; where that was not recorded, one that is as good."""
         settings = self._settings.get(group)
         if settings is None:
             return 0
-        number = number_after(self._sampled[group], sequence)
+        if not index:
+            self._decide(group, settings, number_after(self._sampled[group], sequence))
+        words = self._given.get(group, (-1, []))[1]
+        return words[index] if index < len(words) else 0
+
+    def _decide(self, group: int, settings: Settings, number: int) -> None:
+        """Choose the words of a sample that is being taken; of a group on change, they decide whether it is due."""
+        last, before = self._given.get(group, (-1, []))
         sample = settings.samples.get(number)
-        if sample is None or (settings.flags & GroupFlag.ON_CHANGE and sample.time > self._now and number > 0):
-            sample = next(
-                (settings.samples[last] for last in range(number - 1, -1, -1) if last in settings.samples), None
+        if number == last and settings.flags & GroupFlag.ON_CHANGE:
+            return
+        if not settings.flags & GroupFlag.ON_CHANGE or not before:
+            words = before if sample is None else sample.words
+        elif sample is not None:
+            if sample.time > self._now:
+                # Nothing has changed until it is time.
+                return
+            words = sample.words
+        elif number < settings.last:
+            # One that was lost was due by a change, and so was the next one.
+            later = next(
+                settings.samples[one] for one in range(number + 1, settings.last + 1) if one in settings.samples
             )
-        return sample.words[index] if sample is not None and index < len(sample.words) else 0
+            changes = ([before[0] ^ change, *before[1:]] for change in (1, 2))
+            words = next(changed for changed in changes if changed != later.words)
+        else:
+            return
+        self._given[group] = number, words

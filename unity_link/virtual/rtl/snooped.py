@@ -2,7 +2,8 @@
 
 A response is found again by its command and ID, as a host finds it; one that was lost or damaged has left its request
 without an answer. Which requests were executed follows from the rules of the session, so it is known which words the
-bus must have given.
+bus must have given. Where the gateway says that a frame reached it damaged, or that one is missing, that is what it is
+taken to have heard, and what follows is judged anew.
 """
 
 from __future__ import annotations
@@ -60,6 +61,10 @@ class Step(msgspec.Struct):
     """Whether it has an answer."""
     answer: bytes | None = None
     """What was recorded of that, None where it is not known."""
+    refusal: bytes = b""
+    """What it must be where nothing was executed."""
+    before: tuple[int, bool] = (-1, False)
+    """The ID that the gateway expected before it, and whether it had told of a gap."""
     accesses: list[Access] = []
     samples_before: dict[int, int] = {}
     """For a command of `GROUP_COMMANDS`, by group: the last sample that was taken before it, counted from the group's
@@ -205,23 +210,39 @@ class _Reader:
     # What the host sent
 
     def _take_sent(self, frame: bytes, time: float) -> None:
-        step = Step(time, frame, accesses=[], samples_before=self._numbers())
-        line, plain = frame.strip(CR + LF), frame.endswith(CR)
-        prefix = b""
+        step = Step(time, frame, samples_before=self._numbers())
+        if self._judge(step):
+            self._unanswered.append(step)
+        self.steps.append(step)
+
+    def _judge(self, step: Step) -> bool:
+        """Decide what the gateway makes of a frame; return whether it may answer."""
+        sequence = self._session.sequence
+        step.before = sequence.expected, sequence.gap_told
+        step.request, step.owes, step.refusal, step.accesses = None, False, b"", []
+        line, prefix = step.frame.strip(CR + LF), b""
         if self._prefix:
             prefix, line = line[:_PREFIX_SIZE].upper(), line[_PREFIX_SIZE:]
-        if prefix in (self._prefix, _TO_ALL):
-            taken = self._session.take(line, plain=plain, prefix=prefix)
-            if isinstance(taken, Answer):
-                step.owes = bool(taken.body)
-            else:
-                step.request, step.owes = taken, taken.command != "WS"
-                step.accesses = _accesses(taken, None, self._codec.info)
-            if prefix == _TO_ALL:
-                step.owes = False
-            else:
-                self._unanswered.append(step)
-        self.steps.append(step)
+        if not line or prefix not in (self._prefix, _TO_ALL):
+            return False
+        taken = self._session.take(line, plain=step.frame.endswith(CR), prefix=prefix)
+        to_all = prefix == _TO_ALL
+        if isinstance(taken, Answer):
+            step.refusal = taken.body
+            step.owes = bool(taken.body) and not to_all
+        else:
+            step.request, step.owes = taken, taken.command != "WS" and not to_all
+            step.accesses = _accesses(taken, None, self._codec.info)
+        return not to_all
+
+    def _heard_otherwise(self, step: Step, frame: bytes) -> None:
+        """Record that a frame reached the gateway as another one, or not at all, and judge anew those behind it."""
+        sequence = self._session.sequence
+        sequence.expected, sequence.gap_told = step.before
+        step.frame = frame
+        waiting = list(self._unanswered)
+        for later in waiting[waiting.index(step) :]:
+            self._judge(later)
 
     # What the gateway sent
 
@@ -239,6 +260,7 @@ class _Reader:
 
     def _take_answer(self, frame: bytes, response: DecodedResponse) -> None:
         waiting = self._unanswered
+        self._hear_of_damage(response)
         place = next((place for place, step in enumerate(waiting) if self._fits(step, response)), None)
         if place is None:
             self.astray += 1
@@ -260,23 +282,43 @@ class _Reader:
             group = step.request.values[0]
             step.samples_before[group] = step.samples_before.get(group, -1) - 1
 
+    def _hear_of_damage(self, response: DecodedResponse) -> None:
+        """Take it from an answer where a frame reached the gateway damaged, or not at all."""
+        waiting = self._unanswered
+        if response.command == "N" and not any(self._is_told_of_gap(step, response) for step in waiting):
+            missing = next((step for step in waiting if self._id_of(step) == response.id), None)
+            if missing is not None:
+                self._heard_otherwise(missing, b"")
+        if response.command == "X" and response.id is None and response.fields["e"] == ErrorCode.CRC:
+            first = next((step for step in waiting if step.owes or step.request is not None), None)
+            damaged = self._codec.error(ErrorCode.CRC)
+            if first is not None and first.refusal != damaged and first.frame.endswith(LF):
+                self._heard_otherwise(first, _damaged(first.frame))
+
+    def _is_told_of_gap(self, step: Step, response: DecodedResponse) -> bool:
+        return response.id is not None and step.refusal == self._codec.out_of_sequence(response.id)
+
     def _fits(self, step: Step, response: DecodedResponse) -> bool:
         """Whether a response may be to a frame."""
+        if step.request is None and not step.owes:
+            return False
         number = None if step.request is None else step.request.id
         line = step.frame.strip(CR + LF)[len(self._prefix) :]
         with_id = line[:1].islower()
         if response.command == "N":
-            return with_id
+            return self._is_told_of_gap(step, response)
         if response.command == "X":
             if response.id is None:
                 return step.owes or (not with_id and response.fields["e"] in _OF_BUS)
-            return with_id and self._id_of(line) == response.id
+            refusal = self._codec.error(response.fields["e"], response.id)
+            executed = step.request is not None and response.fields["e"] in _OF_BUS
+            return self._id_of(step) == response.id and (executed or step.refusal == refusal)
         if step.request is not None:
             return response.command == step.request.command and response.id == number
-        return with_id and response.id is not None and self._id_of(line) == response.id
+        return with_id and response.id is not None and self._id_of(step) == response.id
 
-    def _id_of(self, line: bytes) -> int | None:
-        digits = re.match(rb"[g-z]+([0-9A-Fa-f]+)", line)
+    def _id_of(self, step: Step) -> int | None:
+        digits = re.match(rb"[g-z]+([0-9A-Fa-f]+)", step.frame.strip(CR + LF)[len(self._prefix) :])
         return None if digits is None else self._codec.id_number.get(digits[1][: self._codec.info.id_digits].upper())
 
     def _take_sample(self, frame: bytes, response: DecodedResponse, time: float) -> None:
@@ -299,6 +341,11 @@ class _Reader:
     def _numbers(self) -> dict[int, int]:
         """Return the number of the last sample of each group."""
         return {group: settings[-1].last for group, settings in self.groups.items()}
+
+
+def _damaged(frame: bytes) -> bytes:
+    """Return a checked frame with another CRC."""
+    return frame[:-2] + (b"1" if frame[-2:-1] == b"0" else b"0") + LF
 
 
 def sample_body(codec: Codec, frame: bytes, flags: GroupFlag) -> bytes:
