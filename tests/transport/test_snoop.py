@@ -12,6 +12,7 @@ import pytest
 
 import unity_link
 from simulated_time import on_simulated_time, run_simulated
+from unity_link.bridges.serve import serve
 from unity_link.errors import ArgumentError
 from unity_link.protocol.configuration import GatewayInfo
 from unity_link.protocol.crc import Crc
@@ -19,7 +20,7 @@ from unity_link.transport import SNOOP_VARIABLE
 from unity_link.transport.snoop import Connected, Ended, Passed, Snoop, read
 from unity_link.transport.tap import Tap
 from unity_link.virtual import VirtualGateway
-from unity_link.virtual.serving import serve_tcp, serve_unix
+from unity_link.virtual.serving import serve_tcp, serve_udp, serve_unix
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -292,3 +293,27 @@ async def test_the_life_of_a_link_is_logged(caplog: pytest.LogCaptureFixture, tm
         "session 3 has begun",
         "the link was closed",
     ]
+
+
+@pytest.mark.asyncio
+async def test_a_server_has_its_link_to_the_gateway_snooped(tmp_path: Path) -> None:
+    path = tmp_path / "a.snoop"
+    async with (
+        serve(f"sim:?snoop={path}", unix=tmp_path / "shared") as server,
+        unity_link.connect(server.urls[0]) as link,
+    ):
+        await link.write(0x10, 42)
+    assert b"100000002A" in passed(path, sent=True)
+    assert {event.name for event in events(path) if isinstance(event, Connected)} == {f"sim:?snoop={path}"}
+
+
+@pytest.mark.asyncio
+async def test_datagrams_are_snooped_as_the_frames_in_them(tmp_path: Path) -> None:
+    path = tmp_path / "a.snoop"
+    async with (
+        serve_udp(VirtualGateway(GatewayInfo())) as url,
+        unity_link.connect(f"{url}?snoop={path}") as link,
+    ):
+        await link.write(0x10, 42)
+    assert passed(path, sent=True).endswith(checked(b"w000100000002A"))
+    assert passed(path, sent=False).endswith(checked(b"w000"))
