@@ -280,7 +280,7 @@ class Connection:
         self._opening = True
         try:
             async with asyncio.timeout(timeout):
-                await open_medium(self._target, stream)
+                await self._connect_stream(stream)
                 log.info("%s: connected", name)
                 await self._open_session(stream)
         except BaseException as error:
@@ -295,6 +295,9 @@ class Connection:
             raise
         finally:
             self._opening = False
+
+    async def _connect_stream(self, stream: Stream) -> None:
+        await open_medium(self._target, stream)
 
     async def _open_session(self, stream: Stream) -> None:
         self._opened = self._loop.create_future()
