@@ -460,3 +460,30 @@ def test_the_last_bytes_of_explain_and_retrace_have_the_same_time(tmp_path: Path
 def test_no_gateway_is_chosen_where_the_widths_differ() -> None:
     with pytest.raises(ArgumentError, match="id_digits=2, crc_bits=16"):
         fitting(Snooped(GatewayInfo(id_digits=2), None, [], {}, 0.0, 0))
+
+
+def test_requests_beside_a_group_that_has_nothing_to_publish_are_found_by_their_time(tmp_path: Path) -> None:
+    async def use(link: unity_link.Link) -> None:
+        async with link.subscribe([0x20], rate_hz=100, on_change=True):
+            for number in range(20):
+                await asyncio.sleep(0.05)
+                await link.write(0x30, number)
+
+    path = snoop_of(URLS["gateware"].replace("scara", ""), tmp_path / "a.snoop", use)
+    waveform, recorded = waveform_of(path, tmp_path / "a.vcd"), snooped(path)
+    taken = bytes_at_pins(waveform, "in")
+    heard = bytes(one.byte for one in taken)
+    writes = [step for step in recorded.steps if step.request and step.request.command == "W"]
+    assert len(writes) == 20
+    for step in writes:
+        assert step.time <= taken[heard.index(step.frame)].time <= step.time + 2 * CYCLE_NS
+
+
+def test_samples_at_the_slowest_rate_are_awaited(tmp_path: Path) -> None:
+    async def use(link: unity_link.Link) -> None:
+        async with link.subscribe([0x20], divisor=0xFFFF) as samples:
+            await anext(samples)
+            await anext(samples)
+
+    report = retraced(snoop_of(URLS["model"], tmp_path / "a.snoop", use))
+    assert (report.first, report.samples) == (None, 2)

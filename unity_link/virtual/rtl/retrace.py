@@ -202,9 +202,7 @@ class Retrace(RtlGateway):
 
     def _pass_until(self, time: float, bound: Mapping[int, int]) -> None:
         """Let cycles pass up to a time while something happens, and set the clock forward when nothing does."""
-        if not self.ticking:
-            self._run_until_quiet()
-            self._collect()
+        self._settle()
         while self.ticking and self._now < time and not self._has_run(bound):
             self._pass_cycles(max(1, min(self._base_tick, round((time - self._now) / self._cycle_ns))))
         missing = time - self._now
@@ -252,21 +250,31 @@ class Retrace(RtlGateway):
 
     def _await_samples(self, bound: Mapping[int, int]) -> None:
         """Have groups run until they have come as far as they did."""
-        for _ in range(_MOST_CYCLES // _PIECE):
+        slowest = max((settings.divisor for settings in self._settings.values()), default=0)
+        for _ in range((_MOST_CYCLES + 2 * slowest * self._base_tick) // _PIECE):
             if not self.ticking or self._has_run(bound):
                 return
             self._pass_cycles(_PIECE)
         self._given_up |= self._behind(bound)
 
     def _settle(self) -> None:
-        """Let cycles pass until all that was sent is answered."""
-        if not self.ticking:
-            self._run_until_quiet()
-            self._collect()
+        """Let cycles pass until all that was sent is taken and answered."""
         for _ in range(_MOST_CYCLES // _PIECE):
-            if not self._owed or not self.ticking:
+            if self.ticking and not (self._owed or self.waiting):
                 break
-            self._pass_cycles(_PIECE)
+            if self.ticking:
+                self._pass_cycles(_PIECE)
+            else:
+                self._run_until_quiet()
+                self._collect()
+                # It may have begun to tick.
+                if not self.ticking:
+                    break
+        for step in self._owed:
+            # It will not come, and the next answer is not its.
+            if step.answer is not None:
+                self.report.differ(Difference(step.time / 1e9, step.frame, step.answer, b""))
+        self._owed.clear()
 
     # Frames
 
@@ -344,9 +352,6 @@ class Retrace(RtlGateway):
     def _compare_rest(self) -> None:
         for group in self._settings:
             self._compare_missing(group)
-        for step in self._owed:
-            if step.answer is not None:
-                self.report.differ(Difference(step.time / 1e9, step.frame, step.answer, b""))
 
     # The bus
 

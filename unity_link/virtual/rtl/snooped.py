@@ -90,6 +90,7 @@ class Settings(msgspec.Struct):
     """A group from one `GS` to the next, with its samples by number; unlike s, that does not begin again at 256."""
 
     flags: GroupFlag
+    divisor: int
     samples: dict[int, SnoopedSample] = {}
     last: int = -1
 
@@ -275,8 +276,8 @@ class _Reader:
         if step.divides_samples:
             step.samples_before = self._numbers()
         if step.request.command == response.command == "GS":
-            group, flags = step.request.values[:2]
-            self.groups.setdefault(group, []).append(Settings(GroupFlag(flags), samples={}))
+            group, flags, divisor = step.request.values[:3]
+            self.groups.setdefault(group, []).append(Settings(GroupFlag(flags), divisor))
         if step.request.command == response.command == "GP":
             # Its own sample is before its answer as well.
             group = step.request.values[0]
