@@ -95,10 +95,20 @@ CONFIGURATIONS: dict[str, dict[str, int]] = {
 # Lines of comments, which name places in files that nobody has, are half of what Yosys writes.
 _COMMENT_LINES = re.compile(r"^\s*//.*\n|[ \t]+$", re.MULTILINE)
 
-# Registers that shim.cc looks into, by their names in VHDL: it skips time in which nothing happens. GHDL gives each the
-# name of its flip-flops' outputs, which is the one that Yosys keeps.
-_REGISTERS = {"running": "UL_RUNNING", "stamp": "UL_STAMP"}
-_FORM = f"{_COMMENT_LINES.pattern} {_REGISTERS}"
+# Registers that shim.cc looks into, by their names in VHDL: it skips time in which nothing happens, and tells accesses
+# of samples from those of requests.
+_REGISTERS = {
+    "subscription_manager_inst.running": "UL_RUNNING",
+    "subscription_manager_inst.stamp": "UL_STAMP",
+    "subscription_manager_inst.number": "UL_GROUP",
+    "subscription_manager_inst.own_sequence": "UL_SEQUENCE",
+    "subscription_manager_inst.stored": "UL_STORED",
+    "bus_master_inst.for_sample": "UL_FOR_SAMPLE",
+}
+_SIGNALS = "UL_SIGNALS"
+# What a register without a VHDL name of its own is called, and a memory's output.
+_FLIP_FLOP = re.compile(r"n\d+_(q|data)")
+_FORM = f"{_COMMENT_LINES.pattern} {_REGISTERS} {_SIGNALS}"
 
 # `splitnets -driver` cuts buses into the parts that are driven together: without it CXXRTL sees feedback where there is
 # none. Registers keep their enables and resets as logic (`-nodffe -nosdff`): inferred, they bring feedback back.
@@ -183,26 +193,43 @@ def make(name: str) -> Path:
         f"{made_by}.\n{heading(info_of(name), CONFIGURATIONS[name].get('node'))}\n"
         "// Made by `make rtl`: change the VHDL in gateware/rtl instead.\n\n"
     )
-    path.write_text(header + text + _register_names(verilog.read_text(), text))
+    path.write_text(header + text + _names(verilog.read_text(), text))
     return path
 
 
-def _register_names(verilog: str, text: str) -> str:
-    """Return macros that name the members of the C++ which are `_REGISTERS`, as far as they are there.
+def _names(verilog: str, text: str) -> str:
+    """Return macros that name members of the C++: all of its signals for a waveform, and `_REGISTERS`.
 
     Raises:
-        ConversionError: if one cannot be found again.
+        ConversionError: if one of the registers cannot be found again.
     """
-    lines = []
+    signals = _signals(verilog, text)
+    rows = "".join(f' \\\n\tsignal("{name}", {member})' for name, member in sorted(signals.items()))
+    lines = [f"#define {_SIGNALS}(signal){rows}"]
+    has_groups = any("subscription_manager_inst" in name for name in signals)
     for register, macro in _REGISTERS.items():
-        aliases = re.findall(rf"assign {register} = (\w+); // \(signal\)", verilog)
-        for alias in aliases:
-            members = re.findall(rf"wire<\d+> (\w+_2e_{alias.replace('_', '__')});", text)
-            # Without timestamps the clock's register never changes, and is none any more.
-            if len(aliases) != 1 or len(members) > 1 or (register == "running" and not members):
-                raise ConversionError(f"{register} is {aliases} in Verilog and {members} in C++: one each was expected")
-            lines += [f"#define {macro} {member}" for member in members]
-    return "\n" + "\n".join(lines) + "\n" if lines else ""
+        members = [member for name, member in signals.items() if name.endswith(register)]
+        # Without timestamps the clock's register never changes, and is none any more.
+        if has_groups and len(members) != 1 and not (macro == "UL_STAMP" and not members):
+            raise ConversionError(f"{register} is {members} in C++: one was expected")
+        lines += [f"#define {macro} {member}" for member in members if has_groups]
+    return "\n" + "\n".join(lines) + "\n"
+
+
+def _signals(verilog: str, text: str) -> dict[str, str]:
+    """Return the members of the C++ that are signals, by their places and names in VHDL.
+
+    GHDL gives a register the name of its flip-flops' outputs, which Yosys keeps, and says beside which signal that is.
+    """
+    aliases = re.findall(r"assign (\w+) = (n\d+_\w+); // ?\((?:signal|module output)\)", verilog)
+    by_output = {output: name for name, output in reversed(aliases)}
+    members = text[text.index("\nstruct ") : text.index("\n};")]
+    found: dict[str, str] = {}
+    for member in re.findall(r"^\t(?:/\*\w+\*/ )?(?:wire|value)<\d+> (p_\w+);", members, re.MULTILINE):
+        place, _, last = member[2:].replace("_2e_", ".").replace("__", "_").rpartition(".")
+        name = by_output.get(last, last) if _FLIP_FLOP.fullmatch(last) else last
+        found.setdefault(f"{place}.{name}" if place else name, member)
+    return found
 
 
 def main() -> int:

@@ -13,6 +13,7 @@ import pytest
 import uvloop
 
 import unity_link
+from unity_link.transport.snoop import Passed, read
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.serving import serve_tcp, serve_unix
 
@@ -74,3 +75,21 @@ def test_a_gateway_is_served_on_uvloop(medium: str, tmp_path: Path) -> None:
             await use(url)
 
     run(serve_and_use())
+
+
+def test_a_snoop_has_what_passes_and_its_times(url: str, tmp_path: Path) -> None:
+    path = tmp_path / "a.snoop"
+
+    async def two_reads() -> None:
+        async with unity_link.connect(f"{url}?snoop={path}") as link:
+            assert await link.read(0x0A) == 0
+            await asyncio.sleep(0.01)
+            assert await link.read(0x0A) == 0
+
+    run(two_reads())
+    passed = [event for event in read(path, print) if isinstance(event, Passed)]
+    asked = [event.time_ns for event in passed if event.sent and event.data.startswith((b"r000", b"r001"))]
+    answered = [event.time_ns for event in passed if not event.sent and event.data.startswith((b"r000", b"r001"))]
+    # In whole milliseconds, as the loop counts, a round trip would take none or one.
+    assert asked[0] < answered[0] < asked[1] < answered[1]
+    assert any(time % 1_000_000 for time in asked + answered)

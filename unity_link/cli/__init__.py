@@ -5,10 +5,11 @@ One file for each family of commands. They parse, show and explain; what they do
 
 - `running` runs a command's coroutine until it is done or a signal comes, `output` says what stdout and stderr are for
 - `arguments` and `words` read and write addresses and values
-- `info`, `access` (read, write), `watch`, `simulate`, `terminal` with `explain`, `demo` with `demo_view` are commands
+- `info`, `access` (read, write), `watch`, `simulate`, `terminal`, `demo` with `demo_view` are commands
 - `spec` has the commands about specs: check, fmt, show, import; `generate` writes code from one
 - `recording` has record and replay; `export` is about recordings and specs; `ros` has the bridges to ROS
 - `zenoh` has the bridge to Zenoh
+- `snoop` has explain and retrace, for files of what passed on a connection
 - `ft232h` has those about the chip's EEPROM
 - `live` shows signals on a page; `serve` shares a link; `service` tells systemd of a command that runs for long
 - `plots` draws curves, `full_screen` gives a picture the whole terminal for a while
@@ -44,6 +45,7 @@ from unity_link.cli import (
     ros,
     serve,
     simulate,
+    snoop,
     spec,
     terminal,
     watch,
@@ -92,6 +94,7 @@ live.add_to(app)
 simulate.add_to(app)
 serve.add_to(app)
 terminal.add_to(app)
+snoop.add_to(app)
 spec.add_to(app)
 generate.add_to(app)
 recording.add_to(app)

@@ -9,7 +9,8 @@ import typer
 from unity_link.cli.arguments import DEFAULT_TIMEOUT, Address, Json, Timeout, Url, number
 from unity_link.cli.output import out, print_json, print_line
 from unity_link.cli.running import run
-from unity_link.cli.words import Format, address_text, as_decimal, in_form, to_signed, to_word
+from unity_link.cli.words import to_word
+from unity_link.protocol.numbers import Format, address_text, as_decimal, in_form, to_signed
 
 if TYPE_CHECKING:
     from unity_link.protocol.configuration import GatewayInfo

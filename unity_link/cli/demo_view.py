@@ -13,8 +13,8 @@ from rich.table import Table
 from rich.text import Text
 
 from unity_link.cli.demo import HISTORY, Demo, Summary
-from unity_link.cli.explain import summary as describe_gateway
 from unity_link.cli.plots import DOTS_ACROSS, Curve, Rgb, draw
+from unity_link.protocol.interpreter import summary as describe_gateway
 from unity_link.virtual.scara import JOINTS
 
 if TYPE_CHECKING:

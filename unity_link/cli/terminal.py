@@ -168,7 +168,7 @@ class _Session:
     """Sends what is typed and shows what comes."""
 
     def __init__(self, stream: Stream, codec: Codec, *, plain: bool) -> None:
-        from unity_link.cli.explain import Interpreter
+        from unity_link.protocol.interpreter import Interpreter
 
         self.codec = codec
         self.answered = asyncio.Event()
@@ -191,9 +191,9 @@ class _Session:
             self._stream.send(_encoded(line[1:]) + b"\n")
             return None
         body = _encoded(line)
-        command = self._interpreter.listen(body)
+        request = self._interpreter.listen(body)
         self._stream.send(framing.plain_request(body) if self._plain else framing.checked(body))
-        return command
+        return None if request is None else request.command
 
     async def answer(self, seconds: float) -> bool:
         """Wait for the answer to what was sent last; say whether it came."""
@@ -226,7 +226,7 @@ class _Session:
         # Noise may well be what tells a terminal to clear its screen.
         visible = repr(bytes(body))[2:-1]
         try:
-            self.show(Text.assemble((visible, "bold"), "  ", (self._interpreter.explain(line), "cyan")))
+            self.show(Text.assemble((visible, "bold"), "  ", (self._interpreter.explain(line).words, "cyan")))
         except OSError as error:
             self._end(error)
         if not body.startswith(b"P"):
@@ -321,7 +321,7 @@ async def _converse(url: str, session: _Session, timeout: float) -> None:  # noq
     from prompt_toolkit.input import create_input
     from prompt_toolkit.patch_stdout import patch_stdout
 
-    from unity_link.cli.explain import summary
+    from unity_link.protocol.interpreter import summary
 
     keyboard = create_input()
     # While something is printed above the prompt, the terminal would edit lines itself, and take keys such as Ctrl-D.

@@ -14,8 +14,8 @@ import typer
 from unity_link.cli.arguments import DEFAULT_TIMEOUT, Json, Timeout, Url, number
 from unity_link.cli.output import is_live, print_json, print_line, print_note
 from unity_link.cli.running import run
-from unity_link.cli.words import Format, address_text, in_form, to_signed
 from unity_link.errors import ArgumentError, first_error
+from unity_link.protocol.numbers import Format, address_text, in_form, to_signed
 
 if TYPE_CHECKING:
     from collections.abc import AsyncIterator, Callable

@@ -8,6 +8,7 @@ when a connection is opened again. What else the events of the session are for i
 from __future__ import annotations
 
 import asyncio
+import logging
 import random
 from typing import TYPE_CHECKING, Any
 
@@ -26,7 +27,7 @@ from unity_link.errors import (
 from unity_link.protocol.group_table import GroupsRestored
 from unity_link.protocol.requests import Batch, Fence, Request
 from unity_link.protocol.session import Interrupted, Opened, Session, Unusable
-from unity_link.transport import DriverUrl, open_medium
+from unity_link.transport import DriverUrl, name_of, open_medium
 from unity_link.transport.stream import Stream
 
 if TYPE_CHECKING:
@@ -37,6 +38,7 @@ if TYPE_CHECKING:
     from unity_link.protocol.requests import Events, Source
     from unity_link.transport import Medium
 
+log = logging.getLogger("unity_link.link")
 _SEED_BITS = 16
 """Enough to choose any ID by."""
 _LATE = 0.05
@@ -72,6 +74,7 @@ class Connection:
     def __init__(self, target: DriverUrl | Medium, reconnect: Reconnect | None, *, resumes: bool = False) -> None:
         self._codec: Codec
         self._target = target
+        self._name = name_of(target)
         self._reconnect = reconnect
         self._loop = asyncio.get_running_loop()
         self._now = self._loop.time
@@ -232,6 +235,7 @@ class Connection:
         self.gateway = event.info
         self._codec = self._session.codec
         self._sessions += 1
+        log.info("%s: session %d has begun", self._name, self._sessions)
         self._restored = self._loop.create_future()
         self._begin(self._codec)
         if self._opened.done():
@@ -246,6 +250,7 @@ class Connection:
             self._restored.set_result(None)
 
     def _gateway_was_reset(self, event: Interrupted) -> None:
+        log.info("%s: %s", self._name, event.error.reason)
         self._session_ended(event.error)
 
     def _session_ended(self, error: LinkLostError) -> None:
@@ -281,12 +286,13 @@ class Connection:
             ConnectError: where nothing answers within `timeout` seconds; it says what was tried.
             UnsupportedError: for a gateway of another protocol version, or another one than before.
         """
-        name = self._target.text if isinstance(self._target, DriverUrl) else "the given gateway"
+        name = self._name
         stream = Stream()
         self._opening = True
         try:
             async with asyncio.timeout(timeout):
                 await self._connect_stream(stream)
+                log.info("%s: connected", name)
                 await self._open_session(stream)
         except BaseException as error:
             heard = self._session.describe_silence()
@@ -302,10 +308,7 @@ class Connection:
             self._opening = False
 
     async def _connect_stream(self, stream: Stream) -> None:
-        if isinstance(self._target, DriverUrl):
-            await open_medium(self._target, stream)
-        else:
-            await self._target.open(stream)
+        await open_medium(self._target, stream)
 
     async def _open_session(self, stream: Stream) -> None:
         self._opened = self._loop.create_future()
@@ -335,6 +338,7 @@ class Connection:
         if self._reconnect is None:
             self._end(LinkLostError(reason))
             return
+        log.info("%s: %s; connecting again", self._name, reason)
         self._go_on(self._session.disconnect(reason))
         self._session_ended(LinkLostError(reason))
         if self._reconnection is None:
@@ -364,7 +368,7 @@ class Connection:
             + wait_random(0, reconnect.first_pause),
             # The library's own limit looks at another clock than the loop's.
             stop=lambda _: longest is not None and self._loop.time() - began >= longest,
-            before_sleep=lambda state: self._unreachable(state.outcome.exception() if state.outcome else None),
+            before_sleep=lambda state: self._failed_to_open(state.outcome.exception() if state.outcome else None),
         )
         try:
             async for attempt in attempts:
@@ -378,6 +382,10 @@ class Connection:
             self._end(lost)
         finally:
             self._reconnection = None
+
+    def _failed_to_open(self, error: BaseException | None) -> None:
+        log.info("%s: not connected (%s); trying again", self._name, error)
+        self._unreachable(error)
 
     async def _open_again(self, timeout: float) -> None:  # noqa: ASYNC109  (as `open`)
         await self.open(timeout)
@@ -397,6 +405,7 @@ class Connection:
         if self._closed:
             return
         self._closed = True
+        log.info("%s: %s", self._name, error.reason)
         self._drop_stream()
         self._go_on(self._session.close(error))
         self._fail_restoring(error)

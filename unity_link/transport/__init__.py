@@ -14,6 +14,8 @@ docs/reference/media.md states what the transport has to do.
 from __future__ import annotations
 
 import importlib
+import logging
+import os
 import re
 from typing import TYPE_CHECKING, Any, Protocol, cast
 from urllib.parse import parse_qsl, urlsplit
@@ -39,7 +41,11 @@ _STAND_INS: dict[str, str] = {}
 _DEVICE_NAMES = frozenset({"ftdi", "ftdi-async"})
 """Schemes whose URLs have a device in a form of its own, such as ``ftdi:232h:SERIAL``, where others have host and port.
 """
-COMMON_OPTIONS = frozenset({"node"})
+COMMON_OPTIONS = frozenset({"node", "snoop"})
+SNOOP_VARIABLE = "UNITY_LINK_SNOOP"
+"""In the environment: the snoop of all connections whose URL names none."""
+SENT, RECEIVED, SAMPLES = (logging.getLogger(f"unity_link.frames.{name}") for name in ("sent", "received", "samples"))
+"""Who takes the frames of connections that are opened while they are at debug level."""
 _TOKEN = re.compile(r"(?<=[?&]token=)[^&]*")
 """The value of an option that is a secret."""
 
@@ -102,6 +108,14 @@ class DriverUrl(msgspec.Struct, frozen=True):
         if not 0 <= node <= 0xFE:
             raise ArgumentError(f"node={node} in {self.text} is not from 0 to 254")
         return node
+
+    @property
+    def snoop(self) -> str | None:
+        """Path of the file that is to hold what passes, None where none is named."""
+        name = self.options.get("snoop")
+        if name == "":
+            raise ArgumentError(f"snoop= in {self.text} names no file")
+        return name
 
 
 class Driver(Protocol):
@@ -240,16 +254,33 @@ def load_driver(scheme: str) -> Driver:
     return cast("Driver", module)
 
 
-async def open_medium(url: DriverUrl, protocol: asyncio.Protocol) -> asyncio.Transport:
-    """Open the medium of a URL.
+async def open_medium(target: DriverUrl | Medium, protocol: asyncio.Protocol) -> asyncio.Transport:
+    """Connect a protocol to a medium, and return its transport.
+
+    A snoop and the log of the frames stand in between where they are wanted now, and otherwise not at all.
 
     Raises:
-        ConnectError: where it cannot be opened.
+        ArgumentError: for a snoop that can't be written; nothing was opened.
+        ConnectError: where the medium can't be opened.
     """
+    named = target.snoop if isinstance(target, DriverUrl) else None
+    snoop = os.environ.get(SNOOP_VARIABLE, "") if named is None else named
+    logged = any(log.isEnabledFor(logging.DEBUG) for log in (SENT, RECEIVED, SAMPLES))
+    if snoop or logged:
+        from unity_link.transport.tap import tapped
+
+        protocol = tapped(protocol, name_of(target), snoop, logged=logged)
+    if not isinstance(target, DriverUrl):
+        return await target.open(protocol)
     try:
-        return await load_driver(url.scheme).connect(url, protocol)
+        return await load_driver(target.scheme).connect(target, protocol)
     except OSError as error:
         raise ConnectError(f"it cannot be opened ({error.strerror or str(error) or type(error).__name__})") from error
+
+
+def name_of(target: DriverUrl | Medium) -> str:
+    """Return what messages call a medium."""
+    return target.text if isinstance(target, DriverUrl) else "the given gateway"
 
 
 async def prepare(url: DriverUrl) -> None:

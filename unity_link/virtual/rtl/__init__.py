@@ -6,6 +6,7 @@
 - `configurations`: which of them there are, and which one a user means
 - `compiling`, `library`: compile the three at first use, and load them
 - `gateway`: `RtlGateway`, what everything else uses
+- `snooped`, `retrace`: what a snoop has of a gateway, played into it
 """
 
 from unity_link.virtual.rtl.configurations import choose, configurations

@@ -39,6 +39,12 @@ _PROTOTYPES: dict[str, tuple[type | None, tuple[type, ...]]] = {
     "ul_used_memory": (c_size_t, (c_void_p, POINTER(c_uint64), c_size_t)),
     "ul_set_behind": (None, (c_void_p, c_uint64, c_uint8)),
     "ul_set_device": (None, (c_void_p, DeviceFunction, c_void_p)),
+    "ul_set_only_device": (None, (c_void_p,)),
+    "ul_sample_word": (c_int, (c_void_p,)),
+    "ul_open_waveform": (c_int, (c_void_p, ctypes.c_char_p)),
+    "ul_close_waveform": (c_int, (c_void_p,)),
+    "ul_show": (None, (c_void_p, c_int)),
+    "ul_set_time": (None, (c_void_p, c_double, c_double)),
 }
 
 

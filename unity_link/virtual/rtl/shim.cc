@@ -14,10 +14,15 @@
 
 #include UL_MODEL
 
+#include <cerrno>
+#include <cmath>
 #include <cstdint>
+#include <cstdio>
 #include <cstring>
 #include <deque>
 #include <limits>
+#include <memory>
+#include <string>
 #include <unordered_map>
 #include <vector>
 
@@ -45,6 +50,9 @@ constexpr size_t MOST_DIRECT_BITS = 20;
 // So many cycles without a byte and without a bus access mean that the gateway has nothing left to do.
 constexpr uint64_t QUIET_CYCLES = 96;
 
+// So many of them a waveform shows.
+constexpr uint64_t SHOWN_QUIET_CYCLES = 24;
+
 template<size_t Bits>
 uint64_t get(const cxxrtl::value<Bits> &signal) { return signal.template get<uint64_t>(); }
 
@@ -66,6 +74,148 @@ void fill(cxxrtl::value<Bits> &signal, bool level) {
 		chunk = level ? std::numeric_limits<cxxrtl::chunk_t>::max() : 0;
 	signal.data[cxxrtl::value<Bits>::chunks - 1] &= cxxrtl::value<Bits>::msb_mask;
 }
+
+template<size_t Bits>
+const cxxrtl::chunk_t *chunks(const cxxrtl::value<Bits> &signal) { return signal.data; }
+
+template<size_t Bits>
+const cxxrtl::chunk_t *chunks(const cxxrtl::wire<Bits> &signal) { return signal.curr.data; }
+
+// Signals over time in a file that waveform viewers open (VCD, IEEE 1364). Cycles in which nothing happens are left out.
+class Waveform {
+public:
+	// Opens `path`; `failure` is what the system said, 0 where all is well.
+	Waveform(const char *path, Top &top) : file_(std::fopen(path, "w")) {
+		if (!file_) {
+			failure = errno;
+			return;
+		}
+		std::setvbuf(file_, buffer_.data(), _IOFBF, buffer_.size());
+#define UL_ADD(name, member) add(name, chunks(top.member), width(top.member));
+		UL_SIGNALS(UL_ADD)
+#undef UL_ADD
+		declare();
+	}
+
+	~Waveform() { close(); }
+
+	// Gives what the system said to all writing so far, and to the last of it.
+	int close() {
+		if (file_) {
+			check(std::fprintf(file_, "#%llu\n", static_cast<unsigned long long>(last_)));
+			errno = 0;
+			if (std::fclose(file_) && !failure)
+				failure = errno ? errno : EIO;
+			file_ = nullptr;
+		}
+		return failure;
+	}
+
+	// A cycle that begins at a time, with its second half a later one; both in nanoseconds.
+	void show(uint64_t begin, uint64_t half) {
+		if (!file_)
+			return;
+		begin = std::max(begin, last_ + !first_);
+		std::string text = "#" + std::to_string(begin) + "\n" + (first_ ? "$dumpvars\n" : "") + "1!\n";
+		for (auto &signal : signals_)
+			if (first_ || std::memcmp(signal.now, signal.shown.data(), signal.shown.size() * sizeof(cxxrtl::chunk_t)))
+				change(signal, text);
+		if (first_)
+			text += "$end\n";
+		last_ = std::max(half, begin + 1);
+		text += "#" + std::to_string(last_) + "\n0!\n";
+		check(std::fwrite(text.data(), 1, text.size(), file_) == text.size() ? 0 : -1);
+		first_ = false;
+	}
+
+	int failure = 0;
+
+private:
+	struct Signal {
+		std::string name;
+		std::string identifier;
+		const cxxrtl::chunk_t *now;
+		size_t bits;
+		std::vector<cxxrtl::chunk_t> shown;
+	};
+
+	void add(const char *name, const cxxrtl::chunk_t *now, size_t bits) {
+		// The clock is drawn with both its edges.
+		if (!bits || name == std::string("clk"))
+			return;
+		const size_t size = (bits + 31) / 32;
+		signals_.push_back({name, identifier(signals_.size() + 1), now, bits, std::vector<cxxrtl::chunk_t>(size)});
+	}
+
+	// Printable characters, `!` and on.
+	static std::string identifier(size_t number) {
+		std::string text;
+		do {
+			text += static_cast<char>('!' + number % 94);
+			number /= 94;
+		} while (number);
+		return text;
+	}
+
+	void declare() {
+		std::string text = "$version unity-link retrace $end\n$timescale 1 ns $end\n"
+				   "$scope module unity_link_fifo $end\n$var wire 1 ! clk $end\n";
+		std::vector<std::string> scope;
+		for (auto &signal : signals_) {
+			auto place = split(signal.name);
+			const std::string name = place.back();
+			place.pop_back();
+			size_t common = 0;
+			while (common < scope.size() && common < place.size() && scope[common] == place[common])
+				++common;
+			for (; scope.size() > common; scope.pop_back())
+				text += "$upscope $end\n";
+			for (; scope.size() < place.size(); scope.push_back(place[scope.size()]))
+				text += "$scope module " + place[scope.size()] + " $end\n";
+			text += "$var wire " + std::to_string(signal.bits) + " " + signal.identifier + " " + name;
+			if (signal.bits > 1)
+				text += " [" + std::to_string(signal.bits - 1) + ":0]";
+			text += " $end\n";
+		}
+		for (size_t depth = scope.size() + 1; depth; --depth)
+			text += "$upscope $end\n";
+		text += "$enddefinitions $end\n";
+		check(std::fwrite(text.data(), 1, text.size(), file_) == text.size() ? 0 : -1);
+	}
+
+	static std::vector<std::string> split(const std::string &name) {
+		std::vector<std::string> parts(1);
+		for (char character : name)
+			if (character == '.')
+				parts.emplace_back();
+			else
+				parts.back() += character;
+		return parts;
+	}
+
+	static void change(Signal &signal, std::string &text) {
+		std::copy(signal.now, signal.now + signal.shown.size(), signal.shown.begin());
+		if (signal.bits == 1) {
+			text += (signal.shown[0] & 1 ? '1' : '0') + signal.identifier + '\n';
+			return;
+		}
+		text += 'b';
+		for (size_t bit = signal.bits; bit--;)
+			text += signal.shown[bit / 32] >> bit % 32 & 1 ? '1' : '0';
+		text += ' ' + signal.identifier + '\n';
+	}
+
+	void check(int result) {
+		if (result < 0 && !failure)
+			failure = errno ? errno : EIO;
+	}
+
+	std::vector<char> buffer_ = std::vector<char>(1 << 20);
+	std::FILE *file_;
+	std::vector<Signal> signals_;
+	uint64_t last_ = 0;
+	bool first_ = true;
+};
 
 class Memory {
 public:
@@ -195,6 +345,34 @@ public:
 	bool trigger = false;
 	// Whether a byte to send found no room in the last cycle.
 	bool stalled = false;
+	// Whether every address is the device's.
+	bool only_device = false;
+
+	// Of the bus access that the device is asked for: which word of which sample of which group it is, packed as number,
+	// sequence and word of a byte each; negative for that of a request.
+	int sample_word() {
+#ifdef UL_FOR_SAMPLE
+		if (get(top_.UL_FOR_SAMPLE))
+			return get(top_.UL_GROUP) << 16 | get(top_.UL_SEQUENCE) << 8 | get(top_.UL_STORED);
+#endif
+		return -1;
+	}
+
+	// Shows all cycles from now on in a waveform while `shows`; gives what the system said.
+	int open_waveform(const char *path) {
+		waveform.reset(new Waveform(path, top_));
+		return waveform->failure;
+	}
+
+	// The time of the next cycle, and how long one takes, in nanoseconds.
+	void set_time(double now, double of_a_cycle) {
+		began_ = now;
+		began_at_ = cycles;
+		of_a_cycle_ = of_a_cycle;
+	}
+
+	std::unique_ptr<Waveform> waveform;
+	bool shows = false;
 
 private:
 	void cycle() {
@@ -211,6 +389,8 @@ private:
 		set(top_.prev_p_clk, 0);
 		set(top_.p_clk, 1);
 		top_.eval();
+		if (shows && (quiet_ < SHOWN_QUIET_CYCLES || offered))
+			show();
 
 		const bool taken = offered && get(top_.p_in__ready);
 		const bool sent = room_left && get(top_.p_out__valid);
@@ -237,6 +417,11 @@ private:
 		quiet_ = (taken || sent || on_bus) ? 0 : quiet_ + 1;
 	}
 
+	void show() {
+		const double begin = began_ + (cycles - began_at_) * of_a_cycle_;
+		waveform->show(std::llround(begin), std::llround(begin + of_a_cycle_ / 2));
+	}
+
 	// When the byte behind one of this cycle may pass; parts of cycles add up while bytes follow each other.
 	double next_due(double due) const { return (cycles - due < 1 ? due : cycles) + pace; }
 
@@ -246,7 +431,7 @@ private:
 		const bool write = get(top_.p_wb__we);
 		uint64_t value = write ? get(top_.p_wb__dat__o) : 0;
 		int answer = ANSWER_ACK;
-		uint8_t kind = BEHIND_MEMORY;
+		uint8_t kind = only_device ? BEHIND_DEVICE : BEHIND_MEMORY;
 		if (!behind.empty()) {
 			auto found = behind.find(address);
 			if (found != behind.end())
@@ -272,6 +457,9 @@ private:
 	uint64_t quiet_ = 0;
 	double in_due_ = 0;
 	double out_due_ = 0;
+	double began_ = 0;
+	uint64_t began_at_ = 0;
+	double of_a_cycle_ = 1;
 };
 
 } // namespace
@@ -342,6 +530,19 @@ void ul_set_behind(Gateway *gateway, uint64_t address, uint8_t kind) {
 void ul_set_device(Gateway *gateway, Device device, void *context) {
 	gateway->device = device;
 	gateway->device_context = context;
+}
+void ul_set_only_device(Gateway *gateway) { gateway->only_device = true; }
+int ul_sample_word(Gateway *gateway) { return gateway->sample_word(); }
+
+// A waveform: these give 0, or the error number of the system.
+int ul_open_waveform(Gateway *gateway, const char *path) { return gateway->open_waveform(path); }
+int ul_close_waveform(Gateway *gateway) {
+	gateway->shows = false;
+	return gateway->waveform ? gateway->waveform->close() : 0;
+}
+void ul_show(Gateway *gateway, int shows) { gateway->shows = shows && gateway->waveform; }
+void ul_set_time(Gateway *gateway, double nanoseconds, double of_a_cycle) {
+	gateway->set_time(nanoseconds, of_a_cycle);
 }
 
 }

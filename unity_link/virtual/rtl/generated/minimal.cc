@@ -1,4 +1,4 @@
-// 4c9288f9bb5f63c6 names what this was made from: unity_link_fifo in its configuration 'minimal', by GHDL and Yosys 0.70.0.
+// f864bfe856cafeb5 names what this was made from: unity_link_fifo in its configuration 'minimal', by GHDL and Yosys 0.70.0.
 // Answers Q with 0208080310000010210100002000009896800007A12001000100001000000000.
 // Made by `make rtl`: change the VHDL in gateware/rtl instead.
 
@@ -1285,3 +1285,62 @@ bool p_unity__link__fifo::eval(performer *performer) {
 
 } // namespace cxxrtl_design
 
+
+#define UL_SIGNALS(signal) \
+	signal("clk", p_clk) \
+	signal("in_data", p_in__data) \
+	signal("in_lost", p_in__lost) \
+	signal("in_ready", p_in__ready) \
+	signal("in_valid", p_in__valid) \
+	signal("out_data", p_out__data) \
+	signal("out_flush", p_out__flush) \
+	signal("out_ready", p_out__ready) \
+	signal("out_valid", p_out__valid) \
+	signal("rst", p_rst) \
+	signal("trigger", p_trigger) \
+	signal("unity_link_inst.core_inst.access_failure", p_unity__link__inst_2e_core__inst_2e_access__failure) \
+	signal("unity_link_inst.core_inst.bus_master_inst.for_sample", p_unity__link__inst_2e_core__inst_2e_bus__master__inst_2e_for__sample) \
+	signal("unity_link_inst.core_inst.bus_master_inst.n3903_o", p_unity__link__inst_2e_core__inst_2e_bus__master__inst_2e_n3903__o) \
+	signal("unity_link_inst.core_inst.bus_master_inst.read_data", p_unity__link__inst_2e_core__inst_2e_bus__master__inst_2e_n4038__q) \
+	signal("unity_link_inst.core_inst.bus_master_inst.request_lock", p_unity__link__inst_2e_core__inst_2e_bus__master__inst_2e_n4033__q) \
+	signal("unity_link_inst.core_inst.bus_master_inst.state", p_unity__link__inst_2e_core__inst_2e_bus__master__inst_2e_n4030__q) \
+	signal("unity_link_inst.core_inst.bus_master_inst.time_left", p_unity__link__inst_2e_core__inst_2e_bus__master__inst_2e_n4036__q) \
+	signal("unity_link_inst.core_inst.bus_master_inst.timed_out", p_unity__link__inst_2e_core__inst_2e_bus__master__inst_2e_n4035__q) \
+	signal("unity_link_inst.core_inst.character_in", p_unity__link__inst_2e_core__inst_2e_character__in) \
+	signal("unity_link_inst.core_inst.character_valid", p_unity__link__inst_2e_core__inst_2e_character__valid) \
+	signal("unity_link_inst.core_inst.fifo_out_valid", p_unity__link__inst_2e_core__inst_2e_fifo__out__valid) \
+	signal("unity_link_inst.core_inst.frame_writer_inst.r", p_unity__link__inst_2e_core__inst_2e_frame__writer__inst_2e_n5156__q) \
+	signal("unity_link_inst.core_inst.frame_writer_inst.response_word", p_unity__link__inst_2e_core__inst_2e_frame__writer__inst_2e_response__word) \
+	signal("unity_link_inst.core_inst.memory_word", p_unity__link__inst_2e_core__inst_2e_memory__word) \
+	signal("unity_link_inst.core_inst.request_decoder_inst.r", p_unity__link__inst_2e_core__inst_2e_request__decoder__inst_2e_n2264__q) \
+	signal("unity_link_inst.core_inst.request_executor_inst.memory_kept", p_unity__link__inst_2e_core__inst_2e_request__executor__inst_2e_memory__kept) \
+	signal("unity_link_inst.core_inst.request_executor_inst.r", p_unity__link__inst_2e_core__inst_2e_request__executor__inst_2e_n3743__q) \
+	signal("unity_link_inst.core_inst.request_executor_inst.ring_room", p_unity__link__inst_2e_core__inst_2e_request__executor__inst_2e_ring__room) \
+	signal("unity_link_inst.core_inst.response_ring_inst.committed", p_unity__link__inst_2e_core__inst_2e_response__ring__inst_2e_committed) \
+	signal("unity_link_inst.core_inst.response_ring_inst.read_at", p_unity__link__inst_2e_core__inst_2e_response__ring__inst_2e_n3825__q) \
+	signal("unity_link_inst.core_inst.response_ring_inst.write_at", p_unity__link__inst_2e_core__inst_2e_response__ring__inst_2e_n3823__q) \
+	signal("unity_link_inst.core_inst.rx_fifo_inst.bypass", p_unity__link__inst_2e_core__inst_2e_rx__fifo__inst_2e_bypass) \
+	signal("unity_link_inst.core_inst.rx_fifo_inst.count", p_unity__link__inst_2e_core__inst_2e_rx__fifo__inst_2e_count) \
+	signal("unity_link_inst.core_inst.rx_fifo_inst.read_data", p_unity__link__inst_2e_core__inst_2e_rx__fifo__inst_2e_n362__data) \
+	signal("unity_link_inst.core_inst.rx_fifo_inst.read_next", p_unity__link__inst_2e_core__inst_2e_rx__fifo__inst_2e_n354__q) \
+	signal("unity_link_inst.core_inst.rx_fifo_inst.use_bypass", p_unity__link__inst_2e_core__inst_2e_rx__fifo__inst_2e_n361__q) \
+	signal("unity_link_inst.core_inst.rx_fifo_inst.write_at", p_unity__link__inst_2e_core__inst_2e_rx__fifo__inst_2e_n353__q) \
+	signal("unity_link_inst.core_inst.sent_ready", p_unity__link__inst_2e_core__inst_2e_sent__ready) \
+	signal("unity_link_inst.core_inst.tx_fifo_inst.bypass", p_unity__link__inst_2e_core__inst_2e_tx__fifo__inst_2e_bypass) \
+	signal("unity_link_inst.core_inst.tx_fifo_inst.count", p_unity__link__inst_2e_core__inst_2e_tx__fifo__inst_2e_count) \
+	signal("unity_link_inst.core_inst.tx_fifo_inst.read_data", p_unity__link__inst_2e_core__inst_2e_tx__fifo__inst_2e_n5691__data) \
+	signal("unity_link_inst.core_inst.tx_fifo_inst.read_next", p_unity__link__inst_2e_core__inst_2e_tx__fifo__inst_2e_n5683__q) \
+	signal("unity_link_inst.core_inst.tx_fifo_inst.use_bypass", p_unity__link__inst_2e_core__inst_2e_tx__fifo__inst_2e_n5690__q) \
+	signal("unity_link_inst.core_inst.tx_fifo_inst.write_at", p_unity__link__inst_2e_core__inst_2e_tx__fifo__inst_2e_n5682__q) \
+	signal("unity_link_inst.core_inst.with_datalink_rx_datalink_rx_inst.r", p_unity__link__inst_2e_core__inst_2e_with__datalink__rx__datalink__rx__inst_2e_n1083__q) \
+	signal("unity_link_inst.core_inst.with_datalink_tx_datalink_tx_inst.r", p_unity__link__inst_2e_core__inst_2e_with__datalink__tx__datalink__tx__inst_2e_n5565__q) \
+	signal("wb_ack", p_wb__ack) \
+	signal("wb_adr", p_wb__adr) \
+	signal("wb_cyc", p_wb__cyc) \
+	signal("wb_dat_i", p_wb__dat__i) \
+	signal("wb_dat_o", p_wb__dat__o) \
+	signal("wb_err", p_wb__err) \
+	signal("wb_sel", p_wb__sel) \
+	signal("wb_stall", p_wb__stall) \
+	signal("wb_stb", p_wb__stb) \
+	signal("wb_we", p_wb__we)

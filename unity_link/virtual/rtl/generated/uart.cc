@@ -1,4 +1,4 @@
-// e0535c2885446cea names what this was made from: unity_link_fifo in its configuration 'uart', by GHDL and Yosys 0.70.0.
+// b9348ad8cd2e8e94 names what this was made from: unity_link_fifo in its configuration 'uart', by GHDL and Yosys 0.70.0.
 // Answers Q with 022008032004C11DB7FF00042000000F42400000C35000400040006F00000000.
 // Made by `make rtl`: change the VHDL in gateware/rtl instead.
 
@@ -2090,5 +2090,126 @@ bool p_unity__link__fifo::eval(performer *performer) {
 } // namespace cxxrtl_design
 
 
+#define UL_SIGNALS(signal) \
+	signal("clk", p_clk) \
+	signal("in_data", p_in__data) \
+	signal("in_lost", p_in__lost) \
+	signal("in_ready", p_in__ready) \
+	signal("in_valid", p_in__valid) \
+	signal("out_data", p_out__data) \
+	signal("out_flush", p_out__flush) \
+	signal("out_ready", p_out__ready) \
+	signal("out_valid", p_out__valid) \
+	signal("rst", p_rst) \
+	signal("trigger", p_trigger) \
+	signal("unity_link_inst.core_inst.access_failure", p_unity__link__inst_2e_core__inst_2e_access__failure) \
+	signal("unity_link_inst.core_inst.bus_master_inst.exclusive", p_unity__link__inst_2e_core__inst_2e_bus__master__inst_2e_exclusive) \
+	signal("unity_link_inst.core_inst.bus_master_inst.for_sample", p_unity__link__inst_2e_core__inst_2e_bus__master__inst_2e_for__sample) \
+	signal("unity_link_inst.core_inst.bus_master_inst.read_data", p_unity__link__inst_2e_core__inst_2e_bus__master__inst_2e_n4326__q) \
+	signal("unity_link_inst.core_inst.bus_master_inst.request_lock", p_unity__link__inst_2e_core__inst_2e_bus__master__inst_2e_n4321__q) \
+	signal("unity_link_inst.core_inst.bus_master_inst.sample_address", p_unity__link__inst_2e_core__inst_2e_bus__master__inst_2e_sample__address) \
+	signal("unity_link_inst.core_inst.bus_master_inst.sample_lock", p_unity__link__inst_2e_core__inst_2e_bus__master__inst_2e_n4320__q) \
+	signal("unity_link_inst.core_inst.bus_master_inst.state", p_unity__link__inst_2e_core__inst_2e_bus__master__inst_2e_n4318__q) \
+	signal("unity_link_inst.core_inst.bus_master_inst.time_left", p_unity__link__inst_2e_core__inst_2e_bus__master__inst_2e_n4324__q) \
+	signal("unity_link_inst.core_inst.bus_master_inst.timed_out", p_unity__link__inst_2e_core__inst_2e_bus__master__inst_2e_n4323__q) \
+	signal("unity_link_inst.core_inst.character_in", p_unity__link__inst_2e_core__inst_2e_character__in) \
+	signal("unity_link_inst.core_inst.character_valid", p_unity__link__inst_2e_core__inst_2e_character__valid) \
+	signal("unity_link_inst.core_inst.fifo_out_valid", p_unity__link__inst_2e_core__inst_2e_fifo__out__valid) \
+	signal("unity_link_inst.core_inst.flush", p_unity__link__inst_2e_core__inst_2e_flush) \
+	signal("unity_link_inst.core_inst.frame_writer_inst.r", p_unity__link__inst_2e_core__inst_2e_frame__writer__inst_2e_n6340__q) \
+	signal("unity_link_inst.core_inst.frame_writer_inst.response_word", p_unity__link__inst_2e_core__inst_2e_frame__writer__inst_2e_response__word) \
+	signal("unity_link_inst.core_inst.frame_writer_inst.sample_available", p_unity__link__inst_2e_core__inst_2e_frame__writer__inst_2e_sample__available) \
+	signal("unity_link_inst.core_inst.frame_writer_inst.sample_kept", p_unity__link__inst_2e_core__inst_2e_frame__writer__inst_2e_n6341__q) \
+	signal("unity_link_inst.core_inst.frame_writer_inst.sample_word", p_unity__link__inst_2e_core__inst_2e_frame__writer__inst_2e_sample__word) \
+	signal("unity_link_inst.core_inst.group_is_set", p_unity__link__inst_2e_core__inst_2e_group__is__set) \
+	signal("unity_link_inst.core_inst.memory_word", p_unity__link__inst_2e_core__inst_2e_memory__word) \
+	signal("unity_link_inst.core_inst.request_decoder_inst.r", p_unity__link__inst_2e_core__inst_2e_request__decoder__inst_2e_n2552__q) \
+	signal("unity_link_inst.core_inst.request_executor_inst.memory_kept", p_unity__link__inst_2e_core__inst_2e_request__executor__inst_2e_memory__kept) \
+	signal("unity_link_inst.core_inst.request_executor_inst.r", p_unity__link__inst_2e_core__inst_2e_request__executor__inst_2e_n4031__q) \
+	signal("unity_link_inst.core_inst.request_executor_inst.ring_room", p_unity__link__inst_2e_core__inst_2e_request__executor__inst_2e_ring__room) \
+	signal("unity_link_inst.core_inst.response_ring_inst.committed", p_unity__link__inst_2e_core__inst_2e_response__ring__inst_2e_committed) \
+	signal("unity_link_inst.core_inst.response_ring_inst.read_at", p_unity__link__inst_2e_core__inst_2e_response__ring__inst_2e_n4113__q) \
+	signal("unity_link_inst.core_inst.response_ring_inst.write_at", p_unity__link__inst_2e_core__inst_2e_response__ring__inst_2e_n4111__q) \
+	signal("unity_link_inst.core_inst.rx_fifo_inst.bypass", p_unity__link__inst_2e_core__inst_2e_rx__fifo__inst_2e_bypass) \
+	signal("unity_link_inst.core_inst.rx_fifo_inst.count", p_unity__link__inst_2e_core__inst_2e_rx__fifo__inst_2e_count) \
+	signal("unity_link_inst.core_inst.rx_fifo_inst.read_data", p_unity__link__inst_2e_core__inst_2e_rx__fifo__inst_2e_n363__data) \
+	signal("unity_link_inst.core_inst.rx_fifo_inst.read_next", p_unity__link__inst_2e_core__inst_2e_rx__fifo__inst_2e_n355__q) \
+	signal("unity_link_inst.core_inst.rx_fifo_inst.use_bypass", p_unity__link__inst_2e_core__inst_2e_rx__fifo__inst_2e_n362__q) \
+	signal("unity_link_inst.core_inst.rx_fifo_inst.write_at", p_unity__link__inst_2e_core__inst_2e_rx__fifo__inst_2e_n354__q) \
+	signal("unity_link_inst.core_inst.sent_ready", p_unity__link__inst_2e_core__inst_2e_sent__ready) \
+	signal("unity_link_inst.core_inst.tx_fifo_inst.bypass", p_unity__link__inst_2e_core__inst_2e_tx__fifo__inst_2e_bypass) \
+	signal("unity_link_inst.core_inst.tx_fifo_inst.count", p_unity__link__inst_2e_core__inst_2e_tx__fifo__inst_2e_count) \
+	signal("unity_link_inst.core_inst.tx_fifo_inst.read_data", p_unity__link__inst_2e_core__inst_2e_tx__fifo__inst_2e_n6872__data) \
+	signal("unity_link_inst.core_inst.tx_fifo_inst.read_next", p_unity__link__inst_2e_core__inst_2e_tx__fifo__inst_2e_n6864__q) \
+	signal("unity_link_inst.core_inst.tx_fifo_inst.use_bypass", p_unity__link__inst_2e_core__inst_2e_tx__fifo__inst_2e_n6871__q) \
+	signal("unity_link_inst.core_inst.tx_fifo_inst.write_at", p_unity__link__inst_2e_core__inst_2e_tx__fifo__inst_2e_n6863__q) \
+	signal("unity_link_inst.core_inst.with_datalink_rx_datalink_rx_inst.r", p_unity__link__inst_2e_core__inst_2e_with__datalink__rx__datalink__rx__inst_2e_n1344__q) \
+	signal("unity_link_inst.core_inst.with_datalink_tx_datalink_tx_inst.r", p_unity__link__inst_2e_core__inst_2e_with__datalink__tx__datalink__tx__inst_2e_n6750__q) \
+	signal("unity_link_inst.core_inst.with_groups_ring_room", p_unity__link__inst_2e_core__inst_2e_with__groups__ring__room) \
+	signal("unity_link_inst.core_inst.with_groups_sample_ring_inst.committed", p_unity__link__inst_2e_core__inst_2e_with__groups__sample__ring__inst_2e_committed) \
+	signal("unity_link_inst.core_inst.with_groups_sample_ring_inst.read_at", p_unity__link__inst_2e_core__inst_2e_with__groups__sample__ring__inst_2e_n4113__q) \
+	signal("unity_link_inst.core_inst.with_groups_sample_ring_inst.write_at", p_unity__link__inst_2e_core__inst_2e_with__groups__sample__ring__inst_2e_n4111__q) \
+	signal("unity_link_inst.core_inst.with_groups_subscription_manager_inst.address_read", p_unity__link__inst_2e_core__inst_2e_with__groups__subscription__manager__inst_2e_address__read) \
+	signal("unity_link_inst.core_inst.with_groups_subscription_manager_inst.asked", p_unity__link__inst_2e_core__inst_2e_with__groups__subscription__manager__inst_2e_asked) \
+	signal("unity_link_inst.core_inst.with_groups_subscription_manager_inst.changed", p_unity__link__inst_2e_core__inst_2e_with__groups__subscription__manager__inst_2e_changed) \
+	signal("unity_link_inst.core_inst.with_groups_subscription_manager_inst.due_by_timer", p_unity__link__inst_2e_core__inst_2e_with__groups__subscription__manager__inst_2e_due__by__timer) \
+	signal("unity_link_inst.core_inst.with_groups_subscription_manager_inst.due_by_trigger", p_unity__link__inst_2e_core__inst_2e_with__groups__subscription__manager__inst_2e_due__by__trigger) \
+	signal("unity_link_inst.core_inst.with_groups_subscription_manager_inst.enough_room", p_unity__link__inst_2e_core__inst_2e_with__groups__subscription__manager__inst_2e_enough__room) \
+	signal("unity_link_inst.core_inst.with_groups_subscription_manager_inst.failed", p_unity__link__inst_2e_core__inst_2e_with__groups__subscription__manager__inst_2e_failed) \
+	signal("unity_link_inst.core_inst.with_groups_subscription_manager_inst.group_state", p_unity__link__inst_2e_core__inst_2e_with__groups__subscription__manager__inst_2e_group__state) \
+	signal("unity_link_inst.core_inst.with_groups_subscription_manager_inst.is_set", p_unity__link__inst_2e_core__inst_2e_with__groups__subscription__manager__inst_2e_is__set) \
+	signal("unity_link_inst.core_inst.with_groups_subscription_manager_inst.last_read", p_unity__link__inst_2e_core__inst_2e_with__groups__subscription__manager__inst_2e_last__read) \
+	signal("unity_link_inst.core_inst.with_groups_subscription_manager_inst.last_word", p_unity__link__inst_2e_core__inst_2e_with__groups__subscription__manager__inst_2e_last__word) \
+	signal("unity_link_inst.core_inst.with_groups_subscription_manager_inst.lost", p_unity__link__inst_2e_core__inst_2e_with__groups__subscription__manager__inst_2e_lost) \
+	signal("unity_link_inst.core_inst.with_groups_subscription_manager_inst.lost_kept", p_unity__link__inst_2e_core__inst_2e_with__groups__subscription__manager__inst_2e_lost__kept) \
+	signal("unity_link_inst.core_inst.with_groups_subscription_manager_inst.number", p_unity__link__inst_2e_core__inst_2e_with__groups__subscription__manager__inst_2e_n5179__q) \
+	signal("unity_link_inst.core_inst.with_groups_subscription_manager_inst.operation_turn", p_unity__link__inst_2e_core__inst_2e_with__groups__subscription__manager__inst_2e_n5190__q) \
+	signal("unity_link_inst.core_inst.with_groups_subscription_manager_inst.own_sequence", p_unity__link__inst_2e_core__inst_2e_with__groups__subscription__manager__inst_2e_n5193__q) \
+	signal("unity_link_inst.core_inst.with_groups_subscription_manager_inst.pick_by_timer", p_unity__link__inst_2e_core__inst_2e_with__groups__subscription__manager__inst_2e_n5189__q) \
+	signal("unity_link_inst.core_inst.with_groups_subscription_manager_inst.pick_number", p_unity__link__inst_2e_core__inst_2e_with__groups__subscription__manager__inst_2e_n5188__q) \
+	signal("unity_link_inst.core_inst.with_groups_subscription_manager_inst.pick_valid", p_unity__link__inst_2e_core__inst_2e_with__groups__subscription__manager__inst_2e_n5187__q) \
+	signal("unity_link_inst.core_inst.with_groups_subscription_manager_inst.reason", p_unity__link__inst_2e_core__inst_2e_with__groups__subscription__manager__inst_2e_n5178__q) \
+	signal("unity_link_inst.core_inst.with_groups_subscription_manager_inst.running", p_unity__link__inst_2e_core__inst_2e_with__groups__subscription__manager__inst_2e_n5184__q) \
+	signal("unity_link_inst.core_inst.with_groups_subscription_manager_inst.settings", p_unity__link__inst_2e_core__inst_2e_with__groups__subscription__manager__inst_2e_n5181__q) \
+	signal("unity_link_inst.core_inst.with_groups_subscription_manager_inst.settings_read", p_unity__link__inst_2e_core__inst_2e_with__groups__subscription__manager__inst_2e_n5207__data) \
+	signal("unity_link_inst.core_inst.with_groups_subscription_manager_inst.stamp", p_unity__link__inst_2e_core__inst_2e_with__groups__subscription__manager__inst_2e_n5192__q) \
+	signal("unity_link_inst.core_inst.with_groups_subscription_manager_inst.state", p_unity__link__inst_2e_core__inst_2e_with__groups__subscription__manager__inst_2e_n5177__q) \
+	signal("unity_link_inst.core_inst.with_groups_subscription_manager_inst.state_read", p_unity__link__inst_2e_core__inst_2e_with__groups__subscription__manager__inst_2e_n5211__data) \
+	signal("unity_link_inst.core_inst.with_groups_subscription_manager_inst.stored", p_unity__link__inst_2e_core__inst_2e_with__groups__subscription__manager__inst_2e_n5195__q) \
+	signal("unity_link_inst.core_inst.with_groups_subscription_manager_inst.tick", p_unity__link__inst_2e_core__inst_2e_with__groups__subscription__manager__inst_2e_tick) \
+	signal("unity_link_inst.core_inst.with_groups_subscription_manager_inst.tick_inst.whole_left", p_unity__link__inst_2e_core__inst_2e_with__groups__subscription__manager__inst_2e_tick__inst_2e_n6936__q) \
+	signal("unity_link_inst.core_inst.with_groups_subscription_manager_inst.timer_inst.kept_counter", p_unity__link__inst_2e_core__inst_2e_with__groups__subscription__manager__inst_2e_timer__inst_2e_kept__counter) \
+	signal("unity_link_inst.core_inst.with_groups_subscription_manager_inst.timer_inst.kept_divisor", p_unity__link__inst_2e_core__inst_2e_with__groups__subscription__manager__inst_2e_timer__inst_2e_kept__divisor) \
+	signal("unity_link_inst.core_inst.with_groups_subscription_manager_inst.timer_inst.kept_index", p_unity__link__inst_2e_core__inst_2e_with__groups__subscription__manager__inst_2e_timer__inst_2e_kept__index) \
+	signal("unity_link_inst.core_inst.with_groups_subscription_manager_inst.timer_inst.kept_losses", p_unity__link__inst_2e_core__inst_2e_with__groups__subscription__manager__inst_2e_timer__inst_2e_kept__losses) \
+	signal("unity_link_inst.core_inst.with_groups_subscription_manager_inst.timer_inst.kept_valid", p_unity__link__inst_2e_core__inst_2e_with__groups__subscription__manager__inst_2e_timer__inst_2e_kept__valid) \
+	signal("unity_link_inst.core_inst.with_groups_subscription_manager_inst.timer_inst.read_counter", p_unity__link__inst_2e_core__inst_2e_with__groups__subscription__manager__inst_2e_timer__inst_2e_n7159__data) \
+	signal("unity_link_inst.core_inst.with_groups_subscription_manager_inst.timer_inst.read_divisor", p_unity__link__inst_2e_core__inst_2e_with__groups__subscription__manager__inst_2e_timer__inst_2e_n7155__data) \
+	signal("unity_link_inst.core_inst.with_groups_subscription_manager_inst.timer_inst.read_index", p_unity__link__inst_2e_core__inst_2e_with__groups__subscription__manager__inst_2e_timer__inst_2e_n7142__q) \
+	signal("unity_link_inst.core_inst.with_groups_subscription_manager_inst.timer_inst.read_losses", p_unity__link__inst_2e_core__inst_2e_with__groups__subscription__manager__inst_2e_timer__inst_2e_n7165__data) \
+	signal("unity_link_inst.core_inst.with_groups_subscription_manager_inst.timer_inst.read_valid", p_unity__link__inst_2e_core__inst_2e_with__groups__subscription__manager__inst_2e_timer__inst_2e_n7141__q) \
+	signal("unity_link_inst.core_inst.with_groups_subscription_manager_inst.timer_inst.scan_index", p_unity__link__inst_2e_core__inst_2e_with__groups__subscription__manager__inst_2e_timer__inst_2e_n7140__q) \
+	signal("unity_link_inst.core_inst.with_groups_subscription_manager_inst.timer_inst.scanning", p_unity__link__inst_2e_core__inst_2e_with__groups__subscription__manager__inst_2e_timer__inst_2e_n7139__q) \
+	signal("unity_link_inst.core_inst.with_groups_subscription_manager_inst.total", p_unity__link__inst_2e_core__inst_2e_with__groups__subscription__manager__inst_2e_n5201__q) \
+	signal("unity_link_inst.core_inst.with_groups_subscription_manager_inst.with_triggers_meta", p_unity__link__inst_2e_core__inst_2e_with__groups__subscription__manager__inst_2e_n4369__q) \
+	signal("unity_link_inst.core_inst.with_groups_subscription_manager_inst.with_triggers_now", p_unity__link__inst_2e_core__inst_2e_with__groups__subscription__manager__inst_2e_n4370__q) \
+	signal("unity_link_inst.core_inst.with_groups_subscription_manager_inst.with_triggers_old", p_unity__link__inst_2e_core__inst_2e_with__groups__subscription__manager__inst_2e_n4371__q) \
+	signal("unity_link_inst.core_inst.with_send_immediate_send_immediate_inst.has_left", p_unity__link__inst_2e_core__inst_2e_with__send__immediate__send__immediate__inst_2e_has__left) \
+	signal("unity_link_inst.core_inst.with_send_immediate_send_immediate_inst.its_mark", p_unity__link__inst_2e_core__inst_2e_with__send__immediate__send__immediate__inst_2e_its__mark) \
+	signal("unity_link_inst.core_inst.with_send_immediate_send_immediate_inst.waiting", p_unity__link__inst_2e_core__inst_2e_with__send__immediate__send__immediate__inst_2e_n6914__q) \
+	signal("wb_ack", p_wb__ack) \
+	signal("wb_adr", p_wb__adr) \
+	signal("wb_cyc", p_wb__cyc) \
+	signal("wb_dat_i", p_wb__dat__i) \
+	signal("wb_dat_o", p_wb__dat__o) \
+	signal("wb_err", p_wb__err) \
+	signal("wb_sel", p_wb__sel) \
+	signal("wb_stall", p_wb__stall) \
+	signal("wb_stb", p_wb__stb) \
+	signal("wb_we", p_wb__we)
 #define UL_RUNNING p_unity__link__inst_2e_core__inst_2e_with__groups__subscription__manager__inst_2e_n5184__q
 #define UL_STAMP p_unity__link__inst_2e_core__inst_2e_with__groups__subscription__manager__inst_2e_n5192__q
+#define UL_GROUP p_unity__link__inst_2e_core__inst_2e_with__groups__subscription__manager__inst_2e_n5179__q
+#define UL_SEQUENCE p_unity__link__inst_2e_core__inst_2e_with__groups__subscription__manager__inst_2e_n5193__q
+#define UL_STORED p_unity__link__inst_2e_core__inst_2e_with__groups__subscription__manager__inst_2e_n5195__q
+#define UL_FOR_SAMPLE p_unity__link__inst_2e_core__inst_2e_bus__master__inst_2e_for__sample

@@ -1,0 +1,177 @@
+"""Frames in words: both directions, whatever the cuts, and samples by the settings that the gateway has confirmed."""
+
+from __future__ import annotations
+
+from itertools import pairwise
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from unity_link.protocol.configuration import Feature, GatewayInfo
+from unity_link.protocol.conversation import Conversation, Heard
+from unity_link.protocol.crc import Crc
+from unity_link.protocol.interpreter import Kind
+
+
+def checked(body: bytes) -> bytes:
+    return body + Crc().text(body) + b"\n"
+
+
+def heard(*lines: bytes) -> list[Heard]:
+    """Return what is heard of whole lines, each with its direction before it."""
+    conversation = Conversation()
+    return [
+        frame
+        for second, line in enumerate(lines)
+        for frame in conversation.hear(line[1:], float(second), sent=line[:1] == b">")
+    ]
+
+
+def words(*lines: bytes) -> list[str]:
+    return [frame.meaning.words for frame in heard(*lines)]
+
+
+@pytest.mark.parametrize(
+    ("body", "text"),
+    [
+        (b"R0A", "read 0x0A"),
+        (b"RM0A04", "read 4 words from 0x0A on"),
+        (b"RQ0A04", "read 4 words of the queue at 0x0A"),
+        (b"W0A0000002A", "write 0x0000002A (42) to 0x0A"),
+        (b"WM0A0000002A00000001", "write 2 words from 0x0A on: 0x0000002A (42), 0x00000001 (1)"),
+        (b"WQ0A0000002A", "write 1 words to the queue at 0x0A: 0x0000002A (42)"),
+        (b"WK0A000000FF0000002A", "write the bits 0x000000FF of 0x0000002A (42) to 0x0A"),
+        (b"WS0A0000002A", "post 0x0000002A (42) to 0x0A"),
+        (b"GS0309000A020A0B", "set up group 3: 0x0A, 0x0B; every 10 ticks, with timestamps"),
+        (b"GS030200010110", "set up group 3: 0x10; at its trigger"),
+        (b"GS033400010110", "set up group 3: 0x10; sent immediately, on change, in plain frames"),
+        (b"GS030000010110", "set up group 3: 0x10; when it is asked to"),
+        (b"GN03", "start group 3"),
+        (b"GX03", "stop group 3"),
+        (b"GP03", "publish group 3 once"),
+        (b"I01", "send-immediate: always"),
+        (b"H", "do nothing, and answer"),
+        (b"Q", "what are you?"),
+        (b"K0AB", "begin a session, the next ID is 0AB"),
+        (b"r0FF0A", "read 0x0A (ID 0FF)"),
+    ],
+)
+def test_each_request_has_words(body: bytes, text: str) -> None:
+    assert words(b">" + checked(body)) == [text]
+    assert words(b">" + body + b"\r") == [text]
+
+
+def test_each_command_has_words_for_its_answer() -> None:
+    lines = [
+        (b"RQ0A02", b"RQ0A020000000100000002", "queue read of 2 words at 0x0A: 0x00000001 (1), 0x00000002 (2)"),
+        (
+            b"rm0010A02",
+            b"rm0010000000100000002",
+            "block read of 2 words from 0x0A: 0x00000001 (1), 0x00000002 (2) (ID 001)",
+        ),
+        (b"wm0020A00000001", b"wm002", "block write of 1 words from 0x0A done (ID 002)"),
+        (b"wk0030AFFFFFFFF00000001", b"wk00300000007", "masked write to 0x0A done, it held 0x00000007 (7) (ID 003)"),
+        (b"gs00403010001010A", b"gs004", "group 3 is set up (ID 004)"),
+        (b"i00502", b"i005", "send-immediate is adaptive (ID 005)"),
+        (b"h006", b"x0060A", "error 0A: no session has begun since the gateway's reset: begin with K000 (ID 006)"),
+        (b"h007", b"n006", "out of sequence: the next ID expected is 006"),
+    ]
+    for request, answer, text in lines:
+        assert words(b">" + checked(request), b"<" + checked(answer))[1] == text
+
+
+def test_damage_and_noise_are_told_apart() -> None:
+    damaged = checked(b"R0A").replace(b"A", b"B", 1)
+    kinds = [frame.meaning.kind for frame in heard(b">" + damaged, b"<" + damaged, b">" + checked(b"J"), b"<hello\r\n")]
+    assert kinds == [Kind.DAMAGED, Kind.DAMAGED, Kind.UNKNOWN, Kind.UNKNOWN]
+
+
+def test_samples_follow_the_settings_that_an_answer_has_confirmed() -> None:
+    first, second = checked(b"gs0000301000A010A"), checked(b"gs0010309000A020A0B")
+    said = words(
+        b">" + first,
+        b"<" + checked(b"gs000"),
+        b">" + second,
+        b"<" + checked(b"P030000000007"),
+        b"<" + checked(b"P0301000000070"),
+        b"<" + checked(b"h001"),
+        b"<" + checked(b"P030002FAF0800000000100000002"),
+    )
+    assert said[3] == "sample 0 of group 3: 0x0A = 7"
+    assert said[4] == "sample 1 of group 3, which is not as long as the group's settings say"
+    assert said[6] == "sample 0 of group 3 at 1.000000 s: 0x0A = 1, 0x0B = 2"
+
+
+def test_settings_that_were_refused_change_nothing() -> None:
+    said = words(
+        b">" + checked(b"gs0000301000A010A"),
+        b"<" + checked(b"gs000"),
+        b">" + checked(b"gs0010301000A020A0B"),
+        b"<" + checked(b"x00106"),
+        b"<" + checked(b"h002"),
+        b"<" + checked(b"P030000000007"),
+    )
+    assert said[-1] == "sample 0 of group 3: 0x0A = 7"
+
+
+def test_a_request_that_is_sent_again_is_known_by_its_id_and_has_no_round_trip() -> None:
+    frames = heard(
+        b">" + checked(b"KFFF"),
+        b">" + checked(b"rFFF0A"),
+        b">" + checked(b"r0000B"),
+        b"<" + checked(b"rFFF00000001"),
+        b">" + checked(b"r0000B"),
+        b"<" + checked(b"r00000000002"),
+    )
+    assert [frame.again for frame in frames] == [False, False, False, False, True, False]
+    assert [frame.round_trip for frame in frames if not frame.sent] == [2.0, None]
+
+
+@pytest.mark.parametrize(
+    "info", [GatewayInfo(data_bits=16, id_digits=2, crc_bits=8, crc_polynomial=7), GatewayInfo(data_bits=64)]
+)
+def test_the_widths_are_those_of_the_gateways_answer(info: GatewayInfo) -> None:
+    conversation = Conversation()
+    list(conversation.hear(b"Q" + info.to_hex() + b"\r\n", 0.0, sent=False))
+    assert conversation.codec.info == info
+    frame = conversation.codec.framing.checked(conversation.codec.fields("R", 0x0A).join((b"R", b"")))
+    (said,) = conversation.hear(frame, 0.0, sent=True)
+    assert said.meaning.words == "read 0x0A"
+
+
+def test_frames_of_a_shared_medium_are_read_without_their_prefix() -> None:
+    info = GatewayInfo(features=GatewayInfo().features | Feature.ADDRESSED)
+    said = words(
+        b">Z05Q\r",
+        b"<Z05Q" + info.to_hex() + b"\r\n",
+        b">" + checked(b"Z05R0A"),
+        b">" + checked(b"ZFFW0A00000001"),
+        b"<" + checked(b"Z06R0A00000001"),
+    )
+    assert said[0] == "what are you?"
+    assert said[2:4] == ["read 0x0A", "to all nodes: write 0x00000001 (1) to 0x0A"]
+    assert said[4].startswith("damaged: not from node 05")
+
+
+WHOLE = b"".join((b"\nQ\r", checked(b"K000"), checked(b"r0000A"), b"R0A\r\n", checked(b"h001")))
+
+
+@given(st.lists(st.integers(0, len(WHOLE))), st.booleans())
+def test_frames_are_the_same_however_the_bytes_are_cut(cuts: list[int], sent: bool) -> None:
+    def frames(*pieces: bytes) -> list[bytes]:
+        conversation = Conversation()
+        return [frame.frame for piece in pieces for frame in conversation.hear(piece, 0.0, sent=sent)]
+
+    places = [0, *sorted(cuts), len(WHOLE)]
+    assert frames(*(WHOLE[start:end] for start, end in pairwise(places))) == frames(WHOLE)
+
+
+@given(st.lists(st.tuples(st.binary(max_size=60), st.booleans()), max_size=6))
+def test_any_bytes_have_words(passed: list[tuple[bytes, bool]]) -> None:
+    conversation = Conversation()
+    for data, sent in passed:
+        for frame in conversation.hear(data, 0.0, sent=sent):
+            assert frame.meaning.words
+    for frame in conversation.end(1.0):
+        assert frame.meaning.kind is Kind.DAMAGED

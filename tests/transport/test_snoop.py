@@ -1,0 +1,319 @@
+"""What listens in on a connection: the snoop and the log of the frames; and nothing where none is asked for."""
+
+from __future__ import annotations
+
+import logging
+import os
+import subprocess
+import sys
+from typing import TYPE_CHECKING
+
+import pytest
+
+import unity_link
+from simulated_time import on_simulated_time, run_simulated
+from unity_link.bridges.serve import serve
+from unity_link.errors import ArgumentError
+from unity_link.protocol.configuration import GatewayInfo
+from unity_link.protocol.crc import Crc
+from unity_link.transport import SNOOP_VARIABLE
+from unity_link.transport.snoop import Connected, Ended, Passed, Snoop, read
+from unity_link.transport.tap import Tap
+from unity_link.virtual import VirtualGateway
+from unity_link.virtual.serving import serve_tcp, serve_udp, serve_unix
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+    from unity_link.link.link import Link
+
+
+def events(path: Path) -> list[Connected | Passed | Ended]:
+    """Return what a sound snoop holds."""
+    damage: list[str] = []
+    found = list(read(path, damage.append))
+    assert damage == []
+    return found
+
+
+def passed(path: Path, *, sent: bool, connection: int = 0) -> bytes:
+    """Return the bytes of one direction."""
+    return b"".join(
+        event.data
+        for event in events(path)
+        if isinstance(event, Passed) and event.sent == sent and event.connection == connection
+    )
+
+
+def checked(body: bytes) -> bytes:
+    return body + Crc().text(body) + b"\n"
+
+
+def write_and_read(url: str) -> None:
+    async def use() -> None:
+        async with unity_link.connect(url) as link:
+            await link.write(0x10, 42)
+            assert await link.read(0x10) == 42
+
+    run_simulated(use())
+
+
+def test_a_snoop_has_all_bytes_of_both_directions_in_their_order_and_the_end(tmp_path: Path) -> None:
+    path = tmp_path / "a.snoop"
+    write_and_read(f"sim:?snoop={path}")
+    first, *_, last = events(path)
+    assert first == Connected(0, f"sim:?snoop={path}")
+    assert isinstance(last, Ended)
+    assert passed(path, sent=True).endswith(checked(b"K000") + checked(b"w000100000002A") + checked(b"r00110"))
+    assert passed(path, sent=False).endswith(checked(b"K000") + checked(b"w000") + checked(b"r0010000002A"))
+
+
+@on_simulated_time
+async def test_times_in_a_snoop_are_those_at_which_bytes_passed(tmp_path: Path) -> None:
+    path = tmp_path / "a.snoop"
+    async with unity_link.connect(f"sim:?bytes_per_second=1000&snoop={path}") as link:
+        await link.read(0)
+    packets = [event for event in events(path) if isinstance(event, Passed)]
+    (asked,) = [event for event in packets if event.data.startswith(b"r000") and event.sent]
+    (answered,) = [event for event in packets if event.data.startswith(b"r000") and not event.sent]
+    # 17 bytes of an answer at 1,000 a second.
+    assert answered.time_ns - asked.time_ns == pytest.approx(17_000_000, abs=1000)
+
+
+def test_the_variable_asks_for_a_snoop_of_a_url_that_names_none(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv(SNOOP_VARIABLE, str(tmp_path / "all.snoop"))
+    write_and_read("sim:")
+    write_and_read(f"sim:?snoop={tmp_path / 'own.snoop'}")
+    for name in ("all.snoop", "own.snoop"):
+        assert checked(b"w000100000002A") in passed(tmp_path / name, sent=True)
+        assert len([event for event in events(tmp_path / name) if isinstance(event, Connected)]) == 1
+
+
+@on_simulated_time
+async def test_links_that_name_one_file_share_it_and_are_told_apart(tmp_path: Path) -> None:
+    path = tmp_path / "a.snoop"
+    async with unity_link.connect(f"sim:?snoop={path}") as one, unity_link.connect(f"sim:?snoop={path}") as other:
+        await one.write(1, 1)
+        await other.write(2, 2)
+    assert b"w0000100000001" in passed(path, sent=True, connection=0)
+    assert b"w0000200000002" in passed(path, sent=True, connection=1)
+
+
+@pytest.mark.asyncio
+async def test_a_link_that_reconnects_appends_to_its_snoop(tmp_path: Path) -> None:
+    path, gateway = tmp_path / "a.snoop", VirtualGateway(GatewayInfo())
+    async with serve_unix(gateway, tmp_path / "gateway") as url:
+        link = await unity_link.connect(f"{url}?snoop={path}", reconnect=unity_link.Reconnect(first_pause=0.001))
+        await link.write(1, 1)
+    async with serve_unix(gateway, tmp_path / "gateway"):
+        assert await link.read(1) == 1
+        await link.aclose()
+    kinds = [type(event) for event in events(path) if not isinstance(event, Passed)]
+    assert kinds == [Connected, Ended, Connected, Ended]
+    assert checked(b"r00001") in passed(path, sent=True, connection=1)
+
+
+def test_a_file_that_was_moved_away_is_not_written_any_more(tmp_path: Path) -> None:
+    path = tmp_path / "a.snoop"
+    write_and_read(f"sim:?snoop={path}")
+    before = path.rename(tmp_path / "b.snoop").read_bytes()
+    write_and_read(f"sim:?snoop={path}")
+    assert (tmp_path / "b.snoop").read_bytes() == before
+    assert checked(b"w000100000002A") in passed(path, sent=True)
+
+
+@pytest.mark.parametrize(
+    ("name", "words"),
+    [
+        ("", r"snoop= in sim:\?snoop= names no file"),
+        ("missing/a.snoop", r"can't be made \(No such file or directory\)"),
+        ("folder", r"can't be made \(Is a directory\)"),
+        ("pipe", "can't be made|is no file"),
+        ("text", "is there and no snoop: choose another name"),
+    ],
+)
+def test_a_snoop_that_cannot_be_written_is_one_sentence_and_nothing_is_opened(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, name: str, words: str
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "folder").mkdir()
+    (tmp_path / "text").write_text("dear diary")
+    os.mkfifo(tmp_path / "pipe")
+    opened: list[object] = []
+    monkeypatch.setattr("unity_link.virtual.schemes.connect", opened.append)
+    with pytest.raises(ArgumentError, match=words):
+        write_and_read(f"sim:?snoop={name}")
+    assert opened == []
+    assert (tmp_path / "text").read_text() == "dear diary"
+
+
+def test_a_file_is_of_one_program_at_a_time(tmp_path: Path) -> None:
+    path = tmp_path / "a.snoop"
+    write_and_read(f"sim:?snoop={path}")
+    before = path.read_bytes()
+    command = [sys.executable, "-m", "unity_link.cli", "read", f"sim:?snoop={path}", "0"]
+    other = subprocess.run(
+        [sys.executable, "-c", "from unity_link.cli import main; main()", *command[3:]],
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert (other.returncode, other.stderr.strip().replace("\n", " ")) == (
+        2,
+        f"error: another program writes the snoop {path}: choose another name",
+    )
+    assert path.read_bytes() == before
+
+
+def test_what_a_crash_left_of_a_record_is_cut_off_before_more_is_appended(
+    tmp_path: Path, caplog: pytest.LogCaptureFixture
+) -> None:
+    path = tmp_path / "a.snoop"
+    write_and_read(f"sim:?snoop={path}")
+    whole = path.read_bytes()
+    other = tmp_path / "b.snoop"
+    other.write_bytes(whole + whole[:21])
+    write_and_read(f"sim:?snoop={other}")
+    assert other.read_bytes().startswith(whole)
+    assert len([event for event in events(other) if isinstance(event, Connected)]) == 2
+    assert "the last record of the snoop" in caplog.text
+
+
+def test_a_full_disk_ends_the_snoop_and_not_the_link(tmp_path: Path, caplog: pytest.LogCaptureFixture) -> None:
+    path = tmp_path / "a.snoop"
+
+    async def use() -> None:
+        async with unity_link.connect(f"sim:?snoop={path}") as link:
+            await link.write(1, 7)
+            snoop = Snoop.at(str(path))
+            assert snoop._file is not None
+            full = os.open("/dev/full", os.O_WRONLY)
+            os.dup2(full, snoop._file)
+            os.close(full)
+            assert await link.read(1) == 7
+
+    run_simulated(use())
+    assert f"the snoop {path} ends here: No space left on device" in caplog.text
+    assert b"w000" in passed(path, sent=True)
+
+
+@pytest.mark.asyncio
+async def test_a_token_is_never_written(tmp_path: Path) -> None:
+    path = tmp_path / "a.snoop"
+    async with (
+        serve_tcp(VirtualGateway(GatewayInfo())) as url,
+        unity_link.connect(f"{url}?token=sesame&snoop={path}") as link,
+    ):
+        # The token stands before all frames; a gateway that wants none takes it for a damaged one.
+        await link.read(0)
+    assert b"sesame" not in path.read_bytes()
+    assert events(path)[0] == Connected(0, f"{url}?token=...&snoop={path}")
+    assert b"X01" in passed(path, sent=False)
+
+
+# The log.
+
+
+@on_simulated_time
+async def test_nothing_stands_in_between_where_nothing_is_asked_for() -> None:
+    link = await unity_link.connect(VirtualGateway(GatewayInfo()))
+    assert _protocol_of(link) is link._stream
+    await link.aclose()
+
+
+@on_simulated_time
+async def test_the_level_at_the_time_of_connecting_decides(caplog: pytest.LogCaptureFixture) -> None:
+    caplog.set_level(logging.DEBUG, "unity_link.frames.samples")
+    async with unity_link.connect(VirtualGateway(GatewayInfo())) as link:
+        assert isinstance(_protocol_of(link), Tap)
+        caplog.set_level(logging.DEBUG, "unity_link.frames.sent")
+        await link.read(0x0A)
+    assert [record.name for record in caplog.records if record.levelno == logging.DEBUG] == [
+        "unity_link.frames.sent",
+        "unity_link.frames.sent",
+    ]
+
+
+def _protocol_of(link: Link) -> object:
+    stream = link._stream
+    assert stream is not None
+    transport = stream._transport
+    assert transport is not None
+    return getattr(transport, "_tap", None) or transport.get_protocol()
+
+
+@on_simulated_time
+async def test_each_frame_is_logged_in_words_under_a_name_that_tells_its_direction(
+    caplog: pytest.LogCaptureFixture,
+) -> None:
+    caplog.set_level(logging.DEBUG, "unity_link")
+    gateway = VirtualGateway(GatewayInfo())
+    async with unity_link.connect(gateway) as link:
+        await link.write(0x0A, 42)
+        async with link.subscribe([0x0A], rate_hz=100) as samples:
+            await anext(aiter(samples))
+    lines = [(record.name.removeprefix("unity_link."), record.getMessage()) for record in caplog.records]
+    frames = [line for line in lines if line[0].startswith("frames.")]
+    for expected in [
+        ("frames.sent", "the given gateway > w0000A0000002A6AE6  write 0x0000002A (42) to 0x0A (ID 000)"),
+        ("frames.received", "the given gateway < w000E53B  write to 0x0A done (ID 000)"),
+        ("frames.received", "the given gateway < K00086E0  session started, the next ID expected is 000"),
+    ]:
+        assert expected in frames
+    assert any(
+        name == "frames.samples" and "sample 0 of group 0" in text and "0x0A = 42" in text for name, text in frames
+    )
+
+
+@pytest.mark.asyncio
+async def test_the_life_of_a_link_is_logged(caplog: pytest.LogCaptureFixture, tmp_path: Path) -> None:
+    caplog.set_level(logging.INFO, "unity_link")
+    gateway = VirtualGateway(GatewayInfo())
+    async with serve_unix(gateway, tmp_path / "gateway") as url:
+        link = await unity_link.connect(url, reconnect=unity_link.Reconnect(first_pause=0.001))
+        gateway.reset()
+        await link.read(1)
+    async with serve_unix(gateway, tmp_path / "gateway"):
+        await link.read(1)
+        await link.aclose()
+    said = [
+        record.getMessage().removeprefix(f"{url}: ") for record in caplog.records if record.name == "unity_link.link"
+    ]
+    lost = [text for text in said if text.endswith("; connecting again")]
+    assert len(lost) == 1
+    assert [text for text in said if not text.startswith("not connected (")] == [
+        "connected",
+        "session 1 has begun",
+        "the gateway was reset",
+        "session 2 has begun",
+        *lost,
+        "connected",
+        "session 3 has begun",
+        "the link was closed",
+    ]
+
+
+@pytest.mark.asyncio
+async def test_a_server_has_its_link_to_the_gateway_snooped(tmp_path: Path) -> None:
+    path = tmp_path / "a.snoop"
+    async with (
+        serve(f"sim:?snoop={path}", unix=tmp_path / "shared") as server,
+        unity_link.connect(server.urls[0]) as link,
+    ):
+        await link.write(0x10, 42)
+    assert b"100000002A" in passed(path, sent=True)
+    assert {event.name for event in events(path) if isinstance(event, Connected)} == {f"sim:?snoop={path}"}
+
+
+@pytest.mark.asyncio
+async def test_datagrams_are_snooped_as_the_frames_in_them(tmp_path: Path) -> None:
+    path = tmp_path / "a.snoop"
+    async with (
+        serve_udp(VirtualGateway(GatewayInfo())) as url,
+        unity_link.connect(f"{url}?snoop={path}") as link,
+    ):
+        await link.write(0x10, 42)
+    assert passed(path, sent=True).endswith(checked(b"w000100000002A"))
+    assert passed(path, sent=False).endswith(checked(b"w000"))

@@ -1,0 +1,128 @@
+"""The bytes of one connection, in both directions, as frames with their meanings.
+
+The widths follow from what the gateway answers to `Q`. Until then those of the default build are assumed.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import re
+from typing import TYPE_CHECKING, NamedTuple
+
+from unity_link.errors import UnsupportedError
+from unity_link.protocol.configuration import GatewayInfo
+from unity_link.protocol.frames import LONGEST_FRAME
+from unity_link.protocol.interpreter import Interpreter, Kind, Meaning
+from unity_link.protocol.messages import Codec
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+_SENT = re.compile(rb"[^\r\n]*[\r\n]")
+_RECEIVED = re.compile(rb"[^\n]*\n")
+_QUESTION = re.compile(rb"(?:Z([0-9A-Fa-f]{2}))?Q\r")
+_CONFIGURATION = re.compile(rb"(?:Z[0-9A-F]{2})?Q([0-9A-F]+)\r\n")
+
+
+class Heard(NamedTuple):
+    """One frame."""
+
+    time: float
+    """In seconds."""
+    sent: bool
+    """By the host."""
+    frame: bytes
+    """With its end."""
+    meaning: Meaning
+    again: bool
+    """A request that was sent before under the same ID."""
+    round_trip: float | None
+    """Of an answer to a request with an ID that was sent once: seconds since then."""
+
+
+class FrameCutter:
+    """Cuts the bytes of one direction into frames.
+
+    Args:
+        sent: of the host, whose frames end in LF or CR; those of a gateway end in LF.
+    """
+
+    def __init__(self, *, sent: bool) -> None:
+        self._form = _SENT if sent else _RECEIVED
+        self.rest = b""
+        """The beginning of a frame whose end has not come."""
+
+    def cut(self, data: bytes) -> list[bytes]:
+        """Take bytes, and return the frames that are whole now, with their ends; empty ones are left out."""
+        data = self.rest + data
+        frames = self._form.findall(data)
+        rest = data[sum(map(len, frames)) :]
+        if len(rest) > LONGEST_FRAME:
+            # Noise without a line end.
+            frames.append(rest)
+            rest = b""
+        self.rest = rest
+        return [frame for frame in frames if frame.strip(b"\r\n")]
+
+
+class Conversation:
+    """What passes on one connection."""
+
+    def __init__(self) -> None:
+        self.codec = Codec(GatewayInfo())
+        self._node: int | None = None
+        self._interpreter = Interpreter(self.codec)
+        self._cutters = {True: FrameCutter(sent=True), False: FrameCutter(sent=False)}
+        self._next: int | None = None
+        self._sent_at: dict[int, float | None] = {}
+
+    def hear(self, data: bytes, time: float, *, sent: bool) -> Iterator[Heard]:
+        """Take bytes of one direction at a time in seconds, and return the frames that are whole now."""
+        for frame in self._cutters[sent].cut(data):
+            yield self._sent(frame, time) if sent else self._received(frame, time)
+
+    def end(self, time: float) -> Iterator[Heard]:
+        """Return what is left without an end."""
+        for sent, cutter in self._cutters.items():
+            if cutter.rest:
+                yield Heard(time, sent, cutter.rest, Meaning(Kind.DAMAGED, "cut: its end has not come"), False, None)  # noqa: FBT003
+
+    def _sent(self, frame: bytes, time: float) -> Heard:
+        if match := _QUESTION.fullmatch(frame):
+            self._node = None if match[1] is None else int(match[1], 16)
+            if self._node is not None and not self.codec.framing.prefix:
+                self._use(self.codec.info)
+        meaning = self._interpreter.explain_request(frame.removesuffix(b"\n"))
+        return Heard(time, True, frame, meaning, self._is_again(meaning, time, frame), None)  # noqa: FBT003
+
+    def _is_again(self, meaning: Meaning, time: float, frame: bytes) -> bool:
+        """Whether a request was sent before; take note of the IDs and times that tell."""
+        number, ring = meaning.id, self.codec.ring
+        if meaning.command == "K":
+            self._next = self.codec.id_number.get(
+                frame[len(self.codec.framing.prefix) + 1 :][: self.codec.info.id_digits]
+            )
+            self._sent_at.clear()
+        if number is None or self._next is None:
+            return False
+        again = (number - self._next) % ring >= ring // 2
+        if not again:
+            self._next = (number + 1) % ring
+        self._sent_at[number] = None if again else time
+        return again
+
+    def _received(self, frame: bytes, time: float) -> Heard:
+        if match := _CONFIGURATION.fullmatch(frame):
+            with contextlib.suppress(UnsupportedError, ValueError):
+                self._use(GatewayInfo.from_hex(match[1]))
+        meaning = self._interpreter.explain(frame.removesuffix(b"\n"))
+        sent_at = None
+        if meaning.id is not None and meaning.command != "N":
+            sent_at = self._sent_at.pop(meaning.id, None)
+        return Heard(time, False, frame, meaning, False, None if sent_at is None else time - sent_at)  # noqa: FBT003
+
+    def _use(self, info: GatewayInfo) -> None:
+        codec = Codec(info, self._node)
+        if (info, codec.framing.prefix) != (self.codec.info, self.codec.framing.prefix):
+            self.codec = codec
+            self._interpreter = Interpreter(codec)

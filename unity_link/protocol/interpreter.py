@@ -1,0 +1,322 @@
+"""Frames in words: requests, and what a gateway sends.
+
+A response with an ID does not repeat what it answers, and a publish does not say which addresses its words are of, so
+the interpreter hears both directions.
+"""
+
+from __future__ import annotations
+
+import enum
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from unity_link.errors import UnsupportedError
+from unity_link.protocol.configuration import GatewayInfo
+from unity_link.protocol.frames import CR, FrameError, Framing
+from unity_link.protocol.messages import (
+    COMMANDS,
+    Codec,
+    DecodedRequest,
+    DecodedResponse,
+    GroupFlag,
+    RequestError,
+    parse_words,
+)
+from unity_link.protocol.numbers import Format, address_text, as_decimal, feature_names, in_form, in_words
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+ERRORS = {
+    1: "the CRC was wrong",
+    2: "unknown command",
+    3: "malformed: wrong length, or not hex",
+    4: "the bus refused the access",
+    5: "nothing on the bus answered",
+    6: "out of range",
+    7: "longer than this gateway's longest request",
+    8: "already executed, and its answer is gone",
+    9: "bytes were lost: the gateway's receive FIFO was full",
+    10: "no session has begun since the gateway's reset: begin with {session}",
+}
+_MODES = {0: "off", 1: "always", 2: "adaptive"}
+_TIMESTAMP_DIGITS = 8
+# {a} address, {d} word, {n} count, {D} words, {g} group, {s} mode, {i} ID; what a response lacks is from its request.
+_TEXTS = {
+    "R": "read of {a}: {d}",
+    "RM": "block read of {n} words from {a}: {D}",
+    "RQ": "queue read of {n} words at {a}: {D}",
+    "W": "write to {a} done",
+    "WM": "block write of {n} words from {a} done",
+    "WQ": "queue write of {n} words to {a} done",
+    "WK": "masked write to {a} done, it held {d}",
+    "GS": "group {g} is set up",
+    "GN": "group {g} publishes",
+    "GX": "group {g} has stopped",
+    "GP": "group {g} published once",
+    "I": "send-immediate is {s}",
+    "H": "nothing, done",
+    "K": "session started, the next ID expected is {i}",
+}
+
+
+# The same letters, {m} for a mask, and of a group its {f} flags and divisor and its {A} addresses.
+_REQUESTS = {
+    "R": "read {a}",
+    "RM": "read {n} words from {a} on",
+    "RQ": "read {n} words of the queue at {a}",
+    "W": "write {d} to {a}",
+    "WM": "write {n} words from {a} on: {D}",
+    "WQ": "write {n} words to the queue at {a}: {D}",
+    "WK": "write the bits {m} of {d} to {a}",
+    "WS": "post {d} to {a}",
+    "GS": "set up group {g}: {A}; {f}",
+    "GN": "start group {g}",
+    "GX": "stop group {g}",
+    "GP": "publish group {g} once",
+    "I": "send-immediate: {s}",
+    "H": "do nothing, and answer",
+    "Q": "what are you?",
+    "K": "begin a session, the next ID is {i}",
+}
+_FLAGS = {
+    GroupFlag.TRIGGER: "at its trigger",
+    GroupFlag.IMMEDIATE: "sent immediately",
+    GroupFlag.TIMESTAMP: "with timestamps",
+    GroupFlag.ON_CHANGE: "on change",
+    GroupFlag.PLAIN: "in plain frames",
+}
+_BROADCAST = 0xFF
+
+
+class Kind(enum.StrEnum):
+    """What a frame is."""
+
+    REQUEST = "request"
+    ANSWER = "answer"
+    ERROR = "error"
+    """An error, or the next ID expected: an answer that is no good news."""
+    SAMPLE = "sample"
+    DAMAGED = "damaged"
+    UNKNOWN = "unknown"
+    """Sound, and no message."""
+
+
+class Meaning(NamedTuple):
+    """What a frame says."""
+
+    kind: Kind
+    words: str
+    command: str = ""
+    """In upper case, ``X``, ``N`` and ``P`` among them."""
+    id: int | None = None
+    group: int | None = None
+    """Of a sample."""
+    error: int | None = None
+
+
+class Interpreter:
+    """Puts what passes between one gateway and its host into words.
+
+    Args:
+        codec: the messages of the gateway.
+    """
+
+    def __init__(self, codec: Codec) -> None:
+        self._codec = codec
+        self._requests: dict[int, DecodedRequest] = {}
+        self._groups: dict[int, DecodedRequest] = {}
+        self._asked: dict[int, DecodedRequest] = {}
+        """Settings of groups that the gateway has not confirmed yet."""
+        node = codec.framing.prefix
+        self._to_all = Framing(codec.framing.crc, _BROADCAST) if node else None
+
+    # Requests
+
+    def listen(self, body: bytes) -> DecodedRequest | None:
+        """Take the body of a request that is sent; return it decoded, None where it is no proper request."""
+        try:
+            request = self._codec.decode_plain_request(body)
+        except RequestError:
+            return None
+        if request.id is not None:
+            self._requests[request.id] = request
+        if request.command == "GS":
+            self._asked[request.values[0]] = request
+        return request
+
+    def explain_request(self, line: bytes) -> Meaning:
+        """Put a frame that a host sent, given without its LF, into words."""
+        to_all = self._to_all is not None and line.startswith(self._to_all.prefix)
+        framing = self._to_all if to_all and self._to_all is not None else self._codec.framing
+        try:
+            body = framing.open(line)
+        except FrameError as error:
+            return Meaning(Kind.DAMAGED, f"damaged: {error}")
+        request = self.listen(body)
+        if request is None:
+            return Meaning(Kind.UNKNOWN, "not a request to this gateway")
+        text = _REQUESTS[request.command].format_map(self._in_words(self._fields(request)))
+        return Meaning(
+            Kind.REQUEST,
+            f"to all nodes: {text}" if to_all else self._with_id(text, request.id),
+            request.command,
+            request.id,
+        )
+
+    def _fields(self, request: DecodedRequest) -> dict[str, Any]:
+        fields = dict(zip(COMMANDS[request.command].fields, request.values, strict=True))
+        if "D" in fields:
+            fields["n"] = len(fields["D"])
+        if "f" in fields:
+            fields["f"] = (fields["f"], fields["v"])
+        return fields
+
+    # What the gateway sends
+
+    def explain(self, line: bytes) -> Meaning:
+        """Put a frame of the gateway, given without its LF, into words."""
+        try:
+            body = self._codec.framing.open(line)
+        except FrameError as error:
+            return Meaning(Kind.DAMAGED, f"damaged: {error}")
+        try:
+            return self._explain(self._codec.decode_response(body))
+        except UnsupportedError as error:
+            return Meaning(Kind.ANSWER, str(error), "Q")
+        except ValueError:
+            return Meaning(Kind.UNKNOWN, "not a message of this gateway")
+
+    def body(self, line: bytes) -> bytes:
+        """Return what a frame says without its CRC or CR; for a damaged one, all of it."""
+        try:
+            return self._codec.framing.open(line)
+        except FrameError:
+            return line.removesuffix(CR)
+
+    def _explain(self, response: DecodedResponse) -> Meaning:
+        command, number = response.command, response.id
+        match command:
+            case "X":
+                if number is not None:
+                    self._refused(number)
+                return Meaning(Kind.ERROR, self._error(response), command, number, error=response.fields["e"])
+            case "N":
+                text = f"out of sequence: the next ID expected is {self._id(number)}"
+                return Meaning(Kind.ERROR, text, command, number)
+            case "P":
+                return Meaning(Kind.SAMPLE, self._publish(response.fields), command, group=response.fields["g"])
+            case "Q":
+                return Meaning(Kind.ANSWER, _configuration(response.fields["text"]), command)
+        self._confirmed(response)
+        request = None if number is None else self._requests.get(number)
+        values = dict.fromkeys("adnDgsi", "?") | self._in_words(self._known(request) | response.fields)
+        text = _TEXTS[command].format_map(values)
+        return Meaning(Kind.ANSWER, self._with_id(text, number), command, number)
+
+    # Which settings of a group its samples follow (docs/protocol.md, "Groups"): those that an answer has confirmed.
+
+    def _confirmed(self, response: DecodedResponse) -> None:
+        ring = self._codec.ring
+        for group, request in list(self._asked.items()):
+            if request.id is None:
+                told = response.command == "GS" and response.fields.get("g") == group
+            else:
+                told = response.id is not None and (response.id - request.id) % ring < ring // 2
+            if told:
+                self._groups[group] = self._asked.pop(group)
+
+    def _refused(self, number: int) -> None:
+        for group, request in list(self._asked.items()):
+            if request.id == number:
+                del self._asked[group]
+
+    def _known(self, request: DecodedRequest | None) -> dict[str, Any]:
+        """Return what a request says of its response."""
+        if request is None:
+            return {}
+        known = self._fields(request)
+        known.pop("d", None)
+        known.pop("D", None)
+        return known
+
+    def _in_words(self, fields: Mapping[str, Any]) -> dict[str, str]:
+        return {letter: self._field(letter, value) for letter, value in fields.items()}
+
+    def _field(self, letter: str, value: Any) -> str:
+        info = self._codec.info
+        match letter:
+            case "a":
+                text = address_text(value, info)
+            case "d":
+                text = in_words(value, info.data_bits)
+            case "D":
+                text = ", ".join(in_words(word, info.data_bits) for word in value)
+            case "m":
+                text = in_form(value, info.data_bits, Format.HEX)
+            case "A":
+                text = ", ".join(address_text(address, info) for address in value)
+            case "f":
+                text = _when(*value)
+            case "i":
+                text = self._id(value)
+            case "s":
+                text = _MODES.get(value, f"mode {value:02X}")
+            case _:
+                text = str(value)
+        return text
+
+    def _id(self, number: int | None) -> str:
+        return f"{number:0{self._codec.info.id_digits}X}"
+
+    def _error(self, response: DecodedResponse) -> str:
+        code = response.fields["e"]
+        meaning = ERRORS.get(code, "unknown to this program").format(session=f"K{self._id(0)}")
+        return self._with_id(f"error {code:02X}: {meaning}", response.id)
+
+    def _with_id(self, text: str, number: int | None) -> str:
+        return text if number is None else f"{text} (ID {self._id(number)})"
+
+    def _publish(self, fields: Mapping[str, Any]) -> str:
+        group, text = fields["g"], fields["text"]
+        head = f"sample {fields['p']} of group {group}"
+        if group not in self._groups:
+            return head
+        try:
+            return head + self._words(self._groups[group], text)
+        except ValueError:
+            return f"{head}, which is not as long as the group's settings say"
+
+    def _words(self, group: DecodedRequest, text: bytes) -> str:
+        _, flags, _, _, addresses = group.values
+        info = self._codec.info
+        time = ""
+        if flags & GroupFlag.TIMESTAMP:
+            time = f" at {int(text[:_TIMESTAMP_DIGITS], 16) / info.clock_hz:.6f} s"
+            text = text[_TIMESTAMP_DIGITS:]
+        words = parse_words(text, info.data_digits).tolist()
+        pairs = zip(addresses, words, strict=True)
+        shown = ", ".join(
+            f"{address_text(address, info)} = {as_decimal(word, info.data_bits)}" for address, word in pairs
+        )
+        return f"{time}: {shown}"
+
+
+def _when(flags: int, divisor: int) -> str:
+    """Say when a group publishes, and how."""
+    parts = [f"every {divisor} ticks" if divisor > 1 else "every tick"] if flags & GroupFlag.PERIODIC else []
+    parts += [text for flag, text in _FLAGS.items() if flags & flag]
+    return ", ".join(parts) or "when it is asked to"
+
+
+def _configuration(text: bytes) -> str:
+    info = GatewayInfo.from_hex(text)
+    features = ", ".join(feature_names(info)) or "no features"
+    return f"this gateway has {summary(info)}; {features}"
+
+
+def summary(info: GatewayInfo) -> str:
+    """Say in half a line what a gateway is."""
+    return (
+        f"words of {info.data_bits} bits, addresses of {info.address_bits}, IDs of {info.id_digits} digits, "
+        f"CRC-{info.crc_bits}, a clock of {info.clock_hz / 1e6:g} MHz"
+    )

@@ -1,0 +1,58 @@
+"""Words, addresses and features as people read them."""
+
+from __future__ import annotations
+
+import enum
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from unity_link.protocol.configuration import GatewayInfo
+
+
+class Format(enum.StrEnum):
+    """How a word is written."""
+
+    HEX = "hex"
+    DEC = "dec"
+    SIGNED = "signed"
+    BIN = "bin"
+
+
+def to_signed(word: int, bits: int) -> int:
+    """Read a word in two's complement."""
+    sign = 1 << bits - 1
+    return (word ^ sign) - sign
+
+
+def in_form(word: int, bits: int, form: Format) -> str:
+    """Write a word; hex and binary in the width that it has."""
+    match form:
+        case Format.HEX:
+            return f"0x{word:0{-(-bits // 4)}X}"
+        case Format.BIN:
+            return f"0b{word:0{bits}b}"
+        case Format.DEC:
+            return str(word)
+        case Format.SIGNED:
+            return str(to_signed(word, bits))
+
+
+def in_words(word: int, bits: int) -> str:
+    """Write a word for a person: ``0x00000012 (18)``, and as a negative number where it may be one."""
+    return f"{in_form(word, bits, Format.HEX)} ({as_decimal(word, bits)})"
+
+
+def as_decimal(word: int, bits: int) -> str:
+    """Write a word in decimal, and after it the negative number that it may mean."""
+    negative = to_signed(word, bits)
+    return f"{word} or {negative}" if negative < 0 else str(word)
+
+
+def address_text(address: int, info: GatewayInfo) -> str:
+    """Write an address in hex, in the width that it has."""
+    return f"0x{address:0{info.address_digits}X}"
+
+
+def feature_names(info: GatewayInfo) -> list[str]:
+    """Return the names of what a gateway was built with."""
+    return [(feature.name or "unknown").lower().replace("_", " ") for feature in info.features]

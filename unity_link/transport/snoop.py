@@ -1,0 +1,233 @@
+"""Snoops: files with all bytes of a connection and their times, and how they are read.
+
+A record is one write to the operating system, so that whatever ends the program, every record before is whole in the
+file. A file is of one program at a time, and may hold many connections of it; a program that opens one again appends.
+"""
+
+from __future__ import annotations
+
+import fcntl
+import logging
+import mmap
+import os
+import stat
+import threading
+import time
+from pathlib import Path
+from typing import TYPE_CHECKING, NamedTuple
+
+from unity_link.errors import ArgumentError
+from unity_link.transport import pcapng
+from unity_link.transport.pcapng import DamagedFileError, Packet
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterator
+
+log = logging.getLogger("unity_link.snoop")
+
+
+class Snoop:
+    """A file that is written.
+
+    Args:
+        path: of the file.
+
+    Raises:
+        ArgumentError: where it cannot be made, is of something else, or another program writes to it.
+    """
+
+    _open: dict[Path, Snoop] = {}  # noqa: RUF012  (of the class: those of this process)
+    _opening = threading.Lock()
+
+    def __init__(self, path: Path) -> None:
+        self._path = path
+        self._interfaces = 0
+        self._lock = threading.Lock()
+        try:
+            # Nonblocking, for a pipe without a reader would wait for one.
+            flags = os.O_RDWR | os.O_CREAT | os.O_APPEND | os.O_CLOEXEC | os.O_NONBLOCK
+            self._file: int | None = os.open(path, flags, 0o666)
+        except OSError as error:
+            raise ArgumentError(f"the snoop {path} can't be made ({error.strerror or error})") from error
+        try:
+            self._begin(self._file)
+        except BaseException:
+            os.close(self._file)
+            raise
+
+    @classmethod
+    def at(cls, name: str) -> Snoop:
+        """Return the snoop of a path, which this process may be writing already.
+
+        Raises:
+            ArgumentError: as the class.
+        """
+        path = Path(name).absolute()
+        with cls._opening:
+            known = cls._open.get(path)
+            if known is None or not known.is_there:
+                if known is not None:
+                    known.close()
+                known = cls._open[path] = cls(path)
+            return known
+
+    @property
+    def is_there(self) -> bool:
+        """Whether the file is still what its path leads to, and is written."""
+        if self._file is None:
+            return False
+        try:
+            return os.path.samestat(self._path.stat(), os.fstat(self._file))
+        except OSError:
+            return False
+
+    def connection(self, name: str) -> int:
+        """Begin a connection, and return its number."""
+        with self._lock:
+            self._write(pcapng.interface(name))
+            self._interfaces += 1
+            return self._interfaces - 1
+
+    def write(self, packet: Packet) -> None:
+        """Append what passed."""
+        self._write(pcapng.packet(packet))
+
+    def end(self, connection: int, time_ns: int, why: str) -> None:
+        """Append the end of a connection."""
+        self._write(pcapng.ending(connection, time_ns, why))
+
+    def close(self) -> None:
+        """Write no more."""
+        file, self._file = self._file, None
+        if file is not None:
+            os.close(file)
+
+    def _begin(self, file: int) -> None:
+        state = os.fstat(file)
+        if not stat.S_ISREG(state.st_mode):
+            raise ArgumentError(f"the snoop {self._path} is no file: choose another name")
+        try:
+            fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except OSError:
+            raise ArgumentError(f"another program writes the snoop {self._path}: choose another name") from None
+        if state.st_size:
+            _mend(file, self._path)
+        self._write(pcapng.section())
+
+    def _write(self, block: bytes) -> None:
+        """Append a block whole, or stop: a link does not end because its snoop does."""
+        if self._file is None:
+            return
+        try:
+            if os.write(self._file, block) != len(block):
+                raise OSError("the disk is full")  # noqa: TRY301
+        except OSError as error:
+            log.warning("the snoop %s ends here: %s", self._path, error.strerror or error)
+            self.close()
+
+
+def _mend(file: int, path: Path) -> None:
+    """See that a file ends with a whole block, and cut off what a crash has left of one.
+
+    Raises:
+        ArgumentError: where it is no snoop.
+    """
+    with mmap.mmap(file, 0, access=mmap.ACCESS_READ) as data:
+        if data[:4] != pcapng.SECTION_START[: len(data)]:
+            raise ArgumentError(f"{path} is there and no snoop: choose another name")
+        size = len(data)
+        whole = size if pcapng.ends_whole(data) else pcapng.length_of_whole(data)
+    if whole < size:
+        log.warning("the last record of the snoop %s was cut, and is left out", path)
+        os.ftruncate(file, whole)
+
+
+# Reading.
+
+
+class Connected(NamedTuple):
+    """Event: a connection was begun."""
+
+    connection: int
+    """Counted over the whole file, from 0."""
+    name: str
+
+
+class Passed(NamedTuple):
+    """Event: bytes passed."""
+
+    connection: int
+    time_ns: int
+    sent: bool
+    data: bytes
+
+
+class Ended(NamedTuple):
+    """Event: a connection ended."""
+
+    connection: int
+    time_ns: int
+    why: str
+
+
+def read(path: Path, damage: Callable[[str], object]) -> Iterator[Connected | Passed | Ended]:
+    """Return what a snoop holds, in its order.
+
+    Args:
+        path: of the file.
+        damage: is given a sentence where the file goes on as no snoop does; what was before has been returned.
+
+    Raises:
+        ArgumentError: where it is no snoop, or cannot be read.
+    """
+    try:
+        with path.open("rb") as file:
+            if not file.read(len(pcapng.SECTION_START)) == pcapng.SECTION_START:
+                raise ArgumentError(f"{path} is no snoop: one that ?snoop=FILE or UNITY_LINK_SNOOP wrote was expected")
+            with mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ) as data:
+                yield from _events(path, data)
+    except OSError as error:
+        raise ArgumentError(f"{path} can't be read ({error.strerror or error})") from error
+    except DamagedFileError as error:
+        damage(f"{path}: {error}; what stands before was read")
+
+
+def _events(path: Path, data: mmap.mmap) -> Iterator[Connected | Passed | Ended]:
+    first, connections, offset = 0, 0, 0
+    for block in pcapng.blocks(data):
+        try:
+            if block.kind == pcapng.SECTION:
+                first = connections
+                try:
+                    pcapng.check_section(block.body)
+                except ValueError as error:
+                    if not offset:
+                        raise ArgumentError(f"{path} is {error}") from None
+                    raise
+            elif block.kind == pcapng.INTERFACE:
+                connections += 1
+                yield Connected(connections - 1, pcapng.read_interface(block.body))
+            elif block.kind == pcapng.PACKET:
+                number, time_ns, sent, passed = pcapng.read_packet(block.body)
+                _check(first + number < connections)
+                yield Passed(first + number, time_ns, sent, passed)
+            elif block.kind == pcapng.STATISTICS:
+                number, time_ns, why = pcapng.read_ending(block.body)
+                _check(first + number < connections)
+                yield Ended(first + number, time_ns, why)
+        except ArgumentError:
+            raise
+        except ValueError as error:
+            raise DamagedFileError(offset, str(error)) from None
+        offset += len(block.body) + pcapng.SMALLEST
+
+
+def _check(known: bool) -> None:  # noqa: FBT001
+    if not known:
+        raise ValueError("a record of a connection that never began")
+
+
+def now_ns(seconds: Callable[[], float]) -> Callable[[], int]:
+    """Return a clock in ns since 1970 that never goes back, driven by another one in seconds."""
+    began, origin = time.time_ns(), seconds()
+    return lambda: began + round((seconds() - origin) * 1e9)

@@ -1,0 +1,193 @@
+"""What listens in between a driver and its protocol, where that was asked for: a snoop, and the log of the frames.
+
+It stands in the way only of a connection for which one of them is wanted when it is opened.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import logging
+import time
+from typing import TYPE_CHECKING, Any, Protocol, cast
+
+from unity_link.protocol.conversation import Conversation
+from unity_link.protocol.interpreter import Kind
+from unity_link.transport import RECEIVED, SAMPLES, SENT
+from unity_link.transport.pcapng import Packet
+from unity_link.transport.snoop import Snoop, now_ns
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterable
+
+    from unity_link.protocol.conversation import Heard
+
+
+class Ear(Protocol):
+    """What hears everything that passes."""
+
+    def hear(self, data: bytes, *, sent: bool) -> None:
+        """Take bytes of one direction."""
+
+    def end(self, why: str) -> None:
+        """Take note that the connection has ended."""
+
+
+def tapped(protocol: asyncio.Protocol, name: str, snoop: str, *, logged: bool) -> Tap:
+    """Return a protocol that listens in on another one.
+
+    Args:
+        protocol: is connected to the medium through it.
+        name: of the medium, without secrets.
+        snoop: path of the file to write, empty for none.
+        logged: whether the frames are logged.
+
+    Raises:
+        ArgumentError: where the file can't be written.
+    """
+    ears: list[Ear] = [SnoopedBytes(Snoop.at(snoop), name, _clock())] if snoop else []
+    if logged:
+        ears.append(LoggedFrames(name))
+    return Tap(protocol, ears)
+
+
+def _clock() -> Callable[[], float]:
+    loop = asyncio.get_running_loop()
+    # That of uvloop stands still during a turn, and counts whole milliseconds.
+    return loop.time if isinstance(loop, asyncio.BaseEventLoop) else time.monotonic
+
+
+class SnoopedBytes:
+    """One connection in a snoop."""
+
+    def __init__(self, snoop: Snoop, name: str, clock: Callable[[], float]) -> None:
+        self._snoop = snoop
+        self._now_ns = now_ns(clock)
+        self._connection = snoop.connection(name)
+
+    def hear(self, data: bytes, *, sent: bool) -> None:
+        """Write bytes."""
+        self._snoop.write(Packet(self._connection, self._now_ns(), sent, data))
+
+    def end(self, why: str) -> None:
+        """Write that the connection has ended."""
+        self._snoop.end(self._connection, self._now_ns(), why)
+
+
+class LoggedFrames:
+    """The frames of one connection in words, at debug level."""
+
+    def __init__(self, name: str) -> None:
+        self._name = name
+        self._clock = asyncio.get_running_loop().time
+        self._conversation = Conversation()
+
+    def hear(self, data: bytes, *, sent: bool) -> None:
+        """Log the frames that are whole."""
+        self._log(self._conversation.hear(data, self._clock(), sent=sent))
+
+    def end(self, why: str) -> None:
+        """Log what is left."""
+        self._log(self._conversation.end(self._clock()))
+        SENT.debug("%s: the connection has ended (%s)", self._name, why)
+
+    def _log(self, frames: Iterable[Heard]) -> None:
+        for heard in frames:
+            log = SENT if heard.sent else SAMPLES if heard.meaning.kind is Kind.SAMPLE else RECEIVED
+            if log.isEnabledFor(logging.DEBUG):
+                log.debug(
+                    "%s %s %s  %s",
+                    self._name,
+                    ">" if heard.sent else "<",
+                    as_text(heard.frame),
+                    in_words(heard),
+                )
+
+
+def as_text(frame: bytes) -> str:
+    """Return a frame without its end as printable characters."""
+    return repr(frame.rstrip(b"\r\n"))[2:-1]
+
+
+def in_words(heard: Heard) -> str:
+    """Return what a frame means, in one line."""
+    return f"{heard.meaning.words}, again" if heard.again else heard.meaning.words
+
+
+class Tap(asyncio.Protocol):
+    """Stands between a medium and the protocol that is connected to it.
+
+    Args:
+        protocol: has all that passes handed on.
+        ears: hear it first.
+    """
+
+    def __init__(self, protocol: asyncio.Protocol, ears: list[Ear]) -> None:
+        self._protocol = protocol
+        self._ears = ears
+
+    def hear(self, data: bytes, *, sent: bool) -> None:
+        """Have all ears hear."""
+        for ear in self._ears:
+            ear.hear(data, sent=sent)
+
+    def connection_made(self, transport: asyncio.BaseTransport) -> None:
+        """Hand on, with what hears the other direction in front of the transport."""
+        self._protocol.connection_made(_TappedTransport(cast("asyncio.Transport", transport), self))
+
+    def data_received(self, data: bytes) -> None:
+        """Hear, and hand on."""
+        self.hear(data, sent=False)
+        self._protocol.data_received(data)
+
+    def pause_writing(self) -> None:
+        """Hand on."""
+        self._protocol.pause_writing()
+
+    def resume_writing(self) -> None:
+        """Hand on."""
+        self._protocol.resume_writing()
+
+    def eof_received(self) -> bool | None:
+        """Hand on."""
+        return self._protocol.eof_received()
+
+    def connection_lost(self, exc: Exception | None) -> None:
+        """Hear, and hand on."""
+        why = str(exc) if exc is not None else "closed"
+        for ear in self._ears:
+            ear.end(why)
+        self._protocol.connection_lost(exc)
+
+
+class _TappedTransport(asyncio.Transport):
+    """A transport whose writes are heard."""
+
+    def __init__(self, transport: asyncio.Transport, tap: Tap) -> None:
+        super().__init__()
+        self._transport = transport
+        self._tap = tap
+
+    def write(self, data: bytes | bytearray | memoryview) -> None:
+        self._tap.hear(bytes(data), sent=True)
+        self._transport.write(data)
+
+    def get_extra_info(self, name: str, default: Any = None) -> Any:
+        return self._transport.get_extra_info(name, default)
+
+    def is_closing(self) -> bool:
+        return self._transport.is_closing()
+
+    def close(self) -> None:
+        self._transport.close()
+
+    def abort(self) -> None:
+        self._transport.abort()
+
+    def pause_reading(self) -> None:
+        self._transport.pause_reading()
+
+    def resume_reading(self) -> None:
+        self._transport.resume_reading()
+
+    def get_write_buffer_size(self) -> int:
+        return self._transport.get_write_buffer_size()

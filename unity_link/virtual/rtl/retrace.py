@@ -1,0 +1,419 @@
+"""Plays what a host sent, as a snoop has it, into the compiled gateware, and compares what comes out.
+
+The bus answers what was recorded: reads of requests in the order of the answers, those of samples by the group and the
+number of the sample. Time is that of the snoop: a frame is sent at its time, cycles pass while something is under way
+or groups are running, and otherwise the time is set forward. As the ticks of the two gateways do not fall at the same
+instants, samples are compared group by group, and no command that divides samples goes ahead of one that was recorded
+before it; nor do groups run further than they did.
+"""
+
+from __future__ import annotations
+
+import os
+from collections import deque
+from typing import TYPE_CHECKING, NamedTuple
+
+import msgspec
+
+from unity_link.errors import ArgumentError, ConnectError
+from unity_link.protocol.configuration import GatewayInfo
+from unity_link.protocol.conversation import FrameCutter
+from unity_link.protocol.messages import Codec, ErrorCode, GroupFlag
+from unity_link.virtual.bus import AccessError
+from unity_link.virtual.rtl.configurations import configurations
+from unity_link.virtual.rtl.gateway import RtlGateway
+from unity_link.virtual.rtl.snooped import Step, number_after, sample_body
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+    from pathlib import Path
+
+    from unity_link.virtual.rtl.configurations import Configuration
+    from unity_link.virtual.rtl.snooped import Access, Settings, Snooped
+
+_SHAPE = ("protocol_version", "data_bits", "address_bits", "id_digits", "crc_bits", "crc_polynomial")
+"""What the form of the frames depends on."""
+_MOST_CYCLES = 2_000_000
+"""Within these everything that was asked for is answered, even if each access of a block runs into its time out."""
+_PIECE = 64
+_FARTHEST = 1024
+"""So many accesses are looked through for one that was recorded."""
+
+
+class Difference(NamedTuple):
+    """Where the retraced gateway said something else."""
+
+    time: float
+    """Seconds, as `explain` shows them."""
+    sent: bytes
+    """What it answers; nothing for a sample."""
+    recorded: bytes
+    retraced: bytes
+    """Nothing where nothing came."""
+
+
+class Report(msgspec.Struct):
+    """What a comparison has found."""
+
+    answers: int = 0
+    """Compared ones."""
+    unknown: int = 0
+    """Those of which the snoop has none, or a damaged one."""
+    samples: int = 0
+    triggered: int = 0
+    """Samples by external triggers, which a snoop does not have."""
+    seconds: float = 0.0
+    """What was played, on the clock of the snoop."""
+    differences: int = 0
+    first: Difference | None = None
+
+    def differ(self, difference: Difference) -> None:
+        """Count a difference."""
+        self.differences += 1
+        if self.first is None or difference.time < self.first.time:
+            self.first = difference
+
+
+def fitting(snooped: Snooped) -> Configuration:
+    """Return the build of the gateware that is most like the recorded one.
+
+    Raises:
+        ArgumentError: where none has its widths.
+    """
+    info = snooped.info
+    fits = [
+        build
+        for build in configurations().values()
+        if build.node == snooped.node and all(getattr(build.info, name) == getattr(info, name) for name in _SHAPE)
+    ]
+    if not fits:
+        wanted = ", ".join(f"{name}={getattr(info, name)}" for name in _SHAPE[1:])
+        node = "" if snooped.node is None else f", node={snooped.node}"
+        raise ArgumentError(f"no gateware was compiled with the widths of the recorded gateway: {wanted}{node}")
+    return min(fits, key=lambda build: (len(differing(build.info, info)), build.name))
+
+
+def differing(one: GatewayInfo, other: GatewayInfo) -> list[str]:
+    """Return the names of the fields in which two gateways differ."""
+    return [name for name in GatewayInfo.__struct_fields__ if getattr(one, name) != getattr(other, name)]
+
+
+class Retrace(RtlGateway):
+    """The gateware, in the place of a gateway that was recorded.
+
+    Args:
+        snooped: what was recorded.
+        build: a configuration with its widths.
+
+    Raises:
+        ConnectError: where no C++ compiler is installed.
+    """
+
+    _window: tuple[float, float] | None = None
+    """When the waveform begins and ends, in nanoseconds."""
+
+    def __init__(self, snooped: Snooped, build: Configuration) -> None:
+        super().__init__(build.name)
+        self.report = Report()
+        self._library.ul_set_only_device(self._handle)
+        self._snooped = snooped
+        self._codec = Codec(self.info, build.node)
+        self._same = not differing(self.info, snooped.info)
+        # In step with the groups: where the clocks differ, a base tick takes as long as it did.
+        self._cycle_ns = 1e12 / (snooped.info.base_frequency_millihertz or 1) / self._base_tick
+        self._accesses: deque[Access] = deque()
+        self._owed: deque[Step] = deque()
+        self._words: dict[int, int] = {}
+        """What was read from and written to addresses last."""
+        self._cutter = FrameCutter(sent=False)
+        self._settings: dict[int, Settings] = {}
+        self._place: dict[int, int] = dict.fromkeys(snooped.groups, -1)
+        """Which of a group's settings it has."""
+        self._sampled: dict[int, int] = {}
+        """The number of the last sample of each group."""
+        self._silent_at = -1
+        """The cycle in which an access was left without an answer."""
+        self._given: dict[int, tuple[int, list[int]]] = {}
+        """The number and the words of the last sample of each group that was taken."""
+        self._given_up: set[int] = set()
+        """Groups that did not come as far as they should."""
+        self._set_time(0.0)
+
+    def show(self, path: Path, begin: float, end: float) -> None:
+        """Write a waveform of all that happens between two times in seconds; `finish` ends it.
+
+        Raises:
+            ArgumentError: where the file can't be made.
+        """
+        failure = int(self._library.ul_open_waveform(self._handle, os.fsencode(path)))
+        if failure:
+            raise ArgumentError(f"{path} can't be made ({os.strerror(failure)})")
+        self._window = begin * 1e9, end * 1e9
+
+    def play(self) -> Report:
+        """Play all of it, and return what was found."""
+        steps = self._snooped.steps
+        bounds = self._bounds()
+        for step, bound in zip(steps, bounds, strict=False):
+            self._pass_until(step.time, bound)
+            if step.divides_samples:
+                self._divide(step)
+            else:
+                self._send(step)
+        self._pass_until(self._snooped.last, bounds[-1])
+        self._settle()
+        self._await_samples(bounds[-1])
+        self._compare_rest()
+        self.report.seconds = self._now / 1e9
+        return self.report
+
+    def finish(self, path: Path) -> None:
+        """End the waveform.
+
+        Raises:
+            ConnectError: where it could not be written.
+        """
+        failure = int(self._library.ul_close_waveform(self._handle))
+        if failure:
+            raise ConnectError(f"{path} could not be written ({os.strerror(failure)})")
+
+    def _bounds(self) -> list[dict[int, int]]:
+        """For each step, and behind the last: the samples up to which groups may run before something divides them."""
+        bound = {group: settings[-1].last for group, settings in self._snooped.groups.items()}
+        bounds = [bound]
+        for step in reversed(self._snooped.steps):
+            if step.divides_samples:
+                bound = step.samples_before
+            bounds.append(bound)
+        bounds.reverse()
+        return bounds
+
+    # Time
+
+    @property
+    def _now(self) -> float:
+        """The time of the snoop, in nanoseconds."""
+        return self._began + (self.cycles - self._began_at) * self._cycle_ns
+
+    def _set_time(self, now: float) -> None:
+        """Have it be a time of the snoop."""
+        self._began, self._began_at = now, self.cycles
+        self._library.ul_set_time(self._handle, now, self._cycle_ns)
+
+    def _pass_until(self, time: float, bound: Mapping[int, int]) -> None:
+        """Let cycles pass up to a time while something happens, and set the clock forward when nothing does."""
+        self._settle()
+        while self.ticking and self._now < time and not self._has_run(bound):
+            self._pass_cycles(max(1, min(self._base_tick, round((time - self._now) / self._cycle_ns))))
+        missing = time - self._now
+        if missing > 0:
+            if not self.ticking:
+                cycles = round(missing / self._cycle_ns)
+                self._library.ul_skip(self._handle, cycles - cycles % self._base_tick)
+            self._set_time(time)
+
+    def _run(self, cycles: int) -> None:
+        self._show_in_window()
+        super()._run(cycles)
+
+    def _run_until_quiet(self) -> None:
+        self._show_in_window()
+        super()._run_until_quiet()
+
+    def _show_in_window(self) -> None:
+        if self._window is not None:
+            begin, end = self._window
+            self._library.ul_show(self._handle, begin <= self._now <= end)
+
+    def _pass_cycles(self, count: int) -> None:
+        self._run(count)
+        self._collect()
+
+    def _has_run(self, bound: Mapping[int, int]) -> bool:
+        """Whether all groups have come as far as they may."""
+        return not self._behind(bound)
+
+    def _behind(self, bound: Mapping[int, int]) -> set[int]:
+        """Return the groups that have not come as far as they should."""
+        return {
+            group
+            for group, last in bound.items()
+            if group in self._settings
+            and self._sampled[group] < last
+            and group not in self._given_up
+            and not self._is_triggered(group)
+        }
+
+    def _is_triggered(self, group: int) -> bool:
+        flags = self._settings[group].flags
+        return bool(flags & GroupFlag.TRIGGER) and not flags & GroupFlag.PERIODIC
+
+    def _await_samples(self, bound: Mapping[int, int]) -> None:
+        """Have groups run until they have come as far as they did."""
+        slowest = max((settings.divisor for settings in self._settings.values()), default=0)
+        for _ in range((_MOST_CYCLES + 2 * slowest * self._base_tick) // _PIECE):
+            if not self.ticking or self._has_run(bound):
+                return
+            self._pass_cycles(_PIECE)
+        self._given_up |= self._behind(bound)
+
+    def _settle(self) -> None:
+        """Let cycles pass until all that was sent is taken and answered."""
+        for _ in range(_MOST_CYCLES // _PIECE):
+            if self.ticking and not (self._owed or self.waiting):
+                break
+            if self.ticking:
+                self._pass_cycles(_PIECE)
+            else:
+                self._run_until_quiet()
+                self._collect()
+                # It may have begun to tick.
+                if not self.ticking:
+                    break
+        for step in self._owed:
+            # It will not come, and the next answer is not its.
+            if step.answer is not None:
+                self.report.differ(Difference(step.time / 1e9, step.frame, step.answer, b""))
+        self._owed.clear()
+
+    # Frames
+
+    def _send(self, step: Step) -> None:
+        self._accesses.extend(step.accesses)
+        if step.owes:
+            self._owed.append(step)
+        self._library.ul_push(self._handle, step.frame, len(step.frame))
+
+    def _divide(self, step: Step) -> None:
+        """Send a command behind the samples that were taken before it, and have it done."""
+        self._settle()
+        self._await_samples(step.samples_before)
+        self._send(step)
+        self._settle()
+        assert step.request is not None
+        if step.request.command == "GS" and step.answer is not None and b"X" not in step.answer.upper()[:4]:
+            self._set_up(step.request.values[0])
+
+    def _set_up(self, group: int) -> None:
+        """Take the next settings of a group."""
+        if group in self._settings:
+            self._compare_missing(group)
+        self._place[group] += 1
+        self._settings[group] = self._snooped.groups[group][self._place[group]]
+        self._sampled[group] = -1
+        self._given.pop(group, None)
+        self._given_up.discard(group)
+
+    def _collect(self) -> None:
+        for frame in self._cutter.cut(self._pull()):
+            body = self._codec.framing.open(frame.removesuffix(b"\n"))
+            if body.startswith(b"P"):
+                self._compare_sample(frame, body)
+            else:
+                self._compare_answer(frame)
+
+    # What is compared
+
+    def _compare_answer(self, frame: bytes) -> None:
+        step = self._owed.popleft() if self._owed else Step(self._now, b"")
+        if step.answer is None and step.frame:
+            self.report.unknown += 1
+            return
+        recorded = step.answer or b""
+        self.report.answers += 1
+        is_question = step.request is not None and step.request.command == "Q"
+        if frame != recorded and (self._same or not is_question):
+            self.report.differ(Difference(step.time / 1e9, step.frame, recorded, frame))
+
+    def _compare_sample(self, frame: bytes, body: bytes) -> None:
+        group, sequence = int(body[1:3], 16), int(body[3:5], 16)
+        settings = self._settings.get(group)
+        if settings is None:
+            return
+        number = self._sampled[group] = number_after(self._sampled[group], sequence)
+        recorded = settings.samples.get(number)
+        # Behind the last that was recorded, and in gaps, there is nothing to compare with.
+        if recorded is None or self._is_triggered(group):
+            return
+        self.report.samples += 1
+        if sample_body(self._codec, frame, settings.flags) != recorded.body:
+            self.report.differ(Difference(recorded.time / 1e9, b"", recorded.frame, frame))
+
+    def _compare_missing(self, group: int) -> None:
+        """Look for samples of a group's settings that did not come."""
+        settings = self._settings[group]
+        if self._is_triggered(group):
+            self.report.triggered += len(settings.samples)
+            return
+        for number, sample in settings.samples.items():
+            if number > self._sampled[group]:
+                self.report.differ(Difference(sample.time / 1e9, b"", sample.frame, b""))
+
+    def _compare_rest(self) -> None:
+        for group in self._settings:
+            self._compare_missing(group)
+
+    # The bus
+
+    def _access(self, address: int, word: int | None) -> int:
+        """Answer as the recorded bus did."""
+        place = int(self._library.ul_sample_word(self._handle))
+        if place >= 0:
+            return self._sampled_word(place >> 16, place >> 8 & 0xFF, place & 0xFF)
+        outcome = self._recorded_outcome(word is not None, address)
+        self._silent_at = self.cycles if outcome is ErrorCode.BUS_TIMEOUT else -1
+        if isinstance(outcome, ErrorCode):
+            raise AccessError(outcome)
+        if word is not None:
+            self._words[address] = word
+            return 0
+        if outcome is not None:
+            self._words[address] = outcome
+        return self._words.get(address, 0)
+
+    def _recorded_outcome(self, write: bool, address: int) -> int | ErrorCode | None:  # noqa: FBT001
+        """Return what the next access of this kind gave; where the gateways differ, some may be left out."""
+        if self.cycles == self._silent_at + 1:
+            # The same access still: the bus is asked in each cycle until it answers.
+            return ErrorCode.BUS_TIMEOUT
+        accesses = self._accesses
+        for place in range(min(len(accesses), _FARTHEST)):
+            if accesses[place][:2] == (write, address):
+                for _ in range(place):
+                    accesses.popleft()
+                return accesses.popleft().outcome
+        return None
+
+    def _sampled_word(self, group: int, sequence: int, index: int) -> int:
+        """Return a word of a sample; where that was not recorded, one that is as good."""
+        settings = self._settings.get(group)
+        if settings is None:
+            return 0
+        if not index:
+            self._decide(group, settings, number_after(self._sampled[group], sequence))
+        words = self._given.get(group, (-1, []))[1]
+        return words[index] if index < len(words) else 0
+
+    def _decide(self, group: int, settings: Settings, number: int) -> None:
+        """Choose the words of a sample that is being taken; of a group on change, they decide whether it is due."""
+        last, before = self._given.get(group, (-1, []))
+        sample = settings.samples.get(number)
+        if number == last and settings.flags & GroupFlag.ON_CHANGE:
+            return
+        if not settings.flags & GroupFlag.ON_CHANGE or not before:
+            words = before if sample is None else sample.words
+        elif sample is not None:
+            if sample.time > self._now:
+                # Nothing has changed until it is time.
+                return
+            words = sample.words
+        elif number < settings.last:
+            # One that was lost was due by a change, and so was the next one.
+            later = next(
+                settings.samples[one] for one in range(number + 1, settings.last + 1) if one in settings.samples
+            )
+            changes = ([before[0] ^ change, *before[1:]] for change in (1, 2))
+            words = next(changed for changed in changes if changed != later.words)
+        else:
+            return
+        self._given[group] = number, words
