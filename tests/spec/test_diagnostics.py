@@ -75,7 +75,7 @@ CASES = [
     ("public x() { @a = 1: unsigned 64 READ(); @b = 2: READ(); }", "overlap", "b takes bits 31:0 at address 0x2", "2", ""),
     ("public x() { j[2]: joint(\"j\" + i) @(i, 1); }" + JOINT, "overlap", "j[1].pos takes bits 31:0 at address 0x1, which j[0].vel has", "i", ""),
     ("public x() { @a = 1: READ(); @b = 1[3:0]: WRITE(); @c = 1[7:4]: WRITE(); }", "overlap", "b is one of several fields written at address 0x1, where reading gives a instead", "1", "make the field READWRITE"),
-    ("public x() { m: STEPPER(); }", "unknown-component", "there is no component 'STEPPER'", "STEPPER", "one of your own is known where its class is imported"),
+    ("public x() { m: GIMBAL(); }", "unknown-component", "there is no component 'GIMBAL'", "GIMBAL", "one of your own is known where its class is imported"),
     ("public x() { @q = 1: unsigned 8 READ(FIFO); @b = 1[15:8]: WRITE(); @c = 1[23:16]: WRITE(); }", "overlap", "b is one of several fields written at address 0x1, where reading takes a word from q", "1", "move it to another address"),
     ("public x() { @q = 1: unsigned 8 READ(FIFO); @b = 1[15:8]: READWRITE(); }", "overlap", "b takes bits 15:8 at address 0x1, which q has (the whole word, as a FIFO port)", "1", ""),
     ("public x() { @q = 1: unsigned 8 WRITE(FIFO); @b = 1[15:8]: WRITE(); }", "overlap", "b takes bits 15:8 at address 0x1, which q has (the whole word, as a FIFO port)", "1", ""),

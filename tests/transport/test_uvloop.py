@@ -78,10 +78,10 @@ def test_a_gateway_is_served_on_uvloop(medium: str, tmp_path: Path) -> None:
 
 
 def test_a_snoop_has_what_passes_and_its_times(url: str, tmp_path: Path) -> None:
-    path = tmp_path / "a.snoop"
+    path, joint = tmp_path / "a.snoop", "&" if "?" in url else "?"
 
     async def two_reads() -> None:
-        async with unity_link.connect(f"{url}?snoop={path}") as link:
+        async with unity_link.connect(f"{url}{joint}snoop={path}") as link:
             assert await link.read(0x0A) == 0
             await asyncio.sleep(0.01)
             assert await link.read(0x0A) == 0
