@@ -1,10 +1,18 @@
-"""The blocking face does what the link does, from any thread and without a loop of the caller's."""
+"""The blocking face does what the link does, in the threads that call it and without an event loop.
 
+The link's own suite runs on it as well (tests/faces.py).
+"""
+
+import asyncio
 import contextlib
 import signal
+import socket
 import subprocess
 import sys
+import tempfile
 import threading
+import time
+from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
@@ -242,6 +250,240 @@ def test_a_callback_that_calls_the_link_is_told_that_it_must_not() -> None:
             samples.publish()
             link.fence()
     assert "must not call the link" in str(told[0])
+
+
+@pytest.fixture
+def served(tmp_path: Path) -> Iterator[tuple[VirtualGateway, str]]:
+    """Return a gateway in the loop of another thread, and the URL of its Unix socket."""
+    gateway = VirtualGateway()
+    with start_blocking_portal() as portal:
+        serving = serve_unix(gateway, tmp_path / "gateway")
+        with portal.wrap_async_context_manager(serving) as url:
+            yield gateway, url
+
+
+def threads_of_links() -> list[str]:
+    return [thread.name for thread in threading.enumerate() if thread.name.startswith("unity_link")]
+
+
+def test_only_a_subscription_has_a_thread(served: tuple[VirtualGateway, str]) -> None:
+    with blocking.connect(served[1]) as link:
+        link.write(0x10, 4)
+        assert threads_of_links() == []
+        with link.subscribe([0x10], rate_hz=1000) as samples:
+            assert threads_of_links() == ["unity_link.blocking"]
+            assert next(samples).values.tolist() == [4]
+        assert link.read(0x10) == 4
+    assert threads_of_links() == []
+
+
+def test_samples_are_taken_while_the_program_does_something_else(served: tuple[VirtualGateway, str]) -> None:
+    with blocking.connect(served[1]) as link, link.subscribe(range(32), rate_hz=5000) as samples:
+        deadline = time.monotonic() + 60
+        while samples.received < 1000 and time.monotonic() < deadline:
+            time.sleep(0.01)
+        taken = [next(samples) for _ in range(1000)]
+    assert [sample.sequence for sample in taken] == list(range(1000))
+
+
+def test_calls_go_on_while_another_thread_waits_for_a_sample(served: tuple[VirtualGateway, str]) -> None:
+    with (
+        blocking.connect(served[1]) as link,
+        link.subscribe([0x10], divisor=None) as samples,
+        ThreadPoolExecutor(1) as threads,
+    ):
+        waiting = threads.submit(next, samples)
+        for value in range(200):
+            link.write(0x10, value)
+            assert link.read(0x10) == value
+        samples.publish()
+        assert waiting.result(60).values.tolist() == [199]
+
+
+def test_many_threads_and_a_subscription_share_a_socket(served: tuple[VirtualGateway, str]) -> None:
+    def work(number: int) -> list[int]:
+        seen = []
+        for value in range(200):
+            link.write(number, value)
+            seen.append(link.read(number))
+        return seen
+
+    with (
+        blocking.connect(served[1]) as link,
+        link.subscribe([0xFF], rate_hz=1000) as samples,
+        ThreadPoolExecutor(8) as threads,
+    ):
+        results = [threads.submit(work, number) for number in range(8)]
+        first = [next(samples).sequence for _ in range(50)]
+        assert [result.result(60) for result in results] == [list(range(200))] * 8
+    assert first == sorted(first)
+
+
+@pytest.mark.parametrize("closing", [False, True], ids=["all work is done", "closed meanwhile"])
+def test_threads_that_do_everything_at_once_end(served: tuple[VirtualGateway, str], closing: bool) -> None:
+    def work(link: blocking.BlockingLink, number: int) -> None:
+        with contextlib.suppress(*([unity_link.LinkClosedError] if closing else [])):
+            for value in range(60):
+                link.write(number, value)
+                link.post(number, value + 1)
+                link.fence()
+                assert link.read(number) == value + 1
+                assert link.read_many([number] * 20).tolist() == [value + 1] * 20
+                if number < 4:
+                    with link.subscribe([number], rate_hz=2000) as samples:
+                        assert next(samples).values.tolist() == [value + 1]
+
+    with blocking.connect(served[1]) as link, ThreadPoolExecutor(8) as threads:
+        works = [threads.submit(work, link, number) for number in range(8)]
+        if closing:
+            works[7].cancel()
+            link.close()
+        for each in works:
+            if not each.cancelled():
+                each.result(120)
+    assert threads_of_links() == []
+
+
+def test_control_c_at_any_moment_leaves_a_link_of_use() -> None:
+    text = """
+import os, random, signal, threading, time
+
+def disturb():
+    for _ in range(100):
+        time.sleep(random.random() * 0.005)
+        os.kill(os.getpid(), signal.SIGINT)
+
+def interrupt(*_):
+    global calling
+    if calling:
+        calling = False
+        raise KeyboardInterrupt
+
+calling = False
+signal.signal(signal.SIGINT, interrupt)
+with blocking.connect(sys.argv[1]) as link:
+    disturbing = threading.Thread(target=disturb)
+    interruptions = value = 0
+    disturbing.start()
+    with link.subscribe([1], rate_hz=300) as samples:
+        while disturbing.is_alive():
+            value += 1
+            try:
+                calling = True
+                link.write(1, value)
+                found = link.read(1)
+                next(samples)
+                calling = False
+                if found != value: print(found, value)
+            except KeyboardInterrupt:
+                interruptions += 1
+    print(interruptions > 20 and link.read(1) >= value - 1)
+"""
+    with tempfile.TemporaryDirectory() as folder, start_blocking_portal() as portal:
+        serving = serve_unix(VirtualGateway(), Path(folder) / "gateway")
+        with portal.wrap_async_context_manager(serving) as url:
+            result = run_script(text, url)
+    # A call that is interrupted before it begins leaves a coroutine that never ran.
+    told = [line for line in result.stderr.splitlines() if "was never awaited" not in line]
+    assert (result.stdout, [line for line in told if "Error" in line]) == ("True\n", [])
+
+
+def test_a_link_that_its_own_callback_forgets_is_closed(served: tuple[VirtualGateway, str]) -> None:
+    kept: list[object] = []
+
+    def forget(_: object) -> None:
+        kept.clear()
+
+    link = blocking.connect(served[1])
+    samples = link.subscribe([0x10], rate_hz=100, callback=forget)
+    samples.__enter__()
+    kept += [link, samples]
+    del link, samples
+    deadline = time.monotonic() + 60
+    while threads_of_links() and time.monotonic() < deadline:
+        time.sleep(0.001)
+    assert threads_of_links() == []
+
+
+def test_a_callback_that_raises_is_logged_and_stops_nothing(
+    served: tuple[VirtualGateway, str], caplog: pytest.LogCaptureFixture
+) -> None:
+    def fail(_: object) -> None:
+        raise ZeroDivisionError
+
+    with blocking.connect(served[1]) as link:
+        with link.subscribe(0x10, callback=fail) as samples:
+            samples.publish()
+        assert link.read(0) == 0
+    assert [record.message for record in caplog.records if record.exc_info] == ["a subscription's callback raised"]
+
+
+def test_the_next_call_opens_a_lost_connection_again(tmp_path: Path) -> None:
+    gateway = VirtualGateway()
+    with start_blocking_portal() as portal:
+        serving = serve_unix(gateway, tmp_path / "gateway")
+        with portal.wrap_async_context_manager(serving) as url:
+            link = blocking.connect(url, reconnect=unity_link.Reconnect(first_pause=0.01))
+            link.write(1, 5)
+        with portal.wrap_async_context_manager(serve_unix(gateway, tmp_path / "gateway")):
+            assert link.read(1) == 5
+            assert link.statistics.reconnections == 1
+        link.close()
+
+
+def test_a_call_in_flight_learns_at_once_that_the_connection_was_lost(tmp_path: Path) -> None:
+    with start_blocking_portal() as portal, ThreadPoolExecutor(1) as threads:
+        serving = serve_unix(SlowLine(VirtualGateway(), 2000), tmp_path / "gateway")
+        with portal.wrap_async_context_manager(serving) as url:
+            link = blocking.connect(url, reconnect=True)
+            writing = threads.submit(link.write_block, 0, range(200))
+            while not link.statistics.in_flight:
+                time.sleep(0.001)
+        # The gateway does not come back, so the connection is being opened again all the time.
+        with pytest.raises(unity_link.LinkLostError):
+            writing.result(60)
+        link.close()
+
+
+def test_posted_writes_are_sent_at_once_and_confirmed_by_a_fence(served: tuple[VirtualGateway, str]) -> None:
+    gateway, url = served
+    with blocking.connect(url) as link:
+        for address in range(100):
+            link.post(address, address)
+        link.fence()
+        assert [gateway.memory[address] for address in range(100)] == list(range(100))
+
+
+def test_a_block_that_fills_every_buffer_is_written_whole(served: tuple[VirtualGateway, str]) -> None:
+    words = [number & 0xFFFF_FFFF for number in range(0, 200_000 * 77, 77)]
+    with blocking.connect(served[1]) as link:
+        link.post_many([number & 0xFF for number in range(len(words))], words)
+        link.fence()
+        assert link.read_block(0, 256).tolist()[words[-1] and (len(words) - 1 & 0xFF)] == words[-1]
+
+
+def test_a_link_works_where_an_event_loop_is_running(served: tuple[VirtualGateway, str]) -> None:
+    async def as_in_a_notebook() -> int:
+        with blocking.connect(served[1]) as link, blocking.connect("sim:") as simulated:
+            simulated.write(1, 3)
+            return link.read(1) + simulated.read(1)
+
+    assert asyncio.run(as_in_a_notebook()) == 3
+
+
+def test_nobody_who_answers_is_an_error_after_the_time_that_was_given() -> None:
+    with socket.create_server(("127.0.0.1", 0)) as server:
+        port = server.getsockname()[1]
+        with pytest.raises(unity_link.ConnectError, match=r"no gateway answered at tcp://.* within 0\.1 s"):
+            blocking.connect(f"tcp://127.0.0.1:{port}", timeout=0.1)
+    assert threads_of_links() == []
+
+
+def test_what_passes_is_in_a_snoop(served: tuple[VirtualGateway, str], tmp_path: Path) -> None:
+    snoop = tmp_path / "snoop.pcapng"
+    with blocking.connect(f"{served[1]}?snoop={snoop}") as link:
+        link.write(0x0A, 0x12)
+    assert snoop.stat().st_size > 200
 
 
 def test_a_subscription_without_its_block_says_what_to_write() -> None:

@@ -7,9 +7,14 @@ import sys
 from pathlib import Path
 
 import pytest
+import typer
+from typer import Context
+from typer.core import TyperGroup
+from typer.main import get_group
 
 import unity_link
 from unity_link.cli import app
+from unity_link.cli.families import FAMILIES
 
 ROOT = Path(__file__).parent.parent
 LOCKS = sorted((ROOT / "requirements").glob("*.lock"))
@@ -29,7 +34,7 @@ def test_importing_the_package_loads_nothing_that_only_some_users_need() -> None
     loaded = subprocess.run([sys.executable, "-c", code], check=True, capture_output=True, text=True).stdout.split()
     third_party = {name.partition(".")[0] for name in loaded} - sys.stdlib_module_names
     third_party = {name for name in third_party if not name.startswith("_")}
-    assert third_party <= {"anyio", "fastcrc", "msgspec", "numpy", "typing_extensions", "unity_link"}
+    assert third_party <= {"fastcrc", "msgspec", "typing_extensions", "unity_link"}
     assert not {name for name in loaded if re.match(r"unity_link\.(drivers\.|virtual|cli|bridges|generate|spec)", name)}
 
 
@@ -44,7 +49,7 @@ def test_everything_public_is_exported_and_documented() -> None:
 
 @pytest.mark.parametrize("lock", LOCKS, ids=lambda path: path.name)
 def test_a_lock_file_holds_versions_and_hashes_and_nothing_else(lock: Path) -> None:
-    line = r"[a-z0-9-]+==[\w.]+( ; [\w<>=!.*' ]+)? \\|    --hash=sha256:[0-9a-f]{64}( \\)?"
+    line = r"[a-z0-9-]+==[\w.]+( ; [\w<>=!.*'() ]+)? \\|    --hash=sha256:[0-9a-f]{64}( \\)?"
     assert [text for text in lock.read_text().splitlines() if not re.fullmatch(line, text)] == []
 
 
@@ -99,10 +104,18 @@ def test_every_make_target_stands_in_the_help() -> None:
     assert phony == described
 
 
+def test_the_table_of_commands_has_what_each_family_adds() -> None:
+    for family in set(FAMILIES.values()):
+        alone = typer.Typer()
+        importlib.import_module(f"unity_link.cli.{family}").add_to(alone)
+        assert sorted(get_group(alone).commands) == sorted(name for name in FAMILIES if FAMILIES[name] == family)
+
+
 def test_the_reference_of_the_command_line_has_every_command() -> None:
     reference = (ROOT / "docs" / "reference" / "command-line.md").read_text(encoding="utf-8")
-    commands = {command.name or command.callback.__name__ for command in app.registered_commands if command.callback}
-    families = {family.name for family in app.registered_groups if family.name}
+    group = get_group(app)
+    families = {name for name in FAMILIES if isinstance(group.get_command(Context(group), name), TyperGroup)}
+    commands = FAMILIES.keys() - families
     described = set(re.findall(r"^## (.*)$", reference, re.MULTILINE))
     assert commands <= described <= commands | families
     assert {family for family in families if f"unity-link {family} " not in reference} == set()

@@ -10,22 +10,25 @@
             for sample in samples:
                 print(sample.values)
 
-Each link has an event loop in a thread of its own. The methods are those of
-`unity_link.Link`, and any number of threads may call them. A call costs a change of threads there and back, so batches
-and blocks gain even more here than there.
+The methods are those of `unity_link.Link`, and any number of threads may call them. A call runs in the thread that
+makes it, without an event loop, on ``serial:``, ``tcp:`` and ``unix:``; other media have an event loop in a thread of
+their own, and each call a change of threads there and back. While there is a subscription, a thread takes its samples.
+
+Between two calls nothing else runs: what the line has lost of posted writes is sent again by the next call, by `fence`,
+or where the ``with`` block ends; and that a connection was lost is noticed by the next call. A thread opens it again.
 """
 
 from __future__ import annotations
 
-import asyncio
 import threading
 import weakref
 from collections import deque
-from concurrent.futures import CancelledError, Future
+from contextlib import suppress
 from typing import TYPE_CHECKING, Any, Self, TypeVar
 
-from unity_link.errors import ArgumentError, LinkClosedError, Outcome
+from unity_link.errors import LinkClosedError, Outcome
 from unity_link.link import link as asynchronous
+from unity_link.link.calling_thread import CallingThread
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Coroutine
@@ -36,11 +39,13 @@ if TYPE_CHECKING:
     from unity_link.link.connection import Reconnect
     from unity_link.link.subscription import Sample
     from unity_link.link.subscription import Subscription as AsyncSubscription
+    from unity_link.protocol.arrays import Words
     from unity_link.protocol.configuration import GatewayInfo
-    from unity_link.protocol.messages import Words
     from unity_link.transport import Medium
 
 T = TypeVar("T")
+LAST_PATIENCE = 2.0
+"""Seconds that the end of a program waits for a link that was not closed."""
 
 
 def connect(target: str | Medium, *, timeout: float = 5.0, reconnect: bool | Reconnect = False) -> BlockingLink:
@@ -51,66 +56,30 @@ def connect(target: str | Medium, *, timeout: float = 5.0, reconnect: bool | Rec
     return BlockingLink(target, timeout=timeout, reconnect=reconnect)
 
 
-LAST_PATIENCE = 2.0
-"""Seconds that the end of a program waits for a link that was not closed."""
+def _end(runtime: CallingThread, link: asynchronous.Link) -> None:
+    """End a link and its threads, also where the garbage collector finds it, and at the end of the program."""
+    if runtime.is_running_here:
+        # Found within a callback of its own, whose thread cannot be waited for.
+        runtime.create_task(_close_later(runtime, link))
+        return
+    # At the end of a program the main thread is over, and some drivers can't close any more.
+    patience = None if threading.main_thread().is_alive() else LAST_PATIENCE
+    with suppress(TimeoutError):
+        runtime.run(_close(runtime, link, patience))
+    runtime.close(patience)
 
 
-class LoopThread:
-    """An event loop in a thread of its own, which does not keep a program from ending."""
+async def _close_later(runtime: CallingThread, link: asynchronous.Link) -> None:
+    await link.aclose()
+    runtime.end()
 
-    def __init__(self) -> None:
-        self._loop = asyncio.new_event_loop()
-        self._lock = threading.Lock()
-        self._calls: set[Future[Any]] | None = set()
-        """Calls that are not over; None when there can be no more."""
-        self._thread = threading.Thread(target=self._run, name="unity_link.blocking", daemon=True)
-        self._thread.start()
 
-    def call(self, function: Callable[..., Coroutine[Any, Any, T]], *arguments: Any) -> T:
-        """Call a function in the thread, and wait for what it returns; what interrupts the wait cancels the call.
-
-        Raises:
-            ArgumentError: in the thread itself.
-            CancelledError: where the thread ends.
-        """
-        if threading.current_thread() is self._thread:
-            raise ArgumentError("a callback runs in the thread of its link, and must not call the link")
-        with self._lock:
-            if self._calls is None:
-                raise CancelledError
-            call = asyncio.run_coroutine_threadsafe(function(*arguments), self._loop)
-            self._calls.add(call)
-        try:
-            return call.result()
-        finally:
-            call.cancel()
-            with self._lock:
-                if self._calls is not None:
-                    self._calls.discard(call)
-
-    def end(self, last: Callable[[], Coroutine[Any, Any, None]]) -> None:
-        """Call a last function, cancel all other calls, and end the thread."""
-
-        async def finish() -> None:
-            try:
-                await last()
-            finally:
-                # What waits learns of the end in its own words before it is cancelled.
-                self._loop.call_soon(self._loop.stop)
-
-        self._loop.call_soon_threadsafe(lambda: self._loop.create_task(finish()))
-        # A link that nothing refers to any more may be found in any thread, in its own too.
-        if threading.current_thread() is not self._thread:
-            # At the end of a program the main thread is over, and some drivers can't close any more.
-            self._thread.join(None if threading.main_thread().is_alive() else LAST_PATIENCE)
-
-    def _run(self) -> None:
-        with asyncio.Runner(loop_factory=lambda: self._loop) as runner:
-            runner.get_loop().run_forever()
-            with self._lock:
-                calls, self._calls = self._calls or (), None
-        for call in calls:
-            call.cancel()
+async def _close(runtime: CallingThread, link: asynchronous.Link, patience: float | None) -> None:
+    if patience is None:
+        await link.aclose()
+        return
+    async with runtime.timeout(patience):
+        await link.aclose()
 
 
 class BlockingLink:
@@ -120,17 +89,14 @@ class BlockingLink:
     """
 
     def __init__(self, target: str | Medium, *, timeout: float, reconnect: bool | Reconnect) -> None:
-        self._thread = LoopThread()
-
-        async def open_link() -> asynchronous.Link:
-            return await asynchronous.connect(target, timeout=timeout, reconnect=reconnect)
-
+        self._runtime = CallingThread()
+        connecting = asynchronous.connect(target, timeout=timeout, reconnect=reconnect)
         try:
-            self._link = self._thread.call(open_link)
+            self._link = self._runtime.run(connecting.open(self._runtime))
         except BaseException:
-            self._thread.end(_nothing)
+            self._runtime.close(None)
             raise
-        self._end = weakref.finalize(self, self._thread.end, self._link.aclose)
+        self._end = weakref.finalize(self, _end, self._runtime, self._link)
 
     def close(self) -> None:
         """End the link and its thread at once. May be called twice.
@@ -140,14 +106,10 @@ class BlockingLink:
         self._end()
 
     def _call(self, function: Callable[..., Coroutine[Any, Any, T]], *arguments: Any) -> T:
-        """Call a function in the thread of the link, and wait for what it gives."""
-        closed = "the link was closed"
+        """Run a coroutine of the link, and return its result."""
         if not self._end.alive:
-            raise LinkClosedError(closed, Outcome.NOT_EXECUTED)
-        try:
-            return self._thread.call(function, *arguments)
-        except CancelledError:
-            raise LinkClosedError(closed, Outcome.UNKNOWN) from None
+            raise LinkClosedError("the link was closed", Outcome.NOT_EXECUTED)
+        return self._runtime.run(function(*arguments))
 
     def __enter__(self) -> Self:
         return self
@@ -227,13 +189,11 @@ class BlockingLink:
     def subscribe(self, addresses: int | ArrayLike, **options: Any) -> BlockingSubscription:
         """Have the gateway sample addresses by itself; `unity_link.Link.subscribe` documents the options.
 
-        A ``callback`` is called in the thread of the link, and must not call the link.
+        A ``callback`` is called in the thread that takes the samples, and must not call the link.
         """
-
-        async def make() -> AsyncSubscription:
-            return self._link.subscribe(addresses, **options)
-
-        return BlockingSubscription(self._call(make), self._call)
+        if not self._end.alive:
+            raise LinkClosedError("the link was closed", Outcome.NOT_EXECUTED)
+        return BlockingSubscription(self._link.subscribe(addresses, **options), self._call)
 
 
 class BlockingSubscription:
@@ -277,13 +237,9 @@ class BlockingSubscription:
 
     def __next__(self) -> Sample:
         if not self._samples:
-            # All that wait at once: one change of threads for each would be slow.
+            # All that wait at once: a call for each would be slow.
             try:
                 self._samples.extend(self._call(self._subscription.take))
             except StopAsyncIteration:
                 raise StopIteration from None
         return self._samples.popleft()
-
-
-async def _nothing() -> None:
-    """Do nothing."""

@@ -13,9 +13,10 @@ from sharing import PipedLink, Terminal, call, settle, sharing, tell_of_reset, u
 from simulated_time import on_simulated_time
 from unity_link import Reconnect
 from unity_link.errors import GatewayResetError
+from unity_link.protocol.arrays import hex_rows, request_rows
 from unity_link.protocol.configuration import GatewayInfo
 from unity_link.protocol.constants import KEEP_ALIVE
-from unity_link.protocol.messages import Codec, hex_rows
+from unity_link.protocol.messages import Codec
 from unity_link.protocol.session import Interrupted
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.line import SlowLine
@@ -70,7 +71,7 @@ async def test_nothing_with_an_id_is_executed_until_the_client_begins_a_session(
         client, other = call(shared), call(shared)
         await say(client, shared, b"K005\rw0050A00000001\r")
         await tell_of_reset(shared, gateway, client)
-        writes = CODEC.request_rows("W", 6, hex_rows(np.arange(0x0B00000007, 0x0B00000017), 10))
+        writes = request_rows(CODEC, "W", 6, hex_rows(np.arange(0x0B00000007, 0x0B00000017), 10))
         refused = [CODEC.framing.checked(b"x%03X0A" % number) for number in range(6, 22)]
         client.transport.write(writes)
         await settle(shared)
@@ -131,7 +132,7 @@ async def test_of_a_batch_that_was_sent_in_part_each_request_is_told_once_and_no
         client = call(shared)
         await say(client, shared, b"K000\r")
         # More than the window takes, and than the server listens to at once.
-        client.transport.write(CODEC.request_rows("W", 0, hex_rows(np.arange(0x0A00000000, 0x0A00000000 + 3000), 10)))
+        client.transport.write(request_rows(CODEC, "W", 0, hex_rows(np.arange(0x0A00000000, 0x0A00000000 + 3000), 10)))
         await asyncio.sleep(0.05)
         await tell_of_reset(shared, gateway, client)
         await settle(shared)
@@ -159,7 +160,7 @@ async def test_of_requests_side_by_side_those_that_had_no_room_are_known_not_to_
         # The window takes 128: of the writes there is room for a part.
         client.transport.write(b"H\r" * 50)
         await asyncio.sleep(0.001)
-        client.transport.write(codec.request_rows("W", 0, hex_rows(np.arange(0x0A00000000, 0x0A00000000 + 128), 10)))
+        client.transport.write(request_rows(codec, "W", 0, hex_rows(np.arange(0x0A00000000, 0x0A00000000 + 128), 10)))
         await asyncio.sleep(0.001)
         valve.answers_pass = True
         await tell_of_reset(shared, gateway, client)

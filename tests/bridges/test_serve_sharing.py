@@ -39,7 +39,7 @@ if TYPE_CHECKING:
     from collections.abc import AsyncIterator
 
     from unity_link import Link
-    from unity_link.protocol.messages import Words
+    from unity_link.protocol.arrays import Words
     from unity_link.transport.stream import Stream
 
 KILOHERTZ = 1_000_000

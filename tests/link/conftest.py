@@ -2,7 +2,8 @@
 
 `make_gateway` has every kind: `sim`, the model; `rtl`, the compiled gateware; and the model behind a virtual FT232H,
 reached by the driver of a scheme in `SCHEMES`; `serve`, the model through a server that shares it; `zenoh`, the
-same over a network; and `pipes`, the model over a medium of the user's own. `make_bare` has those that can live on
+same over a network; `pipes`, the model over a medium of the user's own; and the faces, the model as blocking code and
+code under trio see it. `make_bare` has those that can live on
 simulated time, on which neither a thread of a driver can nor another process.
 """
 
@@ -15,6 +16,7 @@ import pytest
 import pytest_asyncio
 
 import unity_link
+from faces import EMPTY, FACES, face
 from makers import RTL, Maker, compiled, simulated, with_failing
 from over_pipes import connect_through_pipes
 from over_zenoh import zenoh_network
@@ -39,9 +41,15 @@ WAY = "unity_link.virtual.gateway.Gateway.open"
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """Take the tests of a link's life from `serve`: that of the server's link is another one than its clients'."""
+    """Take the tests of a link's life from `serve`: that of the server's link is another one than its clients'.
+
+    And from a face what that does not promise.
+    """
     items[:] = [
-        item for item in items if not (item.path.name == "test_life.py" and {"serve", "zenoh"} & {*_kinds(item)})
+        item
+        for item in items
+        if not (item.path.name == "test_life.py" and {"serve", "zenoh"} & {*_kinds(item)})
+        and not any((kind, item.name.partition("[")[0]) in EMPTY for kind in _kinds(item) if isinstance(kind, str))
     ]
 
 
@@ -73,10 +81,15 @@ def make_direct(request: pytest.FixtureRequest) -> Maker:
     return MAKERS[request.param]
 
 
-@pytest.fixture(params=["sim", "serve", "zenoh", "pipes", RTL, *SCHEMES])
-def make_gateway(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> Iterator[Maker]:
+@pytest.fixture(params=["sim", "serve", "zenoh", "pipes", RTL, *SCHEMES, *FACES])
+def make_gateway(
+    request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch, tmp_path_factory: pytest.TempPathFactory
+) -> Iterator[Maker]:
     """Make gateways of each kind in turn, and have links to them go the way of the kind."""
     with ExitStack() as stack:
+        if request.param in FACES:
+            folder = tmp_path_factory.mktemp("face")
+            monkeypatch.setattr(unity_link, "connect", stack.enter_context(face(request.param, folder)))
         if request.param in SCHEMES:
             bus = stack.enter_context(installed(VirtualBus()))
 

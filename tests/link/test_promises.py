@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
 import anyio
@@ -378,7 +379,10 @@ async def test_whole_numbers_of_other_types_are_taken() -> None:
             assert (await anext(samples)).values.tolist() == [9]
 
 
-@pytest.mark.parametrize("options", [{"rate_hz": "5"}, {"rate_hz": [1]}, {"callback": 5}, {"rate_hz": float("nan")}])
+RATES = ["5", [1], float("nan"), Fraction(10**9), np.float64(1e9), np.complex64(1)]
+
+
+@pytest.mark.parametrize("options", [{"callback": 5}, *({"rate_hz": rate} for rate in RATES)], ids=str)
 @on_simulated_time
 async def test_a_subscription_of_something_else_is_refused(options: dict[str, Any]) -> None:
     async with unity_link.connect("sim:") as link:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import asyncio
 import contextlib
+import functools
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import pytest
@@ -35,8 +36,32 @@ class Burst(NamedTuple):
     length: int
 
 
-GROUPS = {"first": 0, "missing": 0, "second": 1, "other node": 0, "wrong length": 0, "damaged": 1, "foreign": FOREIGN}
-KINDS = [*GROUPS, "answer", "noise", "empty"]
+WORDS = {0: 1, 1: 1, 2: 3, 3: 1, 4: 2, FOREIGN: 1}
+"""Of each group; a sample of group 3 is as long as one of group 4, for it has a timestamp."""
+STAMPED = 3
+GROUPS = {
+    "first": 0,
+    "missing": 0,
+    "second": 1,
+    "long": 2,
+    "stamped": STAMPED,
+    "as long as stamped": 4,
+    "other node": 0,
+    "wrong length": 0,
+    "damaged": 1,
+    "no digit": 2,
+    "foreign": FOREIGN,
+}
+TURNS = {
+    "two in turn": ["first", "second"],
+    "two of one length in turn": ["stamped", "as long as stamped"],
+    "all in turn": ["first", "second", "long", "stamped", "as long as stamped"],
+    "turns with gaps": ["first", "missing", "long"],
+    "turns with damage": [*["first", "second"] * 10, "damaged"],
+    "turns without digits": [*["long", "second"] * 10, "no digit"],
+    "turns with answers": [*["stamped", "second"] * 8, "answer"],
+}
+KINDS = [*GROUPS, *TURNS, "answer", "noise", "empty", "endless answer", "endless sample"]
 bursts = st.lists(st.builds(Burst, st.sampled_from(KINDS), st.integers(1, 3) | st.integers(10, 60)), max_size=12)
 
 
@@ -51,12 +76,18 @@ class Speaker:
     def frame(self, kind: str) -> bytes:
         if kind in ("noise", "empty"):
             return kind.encode().replace(b"empty", b"") + b"\n"
-        if kind == "answer":
-            return self._ours.checked(b"rm000%08X" % 0xA)
+        if kind in ("answer", "endless answer"):
+            frame = self._ours.checked(b"r000%08X" % 0xA)
+            return frame if kind == "answer" else frame[:-1] + b"\x0b"
+        if kind == "endless sample":
+            return self.frame("second")[:-1] + b"\x0b"
         group = GROUPS[kind]
         self._numbers[group] += 3 if kind == "missing" else 1
         number = self._numbers[group]
-        body = b"P%02X%02X%08X" % (group, number & 0xFF, group << 24 | number)
+        stamp = b"%08X" % (0xFFFF_F000 + 50_000 * number & 0xFFFF_FFFF) if group == STAMPED else b""
+        word = b"%08X" % (group << 24 | number)
+        body = b"P%02X%02X" % (group, number & 0xFF) + stamp + (b"0000000G" if kind == "no digit" else word)
+        body += word * (WORDS[group] - 1)
         if kind == "wrong length":
             body += b"00000000"
         frame = (self._other if kind == "other node" else self._ours).checked(body)
@@ -74,18 +105,27 @@ def seen(samples: Sequence[Sample]) -> list[tuple[int, list[int], int]]:
 
 async def heard(pieces: Sequence[bytes], node: int | None) -> object:
     """Return all that a program can see of a link on which `pieces` arrive."""
-    told: tuple[list[Sample], list[Sample]] = ([], [])
+    told: list[object] = []
+
+    def tell(group: int, sample: Sample) -> None:
+        told.append((group, sample.time, sample.values.dtype, *seen([sample])))
+
     with scripted_driver() as gateways:
         async with (
             unity_link.connect("sim:?id_digits=3" + ("" if node is None else f"&node={node}")) as link,
-            link.subscribe([1], timestamps=False, callback=told[0].append) as first,
-            link.subscribe([2], timestamps=False, callback=told[1].append) as second,
+            contextlib.AsyncExitStack() as stack,
         ):
+            subscriptions = []
+            for group in range(STAMPED + 2):
+                addresses, stamped = range(WORDS[group]), group == STAMPED
+                callback = functools.partial(tell, group)
+                subscription = link.subscribe(addresses, timestamps=stamped, callback=callback)
+                subscriptions.append(await stack.enter_async_context(subscription))
             await asyncio.sleep(gateways[0].say(pieces))
             counted = link.statistics
             return (
-                [seen(samples) for samples in told],
-                (first.received, first.lost, second.received, second.lost),
+                told,
+                [(subscription.received, subscription.lost) for subscription in subscriptions],
                 (counted.samples, counted.samples_lost, counted.damaged_frames, counted.stray_frames),
             )
 
@@ -111,7 +151,8 @@ def test_any_mixture_of_frames_cut_anywhere_is_what_it_is_line_by_line(
     node: int | None, arriving: list[Burst], cuts: list[int]
 ) -> None:
     speaker = Speaker(node)
-    lines = [speaker.frame(burst.kind) for burst in arriving for _ in range(burst.length)]
+    kinds = (kind for burst in arriving for _ in range(burst.length) for kind in TURNS.get(burst.kind, [burst.kind]))
+    lines = [speaker.frame(kind) for kind in kinds]
     expected = run_simulated(heard(lines, node))
     assert run_simulated(heard(pieces_of(b"".join(lines), cuts), node)) == expected
 

@@ -8,6 +8,9 @@ import pytest
 
 import unity_link
 from simulated_time import on_simulated_time, run_simulated
+from unity_link.virtual import Gateway, VirtualGateway
+from unity_link.virtual.faults import Failing
+from valve import Valve
 
 
 @pytest.mark.parametrize("seed", [1, 2, 3])
@@ -38,3 +41,54 @@ def test_a_link_is_opened_on_a_line_that_damages_one_byte_in_twenty() -> None:
 
     for seed in range(20):
         run_simulated(open_link(seed))
+
+
+class DamagingEnds(Valve):
+    """Damages a byte of the next request or its end, or the end of the next answer, where that is wanted."""
+
+    def __init__(self, gateway: Gateway) -> None:
+        super().__init__(gateway)
+        self.requests = self.request_ends = self.answers = False
+
+    def receive(self, data: bytes, now: float) -> bytes:
+        if self.request_ends:
+            self.request_ends, data = False, data.replace(b"\n", b"\x0b", 1)
+        if self.requests:
+            self.requests, data = False, b"?" + data[1:]
+        answer = super().receive(data, now)
+        if self.answers and answer:
+            self.answers, answer = False, answer[:-1] + b"\x0b"
+        return answer
+
+
+@pytest.mark.parametrize("wanted", ["read", "write", "block", "error", "damaged request"])
+@on_simulated_time
+async def test_a_lone_answer_whose_end_is_damaged_costs_no_time_out(wanted: str) -> None:
+    line = DamagingEnds(gateway := VirtualGateway())
+    gateway.attach(Failing(), [0xF0])
+    async with unity_link.connect(line) as link:
+        line.answers, line.requests = True, wanted == "damaged request"
+        start = asyncio.get_running_loop().time()
+        if wanted == "write":
+            await link.write(1, 5)
+        elif wanted == "block":
+            await link.read_block(1, 20)
+        elif wanted == "error":
+            with pytest.raises(unity_link.BusTimeoutError):
+                await link.read(0xF0)
+        else:
+            await link.read(1)
+        assert asyncio.get_running_loop().time() == start
+        assert (link.statistics.timeouts, link.statistics.damaged_frames) == (0, 1)
+
+
+@on_simulated_time
+async def test_a_lone_request_whose_end_is_damaged_costs_no_time_out_on_a_line_that_loses() -> None:
+    line = DamagingEnds(VirtualGateway())
+    async with unity_link.connect(line) as link:
+        line.requests = True
+        await link.read(1)
+        start = asyncio.get_running_loop().time()
+        line.request_ends = True
+        await link.read(1)
+        assert asyncio.get_running_loop().time() == start

@@ -12,6 +12,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from any_gateway import gateway_infos
+from unity_link.protocol.arrays import parse_words, request_rows, response_rows
 from unity_link.protocol.configuration import GatewayInfo
 from unity_link.protocol.messages import (
     COMMANDS,
@@ -22,6 +23,8 @@ from unity_link.protocol.messages import (
     DecodedResponse,
     ErrorCode,
     RequestError,
+    hex_text,
+    parse_numbers,
 )
 from worked_examples import Example, worked_examples
 
@@ -157,6 +160,26 @@ def test_the_word_of_a_numbered_write_is_never_short(body: bytes) -> None:
 # Many at once
 
 
+@given(digits=st.integers(1, 16), data=st.data())
+def test_numbers_in_a_list_are_written_and_read_as_those_of_an_array(digits: int, data: st.DataObject) -> None:
+    numbers = data.draw(st.lists(st.integers(0, 16**digits - 1), max_size=20))
+    text = b"".join(b"%0*X" % (digits, number) for number in numbers)
+    assert hex_text(numbers, digits) == hex_text(tuple(numbers), digits) == text
+    assert hex_text(np.array(numbers, np.uint64), digits) == text
+    assert parse_numbers(text, digits) == parse_words(text, digits).tolist() == numbers
+
+
+@given(digits=st.integers(1, 16), text=st.binary(max_size=20) | st.text("0123456789_ +-", max_size=20).map(str.encode))
+def test_what_is_no_row_of_numbers_is_read_neither_as_a_list_nor_as_an_array(digits: int, text: bytes) -> None:
+    try:
+        expected = parse_words(text, digits).tolist()
+    except ValueError:
+        with pytest.raises(ValueError, match="digit"):
+            parse_numbers(text, digits)
+    else:
+        assert parse_numbers(text, digits) == expected
+
+
 @given(codec=ALL_FEATURES, data=st.data(), node=st.sampled_from([None, 0x5A]))
 def test_many_requests_are_written_as_each_alone(codec: Codec, data: st.DataObject, node: int | None) -> None:
     codec = Codec(codec.info, node)
@@ -167,7 +190,7 @@ def test_many_requests_are_written_as_each_alone(codec: Codec, data: st.DataObje
         data.draw(st.text("0123456789ABCDEF", min_size=count * width, max_size=count * width)).encode(), np.uint8
     ).reshape(count, width)
     alone = [codec.request("W", (first + index) % codec.ring, row.tobytes()) for index, row in enumerate(rows)]
-    assert codec.request_rows("W", first, rows) == b"".join(alone)
+    assert request_rows(codec, "W", first, rows) == b"".join(alone)
 
 
 def answers(codec: Codec, command: str, first: int, words: list[int]) -> list[bytes]:
@@ -196,13 +219,13 @@ def test_many_responses_are_read_as_each_alone_up_to_the_first_that_is_not_as_ex
         frame = bytearray(frames[wrong])
         frame[data.draw(st.integers(0, len(frame) - 1))] ^= 1 << data.draw(st.integers(0, 7))
         frames[wrong] = bytes(frame)
-    taken = codec.response_rows(command, first, b"".join(frames), digits)
+    taken = response_rows(codec, command, first, b"".join(frames), digits)
     expected = words[:wrong] if command == "R" else [0] * wrong
     assert ([] if taken is None else taken.tolist()) == expected
 
 
 def test_a_right_crc_around_what_is_no_word_is_left_to_the_reader_of_single_frames() -> None:
-    assert DEFAULT.response_rows("R", 0, DEFAULT.framing.checked(b"r0000000G000"), 8) is None
+    assert response_rows(DEFAULT, "R", 0, DEFAULT.framing.checked(b"r0000000G000"), 8) is None
 
 
 # The document

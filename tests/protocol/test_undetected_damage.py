@@ -10,6 +10,7 @@ import functools
 import numpy as np
 import pytest
 
+from unity_link.protocol.arrays import crc_rows
 from unity_link.protocol.crc import Crc
 
 CRC_8, CRC_16 = Crc(8, 0x07), Crc(16, 0x1021)
@@ -53,7 +54,7 @@ def fewest_flips_that_pass(crc: Crc, length: int) -> int:
 def test_damage_to_as_many_adjacent_characters_as_the_crc_has_bytes_is_found(crc: Crc, characters: int) -> None:
     differences = np.arange(1 << crc.bits, dtype=f">u{characters}").view(np.uint8).reshape(-1, characters)
     # No two have the same CRC, wherever they stand: what follows multiplies all by the same.
-    assert len(np.unique(crc.of_rows(differences), axis=0)) == 1 << crc.bits
+    assert len(np.unique(crc_rows(crc, differences), axis=0)) == 1 << crc.bits
 
 
 def test_damage_to_the_last_character_and_the_first_digit_of_a_crc_16_is_found() -> None:
@@ -64,7 +65,7 @@ def test_damage_to_the_last_character_and_the_first_digit_of_a_crc_16_is_found()
 @pytest.mark.parametrize("crc", [CRC_8, CRC_16], ids=["CRC-8", "CRC-16"])
 def test_one_of_all_values_of_the_crc_passes_of_the_damages_to_a_text(crc: Crc) -> None:
     patterns = np.arange(1 << 24, step=1 << 8, dtype=">u4").view(np.uint8).reshape(-1, 4)
-    _, counts = np.unique(crc.of_rows(patterns), axis=0, return_counts=True)
+    _, counts = np.unique(crc_rows(crc, patterns), axis=0, return_counts=True)
     assert set(counts) == {len(patterns) >> crc.bits}
 
 

@@ -10,14 +10,12 @@ from __future__ import annotations
 from types import SimpleNamespace
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-import numpy as np
-
 from unity_link.bridges.serve import client, shared
 from unity_link.bridges.serve import groups as served_groups
 from unity_link.bridges.serve import requests as served_requests
 from unity_link.errors import Outcome
 from unity_link.link import connection, link, subscription
-from unity_link.protocol import datagrams, exchange, group_table, reception, requests, session, window
+from unity_link.protocol import arrays, datagrams, exchange, group_table, reception, requests, session, window
 from unity_link.protocol.frames import FrameError
 from unity_link.protocol.messages import COMMANDS, Repetition
 from unity_link.protocol.reception import SequencePlace
@@ -79,8 +77,8 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
         group = self._groups.begun.get(data[start : start + after][-2:])
         size = 0 if group is None else group.length + framing.overhead
         while size > framing.overhead and (count := (len(data) - start) // size) >= exchange.FEWEST_SAMPLES:
-            rows = np.frombuffer(data, np.uint8, count * size, start).reshape(count, size)
-            bodies = framing.open_rows(rows, data[start : start + after])
+            rows = arrays.rows_of(data, start, count, size)
+            bodies = arrays.open_rows(framing, rows, data[start : start + after])
             if len(bodies) < exchange.FEWEST_SAMPLES:
                 break
             events.append(exchange.SampledRows(group.owner, bodies, now))

@@ -1,4 +1,7 @@
-"""Links on uvloop, whose transports and timers are of none of asyncio's classes, over each medium of the system."""
+"""Gateways and snoops on uvloop, whose transports and timers are of none of asyncio's classes.
+
+Links on it: test_faces.py.
+"""
 
 from __future__ import annotations
 
@@ -8,11 +11,11 @@ import sys
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-import numpy as np
 import pytest
 import uvloop
 
 import unity_link
+from faces import use
 from unity_link.transport.snoop import Passed, read
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.serving import serve_tcp, serve_unix
@@ -21,8 +24,6 @@ if TYPE_CHECKING:
     from collections.abc import Coroutine, Iterator
 
 SERVER = Path(__file__).with_name("serve.py")
-POSTS = 3000
-"""More than the posts after which the due time of a timer was first asked for when that was past."""
 
 
 def run(coroutine: Coroutine[object, object, None]) -> None:
@@ -41,38 +42,15 @@ def url(request: pytest.FixtureRequest, tmp_path: Path) -> Iterator[str]:
         process.kill()
 
 
-async def use(url: str) -> None:
-    """Make each kind of call over a link."""
-    async with unity_link.connect(url) as link:
-        await link.write(0x0A, 42)
-        assert await link.read(0x0A) == 42
-        for value in range(POSTS):
-            await link.post(value % 256, value)
-        await link.fence()
-        expected = [max(range(address, POSTS, 256)) for address in range(256)]
-        assert (await link.read_many(range(256))).tolist() == expected
-        await link.post_many(np.arange(POSTS) % 256, np.arange(POSTS) + 1)
-        await link.fence()
-        assert (await link.read_block(0, 256)).tolist() == [value + 1 for value in expected]
-        async with link.subscribe([1, 2], rate_hz=200) as samples:
-            for number in range(20):
-                assert (await anext(samples)).sequence == number
-        assert link.statistics.damaged_frames == 0
-
-
-def test_a_link_works_on_uvloop_over_every_medium(url: str) -> None:
-    run(use(url))
-
-
 @pytest.mark.parametrize("medium", ["sim", "tcp", "unix"])
 def test_a_gateway_is_served_on_uvloop(medium: str, tmp_path: Path) -> None:
     async def serve_and_use() -> None:
         if medium == "sim":
-            await use("sim:")
+            await use(unity_link.connect, "sim:")
             return
         gateway = VirtualGateway()
         async with serve_tcp(gateway) if medium == "tcp" else serve_unix(gateway, tmp_path / "gateway") as url:
-            await use(url)
+            await use(unity_link.connect, url)
 
     run(serve_and_use())
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 import asyncio
 import json
 import random
-import shutil
 import subprocess
 import sys
 from itertools import pairwise
@@ -31,13 +30,9 @@ from waveform import Waveform, bytes_at_pins
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Coroutine
+from compilers import needs_cxx
 
-pytestmark = [
-    pytest.mark.rtl,
-    pytest.mark.skipif(
-        not any(shutil.which(name) for name in ("c++", "g++", "clang++")), reason="no C++ compiler: apt install g++"
-    ),
-]
+pytestmark = [pytest.mark.rtl, needs_cxx]
 PROGRAM = str(Path(sys.executable).parent / "unity-link")
 SLOW = choose({"clock_hz": 50_000}).info
 MODEL = "&".join(

@@ -6,7 +6,6 @@ import asyncio
 import ctypes
 import itertools
 import os
-import shutil
 from concurrent.futures import ThreadPoolExecutor
 from typing import TYPE_CHECKING
 
@@ -20,13 +19,9 @@ from unity_link.virtual.rtl import RtlGateway, choose, compiling, configurations
 
 if TYPE_CHECKING:
     from pathlib import Path
+from compilers import needs_cxx
 
-pytestmark = [
-    pytest.mark.rtl,
-    pytest.mark.skipif(
-        not any(shutil.which(name) for name in ("c++", "g++", "clang++")), reason="no C++ compiler: apt install g++"
-    ),
-]
+pytestmark = [pytest.mark.rtl, needs_cxx]
 
 
 @pytest.fixture(scope="module")

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from unity_link.data import Batch
-    from unity_link.protocol.messages import Words
+    from unity_link.protocol.arrays import Words
     from unity_link.spec import Signal
 
 _STEP = re.compile(r"([^.\[\]]+)|\[(\d+)\]")

@@ -3,6 +3,7 @@
 One file for each family of commands. They parse, show and explain; what they do, a program does by
 `unity_link.connect`.
 
+- `families` says which file has which command, and imports it when the command is typed
 - `running` runs a command's coroutine until it is done or a signal comes, `output` says what stdout and stderr are for
 - `arguments` and `words` read and write addresses and values
 - `info`, `access` (read, write), `watch`, `simulate`, `terminal`, `demo` with `demo_view` are commands
@@ -14,8 +15,8 @@ One file for each family of commands. They parse, show and explain; what they do
 - `live` shows signals on a page; `serve` shares a link; `service` tells systemd of a command that runs for long
 - `plots` draws curves, `full_screen` gives a picture the whole terminal for a while
 
-Modules import at their top only what every command needs; what is slow to load is imported where it is used, so that
-`--help` and shell completion are quick.
+Modules import at their top only what each of their commands needs, and this one what every command needs; what is slow
+to load is imported where it is used.
 
 Exit codes: 0 done; 1 failed, as the one sentence on stderr says; 2 wrong use; 128 and the number of the signal where
 one ended it (130 for Ctrl-C).
@@ -33,24 +34,7 @@ from typing import Annotated
 import typer
 
 import unity_link
-from unity_link.cli import (
-    access,
-    demo,
-    export,
-    ft232h,
-    generate,
-    info,
-    live,
-    recording,
-    ros,
-    serve,
-    simulate,
-    snoop,
-    spec,
-    terminal,
-    watch,
-    zenoh,
-)
+from unity_link.cli.families import MARKUP, Commands
 from unity_link.cli.output import print_error
 from unity_link.cli.running import INTERRUPTED
 from unity_link.errors import ArgumentError, UnityLinkError
@@ -60,12 +44,12 @@ WRONG_USE = 2
 
 app = typer.Typer(
     name="unity-link",
+    cls=Commands,
     help="Connect to an FPGA: read, write and watch its bus, or try all of it on a virtual gateway.",
     epilog="URL is where the gateway is: serial:/dev/ttyUSB0?baud=12000000, tcp://host:port, unix:/path, "
     "udp://host:port; or sim: and sim:scara, which need no hardware, and rtl: and rtl:scara, the gateware compiled.",
     no_args_is_help=True,
-    # As "rich", it would take the brackets of unity-link[zenoh] for its own.
-    rich_markup_mode="markdown",
+    rich_markup_mode=MARKUP,
     pretty_exceptions_enable=False,
     context_settings={"help_option_names": ["-h", "--help"]},
 )
@@ -84,24 +68,6 @@ def _options(
     ] = False,
 ) -> None:
     """Take the options that stand before a command."""
-
-
-demo.add_to(app)
-info.add_to(app)
-access.add_to(app)
-watch.add_to(app)
-live.add_to(app)
-simulate.add_to(app)
-serve.add_to(app)
-terminal.add_to(app)
-snoop.add_to(app)
-spec.add_to(app)
-generate.add_to(app)
-recording.add_to(app)
-export.add_to(app)
-ros.add_to(app)
-zenoh.add_to(app)
-ft232h.add_to(app)
 
 
 _UNWRITABLE = {errno.EBADF, errno.EDQUOT, errno.EFBIG, errno.EIO, errno.ENOSPC, errno.EPIPE}

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from unity_link.cli.arguments import DEFAULT_TIMEOUT, Address, Json, Timeout, Url, number
-from unity_link.cli.output import out, print_json, print_line
+from unity_link.cli.output import print_json, print_line, print_parts
 from unity_link.cli.running import run
 from unity_link.cli.words import to_word
 from unity_link.protocol.numbers import Format, address_text, as_decimal, in_form, to_signed
@@ -102,16 +102,7 @@ async def _write(
 
 
 def _print_words(first: int, words: list[int], gateway: GatewayInfo) -> None:
-    from rich.text import Text
-
     bits = gateway.data_bits
-    console = out()
     for offset, word in enumerate(words):
-        line = Text.assemble(
-            (address_text(first + offset, gateway), "cyan"),
-            "  ",
-            (in_form(word, bits, Format.HEX), "bold"),
-            "  ",
-            as_decimal(word, bits),
-        )
-        console.print(line)
+        address, text = address_text(first + offset, gateway), in_form(word, bits, Format.HEX)
+        print_parts((address, "cyan"), "  ", (text, "bold"), "  ", as_decimal(word, bits))

@@ -7,7 +7,7 @@ import time
 from typing import TYPE_CHECKING, Any
 
 from unity_link.cli.arguments import DEFAULT_TIMEOUT, Json, Timeout, Url
-from unity_link.cli.output import out, print_json
+from unity_link.cli.output import print_json, print_parts
 from unity_link.cli.running import run
 from unity_link.protocol.numbers import feature_names
 
@@ -58,14 +58,11 @@ def _fields(gateway: GatewayInfo) -> dict[str, Any]:
 
 
 def _print(url: str, gateway: GatewayInfo, round_trip: float) -> None:
-    from rich.text import Text
-
-    console = out()
     rows = [*describe(gateway), ("round trip", f"{1e6 * round_trip:.0f} µs, median of {ROUND_TRIPS}")]
     width = max(len(name) for name, _ in rows)
-    console.print(Text(url, "bold"))
+    print_parts((url, "bold"))
     for name, text in rows:
-        console.print(Text.assemble((f"{name:<{width}}", "cyan"), "  ", text))
+        print_parts((f"{name:<{width}}", "cyan"), "  ", text)
 
 
 def describe(gateway: GatewayInfo) -> list[tuple[str, str]]:

@@ -6,8 +6,10 @@ Colours and moving pictures are for terminals alone; rich sees to that, and to `
 
 from __future__ import annotations
 
+import functools
+import os
 import sys
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TextIO
 
 if TYPE_CHECKING:
     from rich.console import Console
@@ -47,10 +49,34 @@ def print_note(text: str) -> None:
 
 def print_error(text: str, hint: str = "") -> None:
     """Print what went wrong, and in a second line what may help."""
-    from rich.console import Console
+    print_parts(("error: ", "bold red"), text, on=sys.stderr)
+    if hint:
+        print_parts((hint, "dim"), on=sys.stderr)
+
+
+def print_parts(*parts: str | tuple[str, str], on: TextIO | None = None) -> None:
+    """Print a line of parts, some with a style of rich, which is imported where styles may be seen.
+
+    Args:
+        parts: texts, or pairs of a text and its style.
+        on: stdout or stderr.
+    """
+    stream = sys.stdout if on is None else on
+    if not (stream.isatty() or any(name in os.environ for name in _COLOURING)):
+        stream.write("".join(part if isinstance(part, str) else part[0] for part in parts) + "\n")
+        stream.flush()
+        return
     from rich.text import Text
 
-    console = Console(stderr=True, highlight=False, soft_wrap=True)
-    console.print(Text.assemble(("error: ", "bold red"), text))
-    if hint:
-        console.print(Text(hint, "dim"))
+    _console(stream).print(Text.assemble(*parts))
+
+
+@functools.lru_cache(maxsize=2)
+def _console(stream: TextIO) -> Console:
+    from rich.console import Console
+
+    return Console(file=stream, highlight=False, soft_wrap=stream is sys.stderr or not stream.isatty())
+
+
+_COLOURING = ("FORCE_COLOR", "TTY_COMPATIBLE")
+"""What in the environment has rich colour what is no terminal, too."""

@@ -17,7 +17,7 @@ from unity_link.cli.output import print_error, print_json, print_line, print_not
 from unity_link.errors import ArgumentError
 
 if TYPE_CHECKING:
-    from unity_link.protocol.conversation import Conversation, Heard
+    from unity_link.protocol.transcript import TimedFrame, Transcript
     from unity_link.virtual.rtl.retrace import Report
 
 SnoopPath = Annotated[
@@ -43,7 +43,7 @@ def explain(file: SnoopPath, *, begin: From = 0.0, end: To = None, json: Json = 
     Times are seconds from the first record on. > is what the host sent, < what the gateway sent. A summary comes last.
     """
     _check_times(begin, end)
-    if not _Reader(json=json, begin=begin, end=math.inf if end is None else end).read(file):
+    if not _SnoopPrinter(json=json, begin=begin, end=math.inf if end is None else end).read(file):
         raise typer.Exit(FAILED)
 
 
@@ -131,7 +131,7 @@ def _check_times(begin: float, end: float | None) -> None:
         raise ArgumentError(f"--to {end:g} is not behind --from {begin:g}")
 
 
-class _Reader:
+class _SnoopPrinter:
     """Prints what a snoop holds, and keeps what the summary says."""
 
     def __init__(self, *, json: bool, begin: float, end: float) -> None:
@@ -141,7 +141,7 @@ class _Reader:
         self._kinds: Counter[str] = Counter()
         self._again = 0
         self._round_trips: list[float] = []
-        self._conversations: dict[int, Conversation] = {}
+        self._transcripts: dict[int, Transcript] = {}
         self._silent: dict[int, str] = {}
         """Names of connections on which nothing has passed yet."""
         self._sound = True
@@ -149,25 +149,25 @@ class _Reader:
 
     def read(self, path: Path) -> bool:
         """Print a file; return whether it is whole."""
-        from unity_link.protocol.conversation import Conversation
+        from unity_link.protocol.transcript import Transcript
         from unity_link.transport.snoop import Connected, Ended, Passed, read
 
         time = 0.0
         for event in read(path, self._damage):
             match event:
                 case Connected(connection, name):
-                    self._conversations[connection] = Conversation()
+                    self._transcripts[connection] = Transcript()
                     self._silent[connection] = name
                 case Passed(connection, time_ns, sent, data):
                     time = self._since(time_ns)
                     self._print_beginning(time, connection)
-                    for heard in self._conversations[connection].hear(data, time, sent=sent):
-                        self._print(connection, heard)
+                    for timed in self._transcripts[connection].take(data, time, sent=sent):
+                        self._print(connection, timed)
                 case Ended(connection, time_ns, why):
                     time = self._since(time_ns)
                     self._print_beginning(time, connection)
-                    for heard in self._conversations[connection].end(time):
-                        self._print(connection, heard)
+                    for timed in self._transcripts[connection].end(time):
+                        self._print(connection, timed)
                     self._print_life(time, connection, "ended", why)
         for connection in list(self._silent):
             self._print_beginning(time, connection)
@@ -199,32 +199,32 @@ class _Reader:
         else:
             _write(f"{time:12.6f} {connection} -  {what}: {words}")
 
-    def _print(self, connection: int, heard: Heard) -> None:
+    def _print(self, connection: int, timed: TimedFrame) -> None:
         from unity_link.transport.tap import as_text, in_words
 
-        if not self._begin <= heard.time <= self._end:
+        if not self._begin <= timed.time <= self._end:
             return
-        meaning = heard.meaning
+        meaning = timed.meaning
         self._kinds[meaning.kind] += 1
-        self._again += heard.again
-        if heard.round_trip is not None:
-            self._round_trips.append(heard.round_trip)
+        self._again += timed.again
+        if timed.round_trip is not None:
+            self._round_trips.append(timed.round_trip)
         if not self._json:
-            arrow = ">" if heard.sent else "<"
-            _write(f"{heard.time:12.6f} {connection} {arrow}  {as_text(heard.frame)}  {in_words(heard)}")
+            arrow = ">" if timed.sent else "<"
+            _write(f"{timed.time:12.6f} {connection} {arrow}  {as_text(timed.frame)}  {in_words(timed)}")
             return
         fields = {
-            "time": heard.time,
+            "time": timed.time,
             "connection": connection,
-            "direction": "sent" if heard.sent else "received",
-            "frame": heard.frame.decode("latin-1"),
+            "direction": "sent" if timed.sent else "received",
+            "frame": timed.frame.decode("latin-1"),
             "kind": meaning.kind,
-            "again": heard.again,
+            "again": timed.again,
             "command": meaning.command or None,
             "id": meaning.id,
             "group": meaning.group,
             "error": meaning.error,
-            "round_trip": heard.round_trip,
+            "round_trip": timed.round_trip,
             "words": meaning.words,
         }
         print_json(fields)
@@ -239,8 +239,10 @@ class _Reader:
             print_error(self._trouble)
 
     def _summary(self) -> dict[str, Any]:
+        from unity_link.protocol.interpreter import Kind
+
         times = sorted(self._round_trips)
-        found = {f"{kind}s" if kind in _COUNTED else kind: self._kinds[kind] for kind in _KINDS}
+        found = {f"{kind}s" if kind in _COUNTED else str(kind): self._kinds[kind] for kind in Kind}
         return {
             "frames": self._kinds.total(),
             **found,
@@ -252,7 +254,6 @@ class _Reader:
         }
 
 
-_KINDS = ("request", "answer", "error", "sample", "damaged", "unknown")
 _COUNTED = frozenset({"request", "answer", "error", "sample"})
 
 

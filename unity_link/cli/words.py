@@ -8,7 +8,7 @@ from unity_link.errors import ArgumentError
 from unity_link.protocol.numbers import to_signed
 
 if TYPE_CHECKING:
-    from unity_link.protocol.messages import Words
+    from unity_link.protocol.arrays import Words
 
 
 def parse_number(text: str) -> int:

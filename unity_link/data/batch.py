@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from unity_link.data.layout import GroupLayout
     from unity_link.data.proxies import Proxy
     from unity_link.link.subscription import Sample
-    from unity_link.protocol.messages import Words
+    from unity_link.protocol.arrays import Words
 
 T = TypeVar("T")
 

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import asyncio
 import inspect
-from typing import TYPE_CHECKING, Any, Generic, TypeVar
+from typing import TYPE_CHECKING, Generic, TypeVar
 
 from unity_link.errors import ArgumentError
+from unity_link.link.running import running
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -54,11 +54,7 @@ class Callback(Generic[T]):
         if type(error) in self._told:
             return
         self._told.add(type(error))
-        context: dict[str, Any] = {
-            "message": f"{self._what} raised {type(error).__name__} (told once)",
-            "exception": error,
-        }
-        asyncio.get_running_loop().call_exception_handler(context)
+        running().report(f"{self._what} raised {type(error).__name__} (told once)", error)
 
 
 def _asynchronous(what: str) -> ArgumentError:

@@ -6,11 +6,11 @@ own, so a slow one takes nothing from the others.
 
 from __future__ import annotations
 
-import asyncio
 from collections import Counter, deque
 from typing import TYPE_CHECKING, Self
 
 from unity_link.errors import LinkClosedError, LinkLostError, SamplesLostError
+from unity_link.link.running import running
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from unity_link.data.batch import Batch
     from unity_link.data.layout import GroupLayout
     from unity_link.data.sampling import GroupSubscription
+    from unity_link.link.runtime import Job, Waiter
     from unity_link.link.subscription import Overflow
 
 
@@ -56,7 +57,7 @@ class Listener:
         self._waiting = 0
         self._lost: Counter[GroupLayout] = Counter()
         """Samples of each gateway that were dropped since the last batch of it was taken."""
-        self._waiter: asyncio.Future[None] | None = None
+        self._waiter: Waiter | None = None
         self._error: Exception | None = None
 
     async def next(self) -> Batch:
@@ -69,7 +70,7 @@ class Listener:
         while not self._batches:
             if self._error is not None:
                 raise self._error
-            self._waiter = asyncio.get_running_loop().create_future()
+            self._waiter = running().create_future()
             try:
                 await self._waiter
             finally:
@@ -142,8 +143,8 @@ class Feed:
         self._name = name
         self._subscribe = subscribe
         self._listeners: dict[Listener, None] = {}
-        self._task: asyncio.Task[None] | None = None
-        self._deserted = False
+        self._task: Job | None = None
+        self._began = self._deserted = False
 
     def listen(
         self, callback: Callable[[Batch], object] | None = None, *, buffer: int = 0, overflow: Overflow = "fail"
@@ -167,19 +168,28 @@ class Feed:
         if not self._listeners and self._task is not None:
             self._deserted = True
             self._task.cancel()
+            if not self._began:
+                # What is cancelled before it begins does not run to its end.
+                self._task = None
 
     def _start(self) -> None:
-        self._deserted = False
-        self._task = asyncio.get_running_loop().create_task(self._run(), name=f"samples of {self._name}")
-        self._task.add_done_callback(self._stopped)
+        self._began = self._deserted = False
+        self._task = running().create_task(self._run())
 
-    def _stopped(self, _: asyncio.Task[None]) -> None:
+    def _stopped(self) -> None:
         self._task = None
         # A listener that came while the subscription was being ended needs another one.
         if self._deserted and self._listeners:
             self._start()
 
     async def _run(self) -> None:
+        self._began = True
+        try:
+            await self._deliver()
+        finally:
+            self._stopped()
+
+    async def _deliver(self) -> None:
         try:
             async with self._subscribe() as subscription:
                 while True:
@@ -196,6 +206,4 @@ class Feed:
         for listener in listeners:
             listener.fail(error)
         if any(listener.is_deaf() for listener in listeners) and not isinstance(error, LinkClosedError):
-            asyncio.get_running_loop().call_exception_handler(
-                {"message": f"the samples of {self._name}, which callbacks wait for, have ended", "exception": error}
-            )
+            running().report(f"the samples of {self._name}, which callbacks wait for, have ended", error)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import asyncio
 import time
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
@@ -18,6 +17,7 @@ from unity_link.data.proxies import BUFFER, Proxy
 from unity_link.data.sampling import GroupSubscription, Poll
 from unity_link.data.writing import write_values
 from unity_link.errors import ArgumentError, UnsupportedError
+from unity_link.link.running import gather
 from unity_link.protocol.configuration import Feature
 
 if TYPE_CHECKING:
@@ -136,7 +136,7 @@ class Group:
             row = layouts[0].row(await layouts[0].read())
         else:
             row = [None] * len(self.proxies)
-            words = await asyncio.gather(*(layout.read() for layout in layouts))
+            words = await gather(*(layout.read() for layout in layouts))
             for layout, part in zip(layouts, words, strict=True):
                 for proxy, value in zip(layout.proxies, layout.row(part), strict=True):
                     row[self._places[proxy]] = value

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import asyncio
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from unity_link.errors import ArgumentError
+from unity_link.link.running import gather
 from unity_link.spec.columns import Columns
 
 if TYPE_CHECKING:
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from unity_link.data.proxies import Proxy
-    from unity_link.protocol.messages import Words
+    from unity_link.protocol.arrays import Words
 
 
 class GroupLayout:
@@ -53,7 +53,7 @@ class GroupLayout:
         parts = [(addresses, self.link.read_block(addresses.start, len(addresses))) for addresses in self._wide]
         many = [(single, self.link.read_many(single))] if single else []
         wanted = [*many, *parts]
-        words = await asyncio.gather(*(reading for _, reading in wanted))
+        words = await gather(*(reading for _, reading in wanted))
         found = {
             address: int(word)
             for (addresses, _), part in zip(wanted, words, strict=True)

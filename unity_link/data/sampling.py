@@ -15,6 +15,7 @@ import numpy as np
 
 from unity_link.data.batch import Batch
 from unity_link.errors import ArgumentError, GatewayError, SamplesLostError
+from unity_link.link.running import Event, gather, running
 from unity_link.link.subscription import NOT_OPEN, Sample
 
 if TYPE_CHECKING:
@@ -24,7 +25,7 @@ if TYPE_CHECKING:
     from unity_link.data.batch import GroupSample
     from unity_link.data.layout import GroupLayout
     from unity_link.link.subscription import Overflow
-    from unity_link.protocol.messages import Words
+    from unity_link.protocol.arrays import Words
 
 
 class SampleSource(Protocol):
@@ -65,7 +66,7 @@ class Poll:
         self._turn = 0
         self._sequence = 0
         self._began: float | None = None
-        self._asked = asyncio.Event()
+        self._asked = Event()
         self._last: Words | None = None
         self._lost = 0
         self._ended = False
@@ -108,13 +109,13 @@ class Poll:
 
     async def _wait_for_turn(self) -> int:
         """Return by how many turns this goes on: none, where it was asked for a sample in between."""
-        now = asyncio.get_running_loop().time()
+        now = running().time()
         if self._began is None:
             self._began = now
         late = (now - self._began) * self._rate_hz - self._turn
         if late < 0:
             try:
-                async with asyncio.timeout(-late / self._rate_hz):
+                async with running().timeout(-late / self._rate_hz):
                     await self._asked.wait()
             except TimeoutError:
                 return 1
@@ -171,7 +172,7 @@ class GroupSubscription:
 
     async def publish(self) -> None:
         """Have one sample taken now, of each gateway, besides those that are due by themselves."""
-        await asyncio.gather(*(source.publish() for _, source in self._sources))
+        await gather(*(source.publish() for _, source in self._sources))
 
     async def take(self) -> Batch:
         """Wait until there is a sample, and return all that wait as one batch.

@@ -6,11 +6,11 @@ value of several words a bus transaction of its own. All are under way at the sa
 
 from __future__ import annotations
 
-import asyncio
 import contextlib
 from typing import TYPE_CHECKING, Any
 
 from unity_link.errors import AnswerLostError, ArgumentError
+from unity_link.link.running import gather
 
 if TYPE_CHECKING:
     from collections.abc import Coroutine, Mapping
@@ -38,7 +38,7 @@ async def write_values(values: Mapping[Proxy[Any], Any], *, posted: bool = False
     if len(work) == 1:
         await work[0]
     else:
-        await asyncio.gather(*work)
+        await gather(*work)
     for proxy, words in encoded:
         proxy.see(proxy.scalar(proxy.signal.decode(words)))
 

@@ -10,8 +10,8 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
     from unity_link.link.link import Link
+    from unity_link.protocol.arrays import Words
     from unity_link.protocol.configuration import GatewayInfo
-    from unity_link.protocol.messages import Words
 
 
 class Bus(Protocol):

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
     from unity_link.hardware.bus import Bus
-    from unity_link.protocol.messages import Words
+    from unity_link.protocol.arrays import Words
 
 
 class Fifo(Module, word="FIFO"):

@@ -15,7 +15,7 @@ from unity_link.hardware.module import Module
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
-    from unity_link.protocol.messages import Words
+    from unity_link.protocol.arrays import Words
 
 
 class Memory(Module, word="MEMORY"):

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
     from unity_link.hardware.bus import Bus
     from unity_link.link.subscription import Sample, Subscription
-    from unity_link.protocol.messages import Words
+    from unity_link.protocol.arrays import Words
     from unity_link.spec.arguments import ArgumentSlot
 
 _KINDS: dict[str, type[Module]] = {}

@@ -32,7 +32,6 @@ controllers. RoboComm 2009. [2] OpenCores, project tosnet, revision 3.2: tosnet.
 
 from __future__ import annotations
 
-import asyncio
 from typing import TYPE_CHECKING
 
 import msgspec
@@ -41,12 +40,13 @@ import numpy as np
 from unity_link.errors import ArgumentError, UnityLinkError
 from unity_link.hardware.bus import link_under
 from unity_link.hardware.module import Module
+from unity_link.link.running import Lock
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
     from unity_link.hardware.bus import Bus
-    from unity_link.protocol.messages import Words
+    from unity_link.protocol.arrays import Words
 
 NODES = 16
 NODE_WORDS = 64
@@ -206,7 +206,7 @@ class CommittingBus:
         self._under = link
         self._ctrl = ctrl
         self._written: dict[int, int] = {}
-        self._lock = asyncio.Lock()
+        self._lock = Lock()
 
     async def read(self, address: int) -> int:
         """Read a word, as of the last commit of reads."""

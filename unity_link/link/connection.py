@@ -1,13 +1,12 @@
 """Layer 2, the life of a link: it is opened, lost, opened again and closed.
 
 `Connection` is what a link and the bridges that hand on requests of others have in common: it joins a session, which
-does no I/O, with a driver's stream, the clock of the event loop, and the futures of the calls that wait. It decides
-when a connection is opened again. What else the events of the session are for is the matter of those who build on it.
+does no I/O, with a driver's stream, and with the clock and the futures of what runs it. It decides when a connection is
+opened again. What else the events of the session are for is the matter of those who build on it.
 """
 
 from __future__ import annotations
 
-import asyncio
 import logging
 import random
 from typing import TYPE_CHECKING, Any
@@ -24,15 +23,17 @@ from unity_link.errors import (
     UnityLinkError,
     reason_of,
 )
+from unity_link.link.runtime import AsyncioRuntime
 from unity_link.protocol.group_table import GroupsRestored
 from unity_link.protocol.requests import Batch, Fence, Request
 from unity_link.protocol.session import Interrupted, Opened, Session, Unusable
-from unity_link.transport import DriverUrl, name_of, open_medium
+from unity_link.transport import DriverUrl, name_of
 from unity_link.transport.stream import Stream
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
+    from unity_link.link.runtime import Job, Runtime, Timer, Waiter
     from unity_link.protocol.configuration import GatewayInfo
     from unity_link.protocol.messages import Codec
     from unity_link.protocol.requests import Events, Source
@@ -66,33 +67,42 @@ class Connection:
         target: the URL of a gateway, or one of this process.
         reconnect: how a lost connection is opened again; None: it is not.
         resumes: whether reads are sent again in the next session on the same connection, too.
+        runtime: what runs it; None: the event loop that is running.
     """
 
     gateway: GatewayInfo
     """What the gateway says of itself."""
 
-    def __init__(self, target: DriverUrl | Medium, reconnect: Reconnect | None, *, resumes: bool = False) -> None:
+    def __init__(
+        self,
+        target: DriverUrl | Medium,
+        reconnect: Reconnect | None,
+        *,
+        resumes: bool = False,
+        runtime: Runtime | None = None,
+    ) -> None:
         self._codec: Codec
         self._target = target
         self._name = name_of(target)
         self._reconnect = reconnect
-        self._loop = asyncio.get_running_loop()
-        self._now = self._loop.time
+        self._runtime: Runtime = AsyncioRuntime() if runtime is None else runtime
+        self._now = self._runtime.time
+        self._new_waiter = self._runtime.create_future
         node = target.node if isinstance(target, DriverUrl) else None
         self._session = Session(node, choose_seed, resumes=resumes or reconnect is not None)
         self._stream: Stream | None = None
-        self._timer: asyncio.TimerHandle | None = None
+        self._timer: Timer | None = None
         self._timer_at = 0.0
         self._flushing = False
-        """Whether what the session has to send is sent at the end of this turn of the event loop."""
-        self._opened: asyncio.Future[None] = self._loop.create_future()
+        """Whether what the session has to send is sent when what runs now waits."""
+        self._opened: Waiter = self._new_waiter()
         """Done when the connection that is being opened is of use, or is known not to be."""
         self._opening = False
         """Whether `open` is under way."""
-        self._restored: asyncio.Future[None] = self._loop.create_future()
+        self._restored: Waiter = self._new_waiter()
         """Done when all groups are set up again in a new session."""
-        self._reconnection: asyncio.Task[None] | None = None
-        self._resumption: asyncio.Task[None] | None = None
+        self._reconnection: Job | None = None
+        self._resumption: Job | None = None
         self._sessions = 0
         self._bytes_before = (0, 0)
         self._closed = self._closed_by_program = False
@@ -143,16 +153,17 @@ class Connection:
             self._handle(events)
         if session.output and not self._flushing:
             self._send()
-        if self._timer is None or not isinstance(source, Request) or source.posted:
+        # Of posted writes, the first sets a time for their confirmation, and one of the next brings it.
+        if self._timer is None or not isinstance(source, Request) or (source.posted and session.unconfirmed < 2):
             self._set_timer()
 
     async def _answer(self, request: Request | Batch) -> Any:
         """Have a request done, and return its answer; one that is cancelled is given up."""
-        request.owner = waiter = self._loop.create_future()
+        request.owner = waiter = self._new_waiter()
         self._submit(request)
         try:
             return await waiter
-        except asyncio.CancelledError:
+        except BaseException:
             request.cancel()
             raise
 
@@ -175,7 +186,7 @@ class Connection:
             self._flush()
         else:
             self._flushing = True
-            self._loop.call_soon(self._flush)
+            self._runtime.call_soon(self._flush)
 
     def _flush(self) -> None:
         self._flushing = False
@@ -195,7 +206,7 @@ class Connection:
         else:
             # Kept here, for a timer of uvloop that is due at once cannot tell it.
             self._timer_at = deadline
-            self._timer = self._loop.call_at(deadline, self._tick)
+            self._timer = self._runtime.call_at(deadline, self._tick)
 
     def _tick(self) -> None:
         self._timer = None
@@ -236,10 +247,10 @@ class Connection:
         self._codec = self._session.codec
         self._sessions += 1
         log.info("%s: session %d has begun", self._name, self._sessions)
-        self._restored = self._loop.create_future()
+        self._restored = self._new_waiter()
         self._begin(self._codec)
         if self._opened.done():
-            self._resumption = self._loop.create_task(self._resume())
+            self._resumption = self._runtime.create_task(self._resume())
         else:
             self._opened.set_result(None)
 
@@ -287,10 +298,10 @@ class Connection:
             UnsupportedError: for a gateway of another protocol version, or another one than before.
         """
         name = self._name
-        stream = Stream()
+        stream = Stream(self._new_waiter)
         self._opening = True
         try:
-            async with asyncio.timeout(timeout):
+            async with self._runtime.timeout(timeout):
                 await self._connect_stream(stream)
                 log.info("%s: connected", name)
                 await self._open_session(stream)
@@ -308,10 +319,10 @@ class Connection:
             self._opening = False
 
     async def _connect_stream(self, stream: Stream) -> None:
-        await open_medium(self._target, stream)
+        await self._runtime.open_medium(self._target, stream)
 
     async def _open_session(self, stream: Stream) -> None:
-        self._opened = self._loop.create_future()
+        self._opened = self._new_waiter()
         self._stream = stream
         stream.receiver, stream.on_pause = self, self._pause
         self._session.connect(self._now(), stream.shortest_timeout)
@@ -342,12 +353,12 @@ class Connection:
         self._go_on(self._session.disconnect(reason))
         self._session_ended(LinkLostError(reason))
         if self._reconnection is None:
-            self._reconnection = self._loop.create_task(self._reopen(reason, self._reconnect))
+            self._reconnection = self._runtime.create_task(self._reopen(reason, self._reconnect))
 
     def open_when_there(self) -> None:
         """Open as soon as the gateway is there, in a task of its own, as a lost connection is opened again."""
         if self._reconnection is None and self._reconnect is not None:
-            self._reconnection = self._loop.create_task(self._reopen("", self._reconnect))
+            self._reconnection = self._runtime.create_task(self._reopen("", self._reconnect))
 
     def _drop_stream(self) -> None:
         stream, self._stream = self._stream, None
@@ -361,13 +372,14 @@ class Connection:
         from tenacity import AsyncRetrying, RetryError, retry_if_exception_type
         from tenacity.wait import wait_exponential, wait_random
 
-        began, longest = self._loop.time(), reconnect.give_up_after
+        began, longest = self._now(), reconnect.give_up_after
         attempts = AsyncRetrying(
+            sleep=self._runtime.sleep,
             retry=retry_if_exception_type((ConnectError, UnansweredError)),
             wait=wait_exponential(reconnect.first_pause, reconnect.longest_pause)
             + wait_random(0, reconnect.first_pause),
             # The library's own limit looks at another clock than the loop's.
-            stop=lambda _: longest is not None and self._loop.time() - began >= longest,
+            stop=lambda _: longest is not None and self._now() - began >= longest,
             before_sleep=lambda state: self._failed_to_open(state.outcome.exception() if state.outcome else None),
         )
         try:
@@ -417,8 +429,7 @@ class Connection:
         stream, task = self._stream, self._reconnection
         self._end(LinkClosedError("the link was closed", Outcome.UNKNOWN))
         if task is not None:
-            task.cancel()
-            await asyncio.wait([task])
+            await self._runtime.finish(task)
         if stream is not None:
             await stream.close()
 

@@ -7,14 +7,14 @@
 from __future__ import annotations
 
 import contextlib
-from asyncio import CancelledError
-from collections.abc import Sequence
+import sys
+from numbers import Integral, Real
 from operator import index
-from typing import TYPE_CHECKING, Any, Literal, Self, cast
+from typing import TYPE_CHECKING, Any, Literal, Self
 
 import msgspec
-import numpy as np
 
+from unity_link import protocol
 from unity_link.errors import (
     ArgumentError,
     LinkLostError,
@@ -23,11 +23,12 @@ from unity_link.errors import (
     UnsupportedError,
 )
 from unity_link.link.connection import Connection, Reconnect, settle
+from unity_link.link.runtime import AsyncioRuntime
 from unity_link.link.subscription import Overflow, Publishing, Sample, Schedule, Subscription, check_addresses
 from unity_link.protocol.configuration import Feature
-from unity_link.protocol.messages import Codec, GroupFlag, Words
+from unity_link.protocol.messages import Codec, GroupFlag
 from unity_link.protocol.requests import Batch, Block, Fence, PostedFailure, Request, common_outcome
-from unity_link.transport import DriverUrl, parse_url, prepare
+from unity_link.transport import DriverUrl, parse_url
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Generator
@@ -35,6 +36,9 @@ if TYPE_CHECKING:
 
     from numpy.typing import ArrayLike, NDArray
 
+    from unity_link.link.runtime import Runtime
+    from unity_link.link.structured import Structured
+    from unity_link.protocol.arrays import Words
     from unity_link.transport import Medium
 
 SendImmediate = Literal["off", "always", "adaptive"]
@@ -80,9 +84,16 @@ class Link(Connection):
     Every call may raise `LinkLostError`, `BusError` and `BusTimeoutError`.
     """
 
-    def __init__(self, target: DriverUrl | Medium, reconnect: Reconnect | None, *, resumes: bool = False) -> None:
-        super().__init__(target, reconnect, resumes=resumes)
-        self._publishing = Publishing(self._session, self._go_on, self._answer)
+    def __init__(
+        self,
+        target: DriverUrl | Medium,
+        reconnect: Reconnect | None,
+        *,
+        resumes: bool = False,
+        runtime: Runtime | None = None,
+    ) -> None:
+        super().__init__(target, reconnect, resumes=resumes, runtime=runtime)
+        self._publishing = Publishing(self._session, self._runtime, self._go_on, self._answer)
         self._posted = False
         self._posted_error: UnityLinkError | None = None
         self._posted_failures = 0
@@ -153,20 +164,23 @@ class Link(Connection):
         codec = self._codec
         request = Request(codec, "R", codec.fields("R", address), codec.data_digits)
         # As `_answer` would: this is the most frequent call.
-        request.owner = waiter = self._loop.create_future()
+        request.owner = waiter = self._new_waiter()
         self._submit(request)
         try:
             word: int = await waiter
-        except CancelledError:
+        except BaseException:
             request.cancel()
             raise
         return word
 
     async def write(self, address: int, value: int) -> None:
         """Write `value` to `address`; when this returns it is on the bus."""
-        self._check_address(address)
-        self._check_word(value)
-        await self._ask("W", address, value)
+        if type(address) is not int or not 0 <= address <= self._highest_address:
+            self._check_address(address)
+        if type(value) is not int or not 0 <= value <= self._highest_word:
+            self._check_word(value)
+        codec = self._codec
+        await self._answer(Request(codec, "W", codec.fields("W", address, value), 0))
 
     async def write_masked(self, address: int, value: int, mask: int) -> int:
         """Replace the bits of a word that are 1 in `mask` by those of `value`, atomically.
@@ -193,15 +207,20 @@ class Link(Connection):
         It is executed exactly once and in order all the same. Its errors are raised by the next `fence`, or where the
         ``async with`` block of the link ends. On a half-duplex medium each write is answered, and this returns then.
         """
-        self._check_address(address)
-        self._check_word(value)
+        if type(address) is not int or not 0 <= address <= self._highest_address:
+            self._check_address(address)
+        if type(value) is not int or not 0 <= value <= self._highest_word:
+            self._check_word(value)
         codec = self._codec
         fields = codec.fields("WS", address, value)
         self._posted = True
         if self._takes_turns:
             await self._post_answered(Request(codec, "W", fields, 0))
-        else:
-            await self._post(Request(codec, "WS", fields, None))
+            return
+        request = Request(codec, "WS", fields, None)
+        self._submit(request)
+        if not request.sent:
+            await self._sent(request)
 
     async def fence(self) -> None:
         """Wait until everything that was asked for before has been executed.
@@ -312,7 +331,10 @@ class Link(Connection):
         if self._takes_turns:
             await self._post_answered(Batch(self._codec, "W", fields))
         else:
-            await self._post(Batch(self._codec, "WS", fields))
+            batch = Batch(self._codec, "WS", fields)
+            self._submit(batch)
+            if batch.sent != batch.count:
+                await self._sent(batch)
 
     # Publishing
 
@@ -371,7 +393,8 @@ class Link(Connection):
             (on_change, GroupFlag.ON_CHANGE),
         ):
             flags |= flag if wanted else GroupFlag(0)
-        several: ArrayLike = [int(addresses)] if isinstance(addresses, int | np.integer) else addresses
+        given: object = addresses
+        several: ArrayLike = [int(given)] if isinstance(given, Integral) else addresses
         where = check_addresses(self._addresses(several), self.gateway.group_words)
         schedule = Schedule(where, self._divisor(rate_hz, divisor), flags)
         return Subscription(self._publishing, schedule, buffer=buffer, overflow=overflow, callback=callback)
@@ -401,17 +424,14 @@ class Link(Connection):
         codec = self._codec
         await self._answer(Request(codec, command, codec.fields(command, *values), 0))
 
-    async def _post(self, posted: Request | Batch) -> None:
-        """Have posted writes sent; what has found room at once is not waited for."""
-        self._submit(posted)
-        if posted.sent == posted.count:
-            return
-        posted.owner = waiter = self._loop.create_future()
+    async def _sent(self, posted: Request | Batch) -> None:
+        """Wait until posted writes have found room."""
+        posted.owner = waiter = self._new_waiter()
         if posted.done:
             settle(posted)
         try:
             await waiter
-        except CancelledError:
+        except BaseException:
             posted.cancel()
             raise
 
@@ -423,14 +443,15 @@ class Link(Connection):
             self._note_posted(PostedFailure(error, 1))
 
     async def _read_words(self, command: str, address: int, count: int, step: int) -> Words:
+        # Imported here, not in the callback that takes the answer.
+        arrays = protocol.arrays
         codec, info = self._codec, self.gateway
         requests: list[Request] = []
         for start in range(0, count, info.block_words):
             part = min(info.block_words, count - start)
             fields = codec.fields(command, address + step * start, part)
             requests.append(Request(codec, command, fields, part * info.data_digits))
-        parts = await self._all(requests)
-        return parts[0] if len(parts) == 1 else np.concatenate(parts)
+        return arrays.joined(await self._all(requests))
 
     async def _write_words(self, command: str, address: int, words: Words, step: int) -> None:
         codec, most = self._codec, self.gateway.block_words
@@ -447,7 +468,7 @@ class Link(Connection):
             return [await self._answer(requests[0])]
         waiters = []
         for request in requests:
-            request.owner = self._loop.create_future()
+            request.owner = self._new_waiter()
             waiters.append(request.owner)
         self._submit(Block(requests))
         try:
@@ -476,11 +497,14 @@ class Link(Connection):
         if rate_hz is not None:
             if divisor is not None:
                 raise ArgumentError("a rate and a divisor were given, expected one of them")
-            if not isinstance(rate_hz, int | float | np.number):
+            given: object = rate_hz
+            if not isinstance(given, Real):
                 raise ArgumentError(f"a rate is a number of Hz, not {rate_hz!r:.80}")
             if not base / _LARGEST_DIVISOR <= rate_hz <= base:
                 lowest = base / _LARGEST_DIVISOR
-                raise ArgumentError(f"a rate of {rate_hz:g} Hz was asked for, expected {lowest:.3g} to {base:g} Hz")
+                raise ArgumentError(
+                    f"a rate of {float(rate_hz):g} Hz was asked for, expected {lowest:.3g} to {base:g} Hz"
+                )
             return round(base / rate_hz)
         if divisor is None:
             return 1
@@ -514,10 +538,12 @@ class Link(Connection):
             )
 
     def _addresses(self, addresses: ArrayLike) -> NDArray[Any]:
-        return _in_range(addresses, self._highest_address, "address")
+        return protocol.arrays.in_range(addresses, self._highest_address, "address")
 
     def _words(self, values: ArrayLike) -> Words:
-        return _in_range(values, self._highest_word, "value").astype(self._codec.word_type)
+        arrays = protocol.arrays
+        words = arrays.in_range(values, self._highest_word, "value")
+        return words.astype(arrays.word_type(self._codec.info.data_digits))
 
 
 def _whole(value: int, what: str) -> int:
@@ -528,24 +554,6 @@ def _whole(value: int, what: str) -> int:
         raise ArgumentError(f"{what} is a whole number, not {value!r:.80}") from None
 
 
-def _in_range(values: ArrayLike, highest: int, what: str) -> NDArray[Any]:
-    """Return whole numbers from 0 to `highest` as an array of one dimension."""
-    try:
-        array = np.asarray(values)
-        if array.dtype.kind not in "iub" and isinstance(values, Sequence):
-            # numpy makes fractions of words from 2**63 on that stand beside smaller ones.
-            array = np.array([index(cast("int", value)) for value in values], object)
-    except (TypeError, ValueError):
-        array = np.array(None)
-    if array.ndim != 1 or (array.size and array.dtype.kind not in "iubO"):
-        raise ArgumentError(f"a sequence of whole numbers was expected for each {what}, not {values!r:.80}")
-    if array.size:
-        low, high = int(array.min()), int(array.max())
-        if low < 0 or high > highest:
-            raise ArgumentError(f"{what} {low if low < 0 else high:#x} is not from 0 to {highest:#x}")
-    return array
-
-
 class Connecting:
     """What `connect` gives: await it for a `Link`, or use it as an async context manager."""
 
@@ -554,27 +562,55 @@ class Connecting:
         self._timeout = timeout
         self._reconnect = reconnect
         self._link: Link | None = None
+        self._structured: Structured | None = None
 
     def __await__(self) -> Generator[Any, None, Link]:
-        return self._open().__await__()
+        if _is_under_trio():
+            raise ArgumentError(
+                "under trio a link lives in a block: write `async with unity_link.connect(...) as link`"
+            )
+        return self.open(AsyncioRuntime()).__await__()
 
-    async def _open(self) -> Link:
+    async def open(self, runtime: Runtime) -> Link:
+        """Return an open link that something runs."""
         target = parse_url(self._target) if isinstance(self._target, str) else self._target
         if isinstance(target, DriverUrl):
-            await prepare(target)
-        link = Link(target, self._reconnect)
+            await runtime.prepare(target)
+        link = Link(target, self._reconnect, runtime=runtime)
         await link.open(self._timeout)
         return link
 
     async def __aenter__(self) -> Link:
-        self._link = await self._open()
+        if _is_under_trio():
+            self._link = await self._open_structured()
+        else:
+            self._link = await self.open(AsyncioRuntime())
         return self._link
 
     async def __aexit__(
         self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
     ) -> None:
         assert self._link is not None
-        await self._link.__aexit__(kind, error, trace)
+        try:
+            await self._link.__aexit__(kind, error, trace)
+        finally:
+            if self._structured is not None:
+                await self._structured.aclose()
+
+    async def _open_structured(self) -> Link:
+        from unity_link.link.structured import Structured
+
+        self._structured = await Structured().__aenter__()
+        try:
+            return await self.open(self._structured)
+        except BaseException:
+            await self._structured.aclose()
+            raise
+
+
+def _is_under_trio() -> bool:
+    trio = sys.modules.get("trio")
+    return trio is not None and bool(trio.lowlevel.in_trio_run())
 
 
 def connect(target: str | Medium, *, timeout: float = 5.0, reconnect: bool | Reconnect = False) -> Connecting:

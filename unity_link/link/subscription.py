@@ -6,15 +6,15 @@ stated size; a reader that is too slow loses the oldest, and is told how many, o
 
 from __future__ import annotations
 
-import asyncio
 import contextlib
 import time
 from collections import deque
+from operator import itemgetter
 from typing import TYPE_CHECKING, Any, Literal, Self
 
 import msgspec
-import numpy as np
 
+from unity_link import protocol
 from unity_link.errors import (
     ArgumentError,
     BusTimeoutError,
@@ -24,17 +24,21 @@ from unity_link.errors import (
     SamplesLostError,
     UnityLinkError,
 )
-from unity_link.protocol.exchange import Sampled, SampledRows
+from unity_link.protocol.exchange import Sampled, SampledRows, SampledTogether
 from unity_link.protocol.group_table import GroupBegun, GroupRefused, GroupStarted
-from unity_link.protocol.messages import Codec, GroupFlag, Words, parse_rows, parse_words
+from unity_link.protocol.messages import TIMESTAMP_DIGITS, Codec, GroupFlag
 from unity_link.protocol.requests import Request
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Coroutine
     from types import TracebackType
 
+    import numpy as np
     from numpy.typing import NDArray
 
+    from unity_link.link.runtime import Runtime, Waiter
+    from unity_link.link.samples_together import SamplesTogether
+    from unity_link.protocol.arrays import Words
     from unity_link.protocol.configuration import GatewayInfo
     from unity_link.protocol.group_table import HeldGroup
     from unity_link.protocol.requests import Events
@@ -42,11 +46,8 @@ if TYPE_CHECKING:
 
 Overflow = Literal["drop_oldest", "fail"]
 NOT_OPEN = "the subscription is not open: write `async with ...subscribe(...) as samples:`, or `with` in blocking code"
-_ROWS_TOGETHER = 64
-"""Samples whose words lie in one array: so many stay in memory where one of them is kept."""
-_HEAD = 5
+HEAD = 5
 """Characters before the fields of a publish: the letter, the group and the sequence."""
-_TIMESTAMP_DIGITS = 8
 RESET_TOLERANCE = 1
 """Seconds by which the clock of a gateway that was not reset may be off this machine's after an interruption."""
 
@@ -112,9 +113,10 @@ class GatewayClock:
         """Return the times of timestamps that arrived together, in order."""
         self.seconds(int(timestamps[0]), now)
         assert self._ticks is not None
-        wide = timestamps.astype(np.int64)
-        steps = (wide[1:] - wide[:-1] + 0x8000_0000 & 0xFFFF_FFFF) - 0x8000_0000
-        ticks = self._ticks + np.concatenate([[0], np.cumsum(steps)])
+        steps = timestamps.astype("int64")
+        steps[1:] = (steps[1:] - steps[:-1] + 0x8000_0000 & 0xFFFF_FFFF) - 0x8000_0000
+        steps[0] = self._ticks
+        ticks = steps.cumsum()
         self._ticks = int(ticks[-1])
         return ticks / self._frequency
 
@@ -132,6 +134,7 @@ class Publishing:
 
     Args:
         session: of the link.
+        runtime: what runs the link.
         go_on: does what follows from a call of the session.
         answer: has a request done, and returns its answer.
     """
@@ -139,6 +142,7 @@ class Publishing:
     def __init__(
         self,
         session: Session,
+        runtime: Runtime,
         go_on: Callable[[Events], None],
         answer: Callable[[Request], Coroutine[Any, Any, Any]],
     ) -> None:
@@ -147,16 +151,36 @@ class Publishing:
         self._session = session
         self._go_on = go_on
         self._answer = answer
-        self._loop = asyncio.get_running_loop()
+        self.runtime = runtime
         self._clock: GatewayClock | None = None
+        self._together: type[SamplesTogether] | None = None
+        """Imported with the first subscription, as it needs numpy."""
         self.handlers: dict[type, Callable[[Any], None]] = {
             Sampled: lambda event: event.owner.receive(event.body, event.arrived),
             SampledRows: lambda event: event.owner.receive_rows(event.bodies, event.arrived),
+            SampledTogether: self._receive_together,
             GroupBegun: lambda event: event.group.owner.restart(),
             GroupStarted: lambda event: event.group.owner.started(),
             GroupRefused: lambda event: event.group.owner.refused(event.error),
         }
         """What is to be called for each class of events."""
+
+    def _receive_together(self, event: SampledTogether) -> None:
+        """Take samples of several subscriptions that arrived together: the same as `receive` of each, in order."""
+        owners: list[Subscription] = event.owners
+        assert self._together is not None
+        now, samples = event.arrived, self._together(len(owners))
+        try:
+            for places, bodies in event.parts:
+                samples.parse(owners, places, bodies, self.info.data_digits)
+        except ValueError:
+            found = (item for places, bodies in event.parts for item in zip(places.tolist(), bodies, strict=True))
+            for place, body in sorted(found, key=itemgetter(0)):
+                owners[place].receive(body.tobytes(), now)
+            return
+        instants, arrived, epoch = samples.instants(self.clock, now), time.time(), self.epoch
+        for owner, sequence, instant, words in zip(owners, samples.sequences, instants, samples.words, strict=True):
+            owner.take_sample(sequence, instant, words, arrived, epoch)
 
     @property
     def epoch(self) -> int:
@@ -186,7 +210,7 @@ class Publishing:
             for group in self._session.groups.end():
                 group.owner.fail(error)
 
-    async def hold(self, subscription: Subscription, started: asyncio.Future[None]) -> HeldGroup:
+    async def hold(self, subscription: Subscription, started: Waiter) -> HeldGroup:
         """Take a free group and start it for a subscription; while there is no session, wait for one.
 
         Args:
@@ -197,25 +221,28 @@ class Publishing:
             UnsupportedError: where no group is free.
             LinkLostError: where the link ends.
         """
+        from unity_link.link.samples_together import SamplesTogether
+
+        self._together = SamplesTogether
         session, schedule = self._session, subscription.schedule
         if session.closed is not None:
             raise session.closed.about(Outcome.NOT_EXECUTED)
         group = session.hold(schedule.flags, schedule.divisor, schedule.addresses, subscription.length, subscription)
         try:
-            self._go_on(session.start(group, self._loop.time()))
+            self._go_on(session.start(group, self.runtime.time()))
             await started
         except BaseException:
             # Whatever of it was sent may still be executed.
-            _, events = session.release(group, self._loop.time())
+            _, events = session.release(group, self.runtime.time())
             self._go_on(events)
             raise
         return group
 
     async def release(self, group: HeldGroup) -> None:
         """Stop and release a group."""
-        request, events = self._session.release(group, self._loop.time())
+        request, events = self._session.release(group, self.runtime.time())
         if request is not None:
-            request.owner = waiter = self._loop.create_future()
+            request.owner = waiter = self.runtime.create_future()
             self._go_on(events)
             # A gateway that is gone has stopped it, also one behind a server, and one that was reset knows it no more.
             with contextlib.suppress(LinkLostError, BusTimeoutError, OutOfRangeError):
@@ -262,16 +289,18 @@ class Subscription:
         """Samples that arrived so far."""
         self.length = 0
         """Characters of a publish."""
+        self.words_at = HEAD
+        """How many of them stand before the words."""
         self._publishing = publishing
         self._buffer: deque[Sample] = deque()
         self._buffer_size = buffer
         self._overflow = overflow
         self._callback = callback
         self._dropped = 0
-        self._waiter: asyncio.Future[None] | None = None
+        self._waiter: Waiter | None = None
         self._entered = False
         self._group: HeldGroup | None = None
-        self._started: asyncio.Future[None] = asyncio.get_running_loop().create_future()
+        self._started: Waiter = publishing.runtime.create_future()
         self._error: UnityLinkError | None = None
         self._ended = False
         self._sequence = -1
@@ -297,13 +326,14 @@ class Subscription:
             raise ArgumentError("this subscription has been entered before: make another one by `subscribe`")
         self._entered = True
         timestamped = GroupFlag.TIMESTAMP in self.schedule.flags
-        self._words_at = _HEAD + (_TIMESTAMP_DIGITS if timestamped else 0)
-        self.length = self._words_at + self._publishing.info.data_digits * len(self.schedule.addresses)
+        self.words_at = HEAD + (TIMESTAMP_DIGITS if timestamped else 0)
+        self.length = self.words_at + self._publishing.info.data_digits * len(self.schedule.addresses)
         try:
             self._group = await self._publishing.hold(self, self._started)
         except BaseException:
             self._entered = False
             raise
+        self._publishing.runtime.attend()
         return self
 
     async def __aexit__(
@@ -313,6 +343,7 @@ class Subscription:
         self._wake()
         if self._group is not None:
             group, self._group = self._group, None
+            self._publishing.runtime.leave()
             await self._publishing.release(group)
 
     def __aiter__(self) -> Self:
@@ -349,7 +380,7 @@ class Subscription:
                 raise ArgumentError(NOT_OPEN)
             if self._waiter is not None:
                 raise ArgumentError("another task is already waiting for this subscription's next sample")
-            self._waiter = asyncio.get_running_loop().create_future()
+            self._waiter = self._publishing.runtime.create_future()
             try:
                 await self._waiter
             finally:
@@ -385,16 +416,29 @@ class Subscription:
         if len(body) != self.length:
             return
         try:
-            values = parse_words(body[self._words_at :], self._publishing.info.data_digits)
-            sequence = int(body[3:_HEAD], 16)
-            timestamp = int(body[_HEAD : self._words_at], 16) if self._words_at != _HEAD else None
+            values = protocol.arrays.parse_words(body[self.words_at :], self._publishing.info.data_digits)
+            sequence = int(body[3:HEAD], 16)
+            timestamp = int(body[HEAD : self.words_at], 16) if self.words_at != HEAD else None
         except ValueError:
             return
         instant = None if timestamp is None else self._publishing.clock.seconds(timestamp, now)
-        if self._came_before(sequence, instant):
-            return
-        lost = self._count_lost(sequence, instant)
-        self._keep(Sample(self._sequence, instant, time.time(), values, lost, self._publishing.epoch))
+        self.take_sample(sequence, instant, values, time.time(), self._publishing.epoch)
+
+    def take_sample(self, sequence: int, instant: float | None, words: Words, arrived: float, epoch: int) -> None:
+        """Take a sample of the group, whose sequence has two digits."""
+        if instant is None and not (sequence - self._sequence - 1) & 0xFF:
+            self._sequence += 1
+            sample = Sample(self._sequence, None, arrived, words, 0, epoch)
+            if self._callback is not None and self._error is None:
+                # As `_keep` would: this is on the way of every sample of groups that alternate.
+                self.received += 1
+                self._publishing.samples += 1
+                self._call(self._callback, sample)
+            else:
+                self._keep(sample)
+        elif not self._came_before(sequence, instant):
+            lost = self._count_lost(sequence, instant)
+            self._keep(Sample(self._sequence, instant, arrived, words, lost, epoch))
 
     def receive_rows(self, bodies: NDArray[np.uint8], now: float) -> None:
         """Take samples of the group that arrived together: the same as `receive` of each.
@@ -403,11 +447,12 @@ class Subscription:
             bodies: shape (n, length).
             now: when they arrived, on the loop's clock.
         """
-        digits, stamped = self._publishing.info.data_digits, self._words_at != _HEAD
+        digits, stamped = self._publishing.info.data_digits, self.words_at != HEAD
+        parse_rows = protocol.arrays.parse_rows
         try:
-            values = parse_rows(bodies[:, self._words_at :].reshape(-1, digits)).reshape(len(bodies), -1)
-            sequences = parse_rows(bodies[:, 3:_HEAD])
-            timestamps = parse_rows(bodies[:, _HEAD : self._words_at]) if stamped else None
+            values = parse_rows(bodies[:, self.words_at :].reshape(-1, digits)).reshape(len(bodies), -1)
+            sequences = parse_rows(bodies[:, 3:HEAD])
+            timestamps = parse_rows(bodies[:, HEAD : self.words_at]) if stamped else None
         except ValueError:
             for body in bodies:
                 self.receive(body.tobytes(), now)
@@ -435,7 +480,7 @@ class Subscription:
         self._keep_all(
             [
                 Sample(first + offset, instant, arrived, words, 0 if offset else lost, epoch)
-                for offset, (instant, words) in enumerate(zip(instants, _apart(values), strict=True))
+                for offset, (instant, words) in enumerate(zip(instants, protocol.arrays.apart(values), strict=True))
             ]
         )
 
@@ -443,12 +488,12 @@ class Subscription:
         self, sequences: NDArray[np.unsignedinteger], timestamps: NDArray[np.unsignedinteger] | None
     ) -> list[int]:
         """Return the places of the samples before which some may be missing, but for the first."""
-        steady = np.diff(sequences) == 1
+        steady = sequences[1:] - sequences[:-1] == 1
         if timestamps is not None and self._due_hz is not None:
             # Two digits may also have gone round.
-            due = np.diff(timestamps) * (self._due_hz / self._publishing.info.clock_hz)
+            due = (timestamps[1:] - timestamps[:-1]) * (self._due_hz / self._publishing.info.clock_hz)
             steady &= due < 0x80
-        places: list[int] = (np.flatnonzero(~steady) + 1).tolist()
+        places: list[int] = ((~steady).nonzero()[0] + 1).tolist()
         return places
 
     def _keep_all(self, samples: list[Sample]) -> None:
@@ -506,19 +551,11 @@ class Subscription:
         try:
             callback(sample)
         except Exception as error:  # noqa: BLE001  (it is the caller's own, and must not stop the link)
-            asyncio.get_running_loop().call_exception_handler(
-                {"message": "a subscription's callback raised", "exception": error}
-            )
+            self._publishing.runtime.report("a subscription's callback raised", error)
 
     def _wake(self) -> None:
         if self._waiter is not None and not self._waiter.done():
             self._waiter.set_result(None)
-
-
-def _apart(values: Words) -> list[Words]:
-    """Return the rows of an array, of which no more than a few stay in memory together."""
-    starts = range(0, len(values), _ROWS_TOGETHER)
-    return [row for start in starts for row in values[start : start + _ROWS_TOGETHER].copy()]
 
 
 _COUNTED = GroupFlag.PERIODIC | GroupFlag.TRIGGER | GroupFlag.ON_CHANGE

@@ -2,8 +2,8 @@
 
 It is not reflected, its initial value is 0, and there is no final xor.
 
-The usual polynomials are computed by fastcrc; every other one by a table of 256 remainders. With an initial value of 0
-the CRC is linear, so the CRC of many rows of equal length is one table look-up a column and an xor over the columns.
+The usual polynomials are computed by fastcrc; every other one by a table of 256 remainders. `arrays` has the CRC of
+many rows of equal length.
 """
 
 from __future__ import annotations
@@ -12,12 +12,9 @@ from functools import lru_cache
 from typing import TYPE_CHECKING
 
 import fastcrc
-import numpy as np
 
 if TYPE_CHECKING:
     from collections.abc import Callable
-
-    from numpy.typing import NDArray
 
 _COMPILED: dict[tuple[int, int], Callable[[bytes], int]] = {
     (8, 0x07): fastcrc.crc8.smbus,
@@ -25,8 +22,6 @@ _COMPILED: dict[tuple[int, int], Callable[[bytes], int]] = {
     # CKSUM is this CRC with a final xor.
     (32, 0x04C11DB7): lambda data: fastcrc.crc32.cksum(data) ^ 0xFFFFFFFF,
 }
-_DTYPES: dict[int, type[np.unsignedinteger]] = {8: np.uint8, 16: np.uint16, 32: np.uint32}
-_NIBBLE_TO_ASCII = np.frombuffer(b"0123456789ABCDEF", np.uint8)
 
 
 class Crc:
@@ -42,7 +37,7 @@ class Crc:
     """
 
     def __init__(self, bits: int = 16, polynomial: int = 0x1021) -> None:
-        if bits not in _DTYPES:
+        if bits not in (8, 16, 32):
             raise ValueError(f"a CRC has 8, 16 or 32 bits, not {bits}")
         if not 0 < polynomial < 1 << bits:
             raise ValueError(f"the polynomial {polynomial:#x} does not fit in a CRC of {bits} bits")
@@ -60,16 +55,8 @@ class Crc:
         texts = [layout % value for value in range(256)]
         return lambda data: texts[of(data)]
 
-    def of_rows(self, rows: NDArray[np.uint8]) -> NDArray[np.uint8]:
-        """Return the CRC of each row of bytes, shape (n, length), as hex digits, shape (n, digits)."""
-        table = _column_table(self.bits, self.polynomial, rows.shape[1])
-        crcs = np.bitwise_xor.reduce(table[np.arange(rows.shape[1]), rows], axis=1)
-        shifts = np.arange(self.bits - 4, -1, -4, dtype=crcs.dtype)
-        digits: NDArray[np.uint8] = _NIBBLE_TO_ASCII[(crcs[:, None] >> shifts) & 15]
-        return digits
-
     def _by_table(self, data: bytes) -> int:
-        table, shift, mask = _byte_table(self.bits, self.polynomial), self.bits - 8, (1 << self.bits) - 1
+        table, shift, mask = byte_table(self.bits, self.polynomial), self.bits - 8, (1 << self.bits) - 1
         crc = 0
         for byte in data:
             crc = (crc << 8 & mask) ^ table[crc >> shift ^ byte]
@@ -77,7 +64,7 @@ class Crc:
 
 
 @lru_cache
-def _byte_table(bits: int, polynomial: int) -> list[int]:
+def byte_table(bits: int, polynomial: int) -> list[int]:
     """Return the CRC of each single byte."""
     top, mask = 1 << bits - 1, (1 << bits) - 1
     table = []
@@ -87,16 +74,3 @@ def _byte_table(bits: int, polynomial: int) -> list[int]:
             crc = (crc << 1 & mask) ^ (polynomial if crc & top else 0)
         table.append(crc)
     return table
-
-
-@lru_cache(maxsize=64)
-def _column_table(bits: int, polynomial: int, length: int) -> NDArray[np.unsignedinteger]:
-    """Return what each byte at each column of a row adds to the row's CRC, shape (length, 256)."""
-    step = np.array(_byte_table(bits, polynomial), _DTYPES[bits])
-    columns = np.empty((length, 256), _DTYPES[bits])
-    columns[-1] = step
-    for column in range(length - 2, -1, -1):
-        after = columns[column + 1]
-        # One more zero byte behind: the remainder moves up by eight bits.
-        columns[column] = (after << 8 if bits > 8 else 0) ^ step[after >> bits - 8]
-    return columns

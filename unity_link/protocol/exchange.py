@@ -4,26 +4,27 @@ What must wait for room in the window waits in one line; a source with more to s
 its turn, so that a batch of thousands does not hold up the others. Samples that arrive among the responses are told to
 belong to whatever their group is for at that point of the stream.
 
-Two ways lead through `Exchange.receive`. A line is looked at by itself; and where the answers to a batch, or samples of
-one group, stand side by side, numpy takes as many as are exactly what is expected. What it leaves, the slow way takes.
+Three ways lead through `Exchange.receive`. A line is looked at by itself; where some answers to a batch stand side by
+side, the window is told of them together; and where many do, or samples, numpy takes as many as are exactly what is
+expected. What one leaves, the next takes.
 """
 
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-import numpy as np
-
+from unity_link import protocol
 from unity_link.errors import UnansweredError, UnsupportedError
 from unity_link.protocol.configuration import Feature
 from unity_link.protocol.constants import KEEP_ALIVE
 from unity_link.protocol.frames import LF, FrameError, OtherNodeError
-from unity_link.protocol.messages import ErrorCode
+from unity_link.protocol.messages import COMMANDS, WITHOUT_ID, ErrorCode
 from unity_link.protocol.requests import BatchRun, Fence, Request, gateway_error
 
 if TYPE_CHECKING:
     from collections import deque
 
+    import numpy as np
     from numpy.typing import NDArray
 
     from unity_link.protocol.group_table import GroupTable
@@ -31,12 +32,12 @@ if TYPE_CHECKING:
     from unity_link.protocol.requests import Events, Message, Source
     from unity_link.protocol.window import Window
 
-FEWEST_ROWS = 8
+FEWEST_ROWS = 16
 """Answers of a batch that are worth a turn of numpy."""
 FEWEST_BYTES = 64
 """Fewer bytes than so many answers have."""
 FEWEST_SAMPLES = 12
-"""Samples of one group, side by side, that are worth a turn of numpy."""
+"""Samples, side by side, that are worth a turn of numpy."""
 
 
 class Sampled(NamedTuple):
@@ -55,6 +56,16 @@ class SampledRows(NamedTuple):
     owner: Any
     bodies: NDArray[np.uint8]
     """Shape (n, length)."""
+    arrived: float
+
+
+class SampledTogether(NamedTuple):
+    """Event: samples of several groups have come, side by side."""
+
+    owners: list[Any]
+    """In the order of the samples."""
+    parts: list[tuple[NDArray[np.intp], NDArray[np.uint8]]]
+    """For each length: the places of the samples of that length among all, and their bodies, shape (n, length)."""
     arrived: float
 
 
@@ -107,10 +118,15 @@ class Exchange:
         self._open = codec.framing.open
         self._sample = codec.framing.prefix + b"P"
         """What samples begin with, which say nothing about requests."""
-        # An empty frame, so that damage to the end of the last one is found; where sides take turns, that one is alone.
-        self._repetition_end = b"" if Feature.HALF_DUPLEX in codec.info.features else LF
+        self._end = b"" if Feature.HALF_DUPLEX in codec.info.features else LF
+        """An empty frame, so that damage to the end of the last one is found; where sides take turns, that is alone."""
         self._batching = False
         """Whether answers to many requests may be under way."""
+        self._sizes = _answer_sizes(codec)
+        self._error_size = self._sizes[b"X"]
+        if not self._end:
+            # So begins a sample whose first letter was damaged, too; where sides take turns, its end is waited for.
+            del self._sizes[b"X"]
 
     # Requests
 
@@ -123,9 +139,11 @@ class Exchange:
             and (window.oldest == window.next or window.room(source.size, posted=source.posted))
         ):
             source.sent = True
-            self._number(source, now)
-            if source.posted:
-                self._fence(now)
+            self._counters.requests += 1
+            window.send(source, now)
+            self._send(source.encode(0, 1))
+            if source.posted and window.needs_fence(now):
+                self._confirm(now)
             return
         if isinstance(source, Fence):
             source.follow(self._waiting)
@@ -167,7 +185,10 @@ class Exchange:
     def _fence(self, now: float) -> None:
         """Confirm posted writes by an ``h`` where it is time."""
         if self.window.needs_fence(now):
-            self._number(Request(self.codec, "H", b"", 0), now)
+            self._confirm(now)
+
+    def _confirm(self, now: float) -> None:
+        self._number(Request(self.codec, "H", b"", 0), now)
 
     def go_on(self, now: float, events: Events) -> None:
         """Send what answers have made room for, or shown to be lost."""
@@ -190,8 +211,13 @@ class Exchange:
                 frames = run.encode(offset, count)
             self._send(frames)
             repeated = True
-        if repeated:
-            self._send(self._repetition_end)
+        if repeated and not self.window.loses:
+            self._send(self._end)
+
+    def end_output(self) -> None:
+        """End what was sent together: on a line that loses, nothing may follow it for long."""
+        if self.window.loses:
+            self._send(self._end)
 
     # Responses
 
@@ -214,13 +240,17 @@ class Exchange:
                 sampling = start != before
             end = data.find(b"\n", start)
             if end < 0:
-                break
-            if end != start:
-                self._receive_line(data[start:end], now, events)
+                dropped = self._drop_endless(data[start:], now)
+                if not dropped:
+                    break
+                start += dropped
+            elif end != start:
+                after = self._receive_few(data, start, now, events) if self._batching else start
+                start = after if after != start else start + self._receive_line(data[start:end], now, events)
             else:
                 # A server's sign that what was repeated is still under way.
                 window.heard = True
-            start = end + 1
+                start += 1
             if start == len(data) or self.refused is not None:
                 break
         if start != len(data) and not data.startswith(self._sample, start):
@@ -251,36 +281,121 @@ class Exchange:
             window.answered(number, taken, now)
             start += taken * run.reply_size
 
+    def _receive_few(self, data: bytes, start: int, now: float, events: Events) -> int:
+        """Take answers to a batch one by one, and tell the window of all that stand side by side in order."""
+        window, mask, run = self.window, self.codec.ring - 1, None
+        first = count = 0
+        while (end := data.find(b"\n", start)) >= 0:
+            try:
+                body = self._open(data[start:end])
+            except FrameError:
+                break
+            after = 1 + self._id_digits
+            number = self._id_number.get(body[1:after])
+            if number is None:
+                break
+            if not count:
+                first, run = number, window.find(number)
+            if (
+                not isinstance(run, BatchRun)
+                or number != first + count & mask
+                or window.find(number) is not run
+                or not run.accept(number - run.first & mask, body, after, events)
+            ):
+                break
+            count += 1
+            start = end + 1
+        if count:
+            window.heard = True
+            self._counters.responses += count
+            window.answered(first, count, now)
+        return start
+
     def _receive_samples(self, data: bytes, start: int, now: float, events: Events) -> int:
-        """Take the samples of a group as long as they stand side by side; return where they end."""
+        """Take samples as long as they stand side by side; return where they end."""
         framing = self.codec.framing
         head = data[start : start + len(framing.prefix) + 3]
         group = self._groups.begun.get(head[-2:])
-        if group is None or head != self._sample + group.text:
+        if group is None or not group.length or head != self._sample + group.text:
             return start
         size = group.length + framing.overhead
-        count = (len(data) - start) // size if size > framing.overhead else 0
+        count = (len(data) - start) // size
         if count < FEWEST_SAMPLES:
             return start
-        rows = np.frombuffer(data, np.uint8, count * size, start).reshape(count, size)
-        bodies = framing.open_rows(rows, head)
+        if not data.startswith(head, start + size):
+            return self._receive_mixture(data, start, now, events)
+        # Imported since the group was asked for.
+        arrays = protocol.arrays
+        bodies = arrays.open_rows(framing, arrays.rows_of(data, start, count, size), head)
         if len(bodies) < FEWEST_SAMPLES:
-            return start
+            return self._receive_mixture(data, start, now, events)
         events.append(SampledRows(group.owner, bodies, now))
         return start + len(bodies) * size
 
-    def _receive_line(self, line: bytes, now: float, events: Events) -> None:
+    def _receive_mixture(self, data: bytes, start: int, now: float, events: Events) -> int:
+        """Take samples of several groups as long as they stand side by side; return where they end."""
+        found = protocol.mixture.find_mixture(data, start, self.codec.framing, self._groups.begun)
+        if found is None or len(found.owners) < FEWEST_SAMPLES:
+            return start
+        events.append(SampledTogether(found.owners, found.parts, now))
+        return start + found.size
+
+    def _receive_line(self, line: bytes, now: float, events: Events) -> int:
+        """Take what stands before an LF; return where the next frame begins."""
         try:
             body = self._open(line)
         except OtherNodeError:
             self._counters.stray += 1
-            return
         except FrameError:
-            self._counters.damaged += 1
-            if not line.startswith(self._sample):
-                self.window.heard = True
-                self.window.answer_damaged(now)
-            return
+            return self._cut(line, self._size_of(line), now)
+        else:
+            if line[-1] == _CR:
+                # Without a check, its length is what tells a plain frame from damaged ones.
+                size = self._size_of(line)
+                if size is not None and len(line) >= size:
+                    return self._cut(line, size, now)
+            self._receive_body(body, now, events)
+        return len(line) + 1
+
+    def _cut(self, line: bytes, size: int | None, now: float) -> int:
+        """Take a damaged frame from the beginning of a line; return where the next frame begins."""
+        self._damaged(line, now)
+        return len(line) + 1 if size is None else min(size, len(line) + 1)
+
+    def _drop_endless(self, rest: bytes, now: float) -> int:
+        """Drop a frame about a request without its LF where that should stand; return the length of what is dropped."""
+        # No request waits for a sample: its end may come with what follows it.
+        size = None if rest.startswith(self._sample) else self._size_of(rest)
+        if size is None or len(rest) < size:
+            return 0
+        return self._cut(rest, size, now)
+
+    def _damaged(self, frame: bytes, now: float) -> None:
+        self._counters.damaged += 1
+        # What is as short as an error is one of which the X was damaged: one bit makes a P of it.
+        if len(frame) < self._error_size or not frame.startswith(self._sample):
+            self.window.heard = True
+            self.window.answer_damaged(now)
+
+    def _size_of(self, frame: bytes) -> int | None:
+        """Return how many characters a frame has, LF included, as its beginning says; None where that does not."""
+        framing = self.codec.framing
+        if not frame.startswith(framing.prefix):
+            return None
+        head = frame[len(framing.prefix) : len(framing.prefix) + 2 + self._id_digits]
+        if head.startswith(b"P"):
+            group = self._groups.begun.get(head[1:3])
+            return group.length + framing.overhead if group is not None and group.length else None
+        letters = head[: 2 if head[1:2] >= b"g" else 1]
+        size = self._sizes.get(letters)
+        if size is None:
+            number = self._id_number.get(head[len(letters) : len(letters) + self._id_digits])
+            run = None if number is None else self.window.find(number)
+            if run is not None and self.codec.lower[run.command] == letters:
+                size = run.reply_size or None
+        return size
+
+    def _receive_body(self, body: bytes, now: float, events: Events) -> None:
         if len(body) < 2:
             self._counters.stray += 1
         elif body[0] >= _LOWER_G:
@@ -368,7 +483,7 @@ class Exchange:
         self._fence(now)
         keep_alive_due = self._keep_alive_due
         if keep_alive_due is not None and now >= keep_alive_due:
-            self._number(Request(self.codec, "H", b"", 0), now)
+            self._confirm(now)
 
     def _place(self, run: Message) -> int:
         """Return the place in its run of the oldest message that waits for an answer."""
@@ -381,9 +496,20 @@ class Exchange:
         run.fail_part(place, run.count - place, error, events)
 
 
+def _answer_sizes(codec: Codec) -> dict[bytes, int]:
+    """Return the characters of all frames about requests, by their letters, of which each has as many as the other."""
+    head = codec.framing.overhead + 1
+    sizes = {b"X": head + 2, b"x": head + codec.info.id_digits + 2, b"n": head + codec.info.id_digits}
+    for name, row in COMMANDS.items():
+        if name not in WITHOUT_ID and name != "WS" and "D" not in row.reads:
+            sizes[codec.lower[name]] = codec.head_sizes[name] + (codec.data_digits if row.reads else 0)
+    return sizes
+
+
 _LOWER_G, _UPPER_G = ord("g"), ord("G")
 _LOWER_H, _LOWER_N, _LOWER_X = b"hnx"
 _P, _X = b"PX"
+_CR = b"\r"[0]
 _NO_SESSION = b"%02X" % ErrorCode.NO_SESSION
 
 

@@ -11,11 +11,7 @@ import functools
 import re
 from typing import TYPE_CHECKING
 
-import numpy as np
-
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
-
     from unity_link.protocol.crc import Crc
 
 LF = b"\n"
@@ -86,21 +82,6 @@ class Framing:
                 raise OtherNodeError(f"not from node {self.prefix[1:].decode()}: {line[:80]!r}")
             return covered[len(self.prefix) :]
         return covered
-
-    def open_rows(self, rows: NDArray[np.uint8], head: bytes) -> NDArray[np.uint8]:
-        """Return the bodies of checked frames of one length that stand side by side, up to the first that is none.
-
-        Args:
-            rows: the frames with their LF, shape (n, length).
-            head: what all of them begin with, the prefix among it.
-        """
-        end = rows.shape[1] - self.crc.digits - len(LF)
-        sound = (rows[:, -1:] == LF[0]).all(axis=1) & (rows[:, : len(head)] == np.frombuffer(head, np.uint8)).all(
-            axis=1
-        )
-        sound &= (rows[:, end : -len(LF)] == self.crc.of_rows(rows[:, :end])).all(axis=1)
-        count = len(rows) if sound.all() else int(sound.argmin())
-        return rows[:count, len(self.prefix) : end]
 
 
 def datagrams(data: bytes, room: int = LARGEST_DATAGRAM) -> list[bytes]:

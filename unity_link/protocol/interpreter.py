@@ -14,12 +14,13 @@ from unity_link.protocol.configuration import GatewayInfo
 from unity_link.protocol.frames import CR, FrameError, Framing
 from unity_link.protocol.messages import (
     COMMANDS,
+    TIMESTAMP_DIGITS,
     Codec,
     DecodedRequest,
     DecodedResponse,
     GroupFlag,
     RequestError,
-    parse_words,
+    parse_numbers,
 )
 from unity_link.protocol.numbers import Format, address_text, as_decimal, feature_names, in_form, in_words
 
@@ -39,7 +40,6 @@ ERRORS = {
     10: "no session has begun since the gateway's reset: begin with {session}",
 }
 _MODES = {0: "off", 1: "always", 2: "adaptive"}
-_TIMESTAMP_DIGITS = 8
 # {a} address, {d} word, {n} count, {D} words, {g} group, {s} mode, {i} ID; what a response lacks is from its request.
 _TEXTS = {
     "R": "read of {a}: {d}",
@@ -291,9 +291,9 @@ class Interpreter:
         info = self._codec.info
         time = ""
         if flags & GroupFlag.TIMESTAMP:
-            time = f" at {int(text[:_TIMESTAMP_DIGITS], 16) / info.clock_hz:.6f} s"
-            text = text[_TIMESTAMP_DIGITS:]
-        words = parse_words(text, info.data_digits).tolist()
+            time = f" at {int(text[:TIMESTAMP_DIGITS], 16) / info.clock_hz:.6f} s"
+            text = text[TIMESTAMP_DIGITS:]
+        words = parse_numbers(text, info.data_digits)
         pairs = zip(addresses, words, strict=True)
         shown = ", ".join(
             f"{address_text(address, info)} = {as_decimal(word, info.data_bits)}" for address, word in pairs

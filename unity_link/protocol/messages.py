@@ -13,12 +13,11 @@ from __future__ import annotations
 import enum
 import functools
 import re
+import struct
 from binascii import hexlify, unhexlify
-from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
+from typing import TYPE_CHECKING, Any, NamedTuple
 
-import numpy as np
-from numpy.typing import ArrayLike, NDArray
-
+from unity_link import protocol
 from unity_link.protocol.configuration import Feature, GatewayInfo
 from unity_link.protocol.crc import Crc
 from unity_link.protocol.frames import Framing
@@ -26,7 +25,7 @@ from unity_link.protocol.frames import Framing
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-Words: TypeAlias = NDArray[np.unsignedinteger[Any]]
+    from numpy.typing import NDArray
 
 
 class Repetition(enum.Enum):
@@ -70,10 +69,10 @@ COMMANDS: dict[str, Command] = {
     "Q": Command(""),
     "K": Command("i", "i"),
 }
+TIMESTAMP_DIGITS = 8
+"""Hex digits of the time in a sample."""
 WITHOUT_ID = frozenset({"Q", "K"})
 LISTS = {"D": "d", "A": "a"}
-_FEWEST_ROWS = 20
-"""Frames that are worth a turn of numpy."""
 
 
 class ErrorCode(enum.IntEnum):
@@ -131,6 +130,8 @@ class DecodedResponse(NamedTuple):
     fields: dict[str, Any]
 
 
+_PACKED = {2: "B", 4: "H", 8: "I", 16: "Q"}
+"""How `struct` packs numbers of so many hex digits."""
 _LETTERS = re.compile(rb"([G-Z]+|[g-z]+)(?![G-Zg-z])")
 _HEX = re.compile(rb"[0-9A-Fa-f]*")
 
@@ -160,8 +161,7 @@ class Codec:
             "s": 2,
             "i": info.id_digits,
         }
-        self.id_text, self.id_number, self._id_rows = _id_tables(info.id_digits)
-        self.word_type: np.dtype[np.unsignedinteger[Any]] = _FORMS[info.data_digits].held
+        self.id_text, self.id_number = _id_tables(info.id_digits)
         self.lower = {name: name.lower().encode() for name in COMMANDS}
         """The commands as they stand before an ID."""
         overhead = self.framing.overhead + info.id_digits
@@ -173,83 +173,15 @@ class Codec:
     # Requests, host to gateway
 
     def fields(self, command: str, *values: Any) -> bytes:
-        """Return the fields of a request as hex digits. A list of words or addresses is given as an array."""
+        """Return the fields of a request as hex digits. A list of words or addresses is a sequence or an array."""
         layout, digits = self._layouts[command]
         if digits:
-            return layout % (*values[:-1], hex_rows(values[-1], digits).tobytes())
+            return layout % (*values[:-1], hex_text(values[-1], digits))
         return layout % values
 
     def request(self, command: str, number: int, fields: bytes) -> bytes:
         """Return the checked frame of a request with an ID."""
         return self.framing.checked(self.lower[command] + self.id_text[number] + fields)
-
-    def request_rows(self, command: str, first: int, fields: NDArray[np.uint8]) -> bytes:
-        """Return the checked frames of many requests of one command under consecutive IDs.
-
-        Args:
-            command: the command, in upper case.
-            first: ID of the first.
-            fields: hex digits of the fields, shape (n, width).
-        """
-        count = len(fields)
-        if count < _FEWEST_ROWS:
-            # A turn of numpy costs as much as so many frames.
-            numbers = range(first, first + count)
-            return b"".join(
-                self.request(command, number & self.ring - 1, row.tobytes())
-                for number, row in zip(numbers, fields, strict=True)
-            )
-        head = np.frombuffer(self.framing.prefix + self.lower[command], np.uint8)
-        ids = self._id_rows.take(np.arange(first, first + count), axis=0, mode="wrap")
-        covered = np.concatenate((np.broadcast_to(head, (count, len(head))), ids, fields), axis=1)
-        ends = np.full((count, 1), 10, np.uint8)
-        return np.concatenate((covered, self.framing.crc.of_rows(covered), ends), axis=1).tobytes()
-
-    def matching_rows(self, command: str, first: int, data: bytes, digits: int) -> NDArray[np.uint8]:
-        """Check frames of one command under consecutive IDs, be they requests or responses.
-
-        Args:
-            command: the command, in upper case.
-            first: ID of the first.
-            data: whole frames of equal size.
-            digits: characters between the ID and the CRC.
-
-        Returns:
-            These characters, shape (n, digits), of the frames up to the first that is anything else than expected.
-        """
-        head = np.frombuffer(self.framing.prefix + self.lower[command], np.uint8)
-        crc_digits = self.framing.crc.digits
-        before = len(head) + self.info.id_digits
-        rows = np.frombuffer(data, np.uint8).reshape(-1, before + digits + crc_digits + 1)
-        ids = self._id_rows.take(np.arange(first, first + len(rows)), axis=0, mode="wrap")
-        good = (rows[:, : len(head)] == head).all(axis=1)
-        good &= (rows[:, len(head) : before] == ids).all(axis=1)
-        good &= (rows[:, -1 - crc_digits : -1] == self.framing.crc.of_rows(rows[:, : before + digits])).all(axis=1)
-        good &= rows[:, -1] == 10
-        return rows[: len(rows) if good.all() else int(good.argmin()), before : before + digits]
-
-    def response_rows(self, command: str, first: int, data: bytes, digits: int) -> Words | None:
-        """Read the responses to many requests of one command under consecutive IDs, as long as they are as expected.
-
-        Args:
-            command: the command, in upper case.
-            first: ID of the first.
-            data: whole frames of equal size.
-            digits: hex digits after the ID: those of one word, or 0.
-
-        Returns:
-            The words of the frames up to the first that is anything else than the expected response (zeros where
-            `digits` is 0), or None where there is none.
-        """
-        rows = self.matching_rows(command, first, data, digits)
-        if not len(rows):
-            return None
-        if not digits:
-            return np.zeros(len(rows), self.word_type)
-        try:
-            return parse_rows(rows)
-        except ValueError:
-            return None
 
     # Requests, as a gateway reads them
 
@@ -315,7 +247,7 @@ class Codec:
         found, rest = divmod(len(text), digits)
         if rest or (found != count if count is not None else not 1 <= found <= 255):
             raise RequestError(ErrorCode.MALFORMED)
-        return parse_words(text, digits).tolist() if found else []
+        return parse_numbers(text, digits)
 
     # Responses
 
@@ -330,7 +262,7 @@ class Codec:
             return head
         if isinstance(reads, int):
             return head + b"%0*X" % (self.info.data_digits, reads)
-        return head + hex_rows(reads, self.info.data_digits).tobytes()
+        return head + hex_text(reads, self.info.data_digits)
 
     def _echo(self, row: Command, values: tuple[Any, ...]) -> bytes:
         by_letter = dict(zip(row.fields, values, strict=True))
@@ -346,10 +278,10 @@ class Codec:
         """Return the body of the message that tells the next ID expected."""
         return b"n" + self.id_text[expected]
 
-    def publish(self, group: int, sequence: int, timestamp: int | None, words: ArrayLike) -> bytes:
+    def publish(self, group: int, sequence: int, timestamp: int | None, words: Sequence[int] | NDArray[Any]) -> bytes:
         """Return the body of a published sample; `timestamp` counts clock ticks modulo 2**32."""
-        time = b"" if timestamp is None else b"%08X" % timestamp
-        return b"P%02X%02X%b%b" % (group, sequence, time, hex_rows(words, self.info.data_digits).tobytes())
+        time = b"" if timestamp is None else b"%0*X" % (TIMESTAMP_DIGITS, timestamp)
+        return b"P%02X%02X%b%b" % (group, sequence, time, hex_text(words, self.info.data_digits))
 
     def decode_response(self, body: bytes) -> DecodedResponse:
         """Read any message of a gateway, for people and tests; a link reads the frequent ones by shorter ways.
@@ -390,63 +322,32 @@ class Codec:
 
 
 @functools.cache
-def _id_tables(digits: int) -> tuple[list[bytes], dict[bytes, int], NDArray[np.uint8]]:
-    """Return the IDs of so many digits as text, their numbers by it, and their digits, shape (ring, digits).
+def _id_tables(digits: int) -> tuple[list[bytes], dict[bytes, int]]:
+    """Return the IDs of so many digits as text, and their numbers by it.
 
     Made once, not at each connection: with three digits there are thousands.
     """
     texts = [b"%0*X" % (digits, number) for number in range(16**digits)]
-    rows = np.frombuffer(b"".join(texts), np.uint8).reshape(16**digits, digits)
-    return texts, {text: number for number, text in enumerate(texts)}, rows
+    return texts, {text: number for number, text in enumerate(texts)}
 
 
-class _Form(NamedTuple):
-    """How numpy holds numbers of so many hex digits: in the smallest integers that can."""
-
-    padding: int
-    """Digits that are missing to whole ones."""
-    sent: np.dtype[np.unsignedinteger[Any]]
-    held: np.dtype[np.unsignedinteger[Any]]
-
-
-def _form(digits: int) -> _Form:
-    octets = next(size for size in (1, 2, 4, 8) if 2 * size >= digits)
-    return _Form(2 * octets - digits, np.dtype(f">u{octets}"), np.dtype(f"u{octets}"))
+def hex_text(numbers: Sequence[int] | NDArray[Any], digits: int) -> bytes:
+    """Return numbers side by side as upper-case hex digits."""
+    if not isinstance(numbers, (list, tuple)):
+        return protocol.arrays.hex_rows(numbers, digits).tobytes()
+    if digits in _PACKED:
+        return hexlify(struct.pack(f">{len(numbers)}{_PACKED[digits]}", *numbers)).upper()
+    return b"%%0%dX" % digits * len(numbers) % tuple(numbers)
 
 
-_FORMS = {digits: _form(digits) for digits in range(1, 17)}
-
-
-def hex_rows(values: ArrayLike, digits: int) -> NDArray[np.uint8]:
-    """Return numbers as upper-case hex digits, shape (n, digits)."""
-    form = _FORMS[digits]
-    # Without a type, numpy makes floats of a list that holds both small numbers and some of 64 bits.
-    numbers = values if isinstance(values, np.ndarray) else np.asarray(values, np.uint64)
-    raw = numbers.astype(form.sent, copy=False).tobytes()
-    return np.frombuffer(hexlify(raw).upper(), np.uint8).reshape(-1, digits + form.padding)[:, form.padding :]
-
-
-def parse_rows(rows: NDArray[np.uint8]) -> Words:
-    """Read numbers from hex digits, shape (n, digits).
-
-    Raises:
-        ValueError: where a character is no hex digit.
-    """
-    form = _FORMS[rows.shape[1]]
-    if form.padding:
-        padded = np.full((len(rows), form.padding + rows.shape[1]), ord("0"), np.uint8)
-        padded[:, form.padding :] = rows
-        rows = padded
-    return np.frombuffer(unhexlify(rows.tobytes()), form.sent).astype(form.held)
-
-
-def parse_words(text: bytes, digits: int) -> Words:
+def parse_numbers(text: bytes, digits: int) -> list[int]:
     """Read the numbers of `digits` hex digits each that stand side by side in `text`.
 
     Raises:
         ValueError: where a character is no hex digit, or the last number is cut.
     """
-    form = _FORMS[digits]
-    if form.padding:
-        return parse_rows(np.frombuffer(text, np.uint8).reshape(-1, digits))
-    return np.frombuffer(unhexlify(text), form.sent).astype(form.held)
+    if len(text) % digits or (digits not in _PACKED and not _HEX.fullmatch(text)):
+        raise ValueError(f"numbers of {digits} hex digits were expected, not {text[:80]!r}")
+    if digits in _PACKED:
+        return list(struct.unpack(f">{len(text) // digits}{_PACKED[digits]}", unhexlify(text)))
+    return [int(text[start : start + digits], 16) for start in range(0, len(text), digits)]

@@ -13,8 +13,7 @@ from __future__ import annotations
 from collections import deque
 from typing import TYPE_CHECKING, Any, NamedTuple, Protocol
 
-import numpy as np
-
+from unity_link import protocol
 from unity_link.errors import (
     AnswerLostError,
     BusError,
@@ -25,13 +24,16 @@ from unity_link.errors import (
     UnansweredError,
     UnityLinkError,
 )
-from unity_link.protocol.messages import Codec, Words, hex_rows, parse_words
 from unity_link.protocol.window import Run
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Sequence
 
+    import numpy as np
     from numpy.typing import NDArray
+
+    from unity_link.protocol.arrays import Words
+    from unity_link.protocol.messages import Codec
 
 SMALLEST_BATCH = 32
 """Messages of a batch that are worth a turn of numpy: room for so many is waited for while others are under way."""
@@ -229,7 +231,7 @@ class Request(Message):
         if position == len(body):
             return None
         if self.command in _MANY_WORDS:
-            return parse_words(body[position:], self.codec.info.data_digits)
+            return protocol.arrays.parse_words(body[position:], self.codec.info.data_digits)
         return int(body[position:], 16)
 
     def cancel(self) -> None:
@@ -404,7 +406,7 @@ class Batch:
         """How many were given an ID; a new session may send some of them again."""
         self.done = False
         """Whether `answer` or `error` is known; of posted writes, whether all were sent."""
-        self.answer: Words = np.zeros(0 if self.posted else self.count, codec.word_type)
+        self.answer: Words = protocol.arrays.zeros(0 if self.posted else self.count, codec.info.data_digits)
         self.error: UnityLinkError | None = None
         self.owner: Any = None
         self.given_up = False
@@ -460,10 +462,11 @@ class Batch:
 
     def fields(self, start: int, count: int) -> NDArray[np.uint8]:
         """Return the hex digits of the fields of some messages, shape (count, width)."""
-        rows = [hex_rows(values[start : start + count], digits) for values, digits in self._columns]
-        return rows[0] if len(rows) == 1 else np.concatenate(rows, axis=1)
+        return protocol.arrays.hex_columns(
+            [(values[start : start + count], digits) for values, digits in self._columns]
+        )
 
-    def put(self, offset: int, words: Words, events: Events) -> None:
+    def put(self, offset: int, words: Words | list[int], events: Events) -> None:
         """Take the words of answers, in order; zeros for acknowledgements."""
         self.answer[offset : offset + len(words)] = words
         self._answered(len(words), events)
@@ -503,7 +506,7 @@ class BatchRun(Message):
         """Return the frames of `count` messages from `offset` on."""
         if not self._frames:
             fields = self._batch.fields(self._start, self.count)
-            self._frames = self.codec.request_rows(self.command, self.first, fields)
+            self._frames = protocol.arrays.request_rows(self.codec, self.command, self.first, fields)
         return self._frames[offset * self.size : (offset + count) * self.size]
 
     def accept(self, offset: int, body: bytes, position: int, events: Events) -> bool:
@@ -519,13 +522,13 @@ class BatchRun(Message):
             word = int(data or b"0", 16)
         except ValueError:
             return False
-        self._batch.put(place, np.array([word], self.codec.word_type), events)
+        self._batch.put(place, [word], events)
         return True
 
     def accept_rows(self, offset: int, frames: bytes, events: Events) -> int:
         """Take the responses to messages from `offset` on; return how many of the frames were such responses."""
         number = self.first + offset & self.codec.ring - 1
-        words = self.codec.response_rows(self.command, number, frames, self._batch.reply_digits or 0)
+        words = protocol.arrays.response_rows(self.codec, self.command, number, frames, self._batch.reply_digits or 0)
         if words is None:
             return 0
         self._batch.put(self._start + offset, words, events)

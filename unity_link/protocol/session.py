@@ -125,6 +125,11 @@ class Session:
         return 0 if self._exchange is None else self._exchange.window.in_flight
 
     @property
+    def unconfirmed(self) -> int:
+        """Number of posted writes that were sent behind the last request that is answered."""
+        return 0 if self._exchange is None else self._exchange.window.unfenced
+
+    @property
     def round_trip(self) -> float | None:
         """Smoothed round trip in seconds, None before the first answer of a session."""
         return None if self._exchange is None else self._exchange.window.smoothed_round_trip
@@ -139,6 +144,8 @@ class Session:
     def take_output(self) -> bytes:
         """Return the bytes to send, which are forgotten here."""
         out = self.output
+        if out and self._exchange is not None:
+            self._exchange.end_output()
         data = out[0] if len(out) == 1 else b"".join(out)
         out.clear()
         return data

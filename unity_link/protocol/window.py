@@ -209,6 +209,11 @@ class Window(Generic[R]):
         """Whether the window has gone back, and not all was sent again yet: call `repetition` when something came."""
         return self._to_repeat != self._repeat_end
 
+    @property
+    def loses(self) -> bool:
+        """Whether fewer are kept in flight, for the line has lost some."""
+        return self._allowed < self._most
+
     def most_room(self, size: int) -> int:
         """Return for how many requests of `size` characters there is room while nothing is under way."""
         return self._allowed if self._byte_limit is None else min(self._allowed, max(1, self._byte_limit // size))
@@ -238,7 +243,10 @@ class Window(Generic[R]):
         run.sending = self._sent
         self._sent += count
         after = first + count & self._mask
-        self._fill(first, count, run)
+        if count == 1:
+            self._slots[first] = run
+        else:
+            self._fill(first, count, run)
         self._bytes += run.size * count
         if run.posted:
             if not self.unfenced:
@@ -478,9 +486,6 @@ class Window(Generic[R]):
         return number - self.oldest & self._mask
 
     def _fill(self, first: int, count: int, run: R | None) -> None:
-        if count == 1:
-            self._slots[first] = run
-            return
         before_wrap = min(count, self._mask + 1 - first)
         self._slots[first : first + before_wrap] = [run] * before_wrap
         self._slots[: count - before_wrap] = [run] * (count - before_wrap)

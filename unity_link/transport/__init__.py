@@ -17,16 +17,19 @@ import importlib
 import logging
 import os
 import re
-from typing import TYPE_CHECKING, Any, Protocol, cast
+from typing import TYPE_CHECKING, Any, Protocol, TypeGuard, cast
 from urllib.parse import parse_qsl, urlsplit
 
 import msgspec
 
 from unity_link.errors import ArgumentError, ConnectError
+from unity_link.transport.channel import refused_as
 
 if TYPE_CHECKING:
     import asyncio
     from importlib.metadata import EntryPoints
+
+    from unity_link.transport.channel import Channel
 
 __all__ = ["ENTRY_POINTS", "Driver", "DriverUrl", "Medium", "register"]
 
@@ -263,19 +266,47 @@ async def open_medium(target: DriverUrl | Medium, protocol: asyncio.Protocol) ->
         ArgumentError: for a snoop that can't be written; nothing was opened.
         ConnectError: where the medium can't be opened.
     """
+    protocol = observed(target, protocol)
+    if not isinstance(target, DriverUrl):
+        return await target.open(protocol)
+    with refused_as("it cannot be opened"):
+        return await load_driver(target.scheme).connect(target, protocol)
+
+
+def has_channel(target: DriverUrl | Medium) -> TypeGuard[DriverUrl]:
+    """Return whether `open_channel` opens a medium."""
+    return isinstance(target, DriverUrl) and hasattr(load_driver(target.scheme), "open_channel")
+
+
+def open_channel(url: DriverUrl, timeout: float | None) -> Channel:
+    """Open a medium whose driver has `open_channel`, without an event loop.
+
+    Args:
+        url: names it.
+        timeout: seconds after which it can't be opened; None: no limit.
+
+    Raises:
+        ConnectError: where the medium can't be opened.
+    """
+    with refused_as("it cannot be opened"):
+        channel: Channel = cast("Any", load_driver(url.scheme)).open_channel(url, timeout)
+        return channel
+
+
+def observed(target: DriverUrl | Medium, protocol: asyncio.Protocol) -> asyncio.Protocol:
+    """Return what a medium is to be connected to, so that a snoop and the log have what passes, where wanted.
+
+    Raises:
+        ArgumentError: for a snoop that can't be written.
+    """
     named = target.snoop if isinstance(target, DriverUrl) else None
     snoop = os.environ.get(SNOOP_VARIABLE, "") if named is None else named
     logged = any(log.isEnabledFor(logging.DEBUG) for log in (SENT, RECEIVED, SAMPLES))
-    if snoop or logged:
-        from unity_link.transport.tap import tapped
+    if not snoop and not logged:
+        return protocol
+    from unity_link.transport.tap import tapped
 
-        protocol = tapped(protocol, name_of(target), snoop, logged=logged)
-    if not isinstance(target, DriverUrl):
-        return await target.open(protocol)
-    try:
-        return await load_driver(target.scheme).connect(target, protocol)
-    except OSError as error:
-        raise ConnectError(f"it cannot be opened ({error.strerror or str(error) or type(error).__name__})") from error
+    return tapped(protocol, name_of(target), snoop, logged=logged)
 
 
 def name_of(target: DriverUrl | Medium) -> str:

@@ -24,49 +24,64 @@ from typing import TYPE_CHECKING, Any
 import serial
 
 from unity_link.errors import ArgumentError, ConnectError
-from unity_link.protocol.constants import QUICK_TIMEOUT
+from unity_link.protocol.constants import QUICK_TIMEOUT, SHORTEST_TIMEOUT
+from unity_link.transport.channel import LARGEST_READ
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
     from unity_link.transport import DriverUrl
+    from unity_link.transport.channel import Channel
 
 OPTIONS = frozenset({"baud", "rtscts", "library"})
 DEFAULT_BAUD = 115_200
 DEFAULT_LIBRARY = "pyserial-asyncio-fast"
 LIBRARIES = {DEFAULT_LIBRARY: "serial_asyncio_fast", "pyserial-asyncio": "serial_asyncio"}
 """The module of each package that joins pyserial to asyncio."""
-LARGEST_READ = 65_536
 _PSEUDO_TERMINALS = range(136, 144)
 """Major numbers of their device files on Linux."""
 
 
 async def connect(url: DriverUrl, protocol: asyncio.Protocol) -> asyncio.Transport:
     """Open a serial port for this program alone."""
-    if not url.path:
-        raise ArgumentError(f"{url.text} names no port: serial:/dev/ttyUSB0?baud=115200 was expected")
-    baud = url.integer("baud", DEFAULT_BAUD)
-    if baud <= 0:
-        raise ArgumentError(f"baud={baud} in {url.text} is not positive")
-    rtscts = url.flag("rtscts")
-    library = url.options.get("library", DEFAULT_LIBRARY)
-    if library not in LIBRARIES:
-        raise ArgumentError(f"library={library} in {url.text} is neither {' nor '.join(LIBRARIES)}")
-    make_transport = _transport_class(library)
-    try:
-        port = SerialPort(url.path, baudrate=baud, rtscts=rtscts, timeout=0, write_timeout=0, exclusive=True)
-    except (serial.SerialException, OSError, ValueError) as error:
-        raise ConnectError(_explain(url.path, error)) from error
+    make_transport = _transport_class(_library(url))
+    port = _open(url)
     loop = asyncio.get_running_loop()
     transport: asyncio.Transport = make_transport(loop, protocol, port)
     port.on_failure = functools.partial(loop.call_soon, _give_up, transport)
-    if library == DEFAULT_LIBRARY:
+    if _library(url) == DEFAULT_LIBRARY:
         # The fork (0.16) goes on watching for writability when all is written, and then fails in every turn of the
         # loop. Its public `flush` ends the watching.
         port.on_drained = transport.flush  # type: ignore[attr-defined]  # asyncio's has none
     # It tells the protocol in the next turn of the loop only, and until then there is nothing to write to.
     await asyncio.sleep(0)
     return transport
+
+
+def open_channel(url: DriverUrl, timeout: float | None) -> Channel:  # noqa: ARG001  (a port opens at once)
+    """Open a serial port for this program alone, without an event loop."""
+    _library(url)
+    return PortChannel(_open(url))
+
+
+def _library(url: DriverUrl) -> str:
+    library = url.options.get("library", DEFAULT_LIBRARY)
+    if library not in LIBRARIES:
+        raise ArgumentError(f"library={library} in {url.text} is neither {' nor '.join(LIBRARIES)}")
+    return library
+
+
+def _open(url: DriverUrl) -> SerialPort:
+    if not url.path:
+        raise ArgumentError(f"{url.text} names no port: serial:/dev/ttyUSB0?baud=115200 was expected")
+    baud = url.integer("baud", DEFAULT_BAUD)
+    if baud <= 0:
+        raise ArgumentError(f"baud={baud} in {url.text} is not positive")
+    rtscts = url.flag("rtscts")
+    try:
+        return SerialPort(url.path, baudrate=baud, rtscts=rtscts, timeout=0, write_timeout=0, exclusive=True)
+    except (serial.SerialException, OSError, ValueError) as error:
+        raise ConnectError(_explain(url.path, error)) from error
 
 
 def _give_up(transport: asyncio.Transport) -> None:
@@ -160,3 +175,27 @@ class SerialPort(serial.Serial):
 
     def flush(self) -> None:
         """Leave what the operating system has taken to it."""
+
+
+class PortChannel:
+    """A serial port as a channel."""
+
+    def __init__(self, port: SerialPort) -> None:
+        self.shortest_timeout = QUICK_TIMEOUT if port.is_pseudo_terminal else SHORTEST_TIMEOUT
+        self.close = port.close
+        self._descriptor: int = port.fileno()
+
+    def fileno(self) -> int:
+        """Return the file descriptor."""
+        return self._descriptor
+
+    def read(self) -> bytes:
+        """Return what has come."""
+        data = os.read(self._descriptor, LARGEST_READ)
+        if not data:
+            raise EOFError
+        return data
+
+    def write(self, data: bytes | bytearray | memoryview) -> int:
+        """Write what fits."""
+        return os.write(self._descriptor, data)

@@ -209,12 +209,10 @@ def _events(path: Path, data: mmap.mmap) -> Iterator[Connected | Passed | Ended]
                 yield Connected(connections - 1, pcapng.read_interface(block.body))
             elif block.kind == pcapng.PACKET:
                 number, time_ns, sent, passed = pcapng.read_packet(block.body)
-                _check(first + number < connections)
-                yield Passed(first + number, time_ns, sent, passed)
+                yield Passed(_known(first + number, connections), time_ns, sent, passed)
             elif block.kind == pcapng.STATISTICS:
                 number, time_ns, why = pcapng.read_ending(block.body)
-                _check(first + number < connections)
-                yield Ended(first + number, time_ns, why)
+                yield Ended(_known(first + number, connections), time_ns, why)
         except ArgumentError:
             raise
         except ValueError as error:
@@ -222,9 +220,11 @@ def _events(path: Path, data: mmap.mmap) -> Iterator[Connected | Passed | Ended]
         offset += len(block.body) + pcapng.SMALLEST
 
 
-def _check(known: bool) -> None:  # noqa: FBT001
-    if not known:
+def _known(connection: int, connections: int) -> int:
+    """Return a connection that has begun; raises ValueError for another."""
+    if connection >= connections:
         raise ValueError("a record of a connection that never began")
+    return connection
 
 
 def now_ns(seconds: Callable[[], float]) -> Callable[[], int]:

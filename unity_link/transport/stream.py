@@ -7,7 +7,8 @@ sent while the transport takes no bytes. It never looks into a frame.
 from __future__ import annotations
 
 import asyncio
-from typing import TYPE_CHECKING, Protocol, cast
+from collections.abc import Awaitable
+from typing import TYPE_CHECKING, Any, Protocol, cast
 
 from unity_link.protocol.constants import QUICK_TIMEOUT, SHORTEST_TIMEOUT
 from unity_link.protocol.frames import LONGEST_FRAME
@@ -26,13 +27,26 @@ class Receiver(Protocol):
         """Record that the stream has ended; `reason` is None where the other side closed it."""
 
 
+class Ended(Awaitable[Any], Protocol):
+    """What tells that a stream has ended: an `asyncio.Future`, or what stands for it where no event loop is."""
+
+    def done(self) -> bool:
+        """Whether it is over."""
+
+    def set_result(self, result: None, /) -> None:
+        """Have what awaits it go on."""
+
+
 class Stream(asyncio.Protocol):
     """One connection of a driver.
 
     `receiver` may be replaced at any time; what arrives while it is None is dropped.
+
+    Args:
+        create_future: makes what `close` awaits; None: the event loop that is running.
     """
 
-    def __init__(self) -> None:
+    def __init__(self, create_future: Callable[[], Ended] | None = None) -> None:
         self.receiver: Receiver | None = None
         self.on_pause: Callable[[], None] | None = None
         """Is called when `paused` has changed."""
@@ -40,7 +54,9 @@ class Stream(asyncio.Protocol):
         self.bytes_sent = 0
         self.closed = False
         self._transport: asyncio.Transport | None = None
-        self._ended: asyncio.Future[None] = asyncio.get_running_loop().create_future()
+        self._create_future = create_future or asyncio.get_running_loop().create_future
+        self._closings: list[Ended] = []
+        """What calls of `close` wait for."""
         self._rest = b""
         self._held_back: list[bytes] = []
         self.paused = False
@@ -68,8 +84,11 @@ class Stream(asyncio.Protocol):
     async def close(self) -> None:
         """End the connection and wait until it has ended."""
         self.abort()
-        if self._transport is not None:
-            await asyncio.shield(self._ended)
+        if self._transport is not None and not self.closed:
+            # One for each call: to cancel it ends no other.
+            ended = self._create_future()
+            self._closings.append(ended)
+            await ended
 
     def abort(self) -> None:
         """End the connection without waiting."""
@@ -122,7 +141,8 @@ class Stream(asyncio.Protocol):
         """Tell the receiver."""
         self.closed = True
         self._held_back.clear()
-        if not self._ended.done():
-            self._ended.set_result(None)
+        for ended in self._closings:
+            if not ended.done():
+                ended.set_result(None)
         if self.receiver is not None:
             self.receiver.disconnected(exc)

@@ -1,6 +1,6 @@
-"""What listens in between a driver and its protocol, where that was asked for: a snoop, and the log of the frames.
+"""A tap between a driver and its protocol, whose observers are a snoop and the log of the frames.
 
-It stands in the way only of a connection for which one of them is wanted when it is opened.
+Only a connection for which one of them is wanted when it is opened has a tap.
 """
 
 from __future__ import annotations
@@ -10,8 +10,8 @@ import logging
 import time
 from typing import TYPE_CHECKING, Any, Protocol, cast
 
-from unity_link.protocol.conversation import Conversation
 from unity_link.protocol.interpreter import Kind
+from unity_link.protocol.transcript import Transcript
 from unity_link.transport import RECEIVED, SAMPLES, SENT
 from unity_link.transport.pcapng import Packet
 from unity_link.transport.snoop import Snoop, now_ns
@@ -19,21 +19,21 @@ from unity_link.transport.snoop import Snoop, now_ns
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable
 
-    from unity_link.protocol.conversation import Heard
+    from unity_link.protocol.transcript import TimedFrame
 
 
-class Ear(Protocol):
-    """What hears everything that passes."""
+class Observer(Protocol):
+    """What is given everything that passes."""
 
-    def hear(self, data: bytes, *, sent: bool) -> None:
+    def take(self, data: bytes, *, sent: bool) -> None:
         """Take bytes of one direction."""
 
     def end(self, why: str) -> None:
-        """Take note that the connection has ended."""
+        """Record that the connection has ended."""
 
 
 def tapped(protocol: asyncio.Protocol, name: str, snoop: str, *, logged: bool) -> Tap:
-    """Return a protocol that listens in on another one.
+    """Return a protocol that hands everything on to another one, and to what observes it.
 
     Args:
         protocol: is connected to the medium through it.
@@ -44,14 +44,17 @@ def tapped(protocol: asyncio.Protocol, name: str, snoop: str, *, logged: bool) -
     Raises:
         ArgumentError: where the file can't be written.
     """
-    ears: list[Ear] = [SnoopedBytes(Snoop.at(snoop), name, _clock())] if snoop else []
+    observers: list[Observer] = [SnoopedBytes(Snoop.at(snoop), name, _clock())] if snoop else []
     if logged:
-        ears.append(LoggedFrames(name))
-    return Tap(protocol, ears)
+        observers.append(LoggedFrames(name))
+    return Tap(protocol, observers)
 
 
 def _clock() -> Callable[[], float]:
-    loop = asyncio.get_running_loop()
+    try:
+        loop = asyncio.get_running_loop()
+    except RuntimeError:
+        return time.monotonic
     # That of uvloop stands still during a turn, and counts whole milliseconds.
     return loop.time if isinstance(loop, asyncio.BaseEventLoop) else time.monotonic
 
@@ -64,7 +67,7 @@ class SnoopedBytes:
         self._now_ns = now_ns(clock)
         self._connection = snoop.connection(name)
 
-    def hear(self, data: bytes, *, sent: bool) -> None:
+    def take(self, data: bytes, *, sent: bool) -> None:
         """Write bytes."""
         self._snoop.write(Packet(self._connection, self._now_ns(), sent, data))
 
@@ -78,28 +81,28 @@ class LoggedFrames:
 
     def __init__(self, name: str) -> None:
         self._name = name
-        self._clock = asyncio.get_running_loop().time
-        self._conversation = Conversation()
+        self._clock = _clock()
+        self._transcript = Transcript()
 
-    def hear(self, data: bytes, *, sent: bool) -> None:
+    def take(self, data: bytes, *, sent: bool) -> None:
         """Log the frames that are whole."""
-        self._log(self._conversation.hear(data, self._clock(), sent=sent))
+        self._log(self._transcript.take(data, self._clock(), sent=sent))
 
     def end(self, why: str) -> None:
         """Log what is left."""
-        self._log(self._conversation.end(self._clock()))
+        self._log(self._transcript.end(self._clock()))
         SENT.debug("%s: the connection has ended (%s)", self._name, why)
 
-    def _log(self, frames: Iterable[Heard]) -> None:
-        for heard in frames:
-            log = SENT if heard.sent else SAMPLES if heard.meaning.kind is Kind.SAMPLE else RECEIVED
+    def _log(self, frames: Iterable[TimedFrame]) -> None:
+        for timed in frames:
+            log = SENT if timed.sent else SAMPLES if timed.meaning.kind is Kind.SAMPLE else RECEIVED
             if log.isEnabledFor(logging.DEBUG):
                 log.debug(
                     "%s %s %s  %s",
                     self._name,
-                    ">" if heard.sent else "<",
-                    as_text(heard.frame),
-                    in_words(heard),
+                    ">" if timed.sent else "<",
+                    as_text(timed.frame),
+                    in_words(timed),
                 )
 
 
@@ -108,9 +111,9 @@ def as_text(frame: bytes) -> str:
     return repr(frame.rstrip(b"\r\n"))[2:-1]
 
 
-def in_words(heard: Heard) -> str:
+def in_words(timed: TimedFrame) -> str:
     """Return what a frame means, in one line."""
-    return f"{heard.meaning.words}, again" if heard.again else heard.meaning.words
+    return f"{timed.meaning.words}, again" if timed.again else timed.meaning.words
 
 
 class Tap(asyncio.Protocol):
@@ -118,25 +121,25 @@ class Tap(asyncio.Protocol):
 
     Args:
         protocol: has all that passes handed on.
-        ears: hear it first.
+        observers: are given it first.
     """
 
-    def __init__(self, protocol: asyncio.Protocol, ears: list[Ear]) -> None:
+    def __init__(self, protocol: asyncio.Protocol, observers: list[Observer]) -> None:
         self._protocol = protocol
-        self._ears = ears
+        self._observers = observers
 
-    def hear(self, data: bytes, *, sent: bool) -> None:
-        """Have all ears hear."""
-        for ear in self._ears:
-            ear.hear(data, sent=sent)
+    def take(self, data: bytes, *, sent: bool) -> None:
+        """Pass bytes to all observers."""
+        for observer in self._observers:
+            observer.take(data, sent=sent)
 
     def connection_made(self, transport: asyncio.BaseTransport) -> None:
-        """Hand on, with what hears the other direction in front of the transport."""
+        """Hand on, with what hobservers the other direction in front of the transport."""
         self._protocol.connection_made(_TappedTransport(cast("asyncio.Transport", transport), self))
 
     def data_received(self, data: bytes) -> None:
-        """Hear, and hand on."""
-        self.hear(data, sent=False)
+        """Pass it to the observers and to the other side."""
+        self.take(data, sent=False)
         self._protocol.data_received(data)
 
     def pause_writing(self) -> None:
@@ -152,15 +155,15 @@ class Tap(asyncio.Protocol):
         return self._protocol.eof_received()
 
     def connection_lost(self, exc: Exception | None) -> None:
-        """Hear, and hand on."""
+        """Pass it to the observers and to the other side."""
         why = str(exc) if exc is not None else "closed"
-        for ear in self._ears:
-            ear.end(why)
+        for observer in self._observers:
+            observer.end(why)
         self._protocol.connection_lost(exc)
 
 
 class _TappedTransport(asyncio.Transport):
-    """A transport whose writes are heard."""
+    """A transport whose writes are timed."""
 
     def __init__(self, transport: asyncio.Transport, tap: Tap) -> None:
         super().__init__()
@@ -168,7 +171,7 @@ class _TappedTransport(asyncio.Transport):
         self._tap = tap
 
     def write(self, data: bytes | bytearray | memoryview) -> None:
-        self._tap.hear(bytes(data), sent=True)
+        self._tap.take(bytes(data), sent=True)
         self._transport.write(data)
 
     def get_extra_info(self, name: str, default: Any = None) -> Any:

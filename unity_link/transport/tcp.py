@@ -9,11 +9,15 @@ import asyncio
 import socket
 from typing import TYPE_CHECKING
 
-from unity_link.errors import ArgumentError, ConnectError
+from unity_link.errors import ArgumentError
 from unity_link.protocol.frames import LF, TOKEN_LINE
+from unity_link.transport.channel import SocketChannel, refused_as
 
 if TYPE_CHECKING:
+    from contextlib import AbstractContextManager
+
     from unity_link.transport import DriverUrl
+    from unity_link.transport.channel import Channel
 
 OPTIONS = frozenset({"token"})
 
@@ -32,17 +36,36 @@ def address(url: DriverUrl) -> tuple[str, int]:
 async def connect(url: DriverUrl, protocol: asyncio.Protocol) -> asyncio.Transport:
     """Connect to a TCP port."""
     host, port = address(url)
-    token = url.options.get("token")
-    if token is not None and not (token.isprintable() and token.isascii()):
-        raise ArgumentError(f"token= in {url.text} has characters that are not printable ASCII")
-    try:
+    first = _first_line(url)
+    with _refused(host, port):
         transport, _ = await asyncio.get_running_loop().create_connection(lambda: protocol, host, port)
-    except OSError as error:
-        raise ConnectError(
-            f"no connection to port {port} of {host} ({error.strerror or error}); is it listening?"
-        ) from error
     connection: socket.socket = transport.get_extra_info("socket")
     connection.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
-    if token is not None:
-        transport.write(TOKEN_LINE + token.encode() + LF)
+    if first:
+        transport.write(first)
     return transport
+
+
+def open_channel(url: DriverUrl, timeout: float | None) -> Channel:
+    """Connect to a TCP port without an event loop."""
+    host, port = address(url)
+    first = _first_line(url)
+    with _refused(host, port):
+        connection = socket.create_connection((host, port), timeout)
+    connection.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
+    connection.sendall(first)
+    return SocketChannel(connection)
+
+
+def _refused(host: str, port: int) -> AbstractContextManager[None]:
+    return refused_as(f"no connection to port {port} of {host}", "is it listening?")
+
+
+def _first_line(url: DriverUrl) -> bytes:
+    """Return what goes before everything else."""
+    token = url.options.get("token")
+    if token is None:
+        return b""
+    if not (token.isprintable() and token.isascii()):
+        raise ArgumentError(f"token= in {url.text} has characters that are not printable ASCII")
+    return TOKEN_LINE + token.encode() + LF

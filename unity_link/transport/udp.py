@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterator
 
     from unity_link.transport import DriverUrl
+    from unity_link.transport.channel import Channel
 
 OPTIONS: frozenset[str] = frozenset()
 RECEIVE_BUFFER = 1 << 22
@@ -40,6 +41,54 @@ async def connect(url: DriverUrl, protocol: asyncio.Protocol) -> asyncio.Transpo
     except OSError as error:
         raise ConnectError(f"no socket for port {port} of {host} ({error.strerror or error})") from error
     return adapter
+
+
+def open_channel(url: DriverUrl, timeout: float | None) -> Channel:  # noqa: ARG001  (nothing is waited for)
+    """Open a socket that speaks with one gateway only, without an event loop."""
+    host, port = address(url)
+    try:
+        family, kind, protocol, _, remote = socket.getaddrinfo(host, port, type=socket.SOCK_DGRAM)[0]
+        opened = socket.socket(family, kind, protocol)
+        opened.connect(remote)
+    except OSError as error:
+        raise ConnectError(f"no socket for port {port} of {host} ({error.strerror or error})") from error
+    return DatagramChannel(opened, HostDatagrams(url.node))
+
+
+class DatagramChannel:
+    """Looks like a stream, and sends datagrams.
+
+    Args:
+        opened: is connected to the gateway, and the channel's from now on.
+        datagrams: of the session.
+    """
+
+    shortest_timeout = QUICK_TIMEOUT
+
+    def __init__(self, opened: socket.socket, datagrams: HostDatagrams) -> None:
+        _prepare(opened)
+        self._socket = opened
+        self._datagrams = datagrams
+        self.fileno = opened.fileno
+        self.close = opened.close
+
+    def read(self) -> bytes:
+        """Return the frames of datagrams that are neither late nor doubled; raises ConnectError at the end."""
+        return b"".join(map(self._datagrams.take, _read_on(self._socket)))
+
+    def write(self, data: bytes | bytearray | memoryview) -> int:
+        """Send whole frames; a datagram that the system does not take is as good as lost."""
+        for datagram in self._datagrams.put(bytes(data)):
+            with contextlib.suppress(OSError):
+                self._socket.send(datagram)
+        return len(data)
+
+
+def _prepare(opened: socket.socket) -> None:
+    opened.setblocking(False)  # noqa: FBT003  (it has no name)
+    # Some systems refuse what is beyond their limit, others take the limit.
+    with contextlib.suppress(OSError):
+        opened.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, RECEIVE_BUFFER)
 
 
 class DatagramAdapter(asyncio.Transport, asyncio.DatagramProtocol):
@@ -65,10 +114,7 @@ class DatagramAdapter(asyncio.Transport, asyncio.DatagramProtocol):
         if known is not None:
             # What an event loop tells of its socket can't be read from.
             self._socket = socket.fromfd(known.fileno(), known.family, known.type)
-            self._socket.setblocking(False)  # noqa: FBT003  (it has no name)
-            # Some systems refuse what is beyond their limit, others take the limit.
-            with contextlib.suppress(OSError):
-                self._socket.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, RECEIVE_BUFFER)
+            _prepare(self._socket)
         self._protocol.connection_made(self)
 
     def datagram_received(self, data: bytes, addr: tuple[Any, ...]) -> None:  # noqa: ARG002

@@ -3,24 +3,48 @@
 from __future__ import annotations
 
 import asyncio
+import socket
 from typing import TYPE_CHECKING
 
-from unity_link.errors import ArgumentError, ConnectError
+from unity_link.errors import ArgumentError
+from unity_link.transport.channel import SocketChannel, refused_as
 
 if TYPE_CHECKING:
+    from contextlib import AbstractContextManager
+
     from unity_link.transport import DriverUrl
+    from unity_link.transport.channel import Channel
 
 OPTIONS: frozenset[str] = frozenset()
 
 
 async def connect(url: DriverUrl, protocol: asyncio.Protocol) -> asyncio.Transport:
     """Connect to a Unix socket."""
+    path = _path(url)
+    with _refused(path):
+        transport, _ = await asyncio.get_running_loop().create_unix_connection(lambda: protocol, path)
+    return transport
+
+
+def open_channel(url: DriverUrl, timeout: float | None) -> Channel:
+    """Connect to a Unix socket without an event loop."""
+    path = _path(url)
+    connection = socket.socket(socket.AF_UNIX, socket.SOCK_STREAM)
+    try:
+        connection.settimeout(timeout)
+        with _refused(path):
+            connection.connect(path)
+    except BaseException:
+        connection.close()
+        raise
+    return SocketChannel(connection)
+
+
+def _refused(path: str) -> AbstractContextManager[None]:
+    return refused_as(f"no connection to the socket {path}", "is it served?")
+
+
+def _path(url: DriverUrl) -> str:
     if not url.path:
         raise ArgumentError(f"{url.text} names no socket: unix:/path was expected")
-    try:
-        transport, _ = await asyncio.get_running_loop().create_unix_connection(lambda: protocol, url.path)
-    except OSError as error:
-        raise ConnectError(
-            f"no connection to the socket {url.path} ({error.strerror or error}); is it served?"
-        ) from error
-    return transport
+    return url.path

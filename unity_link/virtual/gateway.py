@@ -5,7 +5,7 @@ happens inside `receive` and `advance`, so a test can stop the world between any
 that of docs/protocol.md, "Errors": each step below either answers or hands on to the next.
 
 `receive` -> `_answer` (node) -> `_body` (overflow to sequence: `unity_link.protocol.gateway_session`) -> `_execute`
-(range, bus). Reads and writes of one word with the expected ID are most of the traffic and take a short way,
+(range, bus). Reads, and writes with the expected ID, of one word are most of the traffic and take a short way,
 `_quick_read` and `_quick_write`, which gives exactly what the long way would, or gives up before anything changes.
 
 The model answers at once and takes as many bytes as it is given. What a line and its FIFOs do to that is modelled in
@@ -321,7 +321,7 @@ class VirtualGateway(BareGateway):
         self._word_form = b"r%%b%%0%dX" % info.data_digits
 
     def _quick_read(self, line: bytes) -> bytes | None:
-        """Answer `r` of plain memory with the expected ID, or give up."""
+        """Answer `r` of plain memory in a session, unless it is the first behind a gap, or give up."""
         digits, text = self._crc_digits, self._crc_text
         # The second digit may be no X, for int() would take 0X for a prefix.
         if text(line[:-digits]) != line[-digits:] or not line.isalnum() or line[2] in b"xX":
@@ -331,9 +331,14 @@ class VirtualGateway(BareGateway):
         except ValueError:
             return None
         number, address = fields >> self._address_shift, fields & self._address_field
-        if number != self._sequence.expected or address > self._last_address or address in self.bus.devices:
+        sequence = self._sequence
+        if sequence.expected < 0 or address > self._last_address or address in self.bus.devices:
             return None
-        self._sequence.advance()
+        ahead = number - sequence.expected & sequence.mask
+        if not ahead:
+            sequence.advance()
+        elif ahead <= sequence.mask >> 1:
+            return b"" if sequence.gap_told else None
         body = self._word_form % (self._codec.id_text[number], self.bus.memory[address])
         return b"%b%b\n" % (body, text(body))
 

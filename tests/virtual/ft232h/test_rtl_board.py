@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import asyncio
-import shutil
 from itertools import pairwise
 
 import pytest
 
 import unity_link
+from compilers import needs_cxx
 from simulated_time import on_simulated_time
 from unity_link.protocol.crc import Crc
 from unity_link.transport.ft232h.eeprom_image import build_eeprom
@@ -18,12 +18,7 @@ from unity_link.virtual.ft232h.pyusb_backend import installed
 from unity_link.virtual.ft232h.rtl_board import RtlBoard
 from unity_link.virtual.rtl import RtlGateway
 
-pytestmark = [
-    pytest.mark.rtl,
-    pytest.mark.skipif(
-        not any(shutil.which(name) for name in ("c++", "g++", "clang++")), reason="no C++ compiler: apt install g++"
-    ),
-]
+pytestmark = [pytest.mark.rtl, needs_cxx]
 MICROFRAME = 125e-6
 IN, OUT = 0x81, 0x02
 URL = "ftdi-async://ftdi:232h/1"

@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from mcap.records import Chunk, McapRecord
     from numpy.typing import NDArray
 
-    from unity_link.protocol.messages import Words
+    from unity_link.protocol.arrays import Words
     from unity_link.spec import Signal
 
 MOST_UNPACKED = 64 << 20

@@ -14,6 +14,7 @@ import numpy as np
 
 from unity_link.bridges.serve.groups import ClientGroup, Settings
 from unity_link.bridges.serve.requests import Relayed, RelayedRows, answer_digits
+from unity_link.protocol.arrays import matching_rows
 from unity_link.protocol.configuration import Feature
 from unity_link.protocol.frames import LF
 from unity_link.protocol.gateway_session import UNDER_WAY, Answer, GatewaySession
@@ -199,7 +200,7 @@ class Conversation:
         count = min((len(data) - start) // size, room, codec.ring // 2)
         head = 1 + self._id_digits
         width = size - head - self._crc_digits - 1
-        fields = codec.matching_rows(command, expected, data[start : start + count * size], width)
+        fields = matching_rows(codec, command, expected, data[start : start + count * size], width)
         good = _IS_HEX[fields].all(axis=1)
         count = len(fields) if good.all() else int(good.argmin())
         if not count:

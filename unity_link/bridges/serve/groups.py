@@ -20,7 +20,7 @@ from collections import deque
 from functools import partial
 from typing import TYPE_CHECKING, Protocol
 
-from unity_link.protocol.messages import GroupFlag
+from unity_link.protocol.messages import TIMESTAMP_DIGITS, GroupFlag
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -30,7 +30,6 @@ if TYPE_CHECKING:
 
 _SEQUENCE = slice(3, 5)
 _HEAD = 5
-_TIMESTAMP_DIGITS = 8
 
 
 class Taker(Protocol):
@@ -55,7 +54,7 @@ class Settings:
         self.frame: Callable[[bytes], bytes] = (
             codec.framing.plain_reply if flags & GroupFlag.PLAIN else codec.framing.checked
         )
-        stamp = _TIMESTAMP_DIGITS if flags & GroupFlag.TIMESTAMP else 0
+        stamp = TIMESTAMP_DIGITS if flags & GroupFlag.TIMESTAMP else 0
         self.size = _HEAD + stamp + codec.info.data_digits * len(addresses)
         """Characters of the body of a sample."""
         self.seconds_each = divisor / codec.info.base_frequency_hz if flags & GroupFlag.PERIODIC else None

@@ -9,6 +9,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, NamedTuple, Protocol
 
 from unity_link.errors import GatewayError, Outcome, UnansweredError, UnityLinkError, UnsupportedError
+from unity_link.protocol.arrays import matching_rows, request_rows
 from unity_link.protocol.messages import COMMANDS, Codec, ErrorCode, Repetition
 from unity_link.protocol.requests import Batch, BatchRun, Request
 
@@ -231,7 +232,7 @@ class RelayedRows(Batch):
 
     def replies(self, offset: int, data: NDArray[np.uint8]) -> bytes:
         """Return the frames of many answers for the client."""
-        return self.codec.request_rows(self.command, self._number(offset), data)
+        return request_rows(self.codec, self.command, self._number(offset), data)
 
     def _number(self, offset: int) -> int:
         return self.number + offset & self.codec.ring - 1
@@ -275,7 +276,7 @@ class RelayedRun(BatchRun):
     def accept_rows(self, offset: int, frames: bytes, events: Events) -> int:
         """Hand on the answers to requests from `offset` on, as far as the frames are that."""
         number, place = self.first + offset & self.codec.ring - 1, self._start + offset
-        data = self.codec.matching_rows(self.command, number, frames, self._rows.reply_digits or 0)
+        data = matching_rows(self.codec, self.command, number, frames, self._rows.reply_digits or 0)
         if len(data):
             events.append(RowsAnswered(self._rows, place, len(data), self._rows.replies(place, data)))
         return len(data)

@@ -17,8 +17,8 @@ import msgspec
 
 from unity_link.errors import ArgumentError, ConnectError
 from unity_link.protocol.configuration import GatewayInfo
-from unity_link.protocol.conversation import FrameCutter
 from unity_link.protocol.messages import Codec, ErrorCode, GroupFlag
+from unity_link.protocol.transcript import FrameCutter
 from unity_link.virtual.bus import AccessError
 from unity_link.virtual.rtl.configurations import configurations
 from unity_link.virtual.rtl.gateway import RtlGateway

@@ -3,7 +3,7 @@
 A response is found again by its command and ID, as a host finds it; one that was lost or damaged has left its request
 without an answer. Which requests were executed follows from the rules of the session, so it is known which words the
 bus must have given. Where the gateway says that a frame reached it damaged, or that one is missing, that is what it is
-taken to have heard, and what follows is judged anew.
+taken to have received, and what follows is judged anew.
 """
 
 from __future__ import annotations
@@ -16,10 +16,18 @@ import msgspec
 
 from unity_link.errors import ArgumentError, UnsupportedError
 from unity_link.protocol.configuration import GatewayInfo
-from unity_link.protocol.conversation import FrameCutter
 from unity_link.protocol.frames import CR, LF
 from unity_link.protocol.gateway_session import Answer, GatewaySession
-from unity_link.protocol.messages import Codec, DecodedRequest, DecodedResponse, ErrorCode, GroupFlag, parse_words
+from unity_link.protocol.messages import (
+    TIMESTAMP_DIGITS,
+    Codec,
+    DecodedRequest,
+    DecodedResponse,
+    ErrorCode,
+    GroupFlag,
+    parse_numbers,
+)
+from unity_link.protocol.transcript import CONFIGURATION, QUESTION, FrameCutter
 from unity_link.transport.snoop import Connected, Passed
 
 if TYPE_CHECKING:
@@ -30,13 +38,10 @@ if TYPE_CHECKING:
 GROUP_COMMANDS = frozenset({"GS", "GN", "GX", "GP", "K"})
 """Their answers divide samples: those that were taken before come before them."""
 _SENT = re.compile(rb"[\r\n]*[^\r\n]+[\r\n]")
-_QUESTION = re.compile(rb"(?:Z([0-9A-Fa-f]{2}))?Q\r")
-_CONFIGURATION = re.compile(rb"(?:Z[0-9A-F]{2})?Q([0-9A-F]+)\r\n")
 _OF_BUS = (ErrorCode.BUS_ERROR, ErrorCode.BUS_TIMEOUT, ErrorCode.OUT_OF_RANGE)
 """What a posted write may be answered by, too."""
 _TO_ALL = b"ZFF"
 _PREFIX_SIZE = 3
-_TIMESTAMP_DIGITS = 8
 _SEQUENCES = 256
 
 
@@ -45,7 +50,7 @@ class Access(NamedTuple):
 
     write: bool
     address: int
-    outcome: int | ErrorCode | None
+    outcome: int | ErrorCode | None = None
     """Of a read: the word, None where it is not known. Of either: the error that ends it."""
 
 
@@ -162,8 +167,8 @@ def read_snooped(
 def _codec_of(passed: list[Passed]) -> Codec:
     """Return the messages of the gateway, from its first answer to `Q`."""
     both = {way: b"".join(event.data for event in passed if event.sent == way) for way in (True, False)}
-    question = _QUESTION.search(both[True])
-    for match in _CONFIGURATION.finditer(both[False]):
+    question = QUESTION.search(both[True])
+    for match in CONFIGURATION.finditer(both[False]):
         try:
             info = GatewayInfo.from_hex(match[1])
         except (UnsupportedError, ValueError):
@@ -236,7 +241,7 @@ class _Reader:
             step.accesses = _accesses(taken, None, self._codec.info)
         return not to_all
 
-    def _heard_otherwise(self, step: Step, frame: bytes) -> None:
+    def _judge_otherwise(self, step: Step, frame: bytes) -> None:
         """Record that a frame reached the gateway as another one, or not at all, and judge anew those behind it."""
         sequence = self._session.sequence
         sequence.expected, sequence.gap_told = step.before
@@ -289,12 +294,12 @@ class _Reader:
         if response.command == "N" and not any(self._is_told_of_gap(step, response) for step in waiting):
             missing = next((step for step in waiting if self._id_of(step) == response.id), None)
             if missing is not None:
-                self._heard_otherwise(missing, b"")
+                self._judge_otherwise(missing, b"")
         if response.command == "X" and response.id is None and response.fields["e"] == ErrorCode.CRC:
             first = next((step for step in waiting if step.owes or step.request is not None), None)
             damaged = self._codec.error(ErrorCode.CRC)
             if first is not None and first.refusal != damaged and first.frame.endswith(LF):
-                self._heard_otherwise(first, _damaged(first.frame))
+                self._judge_otherwise(first, _damaged(first.frame))
 
     def _is_told_of_gap(self, step: Step, response: DecodedResponse) -> bool:
         return response.id is not None and step.refusal == self._codec.out_of_sequence(response.id)
@@ -330,9 +335,9 @@ class _Reader:
             return
         settings = self.groups[group][-1]
         body = sample_body(self._codec, frame, settings.flags)
-        text = text[_TIMESTAMP_DIGITS:] if settings.flags & GroupFlag.TIMESTAMP else text
+        text = text[TIMESTAMP_DIGITS:] if settings.flags & GroupFlag.TIMESTAMP else text
         try:
-            words = parse_words(text, self._codec.info.data_digits).tolist()
+            words = parse_numbers(text, self._codec.info.data_digits)
         except ValueError:
             self.astray += 1
             return
@@ -357,7 +362,7 @@ def sample_body(codec: Codec, frame: bytes, flags: GroupFlag) -> bytes:
     """
     body = codec.framing.open(frame.removesuffix(LF))
     head = len("P0000")
-    return body[:head] + body[head + _TIMESTAMP_DIGITS :] if flags & GroupFlag.TIMESTAMP else body
+    return body[:head] + body[head + TIMESTAMP_DIGITS :] if flags & GroupFlag.TIMESTAMP else body
 
 
 def _accesses(request: DecodedRequest, response: DecodedResponse | None, info: GatewayInfo) -> list[Access]:
@@ -385,15 +390,15 @@ def _places(request: DecodedRequest, info: GatewayInfo) -> list[Access]:
     values = request.values
     match request.command:
         case "R":
-            return [Access(False, values[0], None)]  # noqa: FBT003
+            return [Access(write=False, address=values[0])]
         case "W" | "WS":
-            return [Access(True, values[0], None)]  # noqa: FBT003
+            return [Access(write=True, address=values[0])]
         case "WK":
-            return [Access(write, values[0], None) for write in (False, True)]
+            return [Access(write, values[0]) for write in (False, True)]
         case "RM" | "RQ" | "WM" | "WQ":
             write = request.command.startswith("W")
             count = len(values[1]) if write else values[1]
             step = request.command.endswith("M")
             last = (1 << info.address_bits) - 1
-            return [Access(write, values[0] + step * index & last, None) for index in range(count)]
+            return [Access(write, values[0] + step * index & last) for index in range(count)]
     return []

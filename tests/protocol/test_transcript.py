@@ -9,27 +9,27 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from unity_link.protocol.configuration import Feature, GatewayInfo
-from unity_link.protocol.conversation import Conversation, Heard
 from unity_link.protocol.crc import Crc
 from unity_link.protocol.interpreter import Kind
+from unity_link.protocol.transcript import TimedFrame, Transcript
 
 
 def checked(body: bytes) -> bytes:
     return body + Crc().text(body) + b"\n"
 
 
-def heard(*lines: bytes) -> list[Heard]:
-    """Return what is heard of whole lines, each with its direction before it."""
-    conversation = Conversation()
+def frames_of(*lines: bytes) -> list[TimedFrame]:
+    """Return the frames of whole lines, each with its direction before it."""
+    transcript = Transcript()
     return [
         frame
         for second, line in enumerate(lines)
-        for frame in conversation.hear(line[1:], float(second), sent=line[:1] == b">")
+        for frame in transcript.take(line[1:], float(second), sent=line[:1] == b">")
     ]
 
 
 def words(*lines: bytes) -> list[str]:
-    return [frame.meaning.words for frame in heard(*lines)]
+    return [frame.meaning.words for frame in frames_of(*lines)]
 
 
 @pytest.mark.parametrize(
@@ -83,7 +83,9 @@ def test_each_command_has_words_for_its_answer() -> None:
 
 def test_damage_and_noise_are_told_apart() -> None:
     damaged = checked(b"R0A").replace(b"A", b"B", 1)
-    kinds = [frame.meaning.kind for frame in heard(b">" + damaged, b"<" + damaged, b">" + checked(b"J"), b"<hello\r\n")]
+    kinds = [
+        frame.meaning.kind for frame in frames_of(b">" + damaged, b"<" + damaged, b">" + checked(b"J"), b"<hello\r\n")
+    ]
     assert kinds == [Kind.DAMAGED, Kind.DAMAGED, Kind.UNKNOWN, Kind.UNKNOWN]
 
 
@@ -116,7 +118,7 @@ def test_settings_that_were_refused_change_nothing() -> None:
 
 
 def test_a_request_that_is_sent_again_is_known_by_its_id_and_has_no_round_trip() -> None:
-    frames = heard(
+    frames = frames_of(
         b">" + checked(b"KFFF"),
         b">" + checked(b"rFFF0A"),
         b">" + checked(b"r0000B"),
@@ -132,11 +134,11 @@ def test_a_request_that_is_sent_again_is_known_by_its_id_and_has_no_round_trip()
     "info", [GatewayInfo(data_bits=16, id_digits=2, crc_bits=8, crc_polynomial=7), GatewayInfo(data_bits=64)]
 )
 def test_the_widths_are_those_of_the_gateways_answer(info: GatewayInfo) -> None:
-    conversation = Conversation()
-    list(conversation.hear(b"Q" + info.to_hex() + b"\r\n", 0.0, sent=False))
-    assert conversation.codec.info == info
-    frame = conversation.codec.framing.checked(conversation.codec.fields("R", 0x0A).join((b"R", b"")))
-    (said,) = conversation.hear(frame, 0.0, sent=True)
+    transcript = Transcript()
+    list(transcript.take(b"Q" + info.to_hex() + b"\r\n", 0.0, sent=False))
+    assert transcript.codec.info == info
+    frame = transcript.codec.framing.checked(transcript.codec.fields("R", 0x0A).join((b"R", b"")))
+    (said,) = transcript.take(frame, 0.0, sent=True)
     assert said.meaning.words == "read 0x0A"
 
 
@@ -160,8 +162,8 @@ WHOLE = b"".join((b"\nQ\r", checked(b"K000"), checked(b"r0000A"), b"R0A\r\n", ch
 @given(st.lists(st.integers(0, len(WHOLE))), st.booleans())
 def test_frames_are_the_same_however_the_bytes_are_cut(cuts: list[int], sent: bool) -> None:
     def frames(*pieces: bytes) -> list[bytes]:
-        conversation = Conversation()
-        return [frame.frame for piece in pieces for frame in conversation.hear(piece, 0.0, sent=sent)]
+        transcript = Transcript()
+        return [frame.frame for piece in pieces for frame in transcript.take(piece, 0.0, sent=sent)]
 
     places = [0, *sorted(cuts), len(WHOLE)]
     assert frames(*(WHOLE[start:end] for start, end in pairwise(places))) == frames(WHOLE)
@@ -169,9 +171,9 @@ def test_frames_are_the_same_however_the_bytes_are_cut(cuts: list[int], sent: bo
 
 @given(st.lists(st.tuples(st.binary(max_size=60), st.booleans()), max_size=6))
 def test_any_bytes_have_words(passed: list[tuple[bytes, bool]]) -> None:
-    conversation = Conversation()
+    transcript = Transcript()
     for data, sent in passed:
-        for frame in conversation.hear(data, 0.0, sent=sent):
+        for frame in transcript.take(data, 0.0, sent=sent):
             assert frame.meaning.words
-    for frame in conversation.end(1.0):
+    for frame in transcript.end(1.0):
         assert frame.meaning.kind is Kind.DAMAGED

@@ -20,12 +20,14 @@ if TYPE_CHECKING:
 
 _SENT = re.compile(rb"[^\r\n]*[\r\n]")
 _RECEIVED = re.compile(rb"[^\n]*\n")
-_QUESTION = re.compile(rb"(?:Z([0-9A-Fa-f]{2}))?Q\r")
-_CONFIGURATION = re.compile(rb"(?:Z[0-9A-F]{2})?Q([0-9A-F]+)\r\n")
+QUESTION = re.compile(rb"(?:Z([0-9A-Fa-f]{2}))?Q\r")
+"""A `Q`; its group is the number of the node, if it is addressed."""
+CONFIGURATION = re.compile(rb"(?:Z[0-9A-F]{2})?Q([0-9A-F]+)\r\n")
+"""The answer; its group is the configuration."""
 
 
-class Heard(NamedTuple):
-    """One frame."""
+class TimedFrame(NamedTuple):
+    """A frame, when it passed and what it means."""
 
     time: float
     """In seconds."""
@@ -34,9 +36,9 @@ class Heard(NamedTuple):
     frame: bytes
     """With its end."""
     meaning: Meaning
-    again: bool
+    again: bool = False
     """A request that was sent before under the same ID."""
-    round_trip: float | None
+    round_trip: float | None = None
     """Of an answer to a request with an ID that was sent once: seconds since then."""
 
 
@@ -65,8 +67,8 @@ class FrameCutter:
         return [frame for frame in frames if frame.strip(b"\r\n")]
 
 
-class Conversation:
-    """What passes on one connection."""
+class Transcript:
+    """What passes on one connection, as frames with their meanings."""
 
     def __init__(self) -> None:
         self.codec = Codec(GatewayInfo())
@@ -76,27 +78,27 @@ class Conversation:
         self._next: int | None = None
         self._sent_at: dict[int, float | None] = {}
 
-    def hear(self, data: bytes, time: float, *, sent: bool) -> Iterator[Heard]:
+    def take(self, data: bytes, time: float, *, sent: bool) -> Iterator[TimedFrame]:
         """Take bytes of one direction at a time in seconds, and return the frames that are whole now."""
         for frame in self._cutters[sent].cut(data):
             yield self._sent(frame, time) if sent else self._received(frame, time)
 
-    def end(self, time: float) -> Iterator[Heard]:
+    def end(self, time: float) -> Iterator[TimedFrame]:
         """Return what is left without an end."""
         for sent, cutter in self._cutters.items():
             if cutter.rest:
-                yield Heard(time, sent, cutter.rest, Meaning(Kind.DAMAGED, "cut: its end has not come"), False, None)  # noqa: FBT003
+                yield TimedFrame(time, sent, cutter.rest, Meaning(Kind.DAMAGED, "cut: its end has not come"))
 
-    def _sent(self, frame: bytes, time: float) -> Heard:
-        if match := _QUESTION.fullmatch(frame):
+    def _sent(self, frame: bytes, time: float) -> TimedFrame:
+        if match := QUESTION.fullmatch(frame):
             self._node = None if match[1] is None else int(match[1], 16)
             if self._node is not None and not self.codec.framing.prefix:
                 self._use(self.codec.info)
         meaning = self._interpreter.explain_request(frame.removesuffix(b"\n"))
-        return Heard(time, True, frame, meaning, self._is_again(meaning, time, frame), None)  # noqa: FBT003
+        return TimedFrame(time, sent=True, frame=frame, meaning=meaning, again=self._is_again(meaning, time, frame))
 
     def _is_again(self, meaning: Meaning, time: float, frame: bytes) -> bool:
-        """Whether a request was sent before; take note of the IDs and times that tell."""
+        """Whether a request was sent before; record the IDs and times that tell."""
         number, ring = meaning.id, self.codec.ring
         if meaning.command == "K":
             self._next = self.codec.id_number.get(
@@ -111,15 +113,16 @@ class Conversation:
         self._sent_at[number] = None if again else time
         return again
 
-    def _received(self, frame: bytes, time: float) -> Heard:
-        if match := _CONFIGURATION.fullmatch(frame):
+    def _received(self, frame: bytes, time: float) -> TimedFrame:
+        if match := CONFIGURATION.fullmatch(frame):
             with contextlib.suppress(UnsupportedError, ValueError):
                 self._use(GatewayInfo.from_hex(match[1]))
         meaning = self._interpreter.explain(frame.removesuffix(b"\n"))
         sent_at = None
         if meaning.id is not None and meaning.command != "N":
             sent_at = self._sent_at.pop(meaning.id, None)
-        return Heard(time, False, frame, meaning, False, None if sent_at is None else time - sent_at)  # noqa: FBT003
+        round_trip = None if sent_at is None else time - sent_at
+        return TimedFrame(time, sent=False, frame=frame, meaning=meaning, round_trip=round_trip)
 
     def _use(self, info: GatewayInfo) -> None:
         codec = Codec(info, self._node)

@@ -1,0 +1,154 @@
+"""A link under trio: the same calls and promises, in an ``async with`` block.
+
+The link's own suite runs on it as well (tests/faces.py).
+"""
+
+from collections.abc import AsyncIterator, Awaitable, Callable, Iterator
+from contextlib import asynccontextmanager
+from pathlib import Path
+
+import pytest
+import trio
+from anyio.from_thread import start_blocking_portal
+
+import unity_link
+from unity_link.virtual import VirtualGateway
+from unity_link.virtual.line import SlowLine
+from unity_link.virtual.serving import serve_pty, serve_tcp, serve_udp, serve_unix
+
+
+def run(program: Callable[[], Awaitable[object]]) -> None:
+    """Run a program under trio, and no longer than a minute."""
+
+    async def limited() -> None:
+        with trio.fail_after(60):
+            await program()
+
+    trio.run(limited)
+
+
+@pytest.fixture(params=["unix", "tcp", "udp", "pty"])
+def served(request: pytest.FixtureRequest, tmp_path: Path) -> Iterator[str]:
+    """Return the URL of a gateway in the event loop of another thread."""
+
+    @asynccontextmanager
+    async def serving() -> AsyncIterator[str]:
+        gateway = VirtualGateway()
+        ways = {"unix": lambda: serve_unix(gateway, tmp_path / "gateway"), "udp": lambda: serve_udp(gateway, port=0)}
+        ways |= {"tcp": lambda: serve_tcp(gateway, port=0), "pty": lambda: serve_pty(gateway)}
+        async with ways[request.param]() as url:
+            yield url
+
+    with start_blocking_portal() as portal, portal.wrap_async_context_manager(serving()) as url:
+        yield url
+
+
+def test_words_blocks_batches_and_samples_come_on_every_medium(served: str) -> None:
+    async def program() -> None:
+        async with unity_link.connect(served) as link:
+            await link.write(0x0A, 0x12)
+            assert await link.read(0x0A) == 0x12
+            await link.write_block(0x20, range(64))
+            assert (await link.read_many(range(0x20, 0x60))).tolist() == list(range(64))
+            async with link.subscribe([0x0A], rate_hz=500) as samples:
+                taken = [await anext(samples) for _ in range(20)]
+            assert [sample.sequence for sample in taken] == list(range(20))
+            await link.post(0x30, 7)
+        async with unity_link.connect(served) as link:
+            assert await link.read(0x30) == 7
+
+    run(program)
+
+
+def test_tasks_of_a_nursery_share_a_link(served: str) -> None:
+    async def program() -> None:
+        async with unity_link.connect(served) as link, trio.open_nursery() as nursery:
+
+            async def work(address: int) -> None:
+                for value in range(20):
+                    await link.write(address, value)
+                    assert await link.read(address) == value
+
+            for address in range(32):
+                nursery.start_soon(work, address)
+
+    run(program)
+
+
+def test_a_call_that_is_cancelled_leaves_the_others_as_they_are() -> None:
+    async def program() -> None:
+        async with unity_link.connect(SlowLine(VirtualGateway(), 20_000)) as link:
+            with trio.move_on_after(0.02) as scope:
+                await link.read_block(0, 200)
+            assert scope.cancelled_caught
+            await link.write(1, 5)
+            assert await link.read(1) == 5
+
+    run(program)
+
+
+def test_an_error_in_the_block_comes_as_it_is() -> None:
+    async def program() -> None:
+        with pytest.raises(ZeroDivisionError):
+            async with unity_link.connect("sim:"):
+                raise ZeroDivisionError
+        with pytest.raises(unity_link.ConnectError, match="is it listening"):
+            async with unity_link.connect("tcp://127.0.0.1:1"):
+                pass
+
+    run(program)
+
+
+def test_without_a_block_it_says_what_to_write() -> None:
+    async def program() -> None:
+        with pytest.raises(unity_link.ArgumentError, match="write `async with"):
+            await unity_link.connect("sim:")
+
+    run(program)
+
+
+def test_a_callback_that_raises_is_logged_and_stops_nothing(caplog: pytest.LogCaptureFixture) -> None:
+    def fail(_: object) -> None:
+        raise ZeroDivisionError
+
+    async def program() -> None:
+        async with unity_link.connect("sim:") as link:
+            async with link.subscribe(0x10, callback=fail) as samples:
+                await samples.publish()
+            assert await link.read(0) == 0
+
+    run(program)
+    assert [record.message for record in caplog.records if record.exc_info] == ["a subscription's callback raised"]
+
+
+def test_a_lost_connection_is_opened_again(tmp_path: Path) -> None:
+    gateway = VirtualGateway()
+    path = tmp_path / "gateway"
+
+    async def program() -> None:
+        with start_blocking_portal() as portal:
+            first = portal.wrap_async_context_manager(serve_unix(gateway, path))
+            url = await trio.to_thread.run_sync(first.__enter__)
+            async with unity_link.connect(url, reconnect=unity_link.Reconnect(first_pause=0.01)) as link:
+                await link.write(1, 5)
+                await trio.to_thread.run_sync(first.__exit__, None, None, None)
+                second = portal.wrap_async_context_manager(serve_unix(gateway, path))
+                await trio.to_thread.run_sync(second.__enter__)
+                assert await link.read(1) == 5
+                assert link.statistics.reconnections == 1
+            await trio.to_thread.run_sync(second.__exit__, None, None, None)
+
+    run(program)
+
+
+def test_a_gateway_that_goes_away_is_a_lost_link(tmp_path: Path) -> None:
+    async def program() -> None:
+        with start_blocking_portal() as portal:
+            serving = portal.wrap_async_context_manager(serve_unix(VirtualGateway(), tmp_path / "gateway"))
+            url = await trio.to_thread.run_sync(serving.__enter__)
+            async with unity_link.connect(url) as link:
+                await trio.to_thread.run_sync(serving.__exit__, None, None, None)
+                with pytest.raises(unity_link.LinkLostError):
+                    await link.read(0)
+
+    run(program)

@@ -1,0 +1,108 @@
+"""The commands of `unity-link`, each made when it is asked for: `read` does not wait for what only `live` needs.
+
+A family is a file of commands, which its ``add_to`` adds to an app. Here stands which family has which commands, in the
+order of the help, so that one is imported to run a command, and all to show the help.
+"""
+
+from __future__ import annotations
+
+import functools
+import importlib
+from typing import TYPE_CHECKING, Any
+
+import typer
+from typer.core import TyperGroup
+from typer.main import get_group
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+MARKUP: Any = "markdown"
+"""As "rich", it would take the brackets of unity-link[zenoh] for its own."""
+FAMILIES = {
+    "demo": "demo",
+    "info": "info",
+    "read": "access",
+    "write": "access",
+    "watch": "watch",
+    "live": "live",
+    "simulate": "simulate",
+    "serve": "serve",
+    "terminal": "terminal",
+    "explain": "snoop",
+    "retrace": "snoop",
+    "check": "spec",
+    "fmt": "spec",
+    "show": "spec",
+    "generate": "generate",
+    "record": "recording",
+    "replay": "recording",
+    "ros1": "ros",
+    "ros2": "ros",
+    "zenoh": "zenoh",
+    "import": "spec",
+    "export": "export",
+    "ft232h": "ft232h",
+}
+"""The family of each command."""
+
+
+class Commands(TyperGroup):
+    """The group of all commands. Until a command is asked for, typer has its name alone."""
+
+    def __init__(self, **settings: Any) -> None:
+        super().__init__(**settings)
+        self.commands: Any = dict.fromkeys(FAMILIES)
+
+    def get_command(self, ctx: Any, cmd_name: str) -> Any:
+        """Return a command, and make it where it is asked for the first time; None for a name that there is not."""
+        if cmd_name in FAMILIES and self.commands[cmd_name] is None:
+            made = _commands_of(FAMILIES[cmd_name])
+            for command in made.values():
+                _convert_sparingly(command, ctx)
+            self.commands |= made
+        return super().get_command(ctx, cmd_name)
+
+    def parse_args(self, ctx: Any, args: list[str]) -> list[str]:
+        """Take the options before the command."""
+        _convert_sparingly(self, ctx)
+        return super().parse_args(ctx, args)
+
+
+def _commands_of(family: str) -> dict[str, Any]:
+    """Import a family, and return its commands."""
+    app = typer.Typer(rich_markup_mode=MARKUP)
+    importlib.import_module(f"unity_link.cli.{family}").add_to(app)
+    return {**get_group(app).commands}
+
+
+def _convert_sparingly(command: Any, ctx: Any) -> None:
+    """Have typer's converters made only for values that need them.
+
+    They are pydantic's, whose import takes a third of the time of a read, and typer asks for one also where there is
+    nothing to convert: for an option that was not given, for text. Should a version of it ask in another way, this
+    changes nothing.
+    """
+    for parameter in command.get_params(ctx):
+        parameter.get_runtime_param = functools.partial(_Converter, parameter.get_runtime_param)
+
+
+class _Converter:
+    """Converts a value of a parameter as typer does: what is nothing to convert by itself, the rest by typer's own."""
+
+    def __init__(self, usual: Callable[[], Any]) -> None:
+        self._usual = usual
+
+    def coerce(self, value: Any, param: Any, ctx: Any) -> Any:
+        """Return a value as the command is to have it."""
+        kind, parse = param.type_descriptor.annotation, param.type_descriptor.parameter_info.parser
+        several = param.multiple or param.nargs != 1
+        if not several and (value is None or (kind is str and isinstance(value, str))):
+            return value
+        if isinstance(value, float) and value is param.default:
+            return value
+        if parse is not None and isinstance(value, str):
+            return parse(value)
+        if parse is not None and several and value is not None:
+            return [parse(text) for text in value]
+        return self._usual().coerce(value, param=param, ctx=ctx)

@@ -1,0 +1,409 @@
+"""A link without an event loop: its coroutines run in the threads that call it.
+
+A call runs until it has to wait, and then polls the medium itself. Where several threads wait, one of them polls for
+all, and hands over to another when its own call is done. While there is a subscription, or a lost connection is being
+opened again, a thread of the link's own polls. A medium that only an event loop can open is opened in the
+thread of one (`relay`).
+"""
+
+from __future__ import annotations
+
+import asyncio
+import logging
+import math
+import select
+import socket
+import threading
+import time
+from collections import deque
+from contextlib import asynccontextmanager, suppress
+from typing import TYPE_CHECKING, Any, TypeVar
+
+from unity_link.errors import ArgumentError
+from unity_link.link.channel_transport import ChannelTransport
+from unity_link.link.relay import Relay, run_in_loop
+from unity_link.link.running import CALLING
+from unity_link.link.timers import Timers
+from unity_link.link.waiter import Result
+from unity_link.transport import DriverUrl, has_channel, load_driver, observed, open_channel
+from unity_link.transport import prepare as prepare_medium
+
+if TYPE_CHECKING:
+    from collections.abc import AsyncIterator, Callable, Coroutine, Generator
+
+    from unity_link.link.runtime import Job
+    from unity_link.transport import Medium
+    from unity_link.transport.stream import Stream
+
+T = TypeVar("T")
+log = logging.getLogger("unity_link.link")
+
+
+class CallWaiter(Result):
+    """What a call awaits."""
+
+    __slots__ = ()
+
+    def __await__(self) -> Generator[CallWaiter, None, Any]:
+        """Wait, and return the result or raise the error."""
+        if not self._done:
+            yield self
+        return self.result()
+
+
+class _Run:
+    """A coroutine under way."""
+
+    __slots__ = ("deadline", "waiter")
+
+    def __init__(self) -> None:
+        self.waiter: CallWaiter | None = None
+        """What it waits for, or waited for last."""
+        self.deadline: float | None = None
+        """When the innermost `timeout` that it is in ends."""
+
+
+class _Job(_Run):
+    """A coroutine that runs beside the calls, in whatever thread polls."""
+
+    __slots__ = ("_cancelled", "_coroutine", "_runtime", "ended")
+
+    def __init__(self, runtime: CallingThread, coroutine: Coroutine[CallWaiter, None, None]) -> None:
+        super().__init__()
+        self._runtime = runtime
+        self._coroutine = coroutine
+        self._cancelled = False
+        self.ended = CallWaiter()
+
+    def step(self) -> None:
+        """Run until the next wait."""
+        try:
+            waiter = self._runtime.advance(self, self._coroutine)
+        except (StopIteration, asyncio.CancelledError):
+            self._end()
+        except Exception as error:  # noqa: BLE001  (no call is there that could raise it)
+            self._end()
+            self._runtime.report("what runs beside the calls of a link has failed", error)
+        else:
+            waiter.on_done = lambda: self._runtime.call_soon(self.step)
+            if self._cancelled:
+                waiter.cancel()
+
+    def cancel(self) -> None:
+        """Have it end at its next wait."""
+        self._cancelled = True
+        if self.waiter is not None:
+            self.waiter.cancel()
+
+    def _end(self) -> None:
+        self.ended.set_result(None)
+        self._runtime.leave()
+
+
+def _wake(parked: threading.Lock) -> None:
+    if parked.locked():
+        parked.release()
+
+
+class CallingThread:
+    """Runs the coroutines of one link in the threads that call it. All its methods but `run` are for these coroutines.
+
+    Whoever runs holds the lock, and gives it away to poll or to wait for another thread that polls.
+    """
+
+    def __init__(self) -> None:
+        self.time = time.monotonic
+        self.create_future = CallWaiter
+        self._lock = threading.RLock()
+        self._polling = False
+        """Whether a thread polls, for all."""
+        self._poll = select.poll()
+        self._parked: list[threading.Lock] = []
+        """One for each thread that waits for another; to release it wakes the thread."""
+        self._ready: deque[Callable[[], object]] = deque()
+        self._timers = Timers(self.time, self._stir)
+        self.call_at = self._timers.call_at
+        self._handlers: dict[int, Callable[[int], None]] = {}
+        self._run = _Run()
+        """What runs now."""
+        self._relays: list[Relay] = []
+        self._closed = False
+        self._attended = 0
+        self._attendant: threading.Thread | None = None
+        self._waking, self._woken = socket.socketpair()
+        for end in (self._waking, self._woken):
+            end.setblocking(False)  # noqa: FBT003  (it has no name)
+        self.watch(self._woken.fileno(), select.POLLIN, self._empty)
+        CALLING.add(self)
+
+    # Calls
+
+    def run(self, coroutine: Coroutine[Any, Any, T]) -> T:
+        """Run a coroutine of the link in this thread, and return its result.
+
+        Raises:
+            ArgumentError: in a callback of the link, which runs within another call.
+        """
+        if self.is_running_here:
+            coroutine.close()
+            raise ArgumentError("a callback runs within a call of its link, and must not call the link")
+        run = _Run()
+        error: BaseException | None = None
+        with self._lock:
+            try:
+                while True:
+                    waiter = self.advance(run, coroutine, error)
+                    try:
+                        error = None
+                        self._wait(waiter)
+                    except BaseException as interruption:  # noqa: BLE001  (the coroutine raises it again)
+                        error = interruption
+                        self._take_lock()
+            except StopIteration as end:
+                result: T = end.value
+                return result
+            finally:
+                try:
+                    self._run_ready()
+                finally:
+                    if self._parked or self._closed:
+                        self._hand_over()
+
+    def advance(
+        self, run: _Run, coroutine: Coroutine[CallWaiter, None, Any], error: BaseException | None = None
+    ) -> CallWaiter:
+        """Have a coroutine go on until its next wait, and return what it waits for; raises StopIteration at its end."""
+        self._run = run
+        waiter = run.waiter = coroutine.send(None) if error is None else coroutine.throw(error)
+        return waiter
+
+    def _wait(self, waiter: CallWaiter) -> None:
+        """Poll, or have another thread poll, until there is a result."""
+        self._run_ready()
+        # Another thread may end what this one polls for.
+        waiter.on_done = self._stir
+        while not waiter.done():
+            if self._polling:
+                self._park(waiter)
+            else:
+                self._poll_once()
+            self._run_ready()
+
+    def _park(self, waiter: CallWaiter | None) -> None:
+        """Wait until another thread has polled a result, or none polls."""
+        parked = threading.Lock()
+        parked.acquire()
+        if waiter is None:
+            self._parked.insert(0, parked)
+        else:
+            self._parked.append(parked)
+            waiter.on_done = lambda: _wake(parked)
+        try:
+            self._lock.release()
+            parked.acquire()
+        finally:
+            try:
+                self._take_lock()
+            finally:
+                self._parked.remove(parked)
+                if waiter is not None:
+                    waiter.on_done = self._stir
+
+    def _hand_over(self) -> None:
+        """Have another thread poll."""
+        if self._polling:
+            return
+        if self._parked:
+            _wake(self._parked[0])
+        elif self._closed and self._woken.fileno() in self._handlers:
+            self.unwatch(self._woken.fileno())
+            self._waking.close()
+            self._woken.close()
+
+    def _poll_once(self) -> None:
+        """Make the calls that are due, or wait for the next or for what can be read or written."""
+        patience = (self._timers.due - self.time()) * 1000
+        if patience <= 0:
+            self._timers.run()
+            return
+        found = self._outside(lambda: self._poll.poll(None if patience == math.inf else patience))
+        for descriptor, event in found:
+            handler = self._handlers.get(descriptor)
+            if handler is not None:
+                handler(event)
+
+    def _run_ready(self) -> None:
+        while self._ready:
+            self._ready.popleft()()
+
+    def _take_lock(self) -> None:
+        """Take the lock, if this thread has not got it; a Ctrl-C comes between any two steps of a thread."""
+        interruption: BaseException | None = None
+        while not self.is_running_here:
+            try:
+                self._lock.acquire()
+            except BaseException as error:  # noqa: BLE001  (it is raised again)
+                interruption = error
+        if interruption is not None:
+            raise interruption
+
+    def _stir(self) -> None:
+        """Have the thread that polls look again at what there is to wait for."""
+        if self._polling:
+            self._send_byte()
+
+    def _send_byte(self) -> None:
+        # A full socket wakes as well.
+        with suppress(OSError):
+            self._waking.send(b"\0")
+
+    def _empty(self, _: int) -> None:
+        with suppress(BlockingIOError):
+            self._woken.recv(4096)
+
+    # What coroutines of the link need
+
+    def call_soon(self, function: Callable[[], object], /) -> None:
+        """Call a function when what runs now waits."""
+        self._ready.append(function)
+
+    def call_soon_threadsafe(self, function: Callable[[], object], /) -> None:
+        """Call a function in the thread that polls next; may be called by threads that do not run here."""
+        self._ready.append(function)
+        self._send_byte()
+
+    def create_task(self, coroutine: Coroutine[Any, Any, None], /) -> _Job:
+        """Run a coroutine beside the calls; a thread polls until it ends."""
+        job = _Job(self, coroutine)
+        self.attend()
+        self.call_soon(job.step)
+        return job
+
+    async def finish(self, job: Job) -> None:
+        """Cancel a job, and wait until it has ended."""
+        assert isinstance(job, _Job)
+        job.cancel()
+        await job.ended
+
+    async def sleep(self, seconds: float) -> None:
+        """Wait."""
+        waiter = CallWaiter()
+        timer = self.call_at(self.time() + seconds, lambda: waiter.set_result(None))
+        try:
+            await waiter
+        finally:
+            timer.cancel()
+
+    @asynccontextmanager
+    async def timeout(self, seconds: float) -> AsyncIterator[None]:
+        """Have the block raise TimeoutError after some time."""
+        run, expired = self._run, False
+
+        def expire() -> None:
+            nonlocal expired
+            expired = run.waiter is None or run.waiter.cancel()
+
+        run.deadline = self.time() + seconds
+        timer = self.call_at(run.deadline, expire)
+        try:
+            yield
+        except asyncio.CancelledError:
+            if expired:
+                raise TimeoutError from None
+            raise
+        finally:
+            run.deadline = None
+            timer.cancel()
+
+    def report(self, message: str, error: Exception) -> None:
+        """Report an error that no call raises."""
+        log.error(message, exc_info=error)
+
+    # Media
+
+    def watch(self, descriptor: int, events: int, handler: Callable[[int], None]) -> None:
+        """Call a handler where a file descriptor is ready for some of ``select.POLLIN`` and ``select.POLLOUT``."""
+        self._handlers[descriptor] = handler
+        self._poll.register(descriptor, events)
+        self._stir()
+
+    def unwatch(self, descriptor: int) -> None:
+        """Call no handler any more."""
+        del self._handlers[descriptor]
+        self._poll.unregister(descriptor)
+        self._stir()
+
+    async def prepare(self, url: DriverUrl) -> None:
+        """Do what must be done once before a medium of this kind can be opened."""
+        if hasattr(load_driver(url.scheme), "prepare"):
+            self._outside(lambda: run_in_loop(lambda: prepare_medium(url)))
+
+    async def open_medium(self, target: DriverUrl | Medium, stream: Stream) -> None:
+        """Connect a stream to a medium."""
+        if has_channel(target):
+            protocol, left = observed(target, stream), self._run.deadline
+            patience = None if left is None else max(0.001, left - self.time())
+            channel = self._outside(lambda: open_channel(target, patience))
+            ChannelTransport(self, channel, protocol)
+            return
+        relay = Relay(self, target, stream)
+        self._relays = [other for other in self._relays if not other.has_ended] + [relay]
+        await relay.open()
+
+    def _outside(self, function: Callable[[], T]) -> T:
+        """Call a function that waits, without the lock; other threads wait for this one meanwhile."""
+        try:
+            self._polling = True
+            self._lock.release()
+            return function()
+        finally:
+            try:
+                self._take_lock()
+            finally:
+                self._polling = False
+
+    def end(self) -> None:
+        """Have no thread poll any more but for a call, when the link has ended."""
+        with self._lock:
+            self._closed, self._attended = True, 0
+            self._stir()
+            self._hand_over()
+
+    def close(self, patience: float | None) -> None:
+        """End all threads, when the link has ended; wait for each at most so many seconds."""
+        attendant = self._attendant
+        self.end()
+        for thread in (*self._relays, attendant):
+            if thread is not None and thread is not threading.current_thread():
+                thread.join(patience)
+
+    @property
+    def is_running_here(self) -> bool:
+        """Whether this thread runs something of the link now."""
+        return self._lock._is_owned()  # type: ignore[attr-defined, no-any-return]  # noqa: SLF001  (as threading does)
+
+    # Polling without a call
+
+    def attend(self) -> None:
+        """Have a thread poll while no call does, until `leave` is called as often."""
+        self._attended += 1
+        if self._attendant is None:
+            self._attendant = threading.Thread(target=self._attend, name="unity_link.blocking", daemon=True)
+            self._attendant.start()
+
+    def leave(self) -> None:
+        """End what one call of `attend` has begun."""
+        self._attended = max(0, self._attended - 1)
+        self._stir()
+
+    def _attend(self) -> None:
+        with self._lock:
+            self._run_ready()
+            while self._attended:
+                if self._polling:
+                    self._park(None)
+                else:
+                    self._poll_once()
+                self._run_ready()
+            self._attendant = None
+            self._hand_over()

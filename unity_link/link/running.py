@@ -1,0 +1,129 @@
+"""What code that is built on links waits by, in every kind of program.
+
+In asyncio it is asyncio's own; elsewhere what runs the link has it.
+"""
+
+from __future__ import annotations
+
+import asyncio
+from collections import deque
+from contextlib import suppress
+from contextvars import ContextVar
+from typing import TYPE_CHECKING, Any
+from weakref import WeakSet
+
+from unity_link.link.runtime import AsyncioRuntime
+
+if TYPE_CHECKING:
+    from collections.abc import Coroutine
+    from types import TracebackType
+
+    from unity_link.link.calling_thread import CallingThread
+    from unity_link.link.runtime import Runtime, Waiter
+
+STRUCTURED: ContextVar[Runtime] = ContextVar("STRUCTURED")
+"""What runs the link of the innermost block, under trio."""
+CALLING: WeakSet[CallingThread] = WeakSet()
+"""What runs the links of blocking code."""
+
+
+def running() -> Runtime:
+    """Return what runs the calling coroutine."""
+    for runtime in _calling():
+        if runtime.is_running_here:
+            return runtime
+    with suppress(RuntimeError):
+        return AsyncioRuntime()
+    return STRUCTURED.get()
+
+
+def _calling() -> list[CallingThread]:
+    while True:
+        # Another thread may open a link at this moment.
+        with suppress(RuntimeError):
+            return list(CALLING)
+
+
+async def gather(*coroutines: Coroutine[Any, Any, Any]) -> list[Any]:
+    """Have all done, at once where that can be and in turn otherwise, and return their results.
+
+    Raises:
+        Exception: the first error; the others are done all the same.
+    """
+    if isinstance(running(), AsyncioRuntime):
+        return await asyncio.gather(*coroutines)
+    results: list[Any] = []
+    first: Exception | None = None
+    for coroutine in coroutines:
+        try:
+            results.append(await coroutine)
+        except Exception as error:  # noqa: BLE001  (it is raised below)
+            first = first or error
+    if first is not None:
+        raise first
+    return results
+
+
+class Event:
+    """A flag that can be waited for."""
+
+    def __init__(self) -> None:
+        self._set = False
+        self._waiters: list[Waiter] = []
+
+    def set(self) -> None:
+        """Have those go on who wait."""
+        self._set = True
+        for waiter in self._waiters:
+            if not waiter.done():
+                waiter.set_result(None)
+
+    def clear(self) -> None:
+        """Take the flag back."""
+        self._set = False
+
+    async def wait(self) -> None:
+        """Wait until the flag is set."""
+        while not self._set:
+            waiter = running().create_future()
+            self._waiters.append(waiter)
+            try:
+                await waiter
+            finally:
+                self._waiters.remove(waiter)
+
+
+class Lock:
+    """Has one coroutine at a time in its ``async with`` blocks, in turn."""
+
+    def __init__(self) -> None:
+        self._held = False
+        self._waiters: deque[Waiter] = deque()
+
+    async def __aenter__(self) -> None:
+        while self._held:
+            waiter = running().create_future()
+            self._waiters.append(waiter)
+            try:
+                await waiter
+            except BaseException:
+                # Its turn goes to the next.
+                if waiter.done() and not waiter.cancelled():
+                    self._wake_next()
+                raise
+            finally:
+                with suppress(ValueError):
+                    self._waiters.remove(waiter)
+        self._held = True
+
+    async def __aexit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        self._held = False
+        self._wake_next()
+
+    def _wake_next(self) -> None:
+        for waiter in self._waiters:
+            if not waiter.done():
+                waiter.set_result(None)
+                return

@@ -1,0 +1,137 @@
+"""What runs a link: the clock, the timers and the futures that `Connection` and `Link` wait by.
+
+Their coroutines are the same in every kind of program. `AsyncioRuntime` is the event loop that they were called in;
+`calling_thread` runs them in the threads of blocking code, and `structured` in a task group of anyio, so under trio.
+"""
+
+from __future__ import annotations
+
+import asyncio
+from typing import TYPE_CHECKING, Any, Protocol, cast
+
+from unity_link.transport import open_medium, prepare
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Coroutine, Generator
+    from contextlib import AbstractAsyncContextManager
+
+    from unity_link.transport import DriverUrl, Medium
+    from unity_link.transport.stream import Stream
+
+
+class Waiter(Protocol):
+    """What a call awaits: as much of `asyncio.Future` as links need."""
+
+    def done(self) -> bool:
+        """Whether there is a result or an error, or it was cancelled."""
+
+    def cancelled(self) -> bool:
+        """Whether it was cancelled."""
+
+    def cancel(self) -> bool:
+        """Cancel it, and return whether it was not done before."""
+
+    def set_result(self, result: Any, /) -> None:
+        """Have what awaits it go on with a result."""
+
+    def set_exception(self, exception: BaseException, /) -> None:
+        """Have what awaits it go on with an error."""
+
+    def exception(self) -> BaseException | None:
+        """Return the error of one that is done."""
+
+    def __await__(self) -> Generator[Any, Any, Any]:
+        """Wait, and return the result or raise the error."""
+
+
+class Timer(Protocol):
+    """What is to be called at a time."""
+
+    def cancel(self) -> None:
+        """Have it not called."""
+
+
+class Job(Protocol):
+    """A coroutine that runs beside the calls."""
+
+    def cancel(self) -> Any:
+        """Have it end at its next wait."""
+
+
+class Runtime(Protocol):
+    """What runs a link."""
+
+    def time(self) -> float:
+        """Return the time in seconds, from any origin."""
+
+    def create_future(self) -> Waiter:
+        """Return what a call can await."""
+
+    def call_soon(self, function: Callable[[], object], /) -> Any:
+        """Call a function when what runs now waits."""
+
+    def call_at(self, when: float, function: Callable[[], object], /) -> Timer:
+        """Call a function at a time of `time`."""
+
+    def create_task(self, coroutine: Coroutine[Any, Any, None], /) -> Job:
+        """Run a coroutine beside the calls."""
+
+    async def finish(self, job: Job) -> None:
+        """Cancel a job, and wait until it has ended."""
+
+    async def sleep(self, seconds: float) -> None:
+        """Wait."""
+
+    def timeout(self, seconds: float) -> AbstractAsyncContextManager[Any]:
+        """Return a context manager that has the block raise TimeoutError after some time."""
+
+    async def prepare(self, url: DriverUrl) -> None:
+        """Do what must be done once before a medium of this kind can be opened."""
+
+    async def open_medium(self, target: DriverUrl | Medium, stream: Stream) -> None:
+        """Connect a stream to a medium."""
+
+    def attend(self) -> None:
+        """See that what arrives is taken also while no call waits, until `leave` is called as often."""
+
+    def leave(self) -> None:
+        """End what one call of `attend` has begun."""
+
+    def report(self, message: str, error: Exception) -> None:
+        """Report an error of a program's own callback."""
+
+
+class AsyncioRuntime:
+    """The event loop that is running."""
+
+    def __init__(self) -> None:
+        loop = asyncio.get_running_loop()
+        self._loop = loop
+        # The loop's own methods: nothing stands between them and the calls.
+        self.time = loop.time
+        self.create_future = loop.create_future
+        self.call_soon = loop.call_soon
+        self.call_at = loop.call_at
+        self.create_task = loop.create_task
+        self.timeout = asyncio.timeout
+        self.sleep = asyncio.sleep
+        self.prepare = prepare
+
+    async def finish(self, job: Job) -> None:
+        """Cancel a task, and wait until it has ended."""
+        job.cancel()
+        await asyncio.wait([cast("asyncio.Task[None]", job)])
+
+    async def open_medium(self, target: DriverUrl | Medium, stream: Stream) -> None:
+        """Connect a stream to a medium."""
+        await open_medium(target, stream)
+
+    def attend(self) -> None:
+        """Do nothing: an event loop takes what arrives."""
+
+    def leave(self) -> None:
+        """Do nothing."""
+
+    def report(self, message: str, error: Exception) -> None:
+        """Report an error of a program's own callback by the exception handler of the loop."""
+        self._loop.call_exception_handler({"message": message, "exception": error})

@@ -1,0 +1,270 @@
+"""Numbers, frames and words many at a time, as arrays: what batches, blocks and samples are made of.
+
+numpy is slow to load, so this module is asked for as ``protocol.arrays``, which imports it when it is first needed: by
+the first batch, block or subscription, before anything of it is sent, and by a server when it starts.
+"""
+
+from __future__ import annotations
+
+from binascii import hexlify, unhexlify
+from collections.abc import Sequence
+from functools import lru_cache
+from operator import index
+from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias, cast
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from unity_link.errors import ArgumentError
+from unity_link.protocol.crc import byte_table
+from unity_link.protocol.frames import LF
+
+if TYPE_CHECKING:
+    from unity_link.protocol.crc import Crc
+    from unity_link.protocol.frames import Framing
+    from unity_link.protocol.messages import Codec
+
+Words: TypeAlias = NDArray[np.unsignedinteger[Any]]
+_FEWEST_ROWS = 20
+"""Frames that are worth a turn of numpy."""
+_ROWS_TOGETHER = 64
+"""Rows that lie in one array: so many stay in memory where one of them is kept."""
+_CRC_TYPES: dict[int, type[np.unsignedinteger]] = {8: np.uint8, 16: np.uint16, 32: np.uint32}
+_NIBBLE_TO_ASCII = np.frombuffer(b"0123456789ABCDEF", np.uint8)
+
+
+# Numbers
+
+
+class _Form(NamedTuple):
+    """How numpy holds numbers of so many hex digits: in the smallest integers that can."""
+
+    padding: int
+    """Digits that are missing to whole ones."""
+    sent: np.dtype[np.unsignedinteger[Any]]
+    held: np.dtype[np.unsignedinteger[Any]]
+
+
+def _form(digits: int) -> _Form:
+    octets = next(size for size in (1, 2, 4, 8) if 2 * size >= digits)
+    return _Form(2 * octets - digits, np.dtype(f">u{octets}"), np.dtype(f"u{octets}"))
+
+
+_FORMS = {digits: _form(digits) for digits in range(1, 17)}
+
+
+def word_type(digits: int) -> np.dtype[np.unsignedinteger[Any]]:
+    """Return the smallest type that holds a number of so many hex digits."""
+    return _FORMS[digits].held
+
+
+def zeros(count: int, digits: int) -> Words:
+    """Return as many zeros, for numbers of so many hex digits to be put in their places."""
+    return np.zeros(count, _FORMS[digits].held)
+
+
+def in_range(values: ArrayLike, highest: int, what: str) -> NDArray[Any]:
+    """Return whole numbers from 0 to `highest` as an array of one dimension.
+
+    Raises:
+        ArgumentError: where they are anything else.
+    """
+    try:
+        array = np.asarray(values)
+        if array.dtype.kind not in "iub" and isinstance(values, Sequence):
+            # numpy makes fractions of words from 2**63 on that stand beside smaller ones.
+            array = np.array([index(cast("int", value)) for value in values], object)
+    except (TypeError, ValueError):
+        array = np.array(None)
+    if array.ndim != 1 or (array.size and array.dtype.kind not in "iubO"):
+        raise ArgumentError(f"a sequence of whole numbers was expected for each {what}, not {values!r:.80}")
+    if array.size:
+        low, high = int(array.min()), int(array.max())
+        if low < 0 or high > highest:
+            raise ArgumentError(f"{what} {low if low < 0 else high:#x} is not from 0 to {highest:#x}")
+    return array
+
+
+def joined(parts: Sequence[Words]) -> Words:
+    """Return the words of several arrays in one."""
+    return parts[0] if len(parts) == 1 else np.concatenate(parts)
+
+
+# Hex digits
+
+
+def hex_rows(values: ArrayLike, digits: int) -> NDArray[np.uint8]:
+    """Return numbers as upper-case hex digits, shape (n, digits)."""
+    form = _FORMS[digits]
+    # Without a type, numpy makes floats of a list that holds both small numbers and some of 64 bits.
+    numbers = values if isinstance(values, np.ndarray) else np.asarray(values, np.uint64)
+    raw = numbers.astype(form.sent, copy=False).tobytes()
+    return np.frombuffer(hexlify(raw).upper(), np.uint8).reshape(-1, digits + form.padding)[:, form.padding :]
+
+
+def hex_columns(columns: Sequence[tuple[NDArray[Any], int]]) -> NDArray[np.uint8]:
+    """Return the hex digits of columns of numbers side by side; each column says how many its numbers have."""
+    rows = [hex_rows(values, digits) for values, digits in columns]
+    return rows[0] if len(rows) == 1 else np.concatenate(rows, axis=1)
+
+
+def parse_rows(rows: NDArray[np.uint8]) -> Words:
+    """Read numbers from hex digits, shape (n, digits).
+
+    Raises:
+        ValueError: where a character is no hex digit.
+    """
+    form = _FORMS[rows.shape[1]]
+    if form.padding:
+        padded = np.full((len(rows), form.padding + rows.shape[1]), ord("0"), np.uint8)
+        padded[:, form.padding :] = rows
+        rows = padded
+    return np.frombuffer(unhexlify(rows.tobytes()), form.sent).astype(form.held)
+
+
+def apart(values: Words) -> list[Words]:
+    """Return the rows of an array, of which no more than a few stay in memory together."""
+    starts = range(0, len(values), _ROWS_TOGETHER)
+    return [row for start in starts for row in values[start : start + _ROWS_TOGETHER].copy()]
+
+
+def parse_words(text: bytes, digits: int) -> Words:
+    """Read the numbers of `digits` hex digits each that stand side by side in `text`.
+
+    Raises:
+        ValueError: where a character is no hex digit, or the last number is cut.
+    """
+    form = _FORMS[digits]
+    if form.padding:
+        return parse_rows(np.frombuffer(text, np.uint8).reshape(-1, digits))
+    return np.frombuffer(unhexlify(text), form.sent).astype(form.held)
+
+
+# Frames
+
+
+def rows_of(data: bytes, start: int, count: int, size: int) -> NDArray[np.uint8]:
+    """Return `count` frames of one size that stand side by side from `start` on, shape (count, size)."""
+    return np.frombuffer(data, np.uint8, count * size, start).reshape(count, size)
+
+
+def crc_rows(crc: Crc, rows: NDArray[np.uint8]) -> NDArray[np.uint8]:
+    """Return the CRC of each row of bytes, shape (n, length), as hex digits, shape (n, digits).
+
+    With an initial value of 0 the CRC is linear, so it is one table look-up a column and an xor over the columns.
+    """
+    table = _column_table(crc.bits, crc.polynomial, rows.shape[1])
+    crcs = np.bitwise_xor.reduce(table[np.arange(rows.shape[1]), rows], axis=1)
+    shifts = np.arange(crc.bits - 4, -1, -4, dtype=crcs.dtype)
+    digits: NDArray[np.uint8] = _NIBBLE_TO_ASCII[(crcs[:, None] >> shifts) & 15]
+    return digits
+
+
+@lru_cache(maxsize=64)
+def _column_table(bits: int, polynomial: int, length: int) -> NDArray[np.unsignedinteger]:
+    """Return what each byte at each column of a row adds to the row's CRC, shape (length, 256)."""
+    step = np.array(byte_table(bits, polynomial), _CRC_TYPES[bits])
+    columns = np.empty((length, 256), _CRC_TYPES[bits])
+    columns[-1] = step
+    for column in range(length - 2, -1, -1):
+        after = columns[column + 1]
+        # One more zero byte behind: the remainder moves up by eight bits.
+        columns[column] = (after << 8 if bits > 8 else 0) ^ step[after >> bits - 8]
+    return columns
+
+
+def open_rows(framing: Framing, rows: NDArray[np.uint8], head: bytes) -> NDArray[np.uint8]:
+    """Return the bodies of checked frames of one length that stand side by side, up to the first that is none.
+
+    Args:
+        framing: puts them into frames.
+        rows: the frames with their LF, shape (n, length).
+        head: what all of them begin with, the prefix among it.
+    """
+    end = rows.shape[1] - framing.crc.digits - len(LF)
+    sound = (rows[:, -1:] == LF[0]).all(axis=1) & (rows[:, : len(head)] == np.frombuffer(head, np.uint8)).all(axis=1)
+    sound &= (rows[:, end : -len(LF)] == crc_rows(framing.crc, rows[:, :end])).all(axis=1)
+    count = len(rows) if sound.all() else int(sound.argmin())
+    return rows[:count, len(framing.prefix) : end]
+
+
+@lru_cache
+def _id_rows(digits: int) -> NDArray[np.uint8]:
+    """Return the digits of all IDs, shape (ring, digits), side by side in memory: `take` would copy them otherwise."""
+    return np.ascontiguousarray(hex_rows(np.arange(16**digits), digits))
+
+
+def request_rows(codec: Codec, command: str, first: int, fields: NDArray[np.uint8]) -> bytes:
+    """Return the checked frames of many requests of one command under consecutive IDs.
+
+    Args:
+        codec: the messages of the gateway.
+        command: the command, in upper case.
+        first: ID of the first.
+        fields: hex digits of the fields, shape (n, width).
+    """
+    count = len(fields)
+    if count < _FEWEST_ROWS:
+        # A turn of numpy costs as much as so many frames.
+        numbers = range(first, first + count)
+        return b"".join(
+            codec.request(command, number & codec.ring - 1, row.tobytes())
+            for number, row in zip(numbers, fields, strict=True)
+        )
+    framing = codec.framing
+    head = np.frombuffer(framing.prefix + codec.lower[command], np.uint8)
+    ids = _id_rows(codec.info.id_digits).take(np.arange(first, first + count), axis=0, mode="wrap")
+    covered = np.concatenate((np.broadcast_to(head, (count, len(head))), ids, fields), axis=1)
+    ends = np.full((count, 1), LF[0], np.uint8)
+    return np.concatenate((covered, crc_rows(framing.crc, covered), ends), axis=1).tobytes()
+
+
+def matching_rows(codec: Codec, command: str, first: int, data: bytes, digits: int) -> NDArray[np.uint8]:
+    """Check frames of one command under consecutive IDs, be they requests or responses.
+
+    Args:
+        codec: the messages of the gateway.
+        command: the command, in upper case.
+        first: ID of the first.
+        data: whole frames of equal size.
+        digits: characters between the ID and the CRC.
+
+    Returns:
+        These characters, shape (n, digits), of the frames up to the first that is anything else than expected.
+    """
+    framing = codec.framing
+    head = np.frombuffer(framing.prefix + codec.lower[command], np.uint8)
+    crc_digits = framing.crc.digits
+    before = len(head) + codec.info.id_digits
+    rows = np.frombuffer(data, np.uint8).reshape(-1, before + digits + crc_digits + 1)
+    ids = _id_rows(codec.info.id_digits).take(np.arange(first, first + len(rows)), axis=0, mode="wrap")
+    good = (rows[:, : len(head)] == head).all(axis=1)
+    good &= (rows[:, len(head) : before] == ids).all(axis=1)
+    good &= (rows[:, -1 - crc_digits : -1] == crc_rows(framing.crc, rows[:, : before + digits])).all(axis=1)
+    good &= rows[:, -1] == LF[0]
+    return rows[: len(rows) if good.all() else int(good.argmin()), before : before + digits]
+
+
+def response_rows(codec: Codec, command: str, first: int, data: bytes, digits: int) -> Words | None:
+    """Read the responses to many requests of one command under consecutive IDs, as long as they are as expected.
+
+    Args:
+        codec: the messages of the gateway.
+        command: the command, in upper case.
+        first: ID of the first.
+        data: whole frames of equal size.
+        digits: hex digits after the ID: those of one word, or 0.
+
+    Returns:
+        The words of the frames up to the first that is anything else than the expected response (zeros where
+        `digits` is 0), or None where there is none.
+    """
+    rows = matching_rows(codec, command, first, data, digits)
+    if not len(rows):
+        return None
+    if not digits:
+        return zeros(len(rows), codec.info.data_digits)
+    try:
+        return parse_rows(rows)
+    except ValueError:
+        return None

@@ -1,0 +1,82 @@
+"""Media that have a file descriptor, opened without an event loop.
+
+A driver whose medium is one has a function ``open_channel(url, timeout)``, by which blocking code has its bytes without
+a change of threads.
+"""
+
+from __future__ import annotations
+
+import contextlib
+from typing import TYPE_CHECKING, Protocol
+
+from unity_link.errors import ConnectError
+from unity_link.protocol.constants import QUICK_TIMEOUT
+
+if TYPE_CHECKING:
+    import socket
+    from collections.abc import Iterator
+
+LARGEST_READ = 65_536
+
+
+class Channel(Protocol):
+    """A medium with a file descriptor that never blocks."""
+
+    shortest_timeout: float
+    """Seconds that the medium may hold an answer back, and some more."""
+
+    def fileno(self) -> int:
+        """Return the file descriptor."""
+
+    def read(self) -> bytes:
+        """Return what has come; what there is none of is empty, or raises BlockingIOError.
+
+        Raises:
+            EOFError: where the other side has closed it.
+            OSError: where the medium is gone; or ConnectError.
+        """
+
+    def write(self, data: bytes | bytearray | memoryview) -> int:
+        """Write what fits, and return how many bytes that was; raises OSError where the medium is gone."""
+
+    def close(self) -> None:
+        """Close it."""
+
+
+class SocketChannel:
+    """A connected stream socket.
+
+    Args:
+        connected: is the channel's from now on.
+    """
+
+    shortest_timeout = QUICK_TIMEOUT
+
+    def __init__(self, connected: socket.socket) -> None:
+        connected.setblocking(False)  # noqa: FBT003  (it has no name)
+        self._socket = connected
+        self.fileno = connected.fileno
+        self.write = connected.send
+        self.close = connected.close
+
+    def read(self) -> bytes:
+        """Return what has come."""
+        data = self._socket.recv(LARGEST_READ)
+        if not data:
+            raise EOFError
+        return data
+
+
+@contextlib.contextmanager
+def refused_as(failure: str, question: str = "") -> Iterator[None]:
+    """Have what the system refuses in the block raise ConnectError.
+
+    Args:
+        failure: what could not be done.
+        question: what the user might look at.
+    """
+    try:
+        yield
+    except OSError as error:
+        reason = error.strerror or str(error) or type(error).__name__
+        raise ConnectError(f"{failure} ({reason})" + (f"; {question}" if question else "")) from error
