@@ -1,4 +1,7 @@
-"""Runs all benchmarks and writes their figures, with the machine they were seen on, to RESULTS.md: `make bench`."""
+"""Runs all benchmarks and writes their figures, with the machine they were seen on, to RESULTS.md: `make bench`.
+
+Those that are named are run alone, as in `python -m benchmarks posts`, and nothing is written.
+"""
 
 from __future__ import annotations
 
@@ -15,12 +18,23 @@ from rich.table import Table
 
 import unity_link
 from benchmarks import (
+    alternating_samples,
+    batch_posts,
     batch_reads,
     block_reads,
+    blocking_read,
+    c_read,
+    command_time,
     concurrent_reads,
+    gathered_reads,
     group_reads,
     group_samples,
+    import_time,
+    many_links,
     memory,
+    octave_read,
+    posts,
+    read_beside_protocol,
     samples,
     sequential_read,
     shared_batches,
@@ -30,16 +44,28 @@ from benchmarks.measure import RUNS, Row
 
 BENCHMARKS = (
     sequential_read,
+    read_beside_protocol,
+    blocking_read,
+    c_read,
+    octave_read,
     concurrent_reads,
+    gathered_reads,
+    many_links,
     batch_reads,
+    posts,
+    batch_posts,
     block_reads,
     samples,
+    alternating_samples,
     group_reads,
     group_samples,
     memory,
     shared_link,
     shared_batches,
+    import_time,
+    command_time,
 )
+NAMED = {benchmark.__name__.rpartition(".")[2]: benchmark for benchmark in BENCHMARKS}
 RESULTS = Path(__file__).with_name("RESULTS.md")
 _COLUMNS = ("Question", "Unity-Link", "Bare loop", "Time, ours to bare", "Target", "Met")
 
@@ -60,7 +86,8 @@ def document(rows: list[Row]) -> str:
         "# Results",
         "",
         "The host's software alone: through a pseudo-terminal against a responder in C in another process, and the",
-        "same bytes through a bare asyncio loop (`add_reader`, `os.read`, `os.write`, nothing else) in the same run.",
+        "same bytes through a bare asyncio loop (`add_reader`, `os.read`, `os.write`, nothing else) in the same run;",
+        "where the question names something else to stand beside, that has the second column.",
         f"Medians of {RUNS} alternating runs. Run them again by `make bench`, which writes this file.",
         "",
         f"Seen on {dt.datetime.now(dt.UTC):%Y-%m-%d} by unity-link {unity_link.__version__}: {machine()}.",
@@ -75,26 +102,29 @@ def document(rows: list[Row]) -> str:
     return "\n".join(lines) + "\n"
 
 
-async def run(console: Console) -> list[Row]:
-    """Run all, and show each as it ends."""
-    rows = []
-    for benchmark in BENCHMARKS:
-        with console.status(benchmark.__doc__ or ""):
-            rows.append(await benchmark.measure())
+async def run(console: Console, names: list[str]) -> list[Row]:
+    """Run those that are named, and show each as it ends."""
+    rows: list[Row] = []
+    for name in names:
+        with console.status(NAMED[name].__doc__ or ""):
+            rows.append(await NAMED[name].measure())
         console.print(f"{rows[-1].question}: {rows[-1].ours} (target: {rows[-1].target})")
     return rows
 
 
 def main() -> int:
     """Run, show and write; 1 where a target was missed."""
-    argparse.ArgumentParser(prog="python -m benchmarks", description=__doc__).parse_args()
+    parser = argparse.ArgumentParser(prog="python -m benchmarks", description=__doc__)
+    parser.add_argument("names", nargs="*", choices=[*NAMED, []], help="benchmarks; all by default")
+    arguments = parser.parse_args()
     console = Console()
-    rows = asyncio.run(run(console))
+    rows = asyncio.run(run(console, arguments.names or list(NAMED)))
     table = Table(*_COLUMNS)
     for row in rows:
         table.add_row(row.question, row.ours, row.bare, row.ratio, row.target, "yes" if row.met else "[red]no")
     console.print(table)
-    RESULTS.write_text(document(rows))
+    if not arguments.names:
+        RESULTS.write_text(document(rows))
     return 0 if all(row.met for row in rows) else 1
 
 

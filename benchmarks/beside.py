@@ -1,7 +1,9 @@
 """Runs the benchmarks of this tree and of an earlier revision in turn: what became slower? `make bench-beside`.
 
 Each benchmark runs in a process of its own, here and there alternately, so that both meet the same machine. What is
-compared is the time of ours to that of the bare loop, which every run measures anew.
+compared is the time of ours to that of the bare loop, which every run measures anew. How many times as quick as then
+it is by the clock alone stands beside it. A benchmark that the revision has not is lent to it, where all that it needs
+of the package and of the other benchmarks is there.
 """
 
 from __future__ import annotations
@@ -10,6 +12,7 @@ import argparse
 import contextlib
 import os
 import re
+import shutil
 import statistics
 import subprocess
 import sys
@@ -21,7 +24,7 @@ import msgspec
 from rich.console import Console
 from rich.table import Table
 
-from benchmarks.__main__ import BENCHMARKS
+from benchmarks.__main__ import NAMED
 from benchmarks.measure import Row
 
 if TYPE_CHECKING:
@@ -45,6 +48,8 @@ class Comparison(msgspec.Struct, frozen=True):
     now: str
     ratio: float
     """Time to the bare loop's, here to there, median over the rounds; above 1 is slower."""
+    times_as_quick: float
+    """By the clock alone, here to there, median over the rounds; above 1 is quicker."""
 
 
 @contextlib.contextmanager
@@ -54,6 +59,10 @@ def checked_out(revision: str) -> Iterator[Path]:
         tree = Path(folder) / "tree"
         _git("worktree", "add", "--detach", "--force", str(tree), revision)
         try:
+            # What the revision could not be asked then, it is asked now.
+            for file in (HERE / "benchmarks").glob("*.py"):
+                if not (tree / "benchmarks" / file.name).exists():
+                    shutil.copy(file, tree / "benchmarks")
             yield tree
         finally:
             _git("worktree", "remove", "--force", str(tree))
@@ -75,40 +84,60 @@ def measure(tree: Path, name: str) -> Row:
     return msgspec.json.decode(done.stdout, type=Row)
 
 
-def compare(there: Path, name: str) -> Comparison | None:
+def why_not(tree: Path, name: str) -> str:
+    """Return what a benchmark needs and a tree lacks; empty where it can run there."""
+    environment = os.environ | {"PYTHONPATH": str(tree)}
+    command = [sys.executable, "-c", f"from benchmarks import {name}"]
+    done = subprocess.run(command, cwd=tree, env=environment, capture_output=True, text=True, check=False)
+    return done.stderr.strip().splitlines()[-1] if done.returncode else ""
+
+
+def compare(there: Path, name: str, rounds: int = ROUNDS) -> Comparison | None:
     """Run one benchmark here and there in turn; None where it has no ratio to a bare loop."""
-    pairs = [(measure(there, name), measure(HERE, name)) for _ in range(ROUNDS)]
+    pairs = [(measure(there, name), measure(HERE, name)) for _ in range(rounds)]
     before, now = pairs[-1]
     if not now.ratio:
         return None
     ratio = statistics.median(_number(new.ratio) / _number(old.ratio) for old, new in pairs)
-    return Comparison(now.question, before.ours, now.ours, ratio)
+    times_as_quick = statistics.median(_times_as_quick(old.ours, new.ours) for old, new in pairs)
+    return Comparison(now.question, before.ours, now.ours, ratio, times_as_quick)
+
+
+def _times_as_quick(old: str, new: str) -> float:
+    """Compare two rates, or two times."""
+    quotient = _number(new) / _number(old)
+    return quotient if "/s" in new else 1 / quotient
 
 
 def _number(text: str) -> float:
-    found = re.match(r"[\d.]+", text)
+    found = re.match(r"[\d.,]+", text)
     assert found is not None
-    return float(found[0])
+    return float(found[0].replace(",", ""))
 
 
 def main() -> int:
     """Compare all benchmarks, and show a table; 1 where one became slower."""
     parser = argparse.ArgumentParser(prog="python -m benchmarks.beside", description=__doc__)
     parser.add_argument("revision", help="of this repository")
-    names = [benchmark.__name__.rpartition(".")[2] for benchmark in BENCHMARKS]
-    parser.add_argument("names", nargs="*", choices=[*names, []], help="benchmarks; all by default")
+    parser.add_argument("names", nargs="*", choices=[*NAMED, []], help="benchmarks; all by default")
+    parser.add_argument("--rounds", type=int, default=ROUNDS, help="how often each runs here and there")
     arguments = parser.parse_args()
     console = Console()
-    table = Table("Question", arguments.revision, "now", "Time, now to then")
+    table = Table("Question", arguments.revision, "now", "Time, now to then", "Times as quick")
     slower = False
     with checked_out(arguments.revision) as there:
-        for name in arguments.names or names:
+        for name in arguments.names or NAMED:
+            if missing := why_not(there, name):
+                console.print(f"{name} cannot run at {arguments.revision}: {missing}", markup=False)
+                continue
             with console.status(name):
-                found = compare(there, name)
+                found = compare(there, name, arguments.rounds)
             if found is not None:
                 mark = "[red]" if found.ratio > SLOWER else ""
                 slower = slower or found.ratio > SLOWER
-                table.add_row(found.question, found.before, found.now, f"{mark}{found.ratio:.2f}")
+                table.add_row(
+                    found.question, found.before, found.now, f"{mark}{found.ratio:.2f}", f"{found.times_as_quick:.2f}"
+                )
     console.print(table)
     return int(slower)
 

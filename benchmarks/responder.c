@@ -2,7 +2,7 @@
  *
  * It speaks the wire protocol in checked form (words of 32 bits, addresses of up to 16) and executes r, rm, w, wm, ws, h
  * and the group commands on plain memory. It trusts its wire: no session, no sequence rules, no errors.
- * A running group publishes as fast as the wire takes it, without timestamps.
+ * Groups that run publish in turn, as fast as the wire takes it, without timestamps.
  *
  * usage: responder FD CONFIGURATION     (the answer to Q, by which it sends)
  *
@@ -22,7 +22,7 @@
 #include <sys/uio.h>
 #include <unistd.h>
 
-enum { DATA = 8, MOST = 1 << 16, WORDS = 1 << 16, PUBLISHES = 256, DATAGRAM = 1400, HEADER = 32 };
+enum { DATA = 8, MOST = 1 << 16, WORDS = 1 << 16, PUBLISHES = 256, GROUPS = 256, DATAGRAM = 1400, HEADER = 32 };
 
 static uint32_t crc_table[256];
 static uint32_t memory[WORDS];
@@ -30,8 +30,12 @@ static char out[MOST * 4];
 static size_t out_length;
 static const char *configuration;
 static int fd, id_digits, address_digits, crc_bits;
-static int running, words, group, sequence;
-static uint16_t addresses[256];
+static struct group {
+    int words, sequence;
+    uint16_t addresses[256];
+} groups[GROUPS];
+static int running, turn;
+static uint8_t runs[GROUPS];
 static int datagrams, asked, asked_plainly;
 static uint32_t session, offer = 1, sent_datagrams;
 static struct sockaddr_storage host;
@@ -137,6 +141,18 @@ static void configure(const char *text)
     make_table(get_hex(text + 10, 8) << (32 - crc_bits));
 }
 
+/* Start a group, or stop it. */
+static void run(uint8_t group, int on)
+{
+    int others = 0;
+    for (int i = 0; i < running; i++)
+        if (runs[i] != group)
+            runs[others++] = runs[i];
+    running = others;
+    if (on)
+        runs[running++] = group;
+}
+
 static void answer(const char *frame, size_t length)
 {
     size_t start = out_length;
@@ -172,26 +188,29 @@ static void answer(const char *frame, size_t length)
         for (const char *word = fields + address_digits; word + DATA <= frame + length - crc_bits / 4; word += DATA)
             memory[address++ & (WORDS - 1)] = get_hex(word, DATA);
     } else if (frame[0] == 'g' && frame[1] == 's') {
-        group = (int)get_hex(fields, 2);
-        words = (int)get_hex(fields + 8, 2);
-        for (int i = 0; i < words; i++)
-            addresses[i] = (uint16_t)get_hex(fields + 10 + address_digits * i, address_digits);
-        sequence = 0;
+        struct group *set = &groups[get_hex(fields, 2)];
+        set->words = (int)get_hex(fields + 8, 2);
+        for (int i = 0; i < set->words; i++)
+            set->addresses[i] = (uint16_t)get_hex(fields + 10 + address_digits * i, address_digits);
+        set->sequence = 0;
     } else if (frame[0] == 'g') {
-        running = frame[1] == 'n';
+        run((uint8_t)get_hex(fields, 2), frame[1] == 'n');
     }
     end_frame(start);
 }
 
+/* The groups that run take turns. */
 static void publish(void)
 {
     for (int n = 0; n < PUBLISHES && out_length < 4096; n++) {
         size_t start = out_length;
+        turn = (turn + 1) % running;
+        struct group *is = &groups[runs[turn]];
         out[out_length++] = 'P';
-        put_hex((uint32_t)group, 2);
-        put_hex((uint32_t)sequence++ & 255, 2);
-        for (int i = 0; i < words; i++)
-            put_hex(memory[addresses[i]], DATA);
+        put_hex(runs[turn], 2);
+        put_hex((uint32_t)is->sequence++ & 255, 2);
+        for (int i = 0; i < is->words; i++)
+            put_hex(memory[is->addresses[i]], DATA);
         end_frame(start);
     }
 }

@@ -17,7 +17,7 @@ from unity_link.protocol.configuration import Feature, GatewayInfo
 from unity_link.protocol.messages import Codec, DecodedRequest
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Iterator, Sequence
 
 SOURCE = Path(__file__).with_name("responder.c")
 LOOPBACK = "127.0.0.1"
@@ -44,17 +44,33 @@ def serving(source: Path, medium: str, *arguments: str) -> Iterator[str]:
     Raises:
         FileNotFoundError: where there is no C compiler.
     """
+    with compiled([source]) as program, ExitStack() as stack:
+        yield _run(program, stack, medium, *arguments)
+
+
+@contextmanager
+def compiled(sources: Sequence[Path], *options: str) -> Iterator[Path]:
+    """Compile a program of some sources in C, and return where it is, for as long as the context lasts.
+
+    Raises:
+        FileNotFoundError: where there is no C compiler.
+    """
     compiler = shutil.which("cc") or shutil.which("gcc") or shutil.which("clang")
     if compiler is None:
-        raise FileNotFoundError("the benchmarks need a C compiler for their responders: apt install gcc")
-    with ExitStack() as stack:
-        program = Path(stack.enter_context(tempfile.TemporaryDirectory())) / source.stem
-        subprocess.run([compiler, "-O2", "-Wall", "-Wextra", "-Werror", "-o", program, source], check=True)
-        theirs, name = _PLACES[medium](stack)
-        process = subprocess.Popen([str(program), str(theirs), *arguments], pass_fds=[theirs])
-        stack.enter_context(process)
-        stack.callback(process.kill)
-        yield name
+        raise FileNotFoundError("the benchmarks need a C compiler: apt install gcc")
+    with tempfile.TemporaryDirectory() as folder:
+        program = Path(folder) / sources[0].stem
+        command = [compiler, "-O2", "-Wall", "-Wextra", "-Werror", *options, "-o", str(program), *map(str, sources)]
+        subprocess.run(command, check=True)
+        yield program
+
+
+def _run(program: Path, stack: ExitStack, medium: str, *arguments: str) -> str:
+    theirs, name = _PLACES[medium](stack)
+    process = subprocess.Popen([str(program), str(theirs), *arguments], pass_fds=[theirs])
+    stack.enter_context(process)
+    stack.callback(process.kill)
+    return name
 
 
 def _terminal(stack: ExitStack) -> tuple[int, str]:
@@ -93,6 +109,17 @@ def responder(info: GatewayInfo = GATEWAY, medium: str = "pty") -> Iterator[str]
     """
     with serving(SOURCE, medium, info.to_hex().decode()) as end:
         yield end
+
+
+@contextmanager
+def responders(count: int, info: GatewayInfo = GATEWAY) -> Iterator[list[str]]:
+    """Run many responders, each behind a pseudo-terminal of its own, and return these.
+
+    Raises:
+        FileNotFoundError: where there is no C compiler.
+    """
+    with compiled([SOURCE]) as program, ExitStack() as stack:
+        yield [_run(program, stack, "pty", info.to_hex().decode()) for _ in range(count)]
 
 
 class BareLoop:

@@ -1,4 +1,7 @@
-"""Runs Unity-Link beside its peers, and writes what it has seen into docs/performance.md: `make bench-peers`."""
+"""Runs Unity-Link beside its peers, and writes what it has seen into docs/performance.md: `make bench-peers`.
+
+Media that are named are run alone, as in `python -m benchmarks.peers udp`, and nothing is written.
+"""
 
 from __future__ import annotations
 
@@ -18,6 +21,8 @@ from benchmarks.peers.race import QUICK, Finish, Size, run_race
 DOCS = Path(__file__).parents[2] / "docs"
 PAGE = DOCS / "performance.md"
 PICTURE = "images/peers.png"
+MEDIA = {"pty": on_pty, "udp": on_udp, "tcp": on_tcp}
+NEEDED = {"pty": ("litex", "pymodbus"), "udp": ("uhal",), "tcp": ("pymodbus",)}
 
 
 def main() -> None:
@@ -25,23 +30,26 @@ def main() -> None:
     parser = argparse.ArgumentParser(prog="python -m benchmarks.peers", description=__doc__)
     parser.add_argument("--rounds", type=int, default=RUNS, help="how often each contender runs")
     parser.add_argument("--quick", action="store_true", help="a round of little work, to try it; writes nothing")
+    parser.add_argument("media", nargs="*", choices=[*MEDIA, []], help="all by default")
     arguments = parser.parse_args()
-    missing = [name for name in ("litex", "pymodbus", "uhal") if find_spec(name) is None]
+    media = arguments.media or list(MEDIA)
+    needed = {name for medium in media for name in NEEDED[medium]}
+    missing = sorted(name for name in needed if find_spec(name) is None)
     if missing:
         parser.error(f"{', '.join(missing)} cannot be imported here: `make bench-peers` installs what it needs")
     rounds, size = (1, QUICK) if arguments.quick else (arguments.rounds, Size())
     seen_on = f"{machine()}, with a load of {os.getloadavg()[0]:.1f} before the run"
     console = Console()
     finishes: list[Finish] = []
-    for medium in (on_pty, on_udp, on_tcp):
+    for medium in media:
         with ExitStack() as stack:
-            for race in medium.races(stack, size):
+            for race in MEDIA[medium].races(stack, size):
                 with console.status(f"{race.question}, {race.medium}"):
                     finishes += run_race(race, rounds)
                 for finish in finishes[-len(race.contenders) :]:
-                    beside = "" if finish.ratio is None else f", {finish.ratio:.2f} times as quick as {finish.beside}"
+                    beside = "" if finish.ratio is None else f", {report.beside(finish)}"
                     console.print(f"{finish.medium}, {finish.question}, {finish.contender}: {finish.figure}{beside}")
-    if not arguments.quick:
+    if not arguments.quick and not arguments.media:
         PAGE.write_text(report.replaced(PAGE.read_text(), report.text(finishes, seen_on, rounds, PICTURE)))
         report.draw(finishes, DOCS / PICTURE)
 

@@ -8,8 +8,9 @@ import time
 from contextlib import asynccontextmanager
 from typing import TYPE_CHECKING, Any
 
+from benchmarks.expected import ADDRESS, expect
 from benchmarks.measure import seconds
-from benchmarks.peers.race import ADDRESS, BLOCK, Contender, Size, expect
+from benchmarks.peers.race import BLOCK, Contender, Size
 from benchmarks.responder import LOOPBACK
 
 if TYPE_CHECKING:

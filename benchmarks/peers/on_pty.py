@@ -2,21 +2,21 @@
 
 from __future__ import annotations
 
-import threading
 from typing import TYPE_CHECKING, Any
 
-import serial
-
+from benchmarks.expected import ADDRESS, expect
+from benchmarks.peers.by_hand import ByHand
 from benchmarks.peers.modbus import Modbus
 from benchmarks.peers.ours import BLOCKS, LONE, LONE_BLOCKING, TASKS, Ours
-from benchmarks.peers.race import ADDRESS, BLOCK, RESPONDERS, Contender, Race, Size, expect, median_of, seconds_of
-from benchmarks.responder import GATEWAY, exchange, responder, serving
+from benchmarks.peers.race import BLOCK, RESPONDERS, Contender, Race, Size, median_of, seconds_of
+from benchmarks.responder import responder, serving
 
 if TYPE_CHECKING:
     from collections.abc import Callable
     from contextlib import ExitStack
 
 MEDIUM = "pty"
+BY_HAND = "pyserial and a lock"
 BURST = 255
 """Words of LiteX' longest read."""
 
@@ -25,13 +25,13 @@ def races(stack: ExitStack, size: Size) -> list[Race]:
     """Return the races on this medium."""
     ours = Ours(stack, "pty", size)
     litex = _Litex(stack.enter_context(serving(RESPONDERS, "pty", "litex")), size)
-    by_hand = _ByHand(stack.enter_context(responder()), size)
+    by_hand = ByHand(stack.enter_context(responder()))
+    lone_by_hand = Contender(BY_HAND, lambda: by_hand.seconds_of_a_read(size.lone), LONE_BLOCKING)
+    many_by_hand = Contender(f"{BY_HAND}, one after the other", lambda: by_hand.seconds_of_reads(size.lone), TASKS)
     modbus = Modbus("pymodbus, RTU", stack.enter_context(serving(RESPONDERS, "pty", "modbus-rtu")), size)
     return [
-        Race(
-            "a read, one after the other", MEDIUM, "", [*ours.lone(), litex.lone(), by_hand.lone(), modbus.lone(LONE)]
-        ),
-        Race("many reads", MEDIUM, "reads", [*ours.many(), litex.many(), by_hand.many(), modbus.gathered(TASKS)]),
+        Race("a read, one after the other", MEDIUM, "", [*ours.lone(), litex.lone(), lone_by_hand, modbus.lone(LONE)]),
+        Race("many reads", MEDIUM, "reads", [*ours.many(), litex.many(), many_by_hand, modbus.gathered(TASKS)]),
         Race("a block of 65,536 words", MEDIUM, "words", [*ours.block(), litex.block(), modbus.block(BLOCKS)]),
     ]
 
@@ -83,42 +83,3 @@ class _Litex:
             return words
 
         return seconds_of(work) / BLOCK
-
-
-class _ByHand:
-    """What somebody writes who needs no more than a word: the frames of a read, and a lock around them."""
-
-    def __init__(self, path: str, size: Size) -> None:
-        self._path = path
-        self._size = size
-        self._lock = threading.Lock()
-        self._request, response = exchange(GATEWAY, "R", ADDRESS, reads=0)
-        self._length = len(response)
-        begin = 1 + GATEWAY.id_digits
-        self._word = slice(begin, begin + GATEWAY.data_bits // 4)
-
-    def lone(self) -> Contender:
-        return Contender("pyserial and a lock", self._read_alone, LONE_BLOCKING)
-
-    def many(self) -> Contender:
-        return Contender("pyserial and a lock, one after the other", self._read_many, TASKS)
-
-    def _read(self, port: serial.Serial) -> int:
-        with self._lock:
-            port.write(self._request)
-            return int(port.read(self._length)[self._word], 16)
-
-    def _read_alone(self) -> float:
-        with serial.Serial(self._path) as port:
-            expect(self._read(port))
-            return median_of(lambda: self._read(port), self._size.lone)
-
-    def _read_many(self) -> float:
-        count = self._size.lone
-        with serial.Serial(self._path) as port:
-
-            def work() -> None:
-                for _ in range(count):
-                    self._read(port)
-
-            return seconds_of(work) / count

@@ -6,8 +6,9 @@ import tempfile
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from benchmarks.expected import ADDRESS, expect
 from benchmarks.peers.ours import BLOCKS, LONE_BLOCKING, MANY, Ours
-from benchmarks.peers.race import ADDRESS, BLOCK, RESPONDERS, Contender, Race, Size, expect, median_of, seconds_of
+from benchmarks.peers.race import BLOCK, RESPONDERS, Contender, Race, Size, median_of, seconds_of
 from benchmarks.responder import LOOPBACK, serving
 
 if TYPE_CHECKING:

@@ -11,8 +11,9 @@ import msgspec
 import numpy as np
 
 import unity_link
+from benchmarks.expected import ADDRESS, WORD, expect
 from benchmarks.measure import seconds
-from benchmarks.peers.race import ADDRESS, BLOCK, WORD, Contender, Size, expect, median_of
+from benchmarks.peers.race import BLOCK, Contender, Size, median_of
 from benchmarks.responder import GATEWAY, LOOPBACK, exchange, responder
 from unity_link import blocking
 

@@ -18,9 +18,6 @@ if TYPE_CHECKING:
 
 RESPONDERS = Path(__file__).with_name("responders.c")
 """What answers the peers."""
-ADDRESS = 0x0A
-WORD = 0x0A0A0A0A
-"""What all responders have at `ADDRESS`."""
 BLOCK = 65_536
 
 
@@ -69,6 +66,8 @@ class Finish(msgspec.Struct, frozen=True):
     beside: str
     ratio: float | None
     """How many times as quick as ours it is, median over the rounds; None of ours."""
+    wire: float | None = None
+    """How many times as many bytes of the wire as ours it moves in a second, where those are told."""
 
 
 def run_race(race: Race, rounds: int) -> list[Finish]:
@@ -81,12 +80,13 @@ def run_race(race: Race, rounds: int) -> list[Finish]:
 
 def _finish(race: Race, contender: Contender, seen: list[dict[str, float]]) -> Finish:
     seconds = statistics.median(times[contender.name] for times in seen)
-    ratio = None
+    ratio = wire = None
     if contender.beside:
         ratio = statistics.median(times[contender.beside] / times[contender.name] for times in seen)
-    return Finish(
-        race.question, race.medium, contender.name, _figure(race, contender, seconds), contender.beside, ratio
-    )
+        ours = next((other.wire for other in race.contenders if other.name == contender.beside), 0.0)
+        wire = ratio * contender.wire / ours if ours and contender.wire else None
+    figure = _figure(race, contender, seconds)
+    return Finish(race.question, race.medium, contender.name, figure, contender.beside, ratio, wire)
 
 
 def _figure(race: Race, contender: Contender, seconds: float) -> str:
@@ -111,13 +111,3 @@ def seconds_of(call: Callable[[], object]) -> float:
     start = time.perf_counter()
     call()
     return time.perf_counter() - start
-
-
-def expect(value: object, expected: object = WORD) -> None:
-    """Check what a contender has read: one that is quick and wrong has not finished.
-
-    Raises:
-        RuntimeError: where it is something else.
-    """
-    if value != expected:
-        raise RuntimeError(f"{value!r} was read where {expected!r} stands")

@@ -71,8 +71,14 @@ def _quicker(finishes: list[Finish]) -> list[str]:
 
 
 def _line(finish: Finish) -> str:
-    beside = f"{_ratio(finish):.2f} times {finish.beside}" if finish.beside else ""
-    return f"| {finish.question} | {finish.medium} | {finish.contender} | {finish.figure} | {beside} |"
+    told = beside(finish) if finish.beside else ""
+    return f"| {finish.question} | {finish.medium} | {finish.contender} | {finish.figure} | {told} |"
+
+
+def beside(finish: Finish) -> str:
+    """Return the ratio of a peer to ours as text."""
+    wire = f"; {finish.wire:.2f} times its bytes of the wire" if finish.wire else ""
+    return f"{_ratio(finish):.2f} times {finish.beside}{wire}"
 
 
 def _ratio(finish: Finish) -> float:

@@ -5,7 +5,6 @@ What the program takes is left out here (no test judges the machine); `make tabl
 
 from __future__ import annotations
 
-import shutil
 import sys
 from typing import TYPE_CHECKING
 
@@ -23,6 +22,7 @@ from benchmarks.paper.results import MODES, STACKS
 from benchmarks.paper.tables import NOTHING, latency_rows, throughput_rows, to_markdown
 from benchmarks.paper.throughput import measure_bursts, measure_throughputs
 from benchmarks.paper.workbench import Workbench, available_gateway
+from compilers import needs_cxx
 from unity_link.errors import ConnectError, UnsupportedError
 from unity_link.virtual.rtl.library import load
 
@@ -31,9 +31,7 @@ if TYPE_CHECKING:
 
     from benchmarks.paper.stacks import StackName
 
-NO_COMPILER = not any(shutil.which(name) for name in ("c++", "g++", "clang++"))
-on_rtl = pytest.mark.skipif(NO_COMPILER, reason="no C++ compiler: apt install g++")
-GATEWAYS = [pytest.param("rtl", marks=[pytest.mark.rtl, on_rtl]), "model"]
+GATEWAYS = [pytest.param("rtl", marks=[pytest.mark.rtl, needs_cxx]), "model"]
 LINK = 64.0
 """Mb/s."""
 
@@ -52,7 +50,7 @@ def results() -> Results:
 
 
 @pytest.mark.rtl
-@on_rtl
+@needs_cxx
 def test_the_gateware_alone_is_faster_than_the_papers() -> None:
     figures = measure_gateware()
     assert figures.microseconds(figures.read_cycles) <= 0.60
@@ -78,7 +76,7 @@ def test_a_single_access_takes_two_microframes_at_most_or_the_latency_timer(benc
 
 
 @pytest.mark.rtl
-@on_rtl
+@needs_cxx
 def test_of_a_single_access_the_gateware_takes_some_microseconds() -> None:
     for stack in STACKS:
         for row in measure_latencies(Workbench("rtl", counts_host_time=False), stack, 10):
@@ -122,7 +120,7 @@ def test_longer_bursts_take_longer_and_move_more(bench: Workbench) -> None:
 
 
 @pytest.mark.rtl
-@on_rtl
+@needs_cxx
 def test_gateware_and_model_differ_by_less_than_a_microframe() -> None:
     pairs = [
         list(measure_latencies(Workbench(kind, counts_host_time=False), "full stack", 30)) for kind in ("rtl", "model")
@@ -195,7 +193,7 @@ def test_the_papers_bursts_stand_beside_what_they_were_measured_with(results: Re
 
 
 @pytest.mark.rtl
-@on_rtl
+@needs_cxx
 def test_the_page_has_the_gateware_beside_the_papers(results: Results) -> None:
     page = to_markdown(msgspec.structs.replace(results, gateware=measure_gateware()))
     assert "µs | 1.14 µs |" in page

@@ -54,3 +54,16 @@ def test_the_ratio_is_the_median_of_those_within_a_round() -> None:
     ours, peer = run_race(Race("a read", "UDP", "reads", ways), 3)
     assert (ours.figure, ours.ratio) == ("0 reads/s", None)
     assert (peer.figure, peer.ratio) == ("0 reads/s", 2.0)
+
+
+def test_bytes_of_the_wire_are_compared_where_both_tell_them() -> None:
+    ways = [
+        Contender("ours", lambda: 1.0, wire=8.0),
+        Contender("terse", lambda: 0.5, "ours", wire=4.0),
+        Contender("silent", lambda: 0.5, "ours"),
+    ]
+    _, terse, silent = run_race(Race("a block", "UDP", "words", ways), 1)
+    assert (terse.ratio, terse.wire, silent.wire) == (2.0, 1.0, None)
+    page = text([terse, silent], "a machine", 1, "peers.png")
+    assert "2.00 times ours; 1.00 times its bytes of the wire |" in page
+    assert "2.00 times ours |" in page

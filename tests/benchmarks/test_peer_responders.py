@@ -7,18 +7,14 @@ from __future__ import annotations
 
 import os
 import select
-import shutil
 import socket
 import struct
 
-import pytest
-
 from benchmarks.peers.race import RESPONDERS
 from benchmarks.responder import LOOPBACK, serving
+from compilers import needs_c
 
-pytestmark = pytest.mark.skipif(
-    not any(shutil.which(name) for name in ("cc", "gcc", "clang")), reason="no C compiler: apt install gcc"
-)
+pytestmark = needs_c
 PATIENCE = 60
 """Seconds until a test fails whose answer does not come."""
 

@@ -3,17 +3,15 @@
 from __future__ import annotations
 
 import asyncio
-import shutil
 
 import msgspec
 import pytest
 
 import unity_link
 from benchmarks.responder import GATEWAY, LOOPBACK, exchange, responder
+from compilers import needs_c
 
-pytestmark = pytest.mark.skipif(
-    not any(shutil.which(name) for name in ("cc", "gcc", "clang")), reason="no C compiler: apt install gcc"
-)
+pytestmark = needs_c
 WIDTHS = [
     GATEWAY,
     msgspec.structs.replace(GATEWAY, id_digits=2, crc_bits=8, crc_polynomial=0x07),

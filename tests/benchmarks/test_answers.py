@@ -1,0 +1,58 @@
+"""Each benchmark of RESULTS.md that asks what the next release must hold answers, with little work.
+
+How fast anything was is not judged here. Each checks what it has read by itself, and raises where that is wrong.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import re
+from typing import TYPE_CHECKING
+
+import pytest
+
+from benchmarks import (
+    batch_posts,
+    blocking_read,
+    c_read,
+    gathered_reads,
+    many_links,
+    measure,
+    octave_read,
+    posts,
+    read_beside_protocol,
+)
+from benchmarks.__main__ import NAMED
+from compilers import needs_c
+from generate.octave import why_not
+
+if TYPE_CHECKING:
+    from types import ModuleType
+
+needs_octave = pytest.mark.skipif(bool(why_not()), reason=why_not())
+SMALL = [
+    (read_beside_protocol, {"READS": 5}),
+    (blocking_read, {"READS": 5}),
+    (c_read, {"READS": 5}),
+    pytest.param(octave_read, {"READS": 5}, marks=[needs_octave, pytest.mark.slow]),
+    (gathered_reads, {"AT_ONCE": 4, "ROUNDS": 2}),
+    (many_links, {"LINKS": 3, "READS": 12}),
+    # The bare loop has 128 requests under way.
+    (posts, {"POSTS": 256}),
+    (batch_posts, {"POSTS": 256}),
+]
+
+
+@needs_c
+@pytest.mark.parametrize(("benchmark", "sizes"), SMALL)
+def test_a_benchmark_answers_its_question(
+    monkeypatch: pytest.MonkeyPatch, benchmark: ModuleType, sizes: dict[str, int]
+) -> None:
+    monkeypatch.setattr(measure, "RUNS", 1)
+    for name, size in sizes.items():
+        monkeypatch.setattr(benchmark, name, size)
+    row = asyncio.run(benchmark.measure())
+    assert re.match(r"[\d,.]+ (us|reads/s|writes/s)", row.ours)
+    assert re.match(r"[\d,.]+ (us|reads/s|writes/s)", row.bare)
+    assert float(row.ratio) >= 0
+    assert NAMED[benchmark.__name__.rpartition(".")[2]] is benchmark

@@ -1,0 +1,39 @@
+"""What is said where two revisions answer the same question."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import pytest
+
+from benchmarks import beside
+from benchmarks.measure import Row
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+
+def row(ours: str, ratio: str) -> Row:
+    return Row("a question", ours, "", ratio, "", met=True)
+
+
+@pytest.mark.parametrize(
+    ("then", "now", "times_as_quick"),
+    [("150,000 reads/s", "300,000 reads/s", 2.0), ("30.0 us", "15.0 us", 2.0), ("1,000 us", "2,000 us", 0.5)],
+)
+def test_a_rate_and_a_time_say_how_many_times_as_quick_it_is(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path, then: str, now: str, times_as_quick: float
+) -> None:
+    answers = {tmp_path: row(then, "4.00"), beside.HERE: row(now, "3.00")}
+    monkeypatch.setattr(beside, "measure", lambda tree, _: answers[tree])
+    found = beside.compare(tmp_path, "posts", rounds=2)
+    assert found == beside.Comparison("a question", then, now, 0.75, times_as_quick)
+
+
+def test_what_a_revision_lacks_for_a_benchmark_is_said(tmp_path: Path) -> None:
+    (tmp_path / "benchmarks").mkdir()
+    (tmp_path / "benchmarks" / "__init__.py").touch()
+    (tmp_path / "benchmarks" / "asks.py").write_text("import what_is_not_there\n")
+    (tmp_path / "benchmarks" / "can.py").touch()
+    assert beside.why_not(tmp_path, "asks") == "ModuleNotFoundError: No module named 'what_is_not_there'"
+    assert beside.why_not(tmp_path, "can") == ""
