@@ -44,7 +44,7 @@ coverage: $(ALL) ## the test suite, and which lines it does not run
 
 # Its tests are few and long: none waits for another in one process while the other has nothing to do.
 campaign: $(ALL) ## the searches at length, which `make test` leaves out
-	@$(PYTEST) --dist worksteal -m campaign $(PYTEST_ARGS)
+	@$(PYTEST) --dist worksteal --timeout 0 -m campaign $(PYTEST_ARGS)
 
 lint: $(ALL) ## formatting, ruff, types, direction of the imports
 	@$(BIN)/ruff format --check .

@@ -33,19 +33,20 @@ class Service:
         self._watched = mine and microseconds.isdigit() and int(microseconds) > 0
         self._pause = min(SLOWEST, int(microseconds) / 2e6) if self._watched else SLOWEST
 
-    def tell(self, *lines: str) -> None:
-        """Send lines such as ``READY=1``; a manager that does not listen is none of our business."""
+    def tell(self, *lines: str) -> bool:
+        """Send lines such as ``READY=1``; return whether the manager takes them now, for it may be busy or gone."""
         if not self._address:
-            return
+            return False
         with contextlib.suppress(OSError), socket.socket(socket.AF_UNIX, socket.SOCK_DGRAM) as notify:
             notify.setblocking(False)
             notify.sendto("\n".join(lines).encode(), self._address)
+            return True
+        return False
 
     def status(self, text: str) -> None:
-        """Tell a status, if it has changed."""
-        if text != self._told:
+        """Tell a status that differs from the last that was taken."""
+        if text != self._told and self.tell(f"STATUS={text}"):
             self._told = text
-            self.tell(f"STATUS={text}")
 
     async def live(self, status: Callable[[], str]) -> None:
         """Send signs of life and the status until cancelled; the event loop that stands still gives none."""
