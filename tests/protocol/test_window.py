@@ -220,6 +220,43 @@ def test_signs_are_taken_after_pauses_that_double_as_long_as_nothing_moves() -> 
     assert taken == pytest.approx([10, 20, 30, 40, 50, 60, 700], abs=2)
 
 
+def test_a_sign_that_comes_too_early_is_taken_when_nothing_else_comes_for_as_long_again() -> None:
+    window: Window[Named] = Window(RING, round_trip=0.01, shortest_timeout=1.0)
+    sent(window, "a", "b")
+    window.damaged(now=0.0)
+    assert repeated(window) == "a@0 b@1"
+    window.damaged(now=0.009)
+    assert repeated(window) == ""
+    assert window.deadline == pytest.approx(0.019)
+    window.expire(now=0.019)
+    assert repeated(window) == "a@0 b@1"
+    assert not window.timed_out
+
+
+def test_a_sign_that_comes_too_early_outlives_answers_to_what_was_sent_before_it() -> None:
+    window: Window[Named] = Window(RING, round_trip=0.01, shortest_timeout=1.0)
+    sent(window, "a", "b", "c")
+    window.damaged(now=0.0)
+    repeated(window)
+    window.damaged(now=0.009)
+    window.answered(0, 1, now=0.0095)
+    assert window.deadline == pytest.approx(0.0195)
+    window.expire(now=0.0195)
+    assert repeated(window) == "b@1 c@2"
+
+
+def test_a_sign_that_comes_too_early_is_forgotten_when_all_that_was_sent_before_it_is_answered() -> None:
+    window: Window[Named] = Window(RING, round_trip=0.01, shortest_timeout=1.0)
+    sent(window, "a")
+    window.damaged(now=0.0)
+    repeated(window)
+    window.damaged(now=0.009)
+    sent(window, "b")
+    window.answered(0, 1, now=0.0095)
+    assert window.deadline is not None
+    assert window.deadline > 1.0
+
+
 def test_many_signs_that_arrive_together_are_one() -> None:
     window: Window[Named] = Window(RING)
     sent(window, *"abcdefghijklmnopqrstuvwxyz")

@@ -36,7 +36,7 @@ class Sendings:
 
     def repetition(self, window: Window[Any]) -> Iterator[tuple[int, Any, int, int]]:
         """Return what a window repeats, and count it."""
-        counted = self._by_time if window._waited else self._by_signs
+        counted = self._by_time if window.timed_out else self._by_signs
         for part in _repetition(window):
             _, run, offset, count = part
             self._runs[id(run)] = run

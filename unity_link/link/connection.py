@@ -223,7 +223,7 @@ class Connection:
             self._handle(events)
         if session.output and not self._flushing:
             self._send()
-        if self._timer is None or self._timer_at - now > _LATE:
+        if self._timer is None or self._timer_at - now > _LATE or session.loses:
             self._set_timer()
         return len(data)
 

@@ -479,7 +479,7 @@ class Exchange:
             return
         if window.wants_repetition:
             self._repeat()
-            self._counters.timeouts += self._counters.repetitions > before
+            self._counters.timeouts += window.timed_out and self._counters.repetitions > before
         self._fence(now)
         keep_alive_due = self._keep_alive_due
         if keep_alive_due is not None and now >= keep_alive_due:

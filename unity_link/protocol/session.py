@@ -135,6 +135,11 @@ class Session:
         return None if self._exchange is None else self._exchange.window.smoothed_round_trip
 
     @property
+    def loses(self) -> bool:
+        """Whether the line has lost something not long ago."""
+        return self._exchange is not None and self._exchange.window.loses
+
+    @property
     def deadline(self) -> float | None:
         """When `expire` must be called; None while there is nothing to wait for."""
         if self._exchange is not None:

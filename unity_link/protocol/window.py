@@ -41,9 +41,10 @@ were sent, repetitions among them. So a response says which others will not come
 A gap brings many signs (the damaged request, the out-of-sequence one behind it). So after it has gone back, the window
 takes no further sign as long as neither `oldest` nor `executed` has moved and a sign must still be about what was sent
 before: for the least round trip seen, and twice as long each time; the first few, for a usual round trip at most. A
-later sign says that the repetition was lost, too. What brings no sign at all, the time out finds. Where no flow control
-protects the gateway's receive FIFO, only the time out sends the same once more: what waits in the FIFO must have left
-it.
+later sign says that the repetition was lost, too. An earlier one may say the same of a line that was quicker than ever
+before: where nothing comes for as long again, the window goes back for that. What brings no sign at all, the time out
+finds. Where no flow control protects the gateway's receive FIFO, only the time out sends the same once more: what waits
+in the FIFO must have left it.
 
 Something was *heard* if it can be about a request; samples are not. A request that is given up, or that is not wanted
 any more, keeps its ID, for those behind it build on it; when it is sent again, it is sent as ``h``.
@@ -163,7 +164,6 @@ class Window(Generic[R]):
         self._fence_due: float | None = None
         self._timed: tuple[int, float] | None = None
         self._timed_bytes = (1, 1)
-        self._next_measurement = float("-inf")
         self.smoothed_round_trip: float | None = None
         """Smoothed round trip in seconds (SRTT of RFC 6298), None before the first."""
         self._variation = 0.0
@@ -180,10 +180,12 @@ class Window(Generic[R]):
         """
         self._gone_back = 0
         """How often the window has gone back to this `oldest`."""
-        self._waited = False
-        """Whether it went back last because the time had run out."""
-        self._next_sign = float("-inf")
-        """When a sign can be about the repetition."""
+        self.timed_out = False
+        """Whether the window went back last because the time had run out."""
+        # When it last sent something again for a sign, and from when on a sign can be about that.
+        self._repeated_at = self._next_sign = self._next_measurement = float("-inf")
+        self._early_sign: tuple[int, float] | None = None
+        """Of a sign that came earlier: how many requests had been sent, and when it is to be taken."""
         self._refused = self._gave_up = False
         self._troubled = False
         """Whether there is something that `_moved` has to begin anew."""
@@ -412,6 +414,7 @@ class Window(Generic[R]):
     def answer_damaged(self, now: float) -> None:
         """Record that something arrived damaged: perhaps the answer to the oldest, or to the next if it came before."""
         if self._gone_back and now < self._next_sign:
+            self._note_early_sign(now)
             return
         asked = self._distance(self._asked_to)
         if not 0 < asked <= self.in_flight:
@@ -422,8 +425,8 @@ class Window(Generic[R]):
         start = self._asked_to
         end = self._asked_to = self._behind_next_with_answer(start)
         if start != end and not self._is_to_be_repeated(start):
-            self._next_sign = now + self._least_round_trip
-            self._waited = False
+            self._repeated_at, self._next_sign = now, now + self._least_round_trip
+            self.timed_out = False
             self._repeat(start, end, now, self._next_sign)
 
     def refused(self, now: float) -> R | None:
@@ -450,6 +453,8 @@ class Window(Generic[R]):
         # RFC 6298 knows no messages of unlike sizes: the answer to a long one behind short ones is not late yet.
         wire_time = self._byte_time * self._bytes + self._reply_byte_time * (0 if run is None else run.reply_size)
         expiry = self._since + self._timeout + wire_time
+        if self._early_sign is not None:
+            expiry = min(expiry, self._early_sign[1])
         return expiry if self._fence_due is None or repeating else min(expiry, self._fence_due)
 
     def expire(self, now: float) -> R | None:
@@ -459,6 +464,10 @@ class Window(Generic[R]):
         """
         deadline = self.deadline
         if deadline is None or deadline == self._fence_due or now < deadline:
+            return None
+        if self._early_sign is not None and now >= self._early_sign[1]:
+            self._early_sign = None
+            self._go_back(now)
             return None
         given_up = None
         self._tries += 1
@@ -476,7 +485,7 @@ class Window(Generic[R]):
             self._silent_tries += 1
             self.lost = self._silent_tries >= FEWEST_SILENT_TRIES and now - self._silent_since >= LONGEST_SILENCE
         self.heard = False
-        self._waited = True
+        self.timed_out = True
         self._repeat_from_oldest(now)
         return given_up
 
@@ -518,14 +527,19 @@ class Window(Generic[R]):
         self._refused = self._gave_up = False
         self._gone_back = self._refusals = self._tries = self._silent_tries = 0
         self._since = now
-        if not self._waited:
+        if not self.timed_out:
             # What the window went back for was a sign, so the answer is not a late one to what was sent before.
             self._timeout = self._measured_timeout
         if self._to_repeat != self._repeat_end and self._distance(self._to_repeat) > self.in_flight:
             self._to_repeat = self.oldest
             if self._distance(self._repeat_end) > self.in_flight:
                 self._repeat_end = self.oldest
-        self._troubled = self._to_repeat != self._repeat_end
+        if self._early_sign is not None:
+            sent, _ = self._early_sign
+            run = self._slots[self.oldest]
+            waits = run is not None and self._sending(run, self.oldest) < sent
+            self._early_sign = (sent, now + self._next_sign - self._repeated_at) if waits else None
+        self._troubled = self._to_repeat != self._repeat_end or self._early_sign is not None
 
     def _give_up(self) -> R | None:
         given_up = self._slots[self.oldest]
@@ -540,9 +554,17 @@ class Window(Generic[R]):
         """Go back for a sign of loss, unless it may be one of the loss before."""
         begun = self._to_repeat != self.oldest or self._repeat_end != self.next
         known = self._gone_back and self.executed == self._gap and now < self._next_sign
-        if self.oldest != self.next and begun and not known:
-            self._waited = False
+        if known:
+            self._note_early_sign(now)
+        elif self.oldest != self.next and begun:
+            self.timed_out = False
             self._repeat_from_oldest(now, ambiguous_until)
+
+    def _note_early_sign(self, now: float) -> None:
+        """Record a sign that came before `_next_sign`, if it can be about the repetition at all."""
+        if self._early_sign is None and now > self._repeated_at:
+            self._early_sign = (self._sent, now + self._next_sign - self._repeated_at)
+            self._troubled = True
 
     def _first_sending(self, run: R, number: int) -> int:
         """Return the place of the first sending of a request among all sendings."""
@@ -573,7 +595,7 @@ class Window(Generic[R]):
             self._ambiguous_until.clear()
         if not self._is_lost(self.oldest, sending):
             return
-        self._waited = False
+        self.timed_out = False
         if self._is_lost(self.executed, sending):
             self._repeat_from_oldest(now, now)
             return
@@ -605,7 +627,8 @@ class Window(Generic[R]):
         else:
             pause = min(max(self._least_round_trip, SLOWER_SIGNS) * 2**self._gone_back, LONGEST_TIMEOUT)
         # What waits in a receive FIFO that can overflow must have left it before the same is sent once more.
-        self._next_sign = now + (pause if self._byte_limit is None else LONGEST_TIMEOUT)
+        self._repeated_at, self._next_sign = now, now + (pause if self._byte_limit is None else LONGEST_TIMEOUT)
+        self._early_sign = None
         # Beyond this the pause is the longest anyway.
         self._gone_back = min(self._gone_back + 1, MOST_QUICK_SIGNS * 2)
         self._refused = False
