@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
     from simulation.oracle import WorldError
 
-SEEDS = 5_000
+SEEDS = 10_000
 """Seeds in each run of the suite."""
 CAMPAIGN_SEEDS = 2_000
 """Seeds within which each known bug must be found."""

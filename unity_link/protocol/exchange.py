@@ -4,9 +4,9 @@ What must wait for room in the window waits in one line; a source with more to s
 its turn, so that a batch of thousands does not hold up the others. Samples that arrive among the responses are told to
 belong to whatever their group is for at that point of the stream.
 
-Three ways lead through `Exchange.receive`. A line is looked at by itself; where some answers to a batch stand side by
-side, the window is told of them together; and where many do, or samples, numpy takes as many as are exactly what is
-expected. What one leaves, the next takes.
+Four ways lead through `Exchange.receive`. A line is looked at by itself; where answers stand side by side that are just
+what the oldest requests wait for, or some to a batch, the window is told of them together; and where many answers to a
+batch do, or samples, numpy takes as many as are exactly what is expected. What one leaves, the next takes.
 """
 
 from __future__ import annotations
@@ -113,7 +113,7 @@ class Exchange:
         self._groups = groups
         self._counters = counters
         self._send = out.append
-        self._id_number = codec.id_number
+        self._id_number, self._id_text = codec.id_number, codec.id_text
         self._id_digits = codec.info.id_digits
         self._open = codec.framing.open
         self._sample = codec.framing.prefix + b"P"
@@ -215,9 +215,8 @@ class Exchange:
             self._send(self._end)
 
     def end_output(self) -> None:
-        """End what was sent together: on a line that loses, nothing may follow it for long."""
-        if self.window.loses:
-            self._send(self._end)
+        """End what was sent together on a line that loses: nothing may follow it for long."""
+        self._send(self._end)
 
     # Responses
 
@@ -238,20 +237,12 @@ class Exchange:
             if sampling:
                 before, start = start, self._receive_samples(data, start, now, events)
                 sampling = start != before
-            end = data.find(b"\n", start)
-            if end < 0:
-                dropped = self._drop_endless(data[start:], now)
-                if not dropped:
+            if window.quiet:
+                start = self._receive_in_order(data, start, now, events)
+                if start == len(data):
                     break
-                start += dropped
-            elif end != start:
-                after = self._receive_few(data, start, now, events) if self._batching else start
-                start = after if after != start else start + self._receive_line(data[start:end], now, events)
-            else:
-                # A server's sign that what was repeated is still under way.
-                window.heard = True
-                start += 1
-            if start == len(data) or self.refused is not None:
+            before, start = start, self._receive_next(data, start, now, events)
+            if start in (before, len(data)) or self.refused is not None:
                 break
         if start != len(data) and not data.startswith(self._sample, start):
             # Perhaps the beginning of a long answer on a slow line.
@@ -259,6 +250,18 @@ class Exchange:
         if window.oldest == window.next:
             self._batching = False
         return start
+
+    def _receive_next(self, data: bytes, start: int, now: float, events: Events) -> int:
+        """Take a line, or the answers to a batch that begin with it; return where they end, `start` without an end."""
+        end = data.find(b"\n", start)
+        if end < 0:
+            return start + self._drop_endless(data[start:], now)
+        if end == start:
+            # A server's sign that what was repeated is still under way.
+            self.window.heard = True
+            return start + 1
+        after = self._receive_few(data, start, now, events) if self._batching else start
+        return after if after != start else start + self._receive_line(data[start:end], now, events)
 
     def _receive_rows(self, data: bytes, start: int, now: float, events: Events) -> int:
         """Take the answers to a batch as long as they stand side by side; return where they end."""
@@ -280,6 +283,34 @@ class Exchange:
             self._counters.responses += taken
             window.answered(number, taken, now)
             start += taken * run.reply_size
+
+    def _receive_in_order(self, data: bytes, start: int, now: float, events: Events) -> int:
+        """Take answers as long as each is exactly that to the oldest request; return where they end."""
+        window, ids = self.window, self._id_text
+        number, mask = window.oldest, len(ids) - 1
+        count = size = 0
+        # Others do more than to be answered.
+        while type(request := window.find(number)) is Request:
+            end = start + request.reply_size - 1
+            if data.find(b"\n", start) != end:
+                break
+            try:
+                body = self._open(data[start:end])
+            except FrameError:
+                break
+            head = len(request.command)
+            after = head + self._id_digits
+            if body[head:after] != ids[number] or not request.accept(0, body, after, events):
+                break
+            count += 1
+            size += request.size
+            number = number + 1 & mask
+            start = end + 1
+        if count:
+            window.heard = True
+            self._counters.responses += count
+            window.answered_in_order(count, size, now)
+        return start
 
     def _receive_few(self, data: bytes, start: int, now: float, events: Events) -> int:
         """Take answers to a batch one by one, and tell the window of all that stand side by side in order."""

@@ -149,7 +149,7 @@ class Session:
     def take_output(self) -> bytes:
         """Return the bytes to send, which are forgotten here."""
         out = self.output
-        if out and self._exchange is not None:
+        if out and self._exchange is not None and self._exchange.window.loses:
             self._exchange.end_output()
         data = out[0] if len(out) == 1 else b"".join(out)
         out.clear()

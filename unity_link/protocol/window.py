@@ -156,6 +156,8 @@ class Window(Generic[R]):
         self._repeat_ambiguous_until = 0.0
         """The same of what is to be sent again."""
         self._allowed = self._most
+        self.loses = False
+        """Whether fewer are kept in flight, for the line has lost some."""
         self._allowed_after_loss = self._came = 0
         self._bytes = 0
         self.unfenced = 0
@@ -186,9 +188,8 @@ class Window(Generic[R]):
         self._repeated_at = self._next_sign = self._next_measurement = float("-inf")
         self._early_sign: tuple[int, float] | None = None
         """Of a sign that came earlier: how many requests had been sent, and when it is to be taken."""
-        self._refused = self._gave_up = False
-        self._troubled = False
-        """Whether there is something that `_moved` has to begin anew."""
+        self._refused = self._gave_up = self._troubled = False
+        # The last: whether there is something that `_moved` has to begin anew.
         self.lost = False
         """The gateway does not answer any more: too many time outs in silence, or not even an ``h`` comes through."""
         if round_trip is not None:
@@ -210,11 +211,6 @@ class Window(Generic[R]):
     def wants_repetition(self) -> bool:
         """Whether the window has gone back, and not all was sent again yet: call `repetition` when something came."""
         return self._to_repeat != self._repeat_end
-
-    @property
-    def loses(self) -> bool:
-        """Whether fewer are kept in flight, for the line has lost some."""
-        return self._allowed < self._most
 
     def most_room(self, size: int) -> int:
         """Return for how many requests of `size` characters there is room while nothing is under way."""
@@ -351,25 +347,57 @@ class Window(Generic[R]):
             return most
         return next(index for index, other in enumerate(slots) if other is not run)
 
-    def answered(self, number: int, count: int, now: float) -> None:
-        """Record the answers to `count` IDs from `number` on, all of which wait for answers to one run."""
-        run = self._slots[number]
-        if run is None:
-            raise ValueError(f"no request with ID {number} waits for an answer")
-        if self._timed is not None and (self._timed[0] - number & self._mask) < count:
-            round_trip = now - self._timed[1]
+    @property
+    def quiet(self) -> bool:
+        """Whether an answer to the oldest says nothing of others: nothing was lost of late, or sent again."""
+        return (
+            self.oldest == self.executed
+            and not self.loses
+            and not self._troubled
+            and not self._sendings
+            and self._timeout == self._measured_timeout
+        )
+
+    def answered_in_order(self, count: int, size: int, now: float) -> None:
+        """Record the answers to the `count` oldest requests, which have `size` characters, while it is `quiet`."""
+        number = self.oldest
+        if self._timed is not None:
+            self._time(number, count, now)
+        if count == 1:
+            self._slots[number] = None
+        else:
+            self._fill(number, count, None)
+        self._bytes -= size
+        self.oldest = self.executed = number + count & self._mask
+        self._since = now
+
+    def _time(self, number: int, count: int, now: float) -> None:
+        """Measure the round trip, if the request that is timed is among so many from one ID on."""
+        assert self._timed is not None
+        timed, since = self._timed
+        if timed - number & self._mask < count:
+            round_trip = now - since
             self._measure(round_trip)
             self._byte_time = min(self._byte_time, round_trip / self._timed_bytes[0])
             self._reply_byte_time = min(self._reply_byte_time, round_trip / self._timed_bytes[1])
             self._timed = None
             self._next_measurement = now + MEASUREMENT_PAUSE
+
+    def answered(self, number: int, count: int, now: float) -> None:
+        """Record the answers to `count` IDs from `number` on, all of which wait for answers to one run."""
+        run = self._slots[number]
+        if run is None:
+            raise ValueError(f"no request with ID {number} waits for an answer")
+        if self._timed is not None:
+            self._time(number, count, now)
         # Without repetitions, the answer to the oldest says nothing of the others.
         tells = self._sendings or number != self.oldest
         sending = self._answered_sending(run, number + count - 1 & self._mask, now) if tells else 0
         self._fill(number, count, None)
-        if self._allowed < self._most:
+        if self.loses:
             self._came += count
             self._allowed = min(self._most, self._allowed_after_loss + self._came // ANSWERS_FOR_ONE_MORE)
+            self.loses = self._allowed < self._most
         if self._timeout != self._measured_timeout and (number - self._sent_once_from & self._mask) <= self._half:
             self._timeout = self._measured_timeout
         after = number + count & self._mask
@@ -632,9 +660,10 @@ class Window(Generic[R]):
         # Beyond this the pause is the longest anyway.
         self._gone_back = min(self._gone_back + 1, MOST_QUICK_SIGNS * 2)
         self._refused = False
-        if self._allowed < self._most:
+        if self.loses:
             self._allowed = min(self._allowed, 4 * self._came)
         self._allowed = self._allowed_after_loss = max(self._allowed // 2, min(FEWEST_IN_FLIGHT, self._most))
+        self.loses = self._allowed < self._most
         self._came = 0
         self._gap = self.executed
         self._repeat(self.oldest, self.next, now, ambiguous_until)

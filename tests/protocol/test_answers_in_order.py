@@ -1,0 +1,156 @@
+"""Answers to the oldest requests are taken side by side: the same comes of it as line by line."""
+
+from __future__ import annotations
+
+from collections import deque
+from typing import Any, NamedTuple
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from unity_link.protocol.configuration import GatewayInfo
+from unity_link.protocol.exchange import Counters, Exchange
+from unity_link.protocol.group_table import GroupTable
+from unity_link.protocol.messages import Codec
+from unity_link.protocol.requests import Fence, Request
+from unity_link.protocol.window import Window
+
+REPLIES = {"R": 8, "W": 0, "WS": None, "RM": 24, "H": 0}
+KINDS = ["whole"] * 12 + ["damaged", "lost", "double", "other ID", "error", "no session", "out of sequence", "sample"]
+INFO = GatewayInfo(id_digits=2)
+
+
+class Line(Exchange):
+    """An exchange that takes each line by itself."""
+
+    def _receive_in_order(self, data: bytes, start: int, now: float, events: list[Any]) -> int:
+        return start
+
+
+class Turn(NamedTuple):
+    """What is asked at a time, and what becomes of so many answers then."""
+
+    commands: list[str]
+    kinds: list[str]
+    cuts: list[int]
+    seconds: float
+    cancelled: bool
+
+
+turns = st.lists(
+    st.builds(
+        Turn,
+        st.lists(st.sampled_from([*REPLIES, "fence"]), max_size=12),
+        st.lists(st.sampled_from(KINDS), max_size=14),
+        st.lists(st.integers(0, 1 << 16), max_size=4),
+        st.sampled_from([0.0, 0.0001, 0.01, 3.0]),
+        st.booleans(),
+    ),
+    max_size=12,
+)
+
+
+class Host:
+    """One side of the comparison: what it sends, is told and keeps."""
+
+    def __init__(self, kind: type[Exchange], node: int | None) -> None:
+        self.codec = Codec(INFO, node)
+        self.window: Window[Any] = Window(self.codec.ring, first=250, round_trip=0.002)
+        self.sent: list[bytes] = []
+        self.events: list[Any] = []
+        self.counters = Counters()
+        groups = GroupTable(4, lambda *_: None)
+        groups.begun[b"01"] = groups.hold(b"", 13, None)
+        self.exchange = kind(self.codec, self.window, deque(), groups, self.counters, self.sent, blocked=False)
+        self.rest = b""
+
+    def ask(self, turn: Turn, now: float) -> None:
+        request: Request | None = None
+        for command in turn.commands:
+            request = Fence(self.codec) if command == "fence" else Request(self.codec, command, b"12", REPLIES[command])
+            self.exchange.submit(request, now, self.events)
+        if request is not None and turn.cancelled:
+            request.cancel()
+
+    def hear(self, pieces: list[bytes], now: float) -> None:
+        for piece in pieces:
+            data = self.rest + piece
+            self.rest = data[self.exchange.receive(data, now, self.events) :]
+            if self.exchange.refused is not None:
+                # The session ends it here.
+                return
+            self.exchange.go_on(now, self.events)
+
+    def state(self) -> object:
+        window = dict(vars(self.window))
+        window["_slots"] = [None if run is None else (run.first, run.command) for run in window["_slots"]]
+        told = [
+            (event.first, event.command, str(event.answer), str(event.error))
+            if isinstance(event, Request)
+            else str(event)
+            for event in self.events
+        ]
+        counters = [getattr(self.counters, name) for name in Counters.__slots__]
+        return window, told, counters, self.sent, self.rest, self.exchange.refused, self.exchange.deadline
+
+
+def frames(host: Host, kinds: list[str]) -> bytes:
+    """Return answers to what is under way, in order, with what `kinds` does to them."""
+    codec, data = host.codec, b""
+    number = host.window.oldest
+    for kind in kinds:
+        run = host.window.find(number)
+        while run is not None and run.posted and number != host.window.next:
+            number = number + 1 & codec.ring - 1
+            run = host.window.find(number)
+        command, identifier = (run.command if run is not None else "R"), codec.id_text[number]
+        reply = codec.framing.checked(codec.lower[command] + identifier + b"%0*X" % (REPLIES[command] or 0, 0x5A))
+        if not REPLIES[command]:
+            reply = codec.framing.checked(codec.lower[command] + identifier)
+        data += {
+            "whole": reply,
+            "damaged": reply[:-3] + b"?" + reply[-2:],
+            "lost": b"",
+            "double": 2 * reply,
+            "other ID": codec.framing.checked(b"r%02X0000005A" % (number + 3 & 0xFF)),
+            "error": codec.framing.checked(b"x" + identifier + b"04"),
+            "no session": codec.framing.checked(b"x" + identifier + b"0A"),
+            "out of sequence": codec.framing.checked(b"n" + identifier),
+            "sample": codec.framing.checked(b"P010700000001"),
+        }[kind]
+        number = number + 1 & codec.ring - 1
+    return data
+
+
+def pieces_of(data: bytes, cuts: list[int]) -> list[bytes]:
+    ends = [*sorted({cut % (len(data) + 1) for cut in cuts} - {0}), len(data)]
+    return [data[start:end] for start, end in zip([0, *ends], ends, strict=False) if start != end]
+
+
+@pytest.mark.parametrize("node", [None, 5], ids=["own medium", "shared medium"])
+@settings(max_examples=300)
+@given(turns=turns)
+def test_answers_side_by_side_are_what_they_are_line_by_line(node: int | None, turns: list[Turn]) -> None:
+    quick, slow = Host(Exchange, node), Host(Line, node)
+    now = 0.0
+    for turn in turns:
+        now += turn.seconds
+        for host in (quick, slow):
+            host.exchange.expire(now, host.events)
+            host.ask(turn, now)
+        arriving = pieces_of(frames(slow, turn.kinds), turn.cuts)
+        for host in (quick, slow):
+            host.hear(arriving, now)
+        assert quick.state() == slow.state()
+        if slow.exchange.refused is not None or slow.window.lost:
+            break
+
+
+def test_side_by_side_is_a_way_of_its_own(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Otherwise the comparison would compare one way with itself."""
+    host = Host(Exchange, None)
+    host.ask(Turn(["R", "W", "RM"], [], [], 0.0, cancelled=False), 0.0)
+    monkeypatch.setattr(Exchange, "_receive_line", None)
+    host.hear([frames(host, ["whole"] * 3)], 0.0)
+    assert [event.command for event in host.events] == ["R", "W", "RM"]
