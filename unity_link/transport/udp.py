@@ -172,7 +172,10 @@ class DatagramAdapter(asyncio.Transport, asyncio.DatagramProtocol):
 
 
 def _read_on(opened: socket.socket) -> Iterator[bytes]:
-    """Read what else has come: the event loop gives one datagram in a turn, and turns cost more than datagrams."""
+    """Read what has come: turns of an event loop cost more than datagrams. Behind a small one there is rarely more."""
     with contextlib.suppress(OSError):
         for _ in range(MOST_TOGETHER):
-            yield opened.recv(LARGEST)
+            datagram = opened.recv(LARGEST)
+            yield datagram
+            if len(datagram) < LARGE:
+                return
