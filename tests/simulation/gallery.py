@@ -282,6 +282,11 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(window.Window, "answered", going_back)
 
 
+@bug("answers are taken side by side while others are sent again")
+def _(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(window.Window, "quiet", property(lambda self: True))
+
+
 @bug("errors of posted writes are told to nobody")
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(link.Link, "_note_posted", lambda self, failure: None)
