@@ -354,7 +354,12 @@ begin
           nibble := r.pair(7 downto 4);
 
         when state_configuration =>
-          nibble := q_fields(4 * to_integer(r.left) + 3 downto 4 * to_integer(r.left));
+          -- Bit by bit: no tool has to see that both ends of a slice move together.
+          for bit_number in nibble'range loop
+
+            nibble(bit_number) := q_fields(to_integer(r.left & to_unsigned(bit_number, 2)));
+
+          end loop;
 
         when others =>
           nibble := r.word(word_bits - 1 downto word_bits - 4);

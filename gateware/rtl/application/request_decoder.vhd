@@ -79,6 +79,8 @@ architecture rtl of request_decoder is
   -- '0' and a command, or one of those below.
   subtype node_t is std_logic_vector(4 downto 0);
 
+  constant node_r       : node_t := '0' & command_r;
+  constant node_w       : node_t := '0' & command_w;
   constant node_start   : node_t := "10000";
   constant node_g       : node_t := "10001";
   constant node_unknown : node_t := "11111";
@@ -125,10 +127,10 @@ architecture rtl of request_decoder is
         case letter is
 
           when letter_r =>
-            return '0' & command_r;
+            return node_r;
 
           when letter_w =>
-            return '0' & command_w;
+            return node_w;
 
           when letter_h =>
             return '0' & command_h;
@@ -152,7 +154,7 @@ architecture rtl of request_decoder is
 
         end case;
 
-      when '0' & command_r =>
+      when node_r =>
 
         case letter is
 
@@ -167,7 +169,7 @@ architecture rtl of request_decoder is
 
         end case;
 
-      when '0' & command_w =>
+      when node_w =>
 
         case letter is
 

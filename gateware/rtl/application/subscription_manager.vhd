@@ -173,6 +173,7 @@ architecture rtl of subscription_manager is
   signal write_stamp  : std_logic;
   signal header       : std_logic_vector(31 downto 0);
   signal number_byte  : unsigned(7 downto 0);
+  signal pick_byte    : unsigned(7 downto 0);
 
   function place (of_number : number_t; index : unsigned(7 downto 0)) return unsigned is
 
@@ -254,7 +255,7 @@ begin
       busy        => timer_busy,
       due         => due_by_timer,
       clear       => clear_timer,
-      lost_number => resize(pick_number, 8),
+      lost_number => pick_byte,
       lost        => lost,
       collides    => timer_collides
     );
@@ -335,6 +336,7 @@ begin
   -- Memories.
 
   number_byte    <= resize(number, 8);
+  pick_byte      <= resize(pick_number, 8);
   flags          <= settings(5 downto 0);
   count          <= unsigned(settings(13 downto 6));
   group_sequence <= unsigned(group_state(7 downto 0));
@@ -373,7 +375,7 @@ begin
 
       group_is_set <= '0';
       if unsigned(group_number) < groups then
-        group_is_set <= is_set(to_integer(unsigned(group_number(group_bits - 1 downto 0))) mod groups);
+        group_is_set <= bit_at(is_set, unsigned(group_number(group_bits - 1 downto 0)));
       end if;
       if rst = '1' then
         group_is_set <= '0';
