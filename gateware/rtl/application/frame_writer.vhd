@@ -111,6 +111,27 @@ architecture rtl of frame_writer is
   -- The letters of each message, as the five low bits of their codes; the second is 0 where there is none.
   subtype letter_t is std_logic_vector(4 downto 0);
 
+  type digits_t is array (0 to config_digits - 1) of std_logic_vector(3 downto 0);
+
+  -- A table, as not every tool takes a slice of which both ends move.
+  function digits (fields : std_logic_vector(255 downto 0)) return digits_t is
+
+    variable result : digits_t;
+
+  begin
+
+    for index in digits_t'range loop
+
+      result(index) := fields(4 * index + 3 downto 4 * index);
+
+    end loop;
+
+    return result;
+
+  end function digits;
+
+  constant config_table : digits_t := digits(q_fields);
+
   function letter (code : character) return letter_t is
   begin
 
@@ -354,12 +375,7 @@ begin
           nibble := r.pair(7 downto 4);
 
         when state_configuration =>
-          -- Bit by bit: no tool has to see that both ends of a slice move together.
-          for bit_number in nibble'range loop
-
-            nibble(bit_number) := q_fields(to_integer(r.left & to_unsigned(bit_number, 2)));
-
-          end loop;
+          nibble := config_table(to_integer(r.left));
 
         when others =>
           nibble := r.word(word_bits - 1 downto word_bits - 4);
