@@ -15,8 +15,8 @@ from hypothesis import given, settings
 
 from gateware.bench.runner import GATEWARE, rtl_sources, run_bench, simulator_available
 from gateware.tools import yowasp
-from gateware.tools.cache import cache_folder, hash_of, kept
-from gateware.tools.convert import to_verilog
+from unity_link.gateware.cache import cache_folder, hash_of, kept
+from unity_link.gateware.convert import to_verilog
 from generate.bench_boards import ECHO, WALKER
 from generate.every_kind import WORD_BITS, every_kind, good_values
 from spec_examples import FIGURE_1, specs
