@@ -1,9 +1,12 @@
 # Targets of the gateware; the Makefile above includes this file and brings VENV, BIN and ALL.
 
-.PHONY: rtl synth test-rtl lint-vhdl formal
+.PHONY: rtl synth test-rtl lint-vhdl formal verilog
 
 rtl: $(ALL) ## the gateware as C++ into unity_link/virtual/rtl/generated, from VHDL
 	@$(BIN)/python -m gateware.tools.model
+
+verilog: $(ALL) ## the gateway as Verilog-2005 into build/verilog, one file for each configuration
+	@$(BIN)/python -m gateware.tools.verilog
 
 synth: $(ALL) ## logic cells, RAM and Fmax into gateware/RESULTS.md, checked against gateware/budget.toml
 	@$(BIN)/python -m gateware.tools.synth

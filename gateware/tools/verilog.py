@@ -1,6 +1,6 @@
 """The gateway as Verilog: what `make verilog` writes into `build/verilog`, one file for each configuration.
 
-    python -m gateware.tools.verilog [FOLDER]
+python -m gateware.tools.verilog [FOLDER]
 """
 
 from __future__ import annotations

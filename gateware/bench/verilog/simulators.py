@@ -115,7 +115,16 @@ def _compiled(design: Design) -> Path:
             subprocess.run(
                 [
                     *("verilator", "--cc", "--exe", "--build", *_LANGUAGE, "-O3", "--prefix", "Vtop", "-Wno-fatal"),
-                    *("--top-module", design.top, "-CFLAGS", "-O1", "-Mdir", f"{scratch}/made", "-o", "harness"),
+                    *(
+                        "--top-module",
+                        design.top,
+                        "-MAKEFLAGS",
+                        "OPT_FAST=-O0 OPT_SLOW=-O0",
+                        "-Mdir",
+                        f"{scratch}/made",
+                        "-o",
+                        "harness",
+                    ),
                     *(f"{scratch}/top.v", str(HARNESS)),
                 ],
                 check=True,

@@ -100,6 +100,14 @@ architecture rtl of request_decoder is
 
   end function offered;
 
+  -- Compared in one bit more, as 256 groups are a number that does not fit (GHDL converts such a comparison wrongly).
+  function is_no_group (number : std_logic_vector(7 downto 0)) return boolean is
+  begin
+
+    return resize(unsigned(number), 9) >= groups;
+
+  end function is_no_group;
+
   -- The tree of commands; `letter` are the five low bits of a letter's code, equal for both cases.
   function next_node (node : node_t; letter : std_logic_vector(4 downto 0)) return node_t is
 
@@ -591,11 +599,11 @@ begin
           return (r.words > block_words and command /= command_wk) or v.word_exceeds = '1';
 
         when command_gs =>
-          return unsigned(r.group_number) >= groups or (r.flags and missing_flags) /= x"00" or unsigned(r.divisor) = 0
+          return is_no_group(r.group_number) or (r.flags and missing_flags) /= x"00" or unsigned(r.divisor) = 0
                  or unsigned(r.count) = 0 or unsigned(r.count) > group_words or v.word_exceeds = '1';
 
         when command_gn | command_gx | command_gp =>
-          return unsigned(r.group_number) >= groups;
+          return is_no_group(r.group_number);
 
         when command_i =>
           return unsigned(r.group_number) > 2;

@@ -374,7 +374,8 @@ begin
       last_word <= last_read;
 
       group_is_set <= '0';
-      if unsigned(group_number) < groups then
+      -- One bit wider, as 256 groups are a number that does not fit (GHDL converts such a comparison wrongly).
+      if resize(unsigned(group_number), 9) < groups then
         group_is_set <= bit_at(is_set, unsigned(group_number(group_bits - 1 downto 0)));
       end if;
       if rst = '1' then
