@@ -1,3 +1,5 @@
+-- SPDX-License-Identifier: BSD-3-Clause
+--
 -- The protocol's numbers as the gateware needs them: command codes, error codes, and the widths that follow from the
 -- generics. The host's twin of the latter is `unity_link/protocol/configuration.py`; both follow docs/protocol.md.
 --

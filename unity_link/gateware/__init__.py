@@ -5,3 +5,6 @@
 - `convert`: an entity as Verilog
 - `release`: the same as a file for those who have no VHDL
 """
+
+LICENCE = "SPDX-License-Identifier: BSD-3-Clause"
+"""What stands at the top of each source that users copy."""

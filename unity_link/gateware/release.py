@@ -10,6 +10,7 @@ import re
 from typing import TYPE_CHECKING, NamedTuple
 
 import unity_link
+from unity_link.gateware import LICENCE
 from unity_link.gateware.cache import vhdl_sources
 from unity_link.gateware.convert import to_verilog
 
@@ -17,7 +18,6 @@ if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
     from pathlib import Path
 
-LICENCE = "SPDX-License-Identifier: BSD-3-Clause"
 _MODULE = re.compile(r"^module (\w+)$", re.MULTILINE)
 _MENTION = re.compile(r"^(module |  )(\w+)(?=$| \w+ \()", re.MULTILINE)
 # What GHDL puts behind the name of an entity that has generics.
@@ -59,8 +59,7 @@ def release(
     text = to_verilog(top, generics, extra_sources).read_text()
     found = ports(text, top, top, [*extra_sources, *vhdl_sources()])
     lines = [
-        LICENCE,
-        "",
+        *([] if LICENCE in about else [LICENCE, ""]),
         *about,
         "",
         f"A netlist in Verilog-2005, converted by GHDL from the VHDL of Unity-Link {unity_link.__version__}: its generics",

@@ -1,3 +1,5 @@
+-- SPDX-License-Identifier: BSD-3-Clause
+--
 -- Writes the bodies of all frames that the gateway sends: answers and samples, one character a cycle.
 --
 -- A body is a walk: letters, then the head (ID or address), the pair (a number of two digits), the words. A sample is

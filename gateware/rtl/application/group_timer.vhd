@@ -1,3 +1,5 @@
+-- SPDX-License-Identifier: BSD-3-Clause
+--
 -- Says which periodic groups are due: counts the divisor of each down at every base tick.
 --
 -- At a tick, all groups pass a pipeline of one group a cycle: read the counter, keep it, count and write it back. So

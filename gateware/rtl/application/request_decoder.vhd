@@ -1,3 +1,5 @@
+-- SPDX-License-Identifier: BSD-3-Clause
+--
 -- Application layer, first half: what a frame asks for. Reads a body one character a cycle and checks command and form.
 --
 -- The command is a walk through the tree of the letters of all commands; the fields behind it are a walk through the

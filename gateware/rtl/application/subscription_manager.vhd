@@ -1,3 +1,5 @@
+-- SPDX-License-Identifier: BSD-3-Clause
+--
 -- Takes the samples of all publish groups when they are due, and keeps their settings (docs/protocol.md, "Groups").
 --
 -- A group is due by the base tick (`group_timer`), by an edge of its trigger, or by GP. What is due is served at once

@@ -1,3 +1,5 @@
+-- SPDX-License-Identifier: BSD-3-Clause
+--
 -- Physical layer: a UART of 8 data bits, no parity, one stop bit, at up to a quarter of the clock.
 --
 -- Rates. Receiver and transmitter each have a phase accumulator that counts in fractions of a bit: any baud rate comes
