@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING
 import pytest
 
 from gateware.tools import formal
-from unity_link.gateware.convert import ConversionError
 from gateware.tools.formal import PROOFS, Proof, prove
+from unity_link.gateware.convert import ConversionError
 from unity_link.gateware.ghdl import ToolMissingError
 
 if TYPE_CHECKING:

@@ -14,8 +14,8 @@ import sys
 from typing import TYPE_CHECKING
 
 import unity_link
-from unity_link.gateware.cache import GATEWARE, vhdl_sources
 from unity_link.gateware import LICENCE
+from unity_link.gateware.cache import GATEWARE, vhdl_sources
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -93,7 +93,7 @@ def lists() -> dict[str, str]:
         "import/efinity.xml": _lines(
             f"<!-- {LICENCE} -->",
             f"<!-- Efinity: put these into <efx:design_info> of the project's XML, with the path to them; {_MADE}. -->",
-            f'<efx:design_info def_veri_version="verilog_2k" def_vhdl_version="vhdl_2008" '
+            '<efx:design_info def_veri_version="verilog_2k" def_vhdl_version="vhdl_2008" '
             'xmlns:efx="http://www.efinixinc.com/enf_proj">',
             *(f'  <efx:design_file name="{file}" version="vhdl_2008" library="{_of_efinity()}"/>' for file in files),
             "</efx:design_info>",

@@ -32,6 +32,6 @@ def test_every_file_of_the_gateware_says_its_licence_at_the_top() -> None:
     assert silent == []
 
 
-@pytest.mark.parametrize("target", ["vhdl", "c", "cpp"])
+@pytest.mark.parametrize("target", ["vhdl", "verilog", "c", "cpp"])
 def test_every_generated_source_says_its_licence(target: str) -> None:
     assert [file.name for file in generate(target, SCARA) if file.text.count(LICENCE) != 1] == []

@@ -18,6 +18,8 @@ if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
     from pathlib import Path
 
+# What a netlist cannot help: signals and comparisons that its generics have made needless.
+_NEEDLESS = ("UNUSEDSIGNAL", "PINCONNECTEMPTY", "CMPCONST", "UNSIGNED")
 _MODULE = re.compile(r"^module (\w+)$", re.MULTILINE)
 _MENTION = re.compile(r"^(module |  )(\w+)(?=$| \w+ \()", re.MULTILINE)
 # What GHDL puts behind the name of an entity that has generics.
@@ -71,7 +73,8 @@ def release(
     ]
     head = "".join(f"// {line}".rstrip() + "\n" for line in lines)
     body = "\n".join(line.rstrip() for line in _named(text, top, name).replace("\t", " ").splitlines())
-    return f"{head}\n{body}\n"
+    off, on = ("".join(f"/* verilator lint_{way} {rule} */\n" for rule in _NEEDLESS) for way in ("off", "on"))
+    return f"{head}\n{off}\n{body}\n\n{on}"
 
 
 def ports(verilog: str, module: str, entity: str, sources: Sequence[Path]) -> list[Port]:
@@ -81,7 +84,7 @@ def ports(verilog: str, module: str, entity: str, sources: Sequence[Path]) -> li
     head = verilog[start.end() : verilog.index(");", start.end()) + 1]
     declaration = re.compile(rf"^entity {entity} is$.*?^end entity", re.MULTILINE | re.DOTALL)
     declared = next(match[0] for source in sources if (match := declaration.search(source.read_text())))
-    defaults = {port: value for port, value in _DEFAULT.findall(declared)}
+    defaults = dict(_DEFAULT.findall(declared))
     return [
         Port(port, width := int(high or 0) + 1, way == "input", _constant(defaults.get(port, ""), width))
         for way, high, port in _PORT.findall(head)
