@@ -1,7 +1,7 @@
 """Verilog: a gateway with the register bank of an interface, for those who have no VHDL, one file for each medium.
 
-The VHDL of the target ``vhdl`` is converted, behind an entity that has a port for each signal, because Verilog-2005 knows
-no records (`flat.vhd.jinja`).
+The VHDL of the target ``vhdl`` is converted, behind an entity that has a port for each signal, because Verilog-2005
+knows no records (`flat.vhd.jinja`).
 """
 
 from __future__ import annotations
