@@ -34,7 +34,7 @@ def test_what_is_in_the_tree_is_what_is_made_of_it(name: str) -> None:
 
 
 @pytest.mark.parametrize("tool", ["vivado", "quartus", "radiant", "diamond", "gowin"])
-def test_a_script_adds_each_file_with_its_library(tool: str, tmp_path: Path) -> None:
+def test_a_script_adds_each_file_with_its_library(tool: str) -> None:
     """Run it in Tcl, with stand-ins for the tool's commands."""
     tkinter = pytest.importorskip("tkinter")
     seen: list[tuple[str, ...]] = []
@@ -50,7 +50,6 @@ def test_a_script_adds_each_file_with_its_library(tool: str, tmp_path: Path) -> 
     placed = files[1:] if tool == "gowin" else [words for words in seen if any(word.endswith(".vhd") for word in words)]
     assert all(LIBRARY in words or "xil_defaultlib" in words for words in placed)
     assert len(placed) == len(added)
-    _ = tmp_path
 
 
 def test_fusesoc_sets_the_gateway_up(tmp_path: Path) -> None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from pathlib import Path
+from typing import TYPE_CHECKING
 
 import pytest
 
@@ -10,6 +10,9 @@ from gateware.tools.subset import faults
 from unity_link.gateware.cache import GATEWARE, vhdl_sources
 from unity_link.generate import generate
 from unity_link.spec import compile_file
+
+if TYPE_CHECKING:
+    from pathlib import Path
 
 EXAMPLES = GATEWARE.parent / "examples"
 SOURCES = [*vhdl_sources(), *sorted((GATEWARE / "boards").rglob("*.vhd"))]
@@ -88,7 +91,9 @@ TAKEN = {
         "u : entity work.x generic map (g => groups + 1) "
         "port map (a => d(k), b => s(7 downto 4), c => std_logic_vector(s), e => open, f => '0', g => clk);"
     ),
-    "two if generates": "g : if groups > 1 generate s <= d; end generate; h : if groups = 1 generate s <= t; end generate;",
+    "two if generates": (
+        "g : if groups > 1 generate s <= d; end generate; h : if groups = 1 generate s <= t; end generate;"
+    ),
 }
 
 

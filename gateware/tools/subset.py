@@ -85,35 +85,40 @@ def faults(text: str) -> list[Fault]:
 
 
 def _of(node: Node, moving: set[str], functions: set[str]) -> Iterator[Fault]:
+    line = _line(node)
     if node.type in _REFUSED:
-        yield Fault(_line(node), f"not every tool reads {_REFUSED[node.type]}")
-    if node.type == "multiplying_operator" and _text(node).lower() in _DIVIDING:
-        divided = node.parent
-        assert divided is not None
-        right = divided.children[-1]
-        if _moves(divided, moving) and not _is_power_of_two(_text(right)):
-            yield Fault(_line(node), f"{_text(node)} by {_text(right)}, which is no power of two as a number")
-    if node.type == "exponentiate":
-        raised = node.parent
-        assert raised is not None
-        if _text(raised.children[0]) != "2" and _moves(raised, moving):
-            yield Fault(_line(node), f"{_text(raised)} is a power of another number than 2")
+        yield Fault(line, f"not every tool reads {_REFUSED[node.type]}")
+    yield from (Fault(line, sentence) for sentence in (*_arithmetic(node, moving), *_of_2008(node)))
     if node.type == "simple_range" and _is_slice(node):
         bounds = [child for child in node.named_children if child.type == "simple_expression"]
         if len(bounds) == 2 and all(_moves(bound, moving) for bound in bounds):
-            yield Fault(_line(node), f"both ends of the slice ({_text(node)}) move")
-    if node.type in ("case_expression", "with_expression") and "?" in _text(node):
-        yield Fault(_line(node), "not every tool reads a `case?`")
-    if node.type == "relational_operator" and _text(node).startswith("?"):
-        yield Fault(_line(node), f"not every tool reads {_text(node)}")
-    if node.type == "simple_variable_assignment" and any(child.type == "when_expression" for child in _all(node)):
-        yield Fault(_line(node), "not every tool reads a conditional assignment in a process (write `if`)")
+            yield Fault(line, f"both ends of the slice ({_text(node)}) move")
     if node.type == "when_element" and node.parent is not None and node.parent.type == "case_statement_alternative":
         for choice in node.named_children:
             if any(part.type in (*_OPERATORS, "parenthesis_group") for part in _all(choice)):
                 yield Fault(_line(choice), f"the choice {_text(choice)} is an expression: name a constant")
     if node.type == "port_map_aspect":
         yield from _actuals(node, functions)
+
+
+def _arithmetic(node: Node, moving: set[str]) -> Iterator[str]:
+    whole = node.parent
+    if whole is None or not _moves(whole, moving):
+        return
+    left, right = _text(whole.children[0]), _text(whole.children[-1])
+    if node.type == "multiplying_operator" and _text(node).lower() in _DIVIDING and not _is_power_of_two(right):
+        yield f"{_text(node)} by {right}, which is no power of two as a number"
+    if node.type == "exponentiate" and left != "2":
+        yield f"{_text(whole)} is a power of another number than 2"
+
+
+def _of_2008(node: Node) -> Iterator[str]:
+    if node.type in ("case_expression", "with_expression") and "?" in _text(node):
+        yield "not every tool reads a `case?`"
+    if node.type == "relational_operator" and _text(node).startswith("?"):
+        yield f"not every tool reads {_text(node)}"
+    if node.type == "simple_variable_assignment" and any(child.type == "when_expression" for child in _all(node)):
+        yield "not every tool reads a conditional assignment in a process (write `if`)"
 
 
 def _actuals(node: Node, functions: set[str]) -> Iterator[Fault]:
