@@ -141,7 +141,7 @@ def in_icarus(design: Design, sent: bytes) -> bytes:
     values = {
         "quiet_cycles": str(_QUIET_CYCLES),
         "count": str(len(sent)),
-        "longest": str(len(sent)),
+        "longest": str(len(sent) - 1),
         "address_bits": str(widths["wb_adr"]),
         "data_bits": str(widths["wb_dat_o"]),
         "silent_at": str(design.silent_at),
