@@ -1,9 +1,15 @@
 # Targets of the gateware; the Makefile above includes this file and brings VENV, BIN and ALL.
 
-.PHONY: rtl synth test-rtl lint-vhdl formal
+.PHONY: rtl synth test-rtl lint-vhdl formal verilog lists
 
 rtl: $(ALL) ## the gateware as C++ into unity_link/virtual/rtl/generated, from VHDL
 	@$(BIN)/python -m gateware.tools.model
+
+lists: $(ALL) ## file list, FuseSoC core and import scripts, after a change of files in gateware/rtl
+	@$(BIN)/python -m gateware.tools.lists
+
+verilog: $(ALL) ## the gateway as Verilog-2005 into build/verilog, one file for each configuration
+	@$(BIN)/python -m gateware.tools.verilog
 
 synth: $(ALL) ## logic cells, RAM and Fmax into gateware/RESULTS.md, checked against gateware/budget.toml
 	@$(BIN)/python -m gateware.tools.synth

@@ -9,9 +9,9 @@ from typing import TYPE_CHECKING
 import pytest
 
 from gateware.tools import formal
-from gateware.tools.convert import ConversionError
 from gateware.tools.formal import PROOFS, Proof, prove
-from gateware.tools.ghdl import ToolMissingError
+from unity_link.gateware.convert import ConversionError
+from unity_link.gateware.ghdl import ToolMissingError
 
 if TYPE_CHECKING:
     from pathlib import Path

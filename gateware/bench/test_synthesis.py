@@ -13,9 +13,9 @@ from typing import TYPE_CHECKING
 
 import pytest
 
-from gateware.tools.convert import ConversionError, to_verilog
-from gateware.tools.ghdl import ToolMissingError
 from gateware.tools.synth import BUDGET, CONFIGURATIONS, DEVICES, RESULTS, Result, check, over_budget, synthesise
+from unity_link.gateware.convert import ConversionError, to_verilog
+from unity_link.gateware.ghdl import ToolMissingError
 
 if TYPE_CHECKING:
     from pathlib import Path

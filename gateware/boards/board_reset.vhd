@@ -1,3 +1,5 @@
+-- SPDX-License-Identifier: BSD-3-Clause
+--
 -- Reset at power-up and at a button: for 16 cycles after the FPGA was configured, and while `button` is '1'.
 --
 -- The count starts from the initial value of its register, which FPGAs that load their configuration from outside

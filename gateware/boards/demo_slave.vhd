@@ -1,3 +1,5 @@
+-- SPDX-License-Identifier: BSD-3-Clause
+--
 -- What the example boards have behind the gateway: a Wishbone slave with something to see and to measure.
 --
 --   address 0    LEDs, read and write

@@ -1,3 +1,5 @@
+-- SPDX-License-Identifier: BSD-3-Clause
+--
 -- The hardware's side of many signals on four pins: a chain of shift registers, clocked round and round.
 --
 -- What is to be sent and what comes in pass through one shift register, bit 0 first, as in SPI mode 0. A frame has as

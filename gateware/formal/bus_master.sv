@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
 // What the bus master promises to a bus and to its two clients, whatever these do within the rules at its top:
 // an access stands still until it is answered, is taken back for at least one cycle, and never lasts longer than the
 // time-out; each access that was granted is told as done once, to the client that it was granted to; the lock falls

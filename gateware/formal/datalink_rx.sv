@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
 // What the datalink layer promises inwards, for every byte that may come and every readiness: what is offered stands
 // until it is taken; no more characters and ends go on than came; an end tells of an error of the datalink layer or of
 // none, and never of a wrong check where there is none; and it never stops for longer than it takes to empty its delay

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
 // What the datalink layer promises outwards, for every body and every readiness: what is offered stands until it is
 // taken; each character of a body goes out, once, in its turn; behind the last one come CR LF (plain) or the digits of
 // the check and LF; the mark of a frame stands beside its LF and nowhere else. (What the check is, the benches say.)

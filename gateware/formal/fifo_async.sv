@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
 // What the dual-clock FIFO promises, for any two clocks: an entry that went in comes out as it went in and in its turn,
 // none is lost and none appears; what is offered stands until it is taken; it never takes more than it holds, and
 // `in_level` never says less than is inside.

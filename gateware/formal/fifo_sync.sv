@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
 // What the synchronous FIFO promises, for every sequence of offers and readiness: an entry that went in comes out as it
 // went in and in its turn, none is lost and none appears; what is offered stands until it is taken; its capacity is its
 // depth, and `level` counts what is inside.

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
 // What the executor promises about sessions, whatever the decoder, the bus and the groups do, resets included: between a
 // reset and the next K no request with an ID begins an access, changes a group or writes its list of addresses; and each
 // is answered by error 0A under its ID, unless it was sent to all nodes.

@@ -1,3 +1,5 @@
+-- SPDX-License-Identifier: BSD-3-Clause
+--
 -- The gateway as a design uses it: one medium, chosen by the generic `physical`, and a Wishbone B4 master.
 --
 -- Only the pins of the medium in use need to be connected: the inputs of the others have defaults that keep them

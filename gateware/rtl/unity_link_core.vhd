@@ -1,3 +1,5 @@
+-- SPDX-License-Identifier: BSD-3-Clause
+--
 -- The gateway without a medium and without a bus standard: bytes on one side, the bus-independent interface on the
 -- other.
 --

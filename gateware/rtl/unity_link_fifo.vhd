@@ -1,3 +1,5 @@
+-- SPDX-License-Identifier: BSD-3-Clause
+--
 -- The gateway with a FIFO port as its medium: what the benches measure and what becomes the model in a process.
 --
 -- The same as `unity_link` with physical = "fifo", without the pins of other media.

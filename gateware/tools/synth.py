@@ -19,10 +19,10 @@ import tomllib
 from pathlib import Path
 from typing import Any
 
-from gateware.tools.cache import GATEWARE, cache_folder, hash_of, kept
-from gateware.tools.convert import ConversionError, to_verilog
-from gateware.tools.ghdl import ToolMissingError
 from gateware.tools.yowasp import run, version
+from unity_link.gateware.cache import GATEWARE, cache_folder, hash_of, kept
+from unity_link.gateware.convert import ConversionError, to_verilog
+from unity_link.gateware.ghdl import ToolMissingError
 from unity_link.generate import generate, write
 from unity_link.spec import compile_file
 

@@ -12,8 +12,8 @@ import sysconfig
 from importlib import metadata
 from pathlib import Path
 
-from gateware.tools.convert import ConversionError
-from gateware.tools.ghdl import ToolMissingError
+from unity_link.gateware.convert import ConversionError
+from unity_link.gateware.ghdl import ToolMissingError
 
 
 def script(tool: str) -> str:

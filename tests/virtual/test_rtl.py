@@ -15,9 +15,10 @@ from unity_link.errors import ArgumentError, ConnectError
 from unity_link.protocol.crc import Crc
 from unity_link.protocol.messages import ErrorCode
 from unity_link.virtual import AccessError
-from unity_link.virtual.rtl import RtlGateway, choose, compiling, configurations, library
+from unity_link.virtual.rtl import RtlGateway, archive, choose, compiling, configurations, library
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
     from pathlib import Path
 from compilers import needs_cxx
 
@@ -222,6 +223,69 @@ def test_what_was_not_compiled_is_answered_with_what_was(
         choose(fields, node)
 
 
+# The archive of all builds
+
+
+def packed(folder: Path, names: tuple[str, ...] = ("default", "minimal")) -> dict[str, bytes]:
+    """Put some of the builds into a folder, and return their texts."""
+    index, texts = archive.read_index(archive.GENERATED), archive.read_texts(archive.GENERATED)
+    chosen = {name: texts[name] for name in names}
+    archive.write(folder, {name: index[name] for name in names}, chosen)
+    return chosen
+
+
+def test_every_build_is_in_the_archive_and_the_archive_holds_no_other() -> None:
+    texts = archive.read_texts(archive.GENERATED)
+    assert {name: build.text() for name, build in configurations().items()} == texts
+    assert all(b"UL_SIGNALS" in text for text in texts.values())
+
+
+def test_a_change_of_all_builds_costs_the_history_little() -> None:
+    assert sum(path.stat().st_size for path in archive.GENERATED.iterdir()) < 250_000
+
+
+def test_the_same_builds_make_the_same_archive(tmp_path: Path) -> None:
+    for folder in ("a", "b"):
+        assert packed(tmp_path / folder) == archive.read_texts(tmp_path / folder)
+    files = [{path.name: path.read_bytes() for path in (tmp_path / folder).iterdir()} for folder in ("a", "b")]
+    assert files[0] == files[1]
+    assert len(files[0]) == 2
+
+
+def test_an_installation_that_lacks_a_build_or_has_it_from_elsewhere_says_so(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    build = configurations()["minimal"]
+    monkeypatch.setattr(archive, "GENERATED", tmp_path)
+    missing = r"models.tar.xz does not hold the gateware 'minimal': install unity-link anew, or run make rtl"
+    with pytest.raises(ArgumentError, match=missing):
+        build.text()
+    index = archive.read_index(archive.GENERATED) or {"minimal": archive.Entry("", "", "")}
+    archive.write(tmp_path, index, {"minimal": b"// another\n"})
+    with pytest.raises(ArgumentError, match=missing):
+        build.text()
+
+
+@pytest.mark.parametrize("damage", [lambda data: data[:5000], lambda data: b"no archive" + data], ids=["cut", "spoilt"])
+def test_a_damaged_archive_is_named(
+    damage: Callable[[bytes], bytes], monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    packed(tmp_path)
+    path = tmp_path / "models.tar.xz"
+    path.write_bytes(damage(path.read_bytes()))
+    build = configurations()["minimal"]
+    monkeypatch.setattr(archive, "GENERATED", tmp_path)
+    with pytest.raises(ArgumentError, match=r"models.tar.xz cannot be unpacked \(.*\): install unity-link anew"):
+        build.text()
+
+
+@pytest.mark.parametrize("text", ["{", '{"default": {"origin": "1"}}'])
+def test_a_damaged_index_is_named(text: str, tmp_path: Path) -> None:
+    (tmp_path / "models.json").write_text(text)
+    with pytest.raises(ArgumentError, match=r"models.json does not say what gateware there is \(.*\): install"):
+        archive.read_index(tmp_path)
+
+
 # The compiler and its cache
 
 
@@ -297,7 +361,7 @@ async def test_a_cancelled_compilation_ends_the_compiler_and_what_it_started(
     os.mkfifo(ended)
     # The inner process holds a FIFO open for as long as it lives.
     compiler(monkeypatch, tmp_path, f'[ "$1" = --version ] || sh -c "exec 3>{ended}; echo >{started}; sleep 1000"')
-    task = asyncio.create_task(compiling.compile_beside(configurations()["minimal"].source))
+    task = asyncio.create_task(compiling.compile_beside(configurations()["minimal"]))
     watch = os.open(ended, os.O_RDONLY | os.O_NONBLOCK)
     await asyncio.to_thread(started.read_text)
     task.cancel()
@@ -314,6 +378,6 @@ def test_two_programs_may_compile_at_once(monkeypatch: pytest.MonkeyPatch, tmp_p
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
     monkeypatch.setattr(compiling, "_OPTIONS", ("-O0", *compiling._OPTIONS[1:]))
     with ThreadPoolExecutor(2) as threads:
-        for path in threads.map(compiling.compiled, [configurations()["minimal"].source] * 2):
+        for path in threads.map(compiling.compiled, [configurations()["minimal"]] * 2):
             assert ctypes.CDLL(str(path)).ul_create is not None
     assert len(list((tmp_path / "unity-link" / "rtl").iterdir())) == 1

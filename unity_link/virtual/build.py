@@ -76,7 +76,7 @@ async def compile_gateway(configuration: Mapping[str, int], node: int | None = N
     from unity_link.virtual.rtl import choose
     from unity_link.virtual.rtl.compiling import compile_beside
 
-    await compile_beside(choose(configuration, node).source)
+    await compile_beside(choose(configuration, node))
 
 
 def _compiled(configuration: Mapping[str, int], node: int | None) -> BareGateway:

@@ -1,3 +1,5 @@
+-- SPDX-License-Identifier: BSD-3-Clause
+--
 -- A whole gateway on AXI4-Lite: the core, the other bus wrapper, and bytes from wherever they come.
 --
 -- `unity_link` is the same with a Wishbone wrapper and a choice of media: this is how to join the core to a bus of one's

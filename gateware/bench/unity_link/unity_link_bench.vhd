@@ -1,3 +1,5 @@
+-- SPDX-License-Identifier: BSD-3-Clause
+--
 -- What the benches of the whole gateway run on: `unity_link_fifo` with a Wishbone memory behind it.
 --
 -- The generics are integers, booleans and strings, because GHDL takes no others when a simulation starts. The memory has

@@ -1,3 +1,5 @@
+-- SPDX-License-Identifier: BSD-3-Clause
+--
 -- Unity-Link on the open ECP5/FT2232HQ board (gildobjanschi/ECP5_BGA381_FT2232HQ_FIFO, rev. A): synchronous FT245.
 --
 -- An ECP5-25 with an FT2232H whose channel A is wired as a FIFO, all of its pins. The gateway runs on the board's

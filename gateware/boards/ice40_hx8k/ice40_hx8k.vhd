@@ -1,3 +1,5 @@
+-- SPDX-License-Identifier: BSD-3-Clause
+--
 -- Unity-Link on Lattice's iCE40-HX8K Breakout Board (iCE40HX8K-B-EVN): its USB port, 3 MBd, no flow control.
 --
 -- The board's FT2232H carries a UART on its second channel: on Linux /dev/ttyUSB1. The clock is the board's 12 MHz, of

@@ -1,3 +1,5 @@
+-- SPDX-License-Identifier: BSD-3-Clause
+--
 -- The base tick of periodic groups: one cycle in clock_hz / base frequency, on average exactly.
 --
 -- Where the quotient is whole, a counter; else an accumulator in units of mHz, whose ticks lie less than one cycle

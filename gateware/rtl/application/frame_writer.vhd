@@ -1,3 +1,5 @@
+-- SPDX-License-Identifier: BSD-3-Clause
+--
 -- Writes the bodies of all frames that the gateway sends: answers and samples, one character a cycle.
 --
 -- A body is a walk: letters, then the head (ID or address), the pair (a number of two digits), the words. A sample is
@@ -110,6 +112,27 @@ architecture rtl of frame_writer is
 
   -- The letters of each message, as the five low bits of their codes; the second is 0 where there is none.
   subtype letter_t is std_logic_vector(4 downto 0);
+
+  type digits_t is array (0 to config_digits - 1) of std_logic_vector(3 downto 0);
+
+  -- A table, as not every tool takes a slice of which both ends move.
+  function digits (fields : std_logic_vector(255 downto 0)) return digits_t is
+
+    variable result : digits_t;
+
+  begin
+
+    for index in digits_t'range loop
+
+      result(index) := fields(4 * index + 3 downto 4 * index);
+
+    end loop;
+
+    return result;
+
+  end function digits;
+
+  constant config_table : digits_t := digits(q_fields);
 
   function letter (code : character) return letter_t is
   begin
@@ -354,7 +377,7 @@ begin
           nibble := r.pair(7 downto 4);
 
         when state_configuration =>
-          nibble := q_fields(4 * to_integer(r.left) + 3 downto 4 * to_integer(r.left));
+          nibble := config_table(to_integer(r.left));
 
         when others =>
           nibble := r.word(word_bits - 1 downto word_bits - 4);

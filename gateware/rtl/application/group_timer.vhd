@@ -1,3 +1,5 @@
+-- SPDX-License-Identifier: BSD-3-Clause
+--
 -- Says which periodic groups are due: counts the divisor of each down at every base tick.
 --
 -- At a tick, all groups pass a pipeline of one group a cycle: read the counter, keep it, count and write it back. So
@@ -81,9 +83,9 @@ begin
   busy <= scanning or read_valid or kept_valid or tick;
   lost <= unsigned(lost_read);
 
-  counts  <= kept_valid and running(to_integer(kept_index) mod groups) and to_std_logic(unsigned(kept_divisor) /= 0);
+  counts  <= kept_valid and bit_at(running, kept_index) and to_std_logic(unsigned(kept_divisor) /= 0);
   is_due  <= counts and to_std_logic(unsigned(kept_counter) = 1);
-  was_due <= due(to_integer(kept_index) mod groups);
+  was_due <= bit_at(due, kept_index);
 
   collides <= kept_valid and to_std_logic(kept_index = lost_number(index_t'range));
 

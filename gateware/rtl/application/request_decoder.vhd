@@ -1,3 +1,5 @@
+-- SPDX-License-Identifier: BSD-3-Clause
+--
 -- Application layer, first half: what a frame asks for. Reads a body one character a cycle and checks command and form.
 --
 -- The command is a walk through the tree of the letters of all commands; the fields behind it are a walk through the
@@ -79,6 +81,8 @@ architecture rtl of request_decoder is
   -- '0' and a command, or one of those below.
   subtype node_t is std_logic_vector(4 downto 0);
 
+  constant node_r       : node_t := '0' & command_r;
+  constant node_w       : node_t := '0' & command_w;
   constant node_start   : node_t := "10000";
   constant node_g       : node_t := "10001";
   constant node_unknown : node_t := "11111";
@@ -97,6 +101,14 @@ architecture rtl of request_decoder is
     return node_unknown;
 
   end function offered;
+
+  -- Compared in one bit more, as 256 groups are a number that does not fit (GHDL converts such a comparison wrongly).
+  function is_no_group (number : std_logic_vector(7 downto 0)) return boolean is
+  begin
+
+    return resize(unsigned(number), 9) >= groups;
+
+  end function is_no_group;
 
   -- The tree of commands; `letter` are the five low bits of a letter's code, equal for both cases.
   function next_node (node : node_t; letter : std_logic_vector(4 downto 0)) return node_t is
@@ -125,10 +137,10 @@ architecture rtl of request_decoder is
         case letter is
 
           when letter_r =>
-            return '0' & command_r;
+            return node_r;
 
           when letter_w =>
-            return '0' & command_w;
+            return node_w;
 
           when letter_h =>
             return '0' & command_h;
@@ -152,7 +164,7 @@ architecture rtl of request_decoder is
 
         end case;
 
-      when '0' & command_r =>
+      when node_r =>
 
         case letter is
 
@@ -167,7 +179,7 @@ architecture rtl of request_decoder is
 
         end case;
 
-      when '0' & command_w =>
+      when node_w =>
 
         case letter is
 
@@ -589,11 +601,11 @@ begin
           return (r.words > block_words and command /= command_wk) or v.word_exceeds = '1';
 
         when command_gs =>
-          return unsigned(r.group_number) >= groups or (r.flags and missing_flags) /= x"00" or unsigned(r.divisor) = 0
+          return is_no_group(r.group_number) or (r.flags and missing_flags) /= x"00" or unsigned(r.divisor) = 0
                  or unsigned(r.count) = 0 or unsigned(r.count) > group_words or v.word_exceeds = '1';
 
         when command_gn | command_gx | command_gp =>
-          return unsigned(r.group_number) >= groups;
+          return is_no_group(r.group_number);
 
         when command_i =>
           return unsigned(r.group_number) > 2;

@@ -1,3 +1,5 @@
+-- SPDX-License-Identifier: BSD-3-Clause
+--
 -- Application layer, second half: executes a request once it is whole, and has it answered (docs/protocol.md, "Requests
 -- and responses" and "Exactly once, in order").
 --

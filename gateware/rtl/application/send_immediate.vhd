@@ -1,3 +1,5 @@
+-- SPDX-License-Identifier: BSD-3-Clause
+--
 -- When to have a short packet sent at once (docs/protocol.md, "Send-immediate"): watches the bytes that leave and what
 -- is still coming.
 --

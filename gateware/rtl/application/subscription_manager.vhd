@@ -1,3 +1,5 @@
+-- SPDX-License-Identifier: BSD-3-Clause
+--
 -- Takes the samples of all publish groups when they are due, and keeps their settings (docs/protocol.md, "Groups").
 --
 -- A group is due by the base tick (`group_timer`), by an edge of its trigger, or by GP. What is due is served at once
@@ -173,6 +175,7 @@ architecture rtl of subscription_manager is
   signal write_stamp  : std_logic;
   signal header       : std_logic_vector(31 downto 0);
   signal number_byte  : unsigned(7 downto 0);
+  signal pick_byte    : unsigned(7 downto 0);
 
   function place (of_number : number_t; index : unsigned(7 downto 0)) return unsigned is
 
@@ -254,7 +257,7 @@ begin
       busy        => timer_busy,
       due         => due_by_timer,
       clear       => clear_timer,
-      lost_number => resize(pick_number, 8),
+      lost_number => pick_byte,
       lost        => lost,
       collides    => timer_collides
     );
@@ -335,6 +338,7 @@ begin
   -- Memories.
 
   number_byte    <= resize(number, 8);
+  pick_byte      <= resize(pick_number, 8);
   flags          <= settings(5 downto 0);
   count          <= unsigned(settings(13 downto 6));
   group_sequence <= unsigned(group_state(7 downto 0));
@@ -372,8 +376,9 @@ begin
       last_word <= last_read;
 
       group_is_set <= '0';
-      if unsigned(group_number) < groups then
-        group_is_set <= is_set(to_integer(unsigned(group_number(group_bits - 1 downto 0))) mod groups);
+      -- One bit wider, as 256 groups are a number that does not fit (GHDL converts such a comparison wrongly).
+      if resize(unsigned(group_number), 9) < groups then
+        group_is_set <= bit_at(is_set, unsigned(group_number(group_bits - 1 downto 0)));
       end if;
       if rst = '1' then
         group_is_set <= '0';

@@ -1,3 +1,5 @@
+-- SPDX-License-Identifier: BSD-3-Clause
+--
 -- Bus wrapper: the bus-independent interface of `unity_link_core` as an AXI4-Lite master (AMBA IHI 0022).
 --
 -- AXI counts bytes: the byte address is the word address times the bytes of a word, which AXI4-Lite limits to 4 or 8.

@@ -1,3 +1,5 @@
+-- SPDX-License-Identifier: BSD-3-Clause
+--
 -- Takes the accesses of requests and of samples to one bus, and ends those that are not answered.
 --
 -- Samples go first, also between the words of a block that is read, so that they are taken when they are due. They wait

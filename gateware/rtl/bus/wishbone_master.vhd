@@ -1,3 +1,5 @@
+-- SPDX-License-Identifier: BSD-3-Clause
+--
 -- Bus wrapper: the bus-independent interface of `unity_link_core` as a Wishbone B4 master, classic or pipelined.
 --
 -- Nothing is registered here: a classic slave that answers in the same cycle costs no wait state. `cyc` stands over all

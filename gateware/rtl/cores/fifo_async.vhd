@@ -1,3 +1,5 @@
+-- SPDX-License-Identifier: BSD-3-Clause
+--
 -- A FIFO between two clocks that know nothing of each other: first-word fall-through, one entry per cycle sustained.
 --
 -- Each side owns a pointer and shows it to the other in Gray code, where one step changes one bit: a pointer that is

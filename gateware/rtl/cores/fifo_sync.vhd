@@ -1,3 +1,5 @@
+-- SPDX-License-Identifier: BSD-3-Clause
+--
 -- A FIFO in one clock domain: first-word fall-through, one entry in and one out in every cycle, latency one cycle.
 --
 -- Storage is a memory with a registered, enabled read port, which every vendor's block RAM has and synthesis infers.

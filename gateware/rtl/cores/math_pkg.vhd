@@ -1,3 +1,5 @@
+-- SPDX-License-Identifier: BSD-3-Clause
+--
 -- Sizes of counters and pointers, worked out when the design is elaborated; nothing here becomes logic.
 
 package math_pkg is

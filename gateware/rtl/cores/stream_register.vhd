@@ -1,3 +1,5 @@
+-- SPDX-License-Identifier: BSD-3-Clause
+--
 -- One register in a stream: cuts the path between two parts, costs one cycle of latency and none of throughput.
 --
 -- Block RAMs are slow to show what they read (5.7 ns of the 10 ns at 100 MHz on an ECP5): what comes out of a FIFO

@@ -1,3 +1,5 @@
+-- SPDX-License-Identifier: BSD-3-Clause
+--
 -- A memory with one write port and one registered read port, as every vendor's block RAM is.
 --
 -- Whether a word that is read in the cycle in which it is written is the old or the new one is left open: nobody asks.

@@ -1,3 +1,5 @@
+-- SPDX-License-Identifier: BSD-3-Clause
+--
 -- A ring of words that are written on trial: what was written since the last `commit` can be taken back by `rollback`.
 --
 -- Answers and samples are made before it is known whether they will be sent: an error further on takes them back. The

@@ -1,3 +1,5 @@
+-- SPDX-License-Identifier: BSD-3-Clause
+--
 -- The check of a frame (docs/protocol.md, "Frames"): a CRC of 8, 16 or 32 bits, not reflected, initial value 0, no final
 -- xor.
 

@@ -1,3 +1,5 @@
+-- SPDX-License-Identifier: BSD-3-Clause
+--
 -- Datalink layer, inwards: takes frames apart and checks them (docs/protocol.md, "Frames" and "Addressed frames").
 --
 -- What stands before the check of a frame goes out character by character; what was found out about the frame follows

@@ -1,3 +1,5 @@
+-- SPDX-License-Identifier: BSD-3-Clause
+--
 -- Datalink layer, outwards: puts the prefix before a body (shared medium only), the check and the end behind it.
 --
 -- One character a cycle, ends included: while the check of a frame goes out, whoever writes bodies prepares the next

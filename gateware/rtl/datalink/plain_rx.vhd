@@ -1,3 +1,5 @@
+-- SPDX-License-Identifier: BSD-3-Clause
+--
 -- In place of `datalink_rx` where no program but a person is at the other end: every line is a plain frame.
 --
 -- CR and LF both end a frame, nothing is checked, and there is no limit of length (a line that is too long is

@@ -1,3 +1,5 @@
+-- SPDX-License-Identifier: BSD-3-Clause
+--
 -- In place of `datalink_tx` where every frame is plain: puts CR LF behind each body. See `plain_rx`.
 
 library ieee;

@@ -1,3 +1,5 @@
+-- SPDX-License-Identifier: BSD-3-Clause
+--
 -- Physical layer: none. The link's byte streams stand as ports, for whatever carries bytes inside the same chip: a soft
 -- processor, a network stack, another clock domain behind a `fifo_async`.
 --

@@ -1,3 +1,5 @@
+-- SPDX-License-Identifier: BSD-3-Clause
+--
 -- Physical layer: the asynchronous FT245 FIFO of an FT232H or FT2232H, with SIWU#.
 --
 -- Every interval is worked out from the clock frequency and the FT232H datasheet (FT_000288, table 4.2, named T1..T11

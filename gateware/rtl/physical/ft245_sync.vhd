@@ -1,3 +1,5 @@
+-- SPDX-License-Identifier: BSD-3-Clause
+--
 -- Physical layer: the synchronous FT245 FIFO of an FT232H or FT2232H: one byte in every cycle of its 60 MHz CLKOUT.
 --
 -- Timing (FT232H datasheet FT_000288, table 4.1). The chip's outputs are valid 9 ns after CLKOUT rises, its inputs must

@@ -1,3 +1,5 @@
+-- SPDX-License-Identifier: BSD-3-Clause
+--
 -- Physical layer: a UART of 8 data bits, no parity, one stop bit, at up to a quarter of the clock.
 --
 -- Rates. Receiver and transmitter each have a phase accumulator that counts in fractions of a bit: any baud rate comes
@@ -151,10 +153,12 @@ begin
     rx_tick  <= rx_sum(tick_bits) xor rx_phase(tick_bits);
     rx_level <= (rx_history(0) and rx_history(1)) or (rx_history(1) and rx_history(2)) or
                 (rx_history(2) and rx_history(0));
-  else generate
+  end generate filtered;
+
+  direct : if not oversampled generate
     rx_tick  <= '1';
     rx_level <= rx_now;
-  end generate filtered;
+  end generate direct;
 
   receive : process (clk) is
   begin
@@ -323,14 +327,16 @@ begin
 
     may_send <= not cts_seen;
 
-  else generate
+  end generate with_flow_control;
+
+  without_flow_control : if not flow_control generate
     held_ready <= rx_ready;
     rx_data    <= held(7 downto 0);
     rx_lost    <= held(8);
     rx_valid   <= held_valid;
     rts_n      <= '0';
     may_send   <= may_drive;
-  end generate with_flow_control;
+  end generate without_flow_control;
 
   tx_sum   <= ('0' & tx_phase) + step;
   tx_last  <= '1' when tx_count = 0 or (tx_count = 1 and tx_sum(sum_t'high) = '1') else

@@ -21,13 +21,18 @@ from unity_link.generate.vhdl.names import identifier
 from unity_link.generate.vhdl.stimuli import Stimuli
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Callable, Iterator
 
     from unity_link.generate import Templates
     from unity_link.spec import Group, Interface
 
 DOC = "VHDL: a package, the register bank on Wishbone, gateway and bank as one entity, and a bench of the bank"
-FILTERS = {"bits": types.bit_literal, "real": types.real_literal, "comment": types.comment, "oneline": types.one_line}
+FILTERS: dict[str, Callable[..., Any]] = {
+    "bits": types.bit_literal,
+    "real": types.real_literal,
+    "comment": types.comment,
+    "oneline": types.one_line,
+}
 
 _LEAST_GROUPS = 16
 _LEAST_GROUP_WORDS = 32

@@ -1,8 +1,9 @@
 """The gateware itself in this process: the VHDL, compiled, behind the same interface as the model.
 
 - `shim.cc`: the clock, the medium and the bus around the compiled gateware, in C++
-- `generated/`: the gateware as C++, one file for each configuration; `make rtl` writes it from the VHDL
+- `generated/`: the gateware as C++, all configurations in one archive, and an index; `make rtl` writes both
 - `cxxrtl_runtime/`: the headers that it includes, from Yosys, under their own licence (ISC, in each of them)
+- `archive`: reads and writes those
 - `configurations`: which of them there are, and which one a user means
 - `compiling`, `library`: compile the three at first use, and load them
 - `gateway`: `RtlGateway`, what everything else uses

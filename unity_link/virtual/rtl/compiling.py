@@ -27,6 +27,8 @@ from unity_link.errors import ConnectError
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
+    from unity_link.virtual.rtl.configurations import Configuration
+
 _HERE = Path(__file__).parent
 _RUNTIME = _HERE / "cxxrtl_runtime"
 _SHIM = _HERE / "shim.cc"
@@ -36,26 +38,27 @@ _OPTIONS = ("-O3", "-std=c++14", "-shared", "-fPIC")
 log = logging.getLogger("unity_link.rtl")
 
 
-def compiled(source: Path) -> Path:
-    """Return the shared library of a generated file, compiled unless that was done before.
+def compiled(configuration: Configuration) -> Path:
+    """Return the shared library of a build of the gateware, compiled unless that was done before.
 
     Raises:
+        ArgumentError: where this installation does not have its C++.
         ConnectError: where no C++ compiler is installed, it fails, or the result cannot be kept.
     """
-    plan = _Plan.of(source)
+    plan = _Plan.of(configuration)
     if not plan.library.exists():
         with plan.compiling() as command, _running(command) as process:
             plan.check(process.communicate()[1], process.returncode)
     return plan.library
 
 
-async def compile_beside(source: Path) -> None:
+async def compile_beside(configuration: Configuration) -> None:
     """Do what `compiled` does while the event loop goes on; cancellation ends the compiler.
 
     Raises:
         ConnectError: as `compiled`.
     """
-    plan = _Plan.of(source)
+    plan = _Plan.of(configuration)
     if plan.library.exists():
         return
     with plan.compiling() as command, _running(command) as process:
@@ -68,28 +71,31 @@ class _Plan(msgspec.Struct, frozen=True):
     """What is compiled by what, and where it is kept."""
 
     compiler: list[str]
-    source: Path
+    configuration: Configuration
     library: Path
 
     @classmethod
-    def of(cls, source: Path) -> _Plan:
+    def of(cls, configuration: Configuration) -> _Plan:
         compiler = _compiler()
         version = subprocess.run([*compiler, "--version"], check=False, capture_output=True).stdout  # noqa: S603
-        digest = hashlib.sha256(b"\0".join((version, *(option.encode() for option in _OPTIONS))))
-        for part in (source, _SHIM, *sorted(_RUNTIME.rglob("*.h"))):
+        named = (version, *(option.encode() for option in _OPTIONS), configuration.digest.encode())
+        digest = hashlib.sha256(b"\0".join(named))
+        for part in (_SHIM, *sorted(_RUNTIME.rglob("*.h"))):
             digest.update(part.read_bytes())
-        return cls(compiler, source, _cache_folder() / f"{source.stem}-{digest.hexdigest()[:16]}.so")
+        return cls(compiler, configuration, _cache_folder() / f"{configuration.name}-{digest.hexdigest()[:16]}.so")
 
     @contextlib.contextmanager
     def compiling(self) -> Iterator[list[str]]:
         """Return the command to run; what it made is kept if the block ends well."""
+        text = self.configuration.text()
         log.warning("compiling the gateware by %s: once, this takes a while", self.compiler[0])
         try:
             self.library.parent.mkdir(parents=True, exist_ok=True)
             with tempfile.TemporaryDirectory(dir=self.library.parent, ignore_cleanup_errors=True) as scratch:
-                built = Path(scratch, self.library.name)
-                model = f'-DUL_MODEL="{self.source}"'
-                yield [*self.compiler, *_OPTIONS, f"-I{_RUNTIME}", model, str(_SHIM), "-o", str(built)]
+                built, model = Path(scratch, self.library.name), Path(scratch, "model.cc")
+                model.write_bytes(text)
+                named = f'-DUL_MODEL="{model}"'
+                yield [*self.compiler, *_OPTIONS, f"-I{_RUNTIME}", named, str(_SHIM), "-o", str(built)]
                 built.replace(self.library)
         except OSError as error:
             raise ConnectError(

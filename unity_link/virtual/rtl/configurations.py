@@ -1,37 +1,43 @@
 """The builds of the gateware that an installation has, and which of them a user means.
 
-The generated file of each says in its head what its gateware answers to `Q`, so nothing is compiled to choose one.
+The index of their archive says of each what its gateware answers to `Q`, so nothing is unpacked or compiled to choose
+one.
 """
 
 from __future__ import annotations
 
 import functools
-import re
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 import msgspec
 
 from unity_link.errors import ArgumentError
 from unity_link.protocol.configuration import GatewayInfo
+from unity_link.virtual.rtl import archive
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
-GENERATED = Path(__file__).parent / "generated"
 DEFAULT = "default"
-_HEAD_SIZE = 1024
-_HEADING = re.compile(r"^// Answers Q with ([0-9A-F]+)(?:, as node (\d+))?\.$", re.MULTILINE)
 
 
 class Configuration(msgspec.Struct, frozen=True):
     """One build of the gateware."""
 
     name: str
-    source: Path
     info: GatewayInfo
+    digest: str
+    """Names its C++."""
     node: int | None
     """Its number on a medium that several share."""
+
+    def text(self) -> bytes:
+        """Return its C++.
+
+        Raises:
+            ArgumentError: where this installation does not have it.
+        """
+        return archive.text_of(self.name, self.digest)
 
     def has(self, fields: Mapping[str, int], node: int | None) -> bool:
         """Return whether it is what a user describes."""
@@ -42,28 +48,17 @@ class Configuration(msgspec.Struct, frozen=True):
         return sum(getattr(self.info, name) != getattr(other.info, name) for name in GatewayInfo.__struct_fields__)
 
 
-def heading(info: GatewayInfo, node: int | None) -> str:
-    """Return the line that a generated file has in its head."""
-    text = f"// Answers Q with {info.to_hex().decode()}"
-    return f"{text}." if node is None else f"{text}, as node {node}."
-
-
 @functools.cache
 def configurations() -> dict[str, Configuration]:
     """Return what is part of this installation, by name.
 
     Raises:
-        ArgumentError: for a generated file that does not say what it is.
+        ArgumentError: for an index that does not say what there is.
     """
-    found = {}
-    for source in sorted(GENERATED.glob("*.cc")):
-        with source.open() as file:
-            match = _HEADING.search(file.read(_HEAD_SIZE))
-        if match is None:
-            raise ArgumentError(f"{source} does not say what its gateware is: install unity-link anew, or run make rtl")
-        info, node = GatewayInfo.from_hex(match[1].encode()), match[2]
-        found[source.stem] = Configuration(source.stem, source, info, None if node is None else int(node))
-    return found
+    return {
+        name: Configuration(name, GatewayInfo.from_hex(entry.answers.encode()), entry.digest, entry.node)
+        for name, entry in sorted(archive.read_index(archive.GENERATED).items())
+    }
 
 
 def find(name: str) -> Configuration:

@@ -56,7 +56,7 @@ def load(name: str) -> ctypes.CDLL:
         ArgumentError: for a configuration that there is not.
         ConnectError: where no C++ compiler is installed, or it fails, or what it made cannot be kept or loaded.
     """
-    path = compiled(find(name).source)
+    path = compiled(find(name))
     try:
         library = ctypes.CDLL(str(path))
     except OSError as error:

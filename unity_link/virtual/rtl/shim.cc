@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What stands around the gateware when it runs in a process: a clock, the medium, and a bus with memory and devices.
 //
 // The generated C++ (UL_MODEL names the file) is the entity `unity_link_fifo`, cycle for cycle. This file gives it, in

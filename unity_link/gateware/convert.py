@@ -12,8 +12,9 @@ import tempfile
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from gateware.tools.cache import cache_folder, hash_of, vhdl_sources
-from gateware.tools.ghdl import converting_ghdl
+from unity_link.errors import UnityLinkError
+from unity_link.gateware.cache import cache_folder, hash_of, vhdl_sources
+from unity_link.gateware.ghdl import converting_ghdl
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
@@ -22,7 +23,7 @@ _STD = "--std=08"
 _ERROR_LINES = 12
 
 
-class ConversionError(Exception):
+class ConversionError(UnityLinkError):
     """A tool refused the sources; the message is what it said."""
 
 

@@ -7,10 +7,19 @@ import os
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from unity_link.errors import UnityLinkError
+
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable
 
-GATEWARE = Path(__file__).resolve().parent.parent
+
+class ToolMissingError(UnityLinkError):
+    """A tool is not there and can't be fetched; the message says what to install."""
+
+
+_HERE = Path(__file__).resolve().parent
+GATEWARE = _HERE if (_HERE / "rtl").exists() else _HERE.parent.parent / "gateware"
+"""The folder in which the VHDL is, in `rtl`: that of the project, or what an installed package has of it."""
 
 
 def cache_folder(*parts: str) -> Path:
@@ -31,8 +40,15 @@ def kept(path: Path, make: Callable[[], str]) -> str:
 
 
 def vhdl_sources() -> list[Path]:
-    """Return every VHDL source of the gateware, sorted by path."""
-    return sorted((GATEWARE / "rtl").rglob("*.vhd"))
+    """Return every VHDL source of the gateware, sorted by path.
+
+    Raises:
+        ToolMissingError: where an installation has none.
+    """
+    found = sorted((GATEWARE / "rtl").rglob("*.vhd"))
+    if not found:
+        raise ToolMissingError(f"the gateware's VHDL is not in {GATEWARE / 'rtl'}: install unity-link anew")
+    return found
 
 
 def hash_of(texts: Iterable[str | bytes]) -> str:

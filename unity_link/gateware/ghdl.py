@@ -15,7 +15,9 @@ import subprocess
 import tempfile
 from pathlib import Path
 
-from gateware.tools.cache import cache_folder
+from unity_link.gateware.cache import ToolMissingError, cache_folder
+
+__all__ = ["Ghdl", "ToolMissingError", "converting_ghdl"]
 
 _LEAST_VERSION = 4
 _SUITE = "trixie"
@@ -24,10 +26,6 @@ _KEYRING = "/usr/share/keyrings/debian-archive-keyring.gpg"
 _DEFAULT_MIRROR = "http://deb.debian.org/debian"
 _MULTIARCH = "x86_64-linux-gnu"
 _LOADER = "usr/lib64/ld-linux-x86-64.so.2"
-
-
-class ToolMissingError(Exception):
-    """A tool is not there and can't be fetched; the message says what to install."""
 
 
 @dataclasses.dataclass(frozen=True)

@@ -1,0 +1,67 @@
+"""File list, FuseSoC core and import scripts have every file of the gateware, once, behind what it needs."""
+
+from __future__ import annotations
+
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from gateware.tools.lists import LIBRARY, TOP, in_compile_order, lists
+from unity_link.gateware.cache import GATEWARE, vhdl_sources
+
+_PATH = re.compile(r"rtl/[\w/]+\.vhd")
+
+
+def test_the_order_has_every_file_once_behind_what_it_uses() -> None:
+    order = in_compile_order()
+    assert sorted(order) == [path.relative_to(GATEWARE).as_posix() for path in vhdl_sources()]
+    known: set[str] = set()
+    for name in order:
+        text = (GATEWARE / name).read_text()
+        known |= set(re.findall(r"^(?:entity|package) (\w+) is$", text, re.MULTILINE))
+        assert set(re.findall(rf"(?:entity|use) {LIBRARY}\.(\w+)", text)) <= known, name
+    assert order[-1].endswith((f"/{TOP}.vhd", f"/{TOP}_fifo.vhd"))
+
+
+@pytest.mark.parametrize("name", lists())
+def test_what_is_in_the_tree_is_what_is_made_of_it(name: str) -> None:
+    text = (GATEWARE / name).read_text()
+    assert text == lists()[name], "run make lists"
+    assert list(dict.fromkeys(_PATH.findall(text))) == in_compile_order()
+
+
+@pytest.mark.parametrize("tool", ["vivado", "quartus", "radiant", "diamond", "gowin"])
+def test_a_script_adds_each_file_with_its_library(tool: str) -> None:
+    """Run it in Tcl, with stand-ins for the tool's commands."""
+    tkinter = pytest.importorskip("tkinter")
+    seen: list[tuple[str, ...]] = []
+    interpreter = tkinter.Tcl()
+    for command in ("read_vhdl", "set_global_assignment", "prj_add_source", "prj_src", "prj_strgy", "add_file"):
+        interpreter.createcommand(command, lambda *words: seen.append(words) or "")
+    files: list[tuple[str, ...]] = []
+    for command in ("set_file_prop", "set_option"):
+        interpreter.createcommand(command, lambda *words: files.append(words) or "")
+    interpreter.eval(f"source {GATEWARE / 'import' / f'{tool}.tcl'}")
+    added = [Path(word) for words in seen for word in words if word.endswith(".vhd")]
+    assert added == [GATEWARE / name for name in in_compile_order()]
+    placed = files[1:] if tool == "gowin" else [words for words in seen if any(word.endswith(".vhd") for word in words)]
+    assert all(LIBRARY in words or "xil_defaultlib" in words for words in placed)
+    assert len(placed) == len(added)
+
+
+def test_fusesoc_sets_the_gateway_up(tmp_path: Path) -> None:
+    pytest.importorskip("fusesoc")
+    command = [sys.executable, "-m", "fusesoc.main", "--cores-root", str(GATEWARE), "run", "--setup"]
+    done = subprocess.run(
+        [*command, "--target", "lint", "--build-root", "made", "unity-link:unity-link:gateway"],
+        cwd=tmp_path,
+        check=False,
+        capture_output=True,
+        text=True,
+    )
+    assert done.returncode == 0, done.stderr
+    description = next((tmp_path / "made").rglob("*.eda.yml")).read_text()
+    assert [Path(name).name for name in _PATH.findall(description)] == [Path(name).name for name in in_compile_order()]

@@ -1,0 +1,164 @@
+"""The gateware's files in compile order, as each tool wants to be told: written by `make lists`, held by a test.
+
+`unity_link.f` is the list itself, `unity_link.core` for FuseSoC, and `import/` has a script for each vendor's tool. Who
+adds, renames or removes a file of `gateware/rtl` runs this again.
+
+    python -m gateware.tools.lists
+"""
+
+from __future__ import annotations
+
+import graphlib
+import re
+import sys
+from typing import TYPE_CHECKING
+
+import unity_link
+from unity_link.gateware import LICENCE
+from unity_link.gateware.cache import GATEWARE, vhdl_sources
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable
+
+LIBRARY = "work"
+"""What the sources name themselves by, in `use` clauses and instances."""
+TOP = "unity_link"
+# Vivado knows the library `work` by this name alone.
+_OF_VIVADO = "xil_defaultlib" if LIBRARY == "work" else LIBRARY
+_UNIT = re.compile(r"^(?:entity|package) (\w+) is$", re.MULTILINE)
+_USED = re.compile(rf"\b(?:entity|use) {LIBRARY}\.(\w+)", re.IGNORECASE)
+_MADE = "made by `make lists`"
+
+
+def in_compile_order() -> list[str]:
+    """Return the files of the gateware below `gateware`, each behind those that it needs."""
+    texts = {source.relative_to(GATEWARE).as_posix(): source.read_text() for source in vhdl_sources()}
+    file_of = {unit: path for path, text in texts.items() for unit in _UNIT.findall(text)}
+    needs = {path: {file_of[unit] for unit in _USED.findall(text)} - {path} for path, text in texts.items()}
+    sorter = graphlib.TopologicalSorter(needs)
+    sorter.prepare()
+    ordered: list[str] = []
+    while sorter.is_active():
+        # By name where the order is free, so that a list changes as little as the files do.
+        ready = sorted(sorter.get_ready())
+        ordered += ready
+        sorter.done(*ready)
+    return ordered
+
+
+def lists() -> dict[str, str]:
+    """Return all files that are written, by their path below `gateware`."""
+    files = in_compile_order()
+    return {
+        "unity_link.f": _lines(f"# {LICENCE}", f"# VHDL-2008, library {LIBRARY}, in compile order; {_MADE}.", *files),
+        "unity_link.core": _core(files),
+        "import/vivado.tcl": _script(
+            "Vivado, in a project or without: source import/vivado.tcl",
+            (f"read_vhdl -vhdl2008 -library {_OF_VIVADO} [file join $gateware {file}]" for file in files),
+        ),
+        "import/quartus.tcl": _script(
+            "Quartus, in an open project: source import/quartus.tcl",
+            (
+                f"set_global_assignment -name VHDL_FILE [file join $gateware {file}] -library {LIBRARY} "
+                "-hdl_version VHDL_2008"
+                for file in files
+            ),
+        ),
+        "import/radiant.tcl": _script(
+            "Radiant, in an open project: source import/radiant.tcl. Set VHDL 2008 in the strategy.",
+            (f"prj_add_source -work {LIBRARY} [file join $gateware {file}]" for file in files),
+        ),
+        "import/diamond.tcl": _script(
+            "Diamond, in an open project: source import/diamond.tcl",
+            (
+                "prj_strgy set_value -strategy Strategy1 syn_vhdl2008=True",
+                "prj_strgy set_value -strategy Strategy1 lse_vhdl2008=True",
+                *(f"prj_src add -work {LIBRARY} [file join $gateware {file}]" for file in files),
+            ),
+        ),
+        "import/gowin.tcl": _script(
+            "Gowin EDA, in an open project: source import/gowin.tcl",
+            (
+                "set_option -vhdl_std vhd2008",
+                *(
+                    line
+                    for file in files
+                    for line in (
+                        f"add_file -type vhdl [file join $gateware {file}]",
+                        f"set_file_prop -lib {LIBRARY} [file join $gateware {file}]",
+                    )
+                ),
+            ),
+        ),
+        "import/efinity.xml": _lines(
+            f"<!-- {LICENCE} -->",
+            f"<!-- Efinity: put these into <efx:design_info> of the project's XML, with the path to them; {_MADE}. -->",
+            '<efx:design_info def_veri_version="verilog_2k" def_vhdl_version="vhdl_2008" '
+            'xmlns:efx="http://www.efinixinc.com/enf_proj">',
+            *(f'  <efx:design_file name="{file}" version="vhdl_2008" library="{_of_efinity()}"/>' for file in files),
+            "</efx:design_info>",
+        ),
+    }
+
+
+def _of_efinity() -> str:
+    return "default" if LIBRARY == "work" else LIBRARY
+
+
+def _lines(*lines: str) -> str:
+    return "".join(f"{line}\n" for line in lines)
+
+
+def _script(how: str, commands: Iterable[str]) -> str:
+    return _lines(
+        f"# {LICENCE}",
+        f"# {how}",
+        f"# Files in compile order; {_MADE}.",
+        "set gateware [file dirname [file dirname [file normalize [info script]]]]",
+        *commands,
+    )
+
+
+def _core(files: list[str]) -> str:
+    logical = [] if LIBRARY == "work" else [f"    logical_name : {LIBRARY}"]
+    return _lines(
+        "CAPI=2:",
+        f"# {LICENCE}",
+        f"# {_MADE.capitalize()}.",
+        "",
+        f"name : unity-link:unity-link:gateway:{unity_link.__version__}",
+        "description : From a UART or FT245 to Wishbone or AXI4-Lite; reads, writes and subscriptions from a PC",
+        "",
+        "filesets:",
+        "  rtl:",
+        "    files:",
+        *(f"      - {file}" for file in files),
+        "    file_type : vhdlSource-2008",
+        *logical,
+        "",
+        "targets:",
+        "  default: &default",
+        "    filesets : [rtl]",
+        "  lint:",
+        "    <<: *default",
+        "    description : Have GHDL read all files",
+        "    default_tool : ghdl",
+        "    tools:",
+        "      ghdl:",
+        "        analyze_options : [--std=08]",
+        f"    toplevel : {TOP}",
+    )
+
+
+def main() -> int:
+    """Write all; returns the exit status."""
+    for name, text in lists().items():
+        path = GATEWARE / name
+        path.parent.mkdir(exist_ok=True)
+        path.write_text(text)
+        sys.stdout.write(f"{name}\n")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

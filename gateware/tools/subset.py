@@ -1,0 +1,213 @@
+"""Reads VHDL-2008 by a parser that is not GHDL's, and says what synthesis tools of vendors refuse or read otherwise.
+
+The references are the tables of supported constructs in UG901 (Vivado) and in the help of Quartus Prime Standard; where
+they differ, the stricter counts. The parser is the grammar of tree-sitter-vhdl. An expression is taken for one that
+moves if it mentions a signal, a variable or a port of its file.
+
+    python -m gateware.tools.subset [FILE ...]        the gateware, or files
+"""
+
+from __future__ import annotations
+
+import re
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING, NamedTuple
+
+import tree_sitter_vhdl
+from tree_sitter import Language, Parser
+
+from unity_link.gateware.cache import GATEWARE, vhdl_sources
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from tree_sitter import Node
+
+_PARSER = Parser(Language(tree_sitter_vhdl.language()))
+_REFUSED = {
+    "else_generate": "an `else generate` (write a second `if generate`)",
+    "elsif_generate": "an `elsif generate` (write a second `if generate`)",
+    "case_generate_statement": "a `case generate` (write `if generate`)",
+    "external_signal_name": "an external name",
+    "external_constant_name": "an external name",
+    "external_variable_name": "an external name",
+    "simple_force_assignment": "a `force`",
+    "simple_release_assignment": "a `release`",
+    "conditional_signal_assignment": "a conditional assignment in a process: write `if`",
+    "selected_waveform_assignment": "a selected assignment in a process: write `case`",
+    "selected_variable_assignment": "a selected assignment of a variable: write `case`",
+    "guard_condition": "a guarded block",
+    "disconnection_specification": "a `disconnect`",
+    "wait_statement": "a `wait` (registers are described by `rising_edge`)",
+    "entity_body": "statements in an entity",
+    "protected_type_declaration": "a protected type",
+    "file_declaration": "a file",
+    "access_type_definition": "an access type",
+    "physical_type_definition": "a physical type",
+    "context_declaration": "a context declaration",
+    "context_reference": "a context",
+    "interface_package_declaration": "a generic package",
+    "package_instantiation_declaration": "an instance of a package",
+    "subprogram_instantiation_declaration": "an instance of a subprogram",
+    "block_comment": "a comment of `/*`",
+    "condition_conversion": "a `??`",
+    "delay_mechanism": "a delay",
+    "library_constant_unit": "a time",
+    "mode_view_declaration": "a view of VHDL-2019",
+}
+_DIVIDING = ("mod", "rem", "/")
+# What turns a vector into another type and is no logic: VHDL-93 has it as a conversion.
+_CONVERSIONS = ("std_logic_vector", "unsigned", "signed")
+_MOVING = ("signal_declaration", "variable_declaration", "interface_variable_declaration")
+_OPERATORS = ("adding_operator", "multiplying_operator", "unary_operator", "logical_operator", "relational_operator")
+
+
+class Fault(NamedTuple):
+    """What a tool refuses."""
+
+    line: int
+    sentence: str
+
+
+def faults(text: str) -> list[Fault]:
+    """Return what is wrong with a VHDL file, in the order of its lines; nothing, if every tool reads it."""
+    root = _PARSER.parse(text.encode()).root_node
+    broken = [Fault(_line(node), "it is no VHDL-2008") for node in _all(root) if node.is_error or node.is_missing]
+    moving = set(_moving(root))
+    functions = {
+        _text(name).lower()
+        for node in _all(root)
+        if node.type == "function_specification" and (name := _child(node, "identifier")) is not None
+    }
+    found = [fault for node in _all(root) for fault in _of(node, moving, functions)]
+    return sorted({*broken, *found})
+
+
+def _of(node: Node, moving: set[str], functions: set[str]) -> Iterator[Fault]:
+    line = _line(node)
+    if node.type in _REFUSED:
+        yield Fault(line, f"not every tool reads {_REFUSED[node.type]}")
+    yield from (Fault(line, sentence) for sentence in (*_arithmetic(node, moving), *_of_2008(node)))
+    if node.type == "simple_range" and _is_slice(node):
+        bounds = [child for child in node.named_children if child.type == "simple_expression"]
+        if len(bounds) == 2 and all(_moves(bound, moving) for bound in bounds):
+            yield Fault(line, f"both ends of the slice ({_text(node)}) move")
+    if node.type == "when_element" and node.parent is not None and node.parent.type == "case_statement_alternative":
+        for choice in node.named_children:
+            if any(part.type in (*_OPERATORS, "parenthesis_group") for part in _all(choice)):
+                yield Fault(_line(choice), f"the choice {_text(choice)} is an expression: name a constant")
+    if node.type == "port_map_aspect":
+        yield from _actuals(node, functions)
+
+
+def _arithmetic(node: Node, moving: set[str]) -> Iterator[str]:
+    whole = node.parent
+    if whole is None or not _moves(whole, moving):
+        return
+    left, right = _text(whole.children[0]), _text(whole.children[-1])
+    if node.type == "multiplying_operator" and _text(node).lower() in _DIVIDING and not _is_power_of_two(right):
+        yield f"{_text(node)} by {right}, which is no power of two as a number"
+    if node.type == "exponentiate" and left != "2":
+        yield f"{_text(whole)} is a power of another number than 2"
+
+
+def _of_2008(node: Node) -> Iterator[str]:
+    if node.type in ("case_expression", "with_expression") and "?" in _text(node):
+        yield "not every tool reads a `case?`"
+    if node.type == "relational_operator" and _text(node).startswith("?"):
+        yield f"not every tool reads {_text(node)}"
+    if node.type == "simple_variable_assignment" and any(child.type == "when_expression" for child in _all(node)):
+        yield "not every tool reads a conditional assignment in a process (write `if`)"
+
+
+def _actuals(node: Node, functions: set[str]) -> Iterator[Fault]:
+    for element in (part for part in _all(node) if part.type == "association_element"):
+        actual = element.named_children[-1]
+        if _is_within(element, "parenthesis_group", node) or actual.type != "conditional_expression":
+            continue
+        named = re.match(r"(\w+)\s*\(", _text(actual))
+        is_call = any(
+            part.type == "library_function" or _text(part).lower() in functions
+            for part in _all(actual)
+            if part.next_named_sibling is not None and part.next_named_sibling.type == "parenthesis_group"
+        )
+        is_conversion = named is not None and named[1].lower() in _CONVERSIONS
+        is_expression = any(part.type in _OPERATORS for part in _outside_indices(actual))
+        if (is_call or is_expression) and not is_conversion:
+            yield Fault(_line(element), f"the actual {_text(actual)} is an expression: name a signal")
+
+
+def _moving(root: Node) -> Iterator[str]:
+    """Yield the names of what can change: signals, variables, ports, and parameters that are one of those."""
+    for node in _all(root):
+        is_port = node.type in ("interface_declaration", "interface_signal_declaration") and _is_within(
+            node, "port_clause", root
+        )
+        if node.type in _MOVING or is_port:
+            names = _child(node, "identifier_list")
+            yield from (_text(name).lower() for name in (names.named_children if names is not None else ()))
+
+
+def _moves(node: Node, moving: set[str]) -> bool:
+    """Whether an expression mentions something that moves, other than its length or bounds."""
+    text = re.sub(r"\w+'(length|high|low|left|right|range)\b", "", re.sub(r"\.\w+", "", _text(node)))
+    return any(word.lower() in moving for word in re.findall(r"[a-z]\w*", text, re.IGNORECASE))
+
+
+def _is_slice(node: Node) -> bool:
+    return node.parent is not None and node.parent.type == "association_or_range_list"
+
+
+def _is_power_of_two(text: str) -> bool:
+    number = text.replace("_", "")
+    return number.isdigit() and int(number).bit_count() == 1
+
+
+def _outside_indices(node: Node) -> Iterator[Node]:
+    yield node
+    for child in node.children:
+        if child.type != "parenthesis_group":
+            yield from _outside_indices(child)
+
+
+def _is_within(node: Node, kind: str, end: Node) -> bool:
+    parent = node.parent
+    while parent is not None and parent != end:
+        if parent.type == kind:
+            return True
+        parent = parent.parent
+    return False
+
+
+def _all(node: Node) -> Iterator[Node]:
+    yield node
+    for child in node.children:
+        yield from _all(child)
+
+
+def _child(node: Node, kind: str) -> Node | None:
+    return next((child for child in node.named_children if child.type == kind), None)
+
+
+def _text(node: Node) -> str:
+    return (node.text or b"").decode()
+
+
+def _line(node: Node) -> int:
+    return int(node.start_point[0]) + 1
+
+
+def main() -> int:
+    """Check files; returns the exit status."""
+    chosen = [Path(name) for name in sys.argv[1:]]
+    status = 0
+    for path in chosen or [*vhdl_sources(), *sorted((GATEWARE / "boards").rglob("*.vhd"))]:
+        for fault in faults(path.read_text()):
+            sys.stderr.write(f"{path}:{fault.line}: {fault.sentence}\n")
+            status = 1
+    return status
+
+
+if __name__ == "__main__":
+    sys.exit(main())

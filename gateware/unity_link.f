@@ -1,0 +1,31 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# VHDL-2008, library work, in compile order; made by `make lists`.
+rtl/bus/wishbone_master.vhd
+rtl/cores/math_pkg.vhd
+rtl/cores/stream_register.vhd
+rtl/datalink/crc_pkg.vhd
+rtl/physical/fifo_port.vhd
+rtl/physical/ft245_async.vhd
+rtl/unity_link_pkg.vhd
+rtl/application/base_tick.vhd
+rtl/application/frame_writer.vhd
+rtl/application/group_timer.vhd
+rtl/application/request_decoder.vhd
+rtl/application/request_executor.vhd
+rtl/application/send_immediate.vhd
+rtl/bus/axi4_lite_master.vhd
+rtl/bus/bus_master.vhd
+rtl/cores/fifo_async.vhd
+rtl/cores/fifo_sync.vhd
+rtl/cores/word_memory.vhd
+rtl/cores/word_ring.vhd
+rtl/datalink/datalink_rx.vhd
+rtl/datalink/datalink_tx.vhd
+rtl/datalink/plain_rx.vhd
+rtl/datalink/plain_tx.vhd
+rtl/application/subscription_manager.vhd
+rtl/physical/ft245_sync.vhd
+rtl/physical/uart.vhd
+rtl/unity_link_core.vhd
+rtl/unity_link.vhd
+rtl/unity_link_fifo.vhd

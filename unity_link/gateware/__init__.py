@@ -1,0 +1,10 @@
+"""What is made of the gateware's VHDL by a tool that reads it: GHDL, of version 4 or later.
+
+- `cache`: where the VHDL is, where made things are kept, and under which name
+- `ghdl`: a GHDL that converts correctly, found or fetched
+- `convert`: an entity as Verilog
+- `release`: the same as a file for those who have no VHDL
+"""
+
+LICENCE = "SPDX-License-Identifier: BSD-3-Clause"
+"""What stands at the top of each source that users copy."""

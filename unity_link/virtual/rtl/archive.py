@@ -1,0 +1,117 @@
+"""The C++ of all builds of the gateware, as an installation carries it: an archive, and an index of what is in it.
+
+Builds differ little from each other, so that together, with one dictionary, they take not much more than one.
+"""
+
+from __future__ import annotations
+
+import hashlib
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import msgspec
+
+from unity_link.errors import ArgumentError
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+    from unity_link.protocol.configuration import GatewayInfo
+
+GENERATED = Path(__file__).parent / "generated"
+_INDEX = "models.json"
+_ARCHIVE = "models.tar.xz"
+_ADVICE = "install unity-link anew, or run make rtl"
+
+
+class Entry(msgspec.Struct, frozen=True, omit_defaults=True):
+    """What the index says of one build."""
+
+    origin: str
+    """Names what it was made from."""
+    answers: str
+    """What it answers to `Q`, in hex."""
+    digest: str
+    """Names its C++."""
+    node: int | None = None
+
+    @classmethod
+    def of(cls, origin: str, text: bytes, info: GatewayInfo, node: int | None) -> Entry:
+        """Return the entry of a build."""
+        return cls(origin, info.to_hex().decode(), digest_of(text), node)
+
+
+def digest_of(text: bytes) -> str:
+    """Return what names the C++ of a build."""
+    return hashlib.sha256(text).hexdigest()[:16]
+
+
+def text_of(name: str, digest: str) -> bytes:
+    """Return the C++ of a build.
+
+    Raises:
+        ArgumentError: where this installation does not have it.
+    """
+    text = read_texts(GENERATED).get(name, b"")
+    if digest_of(text) != digest:
+        raise ArgumentError(f"{GENERATED / _ARCHIVE} does not hold the gateware {name!r}: {_ADVICE}")
+    return text
+
+
+def read_index(folder: Path) -> dict[str, Entry]:
+    """Return what is said of each build of a folder, by name; nothing, where there is no index.
+
+    Raises:
+        ArgumentError: for an index that cannot be read.
+    """
+    path = folder / _INDEX
+    if not path.exists():
+        return {}
+    try:
+        return msgspec.json.decode(path.read_bytes(), type=dict[str, Entry])
+    except (OSError, msgspec.DecodeError) as error:
+        raise ArgumentError(f"{path} does not say what gateware there is ({error}): {_ADVICE}") from error
+
+
+def read_texts(folder: Path) -> dict[str, bytes]:
+    """Return the C++ of each build of a folder, by name; nothing, where there is no archive.
+
+    Raises:
+        ArgumentError: for an archive that cannot be read.
+    """
+    # Imported here, as a library that is compiled already needs none of it.
+    import tarfile
+
+    path = folder / _ARCHIVE
+    if not path.exists():
+        return {}
+    try:
+        with tarfile.open(path, "r:xz") as archive:
+            opened = {Path(member.name).stem: archive.extractfile(member) for member in archive}
+            return {name: file.read() for name, file in opened.items() if file is not None}
+    except (OSError, EOFError, tarfile.TarError) as error:
+        raise ArgumentError(f"{path} cannot be unpacked ({error}): {_ADVICE}") from error
+
+
+def write(folder: Path, index: Mapping[str, Entry], texts: Mapping[str, bytes]) -> None:
+    """Put index and archive into a folder; the same texts make the same archive."""
+    import io
+    import lzma
+    import tarfile
+
+    packed = io.BytesIO()
+    # One dictionary for all: builds have most of their text in common.
+    with tarfile.open(fileobj=packed, mode="w") as archive:
+        for name, text in sorted(texts.items()):
+            member = tarfile.TarInfo(f"{name}.cc")
+            member.size = len(text)
+            archive.addfile(member, io.BytesIO(text))
+    rows = b",\n".join(b'"%s": %s' % (name.encode(), msgspec.json.encode(index[name])) for name in sorted(index))
+    folder.mkdir(parents=True, exist_ok=True)
+    for name, data in (
+        (_ARCHIVE, lzma.compress(packed.getvalue(), preset=9 | lzma.PRESET_EXTREME)),
+        (_INDEX, b"{\n%s\n}\n" % rows),
+    ):
+        partial = folder / f"{name}.partial"
+        partial.write_bytes(data)
+        partial.replace(folder / name)
