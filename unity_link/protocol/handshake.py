@@ -38,6 +38,8 @@ DAMAGE_PATIENCE = 16
 SHORTEST_TRY = 0.002
 DAMAGE_COST = 1 / 16
 """What part of a try a question counts that was answered by something else."""
+SURE = 3
+"""How often an impossible answer is heard before it is believed: a datagram that was damaged can come twice."""
 _LONGEST_TEXT = 120
 """Characters of what is not understood that a message quotes."""
 
@@ -74,6 +76,8 @@ class Handshake:
         """What was said last that is no frame."""
         self._doubtful = b""
         """An answer that no other has confirmed."""
+        self._alike = 0
+        """How often it was heard, where no gateway can be as it says."""
         self._believed = b""
         """The answer that a checked one must repeat."""
         self._codec: Codec | None = None
@@ -222,7 +226,7 @@ class Handshake:
             self._ask_session(now)
 
     def _believe(self, answer: bytes, now: float) -> None:
-        """Read what the gateway says it is; what it says twice in the same words is no damage.
+        """Read what the gateway says it is; what it says `SURE` times in the same words is no damage.
 
         Raises:
             UnsupportedError: for another protocol version, or impossible widths.
@@ -230,7 +234,8 @@ class Handshake:
         try:
             self._codec = Codec(GatewayInfo.from_hex(answer[1:]), self._node)
         except UnsupportedError:
-            if answer == self._doubtful:
+            self._alike = self._alike + 1 if answer == self._doubtful else 1
+            if self._alike == SURE:
                 raise
         except ValueError:
             pass
