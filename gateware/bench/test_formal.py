@@ -25,6 +25,7 @@ FAULTS = {
     "a body does not wait for its reader": ("datalink_rx", "advance", "1'b1"),
     "a frame does not wait for its reader": ("datalink_tx", "advance", "1'b1"),
     "a request comes into a sample": ("bus_master", "grant", "request & ~(sample & ~exclusive) & (state == 0)"),
+    "the bus does not rest after a time-out": ("bus_master", r"n\d+_o(?= = timed_out \? 2'b11 : 2'b00;)", "2'b00"),
     "no session is needed": ("request_executor", r"(?P<bit>\w+)(?= = r\[3\];.*\n.* = ~(?P=bit);)", "1'b1"),
 }
 """The entity, a signal of it (a regular expression), and what drives it in place of what should."""

@@ -110,6 +110,7 @@ entity unity_link is
     wb_dat_i : in    std_logic_vector(data_bits - 1 downto 0);
     wb_ack   : in    std_logic;
     wb_err   : in    std_logic := '0';
+    wb_rty   : in    std_logic := '0';
     wb_stall : in    std_logic := '0'
   );
 end entity unity_link;
@@ -219,6 +220,7 @@ begin
       dat_i          => wb_dat_i,
       ack            => wb_ack,
       err            => wb_err,
+      rty            => wb_rty,
       stall          => wb_stall
     );
 

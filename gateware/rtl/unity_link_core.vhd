@@ -11,8 +11,9 @@
 -- The bus-independent interface: while `bus_request` is '1', address, write and data stand still until the rising edge
 -- at which `bus_done` is '1' (which may be the first one: no wait states). `bus_error` and `bus_read_data` count at
 -- that edge. `bus_request` is taken back for at least one cycle between accesses, and without `bus_done` when the
--- access timed out: it is over then, whatever the bus does. `bus_lock` stays '1' over all accesses that belong to one
--- atomic transaction.
+-- access timed out: it is over then, whatever the bus does, and nothing is asked of the bus for `bus_timeout` cycles, so
+-- that a late answer meets no other access. `bus_lock` stays '1' over all accesses that belong to one atomic
+-- transaction.
 
 library ieee;
   use ieee.std_logic_1164.all;

@@ -78,6 +78,7 @@ entity unity_link_fifo is
     wb_dat_i : in    std_logic_vector(data_bits - 1 downto 0);
     wb_ack   : in    std_logic;
     wb_err   : in    std_logic := '0';
+    wb_rty   : in    std_logic := '0';
     wb_stall : in    std_logic := '0'
   );
 end entity unity_link_fifo;
@@ -137,6 +138,7 @@ begin
       wb_dat_i  => wb_dat_i,
       wb_ack    => wb_ack,
       wb_err    => wb_err,
+      wb_rty    => wb_rty,
       wb_stall  => wb_stall
     );
 

@@ -7,6 +7,9 @@
 -- One access takes three cycles on a bus without wait states: chosen (`..._granted`), on the bus, told (`..._done`, with
 -- `failure` and `read_data`). A client keeps its request up until `done`; address and data of the next access must stand
 -- there in the cycle after it.
+--
+-- After an access that timed out nothing is asked of the bus for `timeout` cycles, in which the bus is taken back: a
+-- slave that answers late does so then, when nobody listens. The access is told before, so only the next one waits.
 
 library ieee;
   use ieee.std_logic_1164.all;
@@ -20,7 +23,7 @@ entity bus_master is
   generic (
     data_bits    : positive := 32;
     address_bits : positive := 8;
-    -- Cycles on the bus after which an access has failed.
+    -- Cycles on the bus after which an access has failed, and then without any.
     timeout : positive := 1024
   );
   port (
@@ -58,7 +61,7 @@ end entity bus_master;
 
 architecture rtl of bus_master is
 
-  type state_t is (state_idle, state_active, state_told);
+  type state_t is (state_idle, state_active, state_told, state_rest);
 
   signal state      : state_t;
   signal for_sample : std_logic;
@@ -80,7 +83,7 @@ begin
   request_granted <= grant;
   sample_done     <= to_std_logic(state = state_told) and for_sample;
   request_done    <= to_std_logic(state = state_told) and not for_sample;
-  -- An access that timed out takes the bus down with it, whatever transaction it stood in.
+  -- An access that timed out takes the bus down with it, whatever transaction it stood in, until its rest is over.
   bus_lock <= (sample_lock or request_lock) and not timed_out;
 
   main : process (clk) is
@@ -126,6 +129,7 @@ begin
           elsif time_left = 0 then
             bus_request <= '0';
             timed_out   <= '1';
+            time_left   <= to_unsigned(timeout - 1, time_left'length);
             failure     <= error_timeout;
             state       <= state_told;
           end if;
@@ -140,6 +144,15 @@ begin
             end if;
           end if;
           state <= state_idle;
+          if timed_out = '1' then
+            state <= state_rest;
+          end if;
+
+        when state_rest =>
+          time_left <= time_left - 1;
+          if time_left = 0 then
+            state <= state_idle;
+          end if;
 
       end case;
 
