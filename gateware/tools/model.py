@@ -96,8 +96,12 @@ CONFIGURATIONS: dict[str, dict[str, int]] = {
 _COMMENT_LINES = re.compile(r"^\s*//.*\n|[ \t]+$", re.MULTILINE)
 
 # Registers that shim.cc looks into, by their names in VHDL: it skips time in which nothing happens, and tells accesses
-# of samples from those of requests.
+# of samples from those of requests. The first ones are in every gateway, the others where there are groups.
 _REGISTERS = {
+    "rx_fifo_inst.count": "UL_HELD",
+    "bus_master_inst.timed_out": "UL_RESTS",
+}
+_REGISTERS_OF_GROUPS = {
     "subscription_manager_inst.running": "UL_RUNNING",
     "subscription_manager_inst.stamp": "UL_STAMP",
     "subscription_manager_inst.number": "UL_GROUP",
@@ -108,7 +112,7 @@ _REGISTERS = {
 _SIGNALS = "UL_SIGNALS"
 # What a register without a VHDL name of its own is called, and a memory's output.
 _FLIP_FLOP = re.compile(r"n\d+_(q|data)")
-_FORM = f"{_COMMENT_LINES.pattern} {_REGISTERS} {_SIGNALS}"
+_FORM = f"{_COMMENT_LINES.pattern} {_REGISTERS} {_REGISTERS_OF_GROUPS} {_SIGNALS}"
 
 # `splitnets -driver` cuts buses into the parts that are driven together: without it CXXRTL sees feedback where there is
 # none. Registers keep their enables and resets as logic (`-nodffe -nosdff`): inferred, they bring feedback back.
@@ -193,12 +197,13 @@ def make(name: str) -> Path:
         f"{made_by}.\n{heading(info_of(name), CONFIGURATIONS[name].get('node'))}\n"
         "// Made by `make rtl`: change the VHDL in gateware/rtl instead.\n\n"
     )
-    path.write_text(header + text + _names(verilog.read_text(), text))
+    pipelined = f"#define UL_PIPELINED {int(CONFIGURATIONS[name].get('wb_pipelined', False))}\n"
+    path.write_text(header + text + _names(verilog.read_text(), text) + pipelined)
     return path
 
 
 def _names(verilog: str, text: str) -> str:
-    """Return macros that name members of the C++: all of its signals for a waveform, and `_REGISTERS`.
+    """Return macros that name members of the C++: all of its signals for a waveform, and its registers.
 
     Raises:
         ConversionError: if one of the registers cannot be found again.
@@ -207,12 +212,12 @@ def _names(verilog: str, text: str) -> str:
     rows = "".join(f' \\\n\tsignal("{name}", {member})' for name, member in sorted(signals.items()))
     lines = [f"#define {_SIGNALS}(signal){rows}"]
     has_groups = any("subscription_manager_inst" in name for name in signals)
-    for register, macro in _REGISTERS.items():
+    for register, macro in {**_REGISTERS, **(_REGISTERS_OF_GROUPS if has_groups else {})}.items():
         members = [member for name, member in signals.items() if name.endswith(register)]
         # Without timestamps the clock's register never changes, and is none any more.
-        if has_groups and len(members) != 1 and not (macro == "UL_STAMP" and not members):
+        if len(members) != 1 and not (macro == "UL_STAMP" and not members):
             raise ConversionError(f"{register} is {members} in C++: one was expected")
-        lines += [f"#define {macro} {member}" for member in members if has_groups]
+        lines += [f"#define {macro} {member}" for member in members]
     return "\n" + "\n".join(lines) + "\n"
 
 
