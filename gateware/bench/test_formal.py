@@ -26,6 +26,7 @@ FAULTS = {
     "a frame does not wait for its reader": ("datalink_tx", "advance", "1'b1"),
     "a request comes into a sample": ("bus_master", "grant", "request & ~(sample & ~exclusive) & (state == 0)"),
     "the bus does not rest after a time-out": ("bus_master", r"n\d+_o(?= = timed_out \? 2'b11 : 2'b00;)", "2'b00"),
+    "a sample has two instants": ("bus_master", r"n\d+_o(?= = grant_sample & n\d+_o;)", "grant_sample"),
     "a transaction is left between two accesses": ("wishbone_master", r"n\d+_o(?= = asks \| bus_lock;)", "asks"),
     "an answer is taken before the access is": ("wishbone_master pipelined", "takes", "1'b1"),
     "an access that was sent away is not asked again": ("wishbone_master", "sent_away", "1'b0"),

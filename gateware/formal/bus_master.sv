@@ -22,7 +22,7 @@ module bus_master_properties #(
 );
 	localparam IDLE = 0, ACTIVE = 1, TOLD = 2, REST = 3;
 
-	wire request_granted, request_done, sample_granted, sample_done;
+	wire request_granted, request_done, sample_granted, sample_done, sample_strobe, sample_access;
 	wire [3:0] failure;
 	wire [7:0] read_data;
 	wire bus_request, bus_write, bus_lock;
@@ -41,6 +41,8 @@ module bus_master_properties #(
 	reg [4:0] done = 0;
 	// Cycles for which nothing more may be asked after a time-out.
 	reg [2:0] rest = 0;
+	// The words that are read belong to the last instant.
+	reg instant = 0;
 
 	(* hierconn *) wire [1:0] \dut.state ;
 	(* hierconn *) wire [2:0] \dut.time_left ;
@@ -113,6 +115,19 @@ module bus_master_properties #(
 		if (exclusive || sampling)
 			assert (bus_lock || ((request_done || sample_done) && failure == 5));
 
+		// A sample has one instant, in front of its first access, and no access of a request until it is over.
+		assert (sample_strobe == (sample_granted && !sampling));
+		assert (!sample_strobe || !sample_access);
+		if (bus_request)
+			assert (sample_access == open_sample);
+		if (request_granted)
+			assert (!sample_access);
+		instant <= sample_strobe || (instant && sample_access);
+		if (sample_access || (bus_request && open_sample))
+			assert (instant);
+		if (sampling && !((request_done || sample_done) && failure != 0))
+			assert (sample_access);
+
 		// What makes the proof hold without a bound.
 		assert (bus_request == (\dut.state == ACTIVE));
 		assert (open == (\dut.state == ACTIVE || \dut.state == TOLD));
@@ -128,7 +143,7 @@ module bus_master_properties #(
 			assert (\dut.request_lock );
 		if (\dut.timed_out )
 			assert (\dut.state == TOLD ? failure == 5 :
-				(\dut.state == IDLE || \dut.state == REST) && !exclusive && !sampling);
+				\dut.state == REST && !exclusive && !sampling);
 		assert (\dut.state != REST || \dut.timed_out );
 		assert (rest == (\dut.state == REST ? \dut.time_left + 1 :
 			\dut.state == TOLD && \dut.timed_out ? TIMEOUT + 1 : 0));
@@ -139,7 +154,7 @@ module bus_master_properties #(
 
 		cover (done == 3 && request_granted && sample);
 		cover (done == 3 && sample_done && failure == 5);
-		cover (done == 3 && request_granted && \dut.timed_out );
+		cover (done == 3 && request_granted && $past(rest) == 1);
 		cover (done == 2 && request_done && failure == 4 && exclusive);
 		cover (done == 2 && sample_granted && request && bus_lock);
 	end

@@ -111,7 +111,10 @@ entity unity_link is
     wb_ack   : in    std_logic;
     wb_err   : in    std_logic := '0';
     wb_rty   : in    std_logic := '0';
-    wb_stall : in    std_logic := '0'
+    wb_stall : in    std_logic := '0';
+    -- '1' in the cycle of which a group's sample tells, and while its words are read.
+    sample_strobe : out   std_logic;
+    sample_access : out   std_logic
   );
 end entity unity_link;
 
@@ -191,7 +194,9 @@ begin
       bus_write_data => bus_write_data,
       bus_read_data  => bus_read_data,
       bus_done       => bus_done,
-      bus_error      => bus_error
+      bus_error      => bus_error,
+      sample_strobe  => sample_strobe,
+      sample_access  => sample_access
     );
 
   wishbone_master_inst : entity work.wishbone_master

@@ -82,7 +82,9 @@ begin
       bus_write_data => bus_write_data,
       bus_read_data  => bus_read_data,
       bus_done       => bus_done,
-      bus_error      => bus_error
+      bus_error      => bus_error,
+      sample_strobe  => open,
+      sample_access  => open
     );
 
   axi4_lite_master : entity work.axi4_lite_master

@@ -130,6 +130,24 @@ async def a_sample_comes_between_the_words_of_a_read_and_is_not_interrupted(dut:
 
 
 @cocotb.test
+async def the_instant_of_a_sample_is_in_front_of_its_first_access(dut: SimHandleBase) -> None:
+    await _begin(dut, waits=2)
+    reading = cocotb.start_soon(_request(dut, list(range(4))))
+    sampling = cocotb.start_soon(_sample(dut, [0x80, 0x81, 0x82], after=3))
+    levels = []
+    while not (sampling.done() and reading.done()):
+        await ReadOnly()
+        of_sample = dut.bus_request.value == 1 and int(dut.bus_address.value) >= 0x80
+        levels.append((dut.sample_strobe.value == 1, dut.sample_access.value == 1, of_sample))
+        await RisingEdge(dut.clk)
+    instant = levels.index((True, False, False))
+    last = max(cycle for cycle, (_, _, of_sample) in enumerate(levels) if of_sample)
+    assert [strobe for strobe, _, _ in levels].count(True) == 1
+    assert levels[instant + 1] == (False, True, True)
+    assert [access for _, access, _ in levels] == [instant < cycle <= last for cycle in range(len(levels))]
+
+
+@cocotb.test
 async def a_sample_waits_for_an_exclusive_transaction(dut: SimHandleBase) -> None:
     slave = await _begin(dut, waits=2)
     sampling = cocotb.start_soon(_sample(dut, [0x80], after=8))

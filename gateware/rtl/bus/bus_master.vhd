@@ -2,7 +2,9 @@
 --
 -- Samples go first, also between the words of a block that is read, so that they are taken when they are due. They wait
 -- where a transaction would be torn: for the rest of WM and WK (`request_exclusive`). A sample, once begun, is not
--- interrupted either.
+-- interrupted either. Its instant is the cycle in which its first access is chosen: `sample_strobe` is '1' then, and
+-- `sample_access` from the next one on until its last access has been answered, or the bus has rested after one that has
+-- not.
 --
 -- One access takes three cycles on a bus without wait states: chosen (`..._granted`), on the bus, told (`..._done`, with
 -- `failure` and `read_data`). A client keeps its request up until `done`; address and data of the next access must stand
@@ -44,6 +46,8 @@ entity bus_master is
     sample_address : in    std_logic_vector(address_bits - 1 downto 0);
     sample_granted : out   std_logic;
     sample_done    : out   std_logic;
+    sample_strobe  : out   std_logic;
+    sample_access  : out   std_logic;
     -- For both, with done; read_data stands until the next access ends.
     failure   : out   error_t;
     read_data : out   std_logic_vector(data_bits - 1 downto 0);
@@ -82,6 +86,8 @@ begin
   sample_granted  <= grant_sample;
   request_granted <= grant;
   sample_done     <= to_std_logic(state = state_told) and for_sample;
+  sample_strobe   <= grant_sample and not sample_lock;
+  sample_access   <= for_sample and (to_std_logic(state = state_active) or sample_lock or timed_out);
   request_done    <= to_std_logic(state = state_told) and not for_sample;
   -- An access that timed out takes the bus down with it, whatever transaction it stood in, until its rest is over.
   bus_lock <= (sample_lock or request_lock) and not timed_out;
@@ -94,7 +100,6 @@ begin
       case state is
 
         when state_idle =>
-          timed_out <= '0';
           time_left <= to_unsigned(timeout - 1, time_left'length);
           if grant_sample = '1' then
             for_sample  <= '1';
@@ -151,7 +156,8 @@ begin
         when state_rest =>
           time_left <= time_left - 1;
           if time_left = 0 then
-            state <= state_idle;
+            timed_out <= '0';
+            state     <= state_idle;
           end if;
 
       end case;
