@@ -36,6 +36,8 @@ FAULTS = {
         r"n\d+_o(?= = address_valid & write;)",
         "address_valid & write & wready",
     ),
+    "a sample has the instant of a block": ("bank_registers", "position_given", "position_held"),
+    "a register bank answers twice": ("bank_registers", "access_now", "wb_cyc & wb_stb"),
     "no session is needed": ("request_executor", r"(?P<bit>\w+)(?= = r\[3\];.*\n.* = ~(?P=bit);)", "1'b1"),
 }
 """The proof, a signal of it (a regular expression), and what drives it in place of what should."""

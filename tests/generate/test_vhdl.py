@@ -192,7 +192,7 @@ FAULTS = {
     "a pulse that stays": (r"      to_hardware\.f16_written +<= '0';\n", ""),
     "no pulse": (r"            to_hardware\.co_written +<= '1';\n", ""),
     "a pulse of another signal": (r"(            to_hardware\.)co_written( +<= '1';)", r"\1f16_written\2"),
-    "a value that tears": (r"if \(clock_kept or clock_read\) = '0' then", "if true then"),
+    "a value that tears": (r"if clock_keeps = '0' then", "if true then"),
     "a sample of two instants": (r"if sample_access = '0' then", "if true then"),
     "a sample of the instant of a block": (r"clock_sampled when sample_access = '1' else\n +clock_held", "clock_held"),
     "a block that tears behind a sample": (r"\(wb_cyc or sample_access\) and", "wb_cyc and"),
