@@ -434,8 +434,10 @@ private:
 			pass_to_slave(strobe, answered);
 		else if (strobe && !answered)
 			access();
-		// It rests after a timeout, or reads a long request.
-		const bool busy = get(top_.UL_RESTS) || get(top_.UL_HELD);
+		// It rests after a timeout, or reads a long request that its FIFO holds.
+		const uint64_t held = get(top_.UL_HELD);
+		const bool busy = get(top_.UL_RESTS) || held != held_;
+		held_ = held;
 
 		top_.commit();
 		++cycles;
@@ -507,6 +509,7 @@ private:
 	// By the cycle in which they stand on the bus.
 	std::multimap<uint64_t, Reply> replies_;
 	uint64_t read_data_ = 0;
+	uint64_t held_ = 0;
 	uint64_t quiet_ = 0;
 	double in_due_ = 0;
 	double out_due_ = 0;
