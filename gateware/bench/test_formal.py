@@ -25,9 +25,22 @@ FAULTS = {
     "a body does not wait for its reader": ("datalink_rx", "advance", "1'b1"),
     "a frame does not wait for its reader": ("datalink_tx", "advance", "1'b1"),
     "a request comes into a sample": ("bus_master", "grant", "request & ~(sample & ~exclusive) & (state == 0)"),
+    "the bus does not rest after a time-out": ("bus_master", r"n\d+_o(?= = timed_out \? 2'b11 : 2'b00;)", "2'b00"),
+    "a sample has two instants": ("bus_master", r"n\d+_o(?= = grant_sample & n\d+_o;)", "grant_sample"),
+    "a transaction is left between two accesses": ("wishbone_master", r"n\d+_o(?= = asks \| bus_lock;)", "asks"),
+    "an answer is taken before the access is": ("wishbone_master pipelined", "takes", "1'b1"),
+    "an access that was sent away is not asked again": ("wishbone_master", "sent_away", "1'b0"),
+    "an answer that nobody wants is told": ("axi4_lite_master", r"n\d+_o(?= = answered & wanted;)", "answered"),
+    "an address is taken back": (
+        "axi4_lite_master",
+        r"n\d+_o(?= = address_valid & write;)",
+        "address_valid & write & wready",
+    ),
+    "a sample has the instant of a block": ("bank_registers", "position_given", "position_held"),
+    "a register bank answers twice": ("bank_registers", "access_now", "wb_cyc & wb_stb"),
     "no session is needed": ("request_executor", r"(?P<bit>\w+)(?= = r\[3\];.*\n.* = ~(?P=bit);)", "1'b1"),
 }
-"""The entity, a signal of it (a regular expression), and what drives it in place of what should."""
+"""The proof, a signal of it (a regular expression), and what drives it in place of what should."""
 
 
 def _prove(proof: Proof, fault: tuple[str, str] | None = None) -> str | None:
@@ -44,7 +57,7 @@ def _prove(proof: Proof, fault: tuple[str, str] | None = None) -> str | None:
         pytest.skip(str(error))
 
 
-@pytest.mark.parametrize("proof", PROOFS, ids=lambda proof: proof.entity)
+@pytest.mark.parametrize("proof", PROOFS, ids=lambda proof: proof.name)
 def test_the_properties_are_proved(proof: Proof) -> None:
     assert _prove(proof) is None
 
@@ -52,7 +65,7 @@ def test_the_properties_are_proved(proof: Proof) -> None:
 @pytest.mark.parametrize("fault", FAULTS.values(), ids=FAULTS)
 def test_a_proof_fails_where(fault: tuple[str, str, str]) -> None:
     entity, *replaced = fault
-    proof = next(proof for proof in PROOFS if proof.entity == entity)
+    proof = next(proof for proof in PROOFS if proof.name == entity)
     wrong = _prove(proof, (replaced[0], replaced[1]))
     assert wrong is not None
     assert "failed assertion" in wrong

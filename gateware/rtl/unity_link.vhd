@@ -1,11 +1,11 @@
 -- SPDX-License-Identifier: BSD-3-Clause
 --
--- The gateway as a design uses it: one medium, chosen by the generic `physical`, and a Wishbone B4 master.
+-- The gateway as a design uses it: one medium, chosen by the generic `physical`, and a bus, chosen by `bus_standard`.
 --
--- Only the pins of the medium in use need to be connected: the inputs of the others have defaults that keep them
--- still. The layers that were not chosen are not elaborated. Bidirectional data pins are joined by the board's top,
--- because how a tristate pin is described differs between vendors: `ft_data <= ft_data_out when ft_data_oe = '1' else
--- (others => 'Z')`.
+-- Only the pins of the medium and of the bus in use need to be connected: the inputs of the others have defaults that
+-- keep them still. The layers that were not chosen are not elaborated. Bidirectional data pins are joined by the
+-- board's top, because how a tristate pin is described differs between vendors:
+-- `ft_data <= ft_data_out when ft_data_oe = '1' else (others => 'Z')`.
 
 library ieee;
   use ieee.std_logic_1164.all;
@@ -24,6 +24,8 @@ entity unity_link is
     -- "uart": whether RTS# and CTS# are used. "fifo": whether the source of bytes waits for in_ready. FT245 always
     -- waits.
     flow_control : boolean := false;
+    -- "wishbone" (B4) or "axi4_lite", which takes data_bits of 32 or 64.
+    bus_standard : string := "wishbone";
     -- Wishbone B4 pipelined instead of classic.
     wb_pipelined : boolean := false;
     -- Widths: 8 to 64 bits a word, 8 to 32 bits an address (which counts words), 2 or 3 digits an ID.
@@ -109,10 +111,34 @@ entity unity_link is
     wb_sel   : out   std_logic_vector((data_bits + 7) / 8 - 1 downto 0);
     wb_adr   : out   std_logic_vector(address_bits - 1 downto 0);
     wb_dat_o : out   std_logic_vector(data_bits - 1 downto 0);
-    wb_dat_i : in    std_logic_vector(data_bits - 1 downto 0);
-    wb_ack   : in    std_logic;
-    wb_err   : in    std_logic := '0';
-    wb_stall : in    std_logic := '0'
+    wb_dat_i : in    std_logic_vector(data_bits - 1 downto 0) := (others => '0');
+    wb_ack   : in    std_logic                                := '0';
+    wb_err   : in    std_logic                                := '0';
+    wb_rty   : in    std_logic                                := '0';
+    wb_stall : in    std_logic                                := '0';
+    -- AXI4-Lite master; addresses count bytes.
+    axi_awaddr  : out   std_logic_vector(address_bits + log2_ceil(data_bits / 8) - 1 downto 0);
+    axi_awprot  : out   std_logic_vector(2 downto 0);
+    axi_awvalid : out   std_logic;
+    axi_awready : in    std_logic                                := '0';
+    axi_wdata   : out   std_logic_vector(data_bits - 1 downto 0);
+    axi_wstrb   : out   std_logic_vector(data_bits / 8 - 1 downto 0);
+    axi_wvalid  : out   std_logic;
+    axi_wready  : in    std_logic                                := '0';
+    axi_bresp   : in    std_logic_vector(1 downto 0)             := (others => '0');
+    axi_bvalid  : in    std_logic                                := '0';
+    axi_bready  : out   std_logic;
+    axi_araddr  : out   std_logic_vector(address_bits + log2_ceil(data_bits / 8) - 1 downto 0);
+    axi_arprot  : out   std_logic_vector(2 downto 0);
+    axi_arvalid : out   std_logic;
+    axi_arready : in    std_logic                                := '0';
+    axi_rdata   : in    std_logic_vector(data_bits - 1 downto 0) := (others => '0');
+    axi_rresp   : in    std_logic_vector(1 downto 0)             := (others => '0');
+    axi_rvalid  : in    std_logic                                := '0';
+    axi_rready  : out   std_logic;
+    -- '1' in the cycle of which a group's sample tells, and while its words are read.
+    sample_strobe : out   std_logic;
+    sample_access : out   std_logic
   );
 end entity unity_link;
 
@@ -143,6 +169,10 @@ begin
 
   assert physical = "fifo" or physical = "uart" or physical = "ft245" or physical = "ft245_sync"
     report "unity_link: physical is """ & physical & """, expected ""fifo"", ""uart"", ""ft245"" or ""ft245_sync"""
+    severity failure;
+
+  assert bus_standard = "wishbone" or bus_standard = "axi4_lite"
+    report "unity_link: bus_standard is """ & bus_standard & """, expected ""wishbone"" or ""axi4_lite"""
     severity failure;
 
   core_inst : entity work.unity_link_core
@@ -192,37 +222,103 @@ begin
       bus_write_data => bus_write_data,
       bus_read_data  => bus_read_data,
       bus_done       => bus_done,
-      bus_error      => bus_error
+      bus_error      => bus_error,
+      sample_strobe  => sample_strobe,
+      sample_access  => sample_access
     );
 
-  wishbone_master_inst : entity work.wishbone_master
-    generic map (
-      data_bits    => data_bits,
-      address_bits => address_bits,
-      pipelined    => wb_pipelined
-    )
-    port map (
-      clk            => clk,
-      rst            => rst,
-      bus_request    => bus_request,
-      bus_write      => bus_write,
-      bus_lock       => bus_lock,
-      bus_address    => bus_address,
-      bus_write_data => bus_write_data,
-      bus_read_data  => bus_read_data,
-      bus_done       => bus_done,
-      bus_error      => bus_error,
-      cyc            => wb_cyc,
-      stb            => wb_stb,
-      we             => wb_we,
-      sel            => wb_sel,
-      adr            => wb_adr,
-      dat_o          => wb_dat_o,
-      dat_i          => wb_dat_i,
-      ack            => wb_ack,
-      err            => wb_err,
-      stall          => wb_stall
-    );
+  with_wishbone : if bus_standard = "wishbone" generate
+
+    wishbone_master_inst : entity work.wishbone_master
+      generic map (
+        data_bits    => data_bits,
+        address_bits => address_bits,
+        pipelined    => wb_pipelined
+      )
+      port map (
+        clk            => clk,
+        rst            => rst,
+        bus_request    => bus_request,
+        bus_write      => bus_write,
+        bus_lock       => bus_lock,
+        bus_address    => bus_address,
+        bus_write_data => bus_write_data,
+        bus_read_data  => bus_read_data,
+        bus_done       => bus_done,
+        bus_error      => bus_error,
+        cyc            => wb_cyc,
+        stb            => wb_stb,
+        we             => wb_we,
+        sel            => wb_sel,
+        adr            => wb_adr,
+        dat_o          => wb_dat_o,
+        dat_i          => wb_dat_i,
+        ack            => wb_ack,
+        err            => wb_err,
+        rty            => wb_rty,
+        stall          => wb_stall
+      );
+
+    axi_awaddr  <= (others => '0');
+    axi_awprot  <= (others => '0');
+    axi_awvalid <= '0';
+    axi_wdata   <= (others => '0');
+    axi_wstrb   <= (others => '0');
+    axi_wvalid  <= '0';
+    axi_bready  <= '0';
+    axi_araddr  <= (others => '0');
+    axi_arprot  <= (others => '0');
+    axi_arvalid <= '0';
+    axi_rready  <= '0';
+
+  end generate with_wishbone;
+
+  with_axi4_lite : if bus_standard = "axi4_lite" generate
+
+    axi4_lite_master_inst : entity work.axi4_lite_master
+      generic map (
+        data_bits    => data_bits,
+        address_bits => address_bits
+      )
+      port map (
+        clk            => clk,
+        rst            => rst,
+        bus_request    => bus_request,
+        bus_write      => bus_write,
+        bus_address    => bus_address,
+        bus_write_data => bus_write_data,
+        bus_read_data  => bus_read_data,
+        bus_done       => bus_done,
+        bus_error      => bus_error,
+        awaddr         => axi_awaddr,
+        awprot         => axi_awprot,
+        awvalid        => axi_awvalid,
+        awready        => axi_awready,
+        wdata          => axi_wdata,
+        wstrb          => axi_wstrb,
+        wvalid         => axi_wvalid,
+        wready         => axi_wready,
+        bresp          => axi_bresp,
+        bvalid         => axi_bvalid,
+        bready         => axi_bready,
+        araddr         => axi_araddr,
+        arprot         => axi_arprot,
+        arvalid        => axi_arvalid,
+        arready        => axi_arready,
+        rdata          => axi_rdata,
+        rresp          => axi_rresp,
+        rvalid         => axi_rvalid,
+        rready         => axi_rready
+      );
+
+    wb_cyc   <= '0';
+    wb_stb   <= '0';
+    wb_we    <= '0';
+    wb_sel   <= (others => '0');
+    wb_adr   <= (others => '0');
+    wb_dat_o <= (others => '0');
+
+  end generate with_axi4_lite;
 
   with_fifo : if physical = "fifo" generate
 

@@ -13,8 +13,10 @@
 -- The bus-independent interface: while `bus_request` is '1', address, write and data stand still until the rising edge
 -- at which `bus_done` is '1' (which may be the first one: no wait states). `bus_error` and `bus_read_data` count at
 -- that edge. `bus_request` is taken back for at least one cycle between accesses, and without `bus_done` when the
--- access timed out: it is over then, whatever the bus does. `bus_lock` stays '1' over all accesses that belong to one
--- atomic transaction.
+-- access timed out: it is over then, whatever the bus does, and nothing is asked of the bus for `bus_timeout` cycles, so
+-- that a late answer meets no other access. `bus_lock` stays '1' over all accesses that belong to one atomic
+-- transaction. `sample_strobe` is '1' for the cycle of which a group's sample tells: modules latch their values at its
+-- end, and the words that are read while `sample_access` is '1' are what they had then.
 
 library ieee;
   use ieee.std_logic_1164.all;
@@ -92,7 +94,10 @@ entity unity_link_core is
     bus_write_data : out   std_logic_vector(data_bits - 1 downto 0);
     bus_read_data  : in    std_logic_vector(data_bits - 1 downto 0);
     bus_done       : in    std_logic;
-    bus_error      : in    std_logic
+    bus_error      : in    std_logic;
+    -- The instant of a sample, and the accesses that take it.
+    sample_strobe : out   std_logic;
+    sample_access : out   std_logic
   );
 end entity unity_link_core;
 
@@ -551,6 +556,8 @@ begin
       sample_address    => sample_address,
       sample_granted    => sample_granted,
       sample_done       => sample_done,
+      sample_strobe     => sample_strobe,
+      sample_access     => sample_access,
       failure           => access_failure,
       read_data         => read_data,
       bus_request       => bus_request,

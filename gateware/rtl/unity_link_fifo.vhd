@@ -80,7 +80,11 @@ entity unity_link_fifo is
     wb_dat_i : in    std_logic_vector(data_bits - 1 downto 0);
     wb_ack   : in    std_logic;
     wb_err   : in    std_logic := '0';
-    wb_stall : in    std_logic := '0'
+    wb_rty   : in    std_logic := '0';
+    wb_stall : in    std_logic := '0';
+    -- '1' in the cycle of which a group's sample tells, and while its words are read.
+    sample_strobe : out   std_logic;
+    sample_access : out   std_logic
   );
 end entity unity_link_fifo;
 
@@ -119,27 +123,30 @@ begin
       fingerprint               => fingerprint
     )
     port map (
-      clk       => clk,
-      rst       => rst,
-      in_data   => in_data,
-      in_lost   => in_lost,
-      in_valid  => in_valid,
-      in_ready  => in_ready,
-      out_data  => out_data,
-      out_valid => out_valid,
-      out_ready => out_ready,
-      out_flush => out_flush,
-      trigger   => trigger,
-      wb_cyc    => wb_cyc,
-      wb_stb    => wb_stb,
-      wb_we     => wb_we,
-      wb_sel    => wb_sel,
-      wb_adr    => wb_adr,
-      wb_dat_o  => wb_dat_o,
-      wb_dat_i  => wb_dat_i,
-      wb_ack    => wb_ack,
-      wb_err    => wb_err,
-      wb_stall  => wb_stall
+      clk           => clk,
+      rst           => rst,
+      in_data       => in_data,
+      in_lost       => in_lost,
+      in_valid      => in_valid,
+      in_ready      => in_ready,
+      out_data      => out_data,
+      out_valid     => out_valid,
+      out_ready     => out_ready,
+      out_flush     => out_flush,
+      trigger       => trigger,
+      wb_cyc        => wb_cyc,
+      wb_stb        => wb_stb,
+      wb_we         => wb_we,
+      wb_sel        => wb_sel,
+      wb_adr        => wb_adr,
+      wb_dat_o      => wb_dat_o,
+      wb_dat_i      => wb_dat_i,
+      wb_ack        => wb_ack,
+      wb_err        => wb_err,
+      wb_rty        => wb_rty,
+      wb_stall      => wb_stall,
+      sample_strobe => sample_strobe,
+      sample_access => sample_access
     );
 
 end architecture rtl;

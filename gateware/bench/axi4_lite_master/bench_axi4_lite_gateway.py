@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import cocotb
 
-from gateware.bench.axi4_lite_master.bench_axi4_lite_master import Slave
+from gateware.bench.axi4_lite_master.bench_axi4_lite_master import FROM_SLAVE, Slave
 from gateware.bench.streams import Sink, Source, start
 from gateware.bench.unity_link.gateway import checked, with_id
 
@@ -19,7 +19,7 @@ class _Gateway:
     """A gateway with a memory on its bus, of which each channel is ready when it likes."""
 
     def __init__(self, dut: SimHandleBase, pause: float) -> None:
-        self.slave = Slave(dut, pause)
+        self.slave = Slave(dut, pause, "axi_")
         self._source = Source(dut.clk, dut.in_data, dut.in_valid, dut.in_ready)
         self._sink = Sink(dut.clk, dut.out_data, dut.out_valid, dut.out_ready)
 
@@ -31,8 +31,7 @@ class _Gateway:
 
 
 async def _begin(dut: SimHandleBase, pause: float) -> _Gateway:
-    inputs = ("in_data", "in_valid", "out_ready", "awready", "wready", "bresp", "bvalid")
-    for name in (*inputs, "arready", "rdata", "rresp", "rvalid"):
+    for name in ("in_data", "in_valid", "out_ready", *(f"axi_{name}" for name in FROM_SLAVE)):
         getattr(dut, name).value = 0
     await start(dut.clk, dut.rst)
     return _Gateway(dut, pause)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import random
+from types import SimpleNamespace
 from typing import TYPE_CHECKING
 
 import cocotb
@@ -14,13 +15,22 @@ if TYPE_CHECKING:
     from cocotb.handle import SimHandleBase
 
 SLVERR = 2
+TO_SLAVE = ("awaddr", "awvalid", "wdata", "wstrb", "wvalid", "bready", "araddr", "arvalid", "rready")
+FROM_SLAVE = ("awready", "wready", "bresp", "bvalid", "arready", "rdata", "rresp", "rvalid")
 
 
 class Slave:
-    """Memory behind AXI4-Lite that checks the rules of its channels: what is valid stays until it is taken."""
+    """Memory behind AXI4-Lite that checks the rules of its channels: what is valid stays until it is taken.
 
-    def __init__(self, dut: SimHandleBase, pause: float) -> None:
-        self.dut = dut
+    Args:
+        dut: the master.
+        pause: how often a channel is not ready.
+        prefix: what the names of its pins begin with.
+    """
+
+    def __init__(self, dut: SimHandleBase, pause: float, prefix: str = "") -> None:
+        pins = {name: getattr(dut, prefix + name) for name in (*TO_SLAVE, *FROM_SLAVE)}
+        self.dut = SimpleNamespace(clk=dut.clk, **pins)
         self.memory: dict[int, int] = {}
         self.failing: set[int] = set()
         self.pause = pause
@@ -92,8 +102,7 @@ class Slave:
 
 
 async def _begin(dut: SimHandleBase, pause: float = 0.0) -> Slave:
-    inputs = ("bus_request", "bus_write", "bus_address", "bus_write_data", "awready", "wready", "bresp", "bvalid")
-    for name in (*inputs, "arready", "rdata", "rresp", "rvalid"):
+    for name in ("bus_request", "bus_write", "bus_address", "bus_write_data", *FROM_SLAVE):
         getattr(dut, name).value = 0
     await start(dut.clk, dut.rst)
     return Slave(dut, pause)

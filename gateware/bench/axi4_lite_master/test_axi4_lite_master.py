@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
 import pytest
 
 from gateware.bench.runner import run_bench
@@ -17,7 +15,7 @@ def test_axi4_lite_master(data_bits: int) -> None:
 
 def test_a_whole_gateway_works_on_axi4_lite() -> None:
     run_bench(
-        "axi4_lite_gateway",
+        "unity_link",
         "gateware.bench.axi4_lite_master.bench_axi4_lite_gateway",
-        extra_sources=[Path(__file__).resolve().parent / "axi4_lite_gateway.vhd"],
+        generics={"physical": "fifo", "bus_standard": "axi4_lite", "bus_timeout": 64},
     )

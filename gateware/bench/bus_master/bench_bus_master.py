@@ -22,6 +22,8 @@ class _Slave:
         self.dut = dut
         self.waits = waits
         self.silent = False
+        self.strays: set[int] = set()
+        """Cycles behind the end of an access in which there is another answer, to nothing."""
         self.failing: set[int] = set()
         self.accesses: list[tuple[int, int]] = []
         """Address, and whether it was a write."""
@@ -30,10 +32,12 @@ class _Slave:
         cocotb.start_soon(self._run())
 
     async def _run(self) -> None:
-        dut, waited, locked = self.dut, 0, False
+        dut, waited, locked, idle = self.dut, 0, False, 0
         while True:
             await ReadOnly()
             asked = dut.bus_request.value == 1
+            idle = 0 if asked else idle + 1
+            strays = not asked and idle in self.strays
             answers = asked and waited >= self.waits and not self.silent
             address = int(dut.bus_address.value) if asked else 0
             write = dut.bus_write.value == 1
@@ -41,9 +45,9 @@ class _Slave:
                 self.unlocked_after.append(len(self.accesses))
             locked = dut.bus_lock.value == 1
             await NextTimeStep()
-            dut.bus_done.value = int(answers)
+            dut.bus_done.value = int(answers or strays)
             dut.bus_error.value = int(address in self.failing)
-            dut.bus_read_data.value = address ^ 0xFF
+            dut.bus_read_data.value = 0xEE if strays else address ^ 0xFF
             await RisingEdge(dut.clk)
             waited = 0 if answers or not asked else waited + 1
             if answers:
@@ -126,6 +130,24 @@ async def a_sample_comes_between_the_words_of_a_read_and_is_not_interrupted(dut:
 
 
 @cocotb.test
+async def the_instant_of_a_sample_is_in_front_of_its_first_access(dut: SimHandleBase) -> None:
+    await _begin(dut, waits=2)
+    reading = cocotb.start_soon(_request(dut, list(range(4))))
+    sampling = cocotb.start_soon(_sample(dut, [0x80, 0x81, 0x82], after=3))
+    levels = []
+    while not (sampling.done() and reading.done()):
+        await ReadOnly()
+        of_sample = dut.bus_request.value == 1 and int(dut.bus_address.value) >= 0x80
+        levels.append((dut.sample_strobe.value == 1, dut.sample_access.value == 1, of_sample))
+        await RisingEdge(dut.clk)
+    instant = levels.index((True, False, False))
+    last = max(cycle for cycle, (_, _, of_sample) in enumerate(levels) if of_sample)
+    assert [strobe for strobe, _, _ in levels].count(True) == 1
+    assert levels[instant + 1] == (False, True, True)
+    assert [access for _, access, _ in levels] == [instant < cycle <= last for cycle in range(len(levels))]
+
+
+@cocotb.test
 async def a_sample_waits_for_an_exclusive_transaction(dut: SimHandleBase) -> None:
     slave = await _begin(dut, waits=2)
     sampling = cocotb.start_soon(_sample(dut, [0x80], after=8))
@@ -155,6 +177,40 @@ async def a_silent_bus_is_given_up_and_the_next_access_works(dut: SimHandleBase)
     slave.silent = False
     assert await _sample(dut, [9]) == [0xF6]
     assert await _request(dut, [1, 2, 3]) == [0, 0, 0]
+
+
+@cocotb.test
+async def an_answer_that_comes_late_is_for_nobody(dut: SimHandleBase) -> None:
+    slave = await _begin(dut)
+    timeout = int(dut.timeout.value)
+    for late in range(1, timeout + 2):
+        slave.silent = True
+        assert await _request(dut, [1], write=bool(late % 2)) == [TIMEOUT]
+        slave.silent = False
+        slave.strays = {late}
+        if late % 3:
+            assert await _request(dut, [2]) == [0]
+            assert dut.read_data.value == 0xFD
+        else:
+            assert await _sample(dut, [2]) == [0xFD]
+        assert slave.accesses.pop() == (2, 0)
+
+
+@cocotb.test
+async def the_bus_rests_after_a_timeout_and_not_after_an_answer(dut: SimHandleBase) -> None:
+    slave = await _begin(dut)
+    timeout = int(dut.timeout.value)
+    dut.request.value = 1
+    idle, asked, gaps = 0, False, []
+    for cycle in range(8 * timeout):
+        slave.silent = cycle < 4 * timeout
+        await RisingEdge(dut.clk)
+        if dut.bus_request.value == 1 and not asked:
+            gaps.append(idle)
+        asked = dut.bus_request.value == 1
+        idle = 0 if asked else idle + 1
+    assert gaps[1:3] == [timeout + 2] * 2
+    assert set(gaps[3:]) == {2}
 
 
 @cocotb.test

@@ -22,6 +22,8 @@ class _Slave:
         self.memory: dict[int, int] = {}
         self.taken = 0
         self.failing: set[int] = set()
+        self.sends_away = 0
+        """So many accesses are answered by `rty`."""
         self.silent = False
         self._rng, self._pause = rng, pause
         self._pipelined = bool(dut.pipelined.value)
@@ -32,6 +34,10 @@ class _Slave:
 
     def _answer(self, address: int, word: int, write: int) -> None:
         dut = self.dut
+        if self.sends_away:
+            self.sends_away -= 1
+            dut.rty.value = 1
+            return
         self.taken += 1
         failed = address in self.failing
         dut.ack.value, dut.err.value = int(not failed), int(failed)
@@ -40,7 +46,7 @@ class _Slave:
             self.memory[address] = word
 
     def _rest(self) -> None:
-        self.dut.ack.value = self.dut.err.value = 0
+        self.dut.ack.value = self.dut.err.value = self.dut.rty.value = 0
 
     async def _run_classic(self) -> None:
         """Answer within the cycle, as a slave without registers does."""
@@ -93,8 +99,8 @@ async def _access(
 
 
 async def _begin(dut: SimHandleBase, pause: float) -> _Slave:
-    inputs = ("bus_request", "bus_write", "bus_lock", "bus_address", "bus_write_data", "dat_i", "ack", "err", "stall")
-    for name in inputs:
+    inputs = ("bus_request", "bus_write", "bus_lock", "bus_address", "bus_write_data", "dat_i")
+    for name in (*inputs, "ack", "err", "rty", "stall"):
         getattr(dut, name).value = 0
     await start(dut.clk, dut.rst)
     return _Slave(dut, random.Random(8), pause)
@@ -135,6 +141,45 @@ async def an_access_that_was_given_up_does_not_disturb_the_next(dut: SimHandleBa
         assert await _access(dut, 2, most=most) is None
         slave.silent = False
         assert await _access(dut, 1) == (0x11, False)
+
+
+@cocotb.test
+async def an_access_that_is_sent_away_is_repeated_until_the_slave_takes_it(dut: SimHandleBase) -> None:
+    for pause in (0.0, 0.5):
+        slave = await _begin(dut, pause)
+        for times in (1, 2, 9):
+            slave.sends_away = times
+            assert await _access(dut, times, 0x100 + times) is not None
+            slave.sends_away = times
+            assert await _access(dut, times) == (0x100 + times, False)
+        assert slave.taken == 6
+
+
+@cocotb.test
+async def an_access_that_is_sent_away_for_ever_can_be_given_up(dut: SimHandleBase) -> None:
+    slave = await _begin(dut, 0.3)
+    await _access(dut, 1, 0x11)
+    for most in range(1, 20):
+        slave.sends_away = 1000
+        assert await _access(dut, 2, 0x22, most=most) is None
+        slave.sends_away = 0
+        assert await _access(dut, 1) == (0x11, False)
+    assert 2 not in slave.memory
+
+
+@cocotb.test
+async def another_master_may_have_the_bus_after_a_retry_but_not_in_a_transaction(dut: SimHandleBase) -> None:
+    slave = await _begin(dut, 0.0)
+    for locked in (0, 1):
+        dut.bus_lock.value = locked
+        slave.sends_away = 3
+        access, free = cocotb.start_soon(_access(dut, 5)), 0
+        while not access.done():
+            await ReadOnly()
+            free += dut.bus_request.value == 1 and dut.cyc.value == 0
+            await RisingEdge(dut.clk)
+        assert free == (0 if locked else 3)
+        dut.bus_lock.value = 0
 
 
 @cocotb.test

@@ -4,11 +4,16 @@
 --
 -- Samples go first, also between the words of a block that is read, so that they are taken when they are due. They wait
 -- where a transaction would be torn: for the rest of WM and WK (`request_exclusive`). A sample, once begun, is not
--- interrupted either.
+-- interrupted either. Its instant is the cycle in which its first access is chosen: `sample_strobe` is '1' then, and
+-- `sample_access` from the next one on until its last access has been answered, or the bus has rested after one that has
+-- not.
 --
 -- One access takes three cycles on a bus without wait states: chosen (`..._granted`), on the bus, told (`..._done`, with
 -- `failure` and `read_data`). A client keeps its request up until `done`; address and data of the next access must stand
 -- there in the cycle after it.
+--
+-- After an access that timed out nothing is asked of the bus for `timeout` cycles, in which the bus is taken back: a
+-- slave that answers late does so then, when nobody listens. The access is told before, so only the next one waits.
 
 library ieee;
   use ieee.std_logic_1164.all;
@@ -22,7 +27,7 @@ entity bus_master is
   generic (
     data_bits    : positive := 32;
     address_bits : positive := 8;
-    -- Cycles on the bus after which an access has failed.
+    -- Cycles on the bus after which an access has failed, and then without any.
     timeout : positive := 1024
   );
   port (
@@ -43,6 +48,8 @@ entity bus_master is
     sample_address : in    std_logic_vector(address_bits - 1 downto 0);
     sample_granted : out   std_logic;
     sample_done    : out   std_logic;
+    sample_strobe  : out   std_logic;
+    sample_access  : out   std_logic;
     -- For both, with done; read_data stands until the next access ends.
     failure   : out   error_t;
     read_data : out   std_logic_vector(data_bits - 1 downto 0);
@@ -60,7 +67,7 @@ end entity bus_master;
 
 architecture rtl of bus_master is
 
-  type state_t is (state_idle, state_active, state_told);
+  type state_t is (state_idle, state_active, state_told, state_rest);
 
   signal state      : state_t;
   signal for_sample : std_logic;
@@ -81,8 +88,10 @@ begin
   sample_granted  <= grant_sample;
   request_granted <= grant;
   sample_done     <= to_std_logic(state = state_told) and for_sample;
+  sample_strobe   <= grant_sample and not sample_lock;
+  sample_access   <= for_sample and (to_std_logic(state = state_active) or sample_lock or timed_out);
   request_done    <= to_std_logic(state = state_told) and not for_sample;
-  -- An access that timed out takes the bus down with it, whatever transaction it stood in.
+  -- An access that timed out takes the bus down with it, whatever transaction it stood in, until its rest is over.
   bus_lock <= (sample_lock or request_lock) and not timed_out;
 
   main : process (clk) is
@@ -93,7 +102,6 @@ begin
       case state is
 
         when state_idle =>
-          timed_out <= '0';
           time_left <= to_unsigned(timeout - 1, time_left'length);
           if grant_sample = '1' then
             for_sample  <= '1';
@@ -128,6 +136,7 @@ begin
           elsif time_left = 0 then
             bus_request <= '0';
             timed_out   <= '1';
+            time_left   <= to_unsigned(timeout - 1, time_left'length);
             failure     <= error_timeout;
             state       <= state_told;
           end if;
@@ -142,6 +151,16 @@ begin
             end if;
           end if;
           state <= state_idle;
+          if timed_out = '1' then
+            state <= state_rest;
+          end if;
+
+        when state_rest =>
+          time_left <= time_left - 1;
+          if time_left = 0 then
+            timed_out <= '0';
+            state     <= state_idle;
+          end if;
 
       end case;
 

@@ -4,7 +4,12 @@
 --
 -- Nothing is registered here: a classic slave that answers in the same cycle costs no wait state. `cyc` stands over all
 -- accesses of one atomic transaction. An access that timed out ends by taking back `cyc`, which Wishbone allows at any
--- time; an answer that comes later is not looked at. A pipelined slave must forget what is under way when `cyc` falls.
+-- time. No tag says which access an answer belongs to: one without an access is not looked at, and `bus_master` leaves a
+-- slave that is late time for it.
+--
+-- An access answered by `rty` has not been made: it is repeated, after a cycle without it, until the slave takes it or
+-- the core gives it up. In that cycle `cyc` falls as well, so that another master may have the bus, but not in the
+-- middle of an atomic transaction.
 
 library ieee;
   use ieee.std_logic_1164.all;
@@ -37,19 +42,26 @@ entity wishbone_master is
     dat_i : in    std_logic_vector(data_bits - 1 downto 0);
     ack   : in    std_logic;
     err   : in    std_logic;
+    rty   : in    std_logic;
     stall : in    std_logic
   );
 end entity wishbone_master;
 
 architecture rtl of wishbone_master is
 
-  -- A pipelined slave has taken the access and will answer.
-  signal taken : std_logic;
+  -- The cycle after `rty`.
+  signal sent_away : std_logic;
+  -- The access is the slave's: it has not been sent away, and a pipelined slave has taken it (before, or now).
+  signal asks     : std_logic;
+  signal answered : std_logic;
+  signal taken    : std_logic;
+  signal takes    : std_logic;
 
 begin
 
-  cyc   <= bus_request or bus_lock;
-  stb   <= bus_request and not taken;
+  asks  <= bus_request and not sent_away;
+  cyc   <= asks or bus_lock;
+  stb   <= asks and not taken;
   we    <= bus_write;
   sel   <= (others => '1');
   adr   <= bus_address;
@@ -57,30 +69,46 @@ begin
 
   bus_read_data <= dat_i;
   bus_error     <= err;
+  bus_done      <= asks and takes and answered;
+
+  answered <= ack or err;
+
+  main : process (clk) is
+  begin
+
+    if rising_edge(clk) then
+      sent_away <= asks and takes and rty and not answered;
+
+      if rst = '1' then
+        sent_away <= '0';
+      end if;
+    end if;
+
+  end process main;
 
   classic : if not pipelined generate
 
-    taken    <= '0';
-    bus_done <= bus_request and (ack or err);
+    taken <= '0';
+    takes <= '1';
 
   end generate classic;
 
   with_pipeline : if pipelined generate
 
-    bus_done <= bus_request and (ack or err) and (taken or not stall);
+    takes <= taken or not stall;
 
-    main : process (clk) is
+    pipeline : process (clk) is
     begin
 
       if rising_edge(clk) then
-        taken <= bus_request and (taken or not stall) and not (ack or err);
+        taken <= asks and takes and not (answered or rty);
 
         if rst = '1' then
           taken <= '0';
         end if;
       end if;
 
-    end process main;
+    end process pipeline;
 
   end generate with_pipeline;
 

@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any
 
 from unity_link.generate import GeneratedFile
 from unity_link.generate.vhdl import types
-from unity_link.generate.vhdl.bank import Bank, is_bit, slice_at
+from unity_link.generate.vhdl.bank import Bank, is_bit, is_bool, slice_at
 from unity_link.generate.vhdl.layout import align
 from unity_link.generate.vhdl.names import identifier
 from unity_link.generate.vhdl.stimuli import Stimuli
@@ -57,6 +57,7 @@ def files(interface: Interface, templates: Templates) -> Iterator[GeneratedFile]
         "bank": bank,
         "generics": gateway_generics(interface),
         "is_bit": is_bit,
+        "is_bool": is_bool,
         "slice_at": slice_at,
         "vhdl": types,
     }

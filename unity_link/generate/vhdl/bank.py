@@ -75,9 +75,14 @@ class Register(NamedTuple):
         return to_bits(self.signal.kind, self.pins.got)
 
     @property
+    def is_sampled(self) -> bool:
+        """Whether what is read of it is kept during a sample: what hardware gives, but for FIFO ports."""
+        return self.signal.access is Access.READ and not self.signal.fifo
+
+    @property
     def is_held(self) -> bool:
         """Whether what is read of it is kept for the rest of a transaction, as it takes several words."""
-        return self.signal.access is Access.READ and self.signal.words > 1
+        return self.is_sampled and self.signal.words > 1
 
     @property
     def is_register(self) -> bool:
@@ -105,11 +110,12 @@ class Register(NamedTuple):
         return to_bits(self.signal.kind, self.pins.given)
 
     def read_at(self, address: int) -> str:
-        """Write what a read of an address gives of it: a vector, or of a bool from hardware a single bit."""
-        if self.is_register or self.is_held:
-            part = slice_at(self.signal, address)
-            return f"{self.name}_{'held' if self.is_held else 'bits'}({part.last} downto {part.first})"
-        return self.given_bits
+        """Write what a read of an address gives of it: a vector, or of a bool from a FIFO port a single bit."""
+        if self.signal.fifo:
+            return self.given_bits
+        part = slice_at(self.signal, address)
+        kept = "given" if self.is_held else "sampled" if self.is_sampled else "bits"
+        return f"{self.name}_{kept}({part.last} downto {part.first})"
 
 
 class BankWord(NamedTuple):
@@ -163,7 +169,19 @@ class Bank:
             path: signal for path, signal in interface.signals.items() if _owner(interface, signal.module) is None
         }
         self.records = Records(interface, signals, self.enumerations, self._scope)
-        endings = ("_address", "_low", "_high", "_words", "_scale", "_offset", "_depth", "_bits", "_held", "_gathered")
+        endings = (
+            "_address",
+            "_low",
+            "_high",
+            "_words",
+            "_scale",
+            "_offset",
+            "_depth",
+            "_bits",
+            "_sampled",
+            "_held",
+            "_gathered",
+        )
         self.names = {path: self._scope.unique(path, *endings) for path in interface.signals}
         """Of all signals, those of modules too."""
         self.group_names = {
@@ -183,11 +201,7 @@ class Bank:
     @property
     def chained_from(self) -> list[Register]:
         """What hardware gives, likewise."""
-        return _chained(
-            register
-            for register in self.registers
-            if register.signal.access is Access.READ and not register.signal.fifo
-        )
+        return _chained(register for register in self.registers if register.is_sampled)
 
     @property
     def ports(self) -> tuple[AddressWindow, ...]:
@@ -218,7 +232,7 @@ class Bank:
 
     def got(self, register: Register) -> str:
         """Write the value that hardware gets of a register."""
-        return self.given(register, f"{register.name}_bits{'(0)' if _is_bool(register) else ''}")
+        return self.given(register, f"{register.name}_bits{'(0)' if is_bool(register) else ''}")
 
     def given(self, register: Register, bits: str) -> str:
         """Write the value of bits of which hardware gives a register."""
@@ -227,12 +241,12 @@ class Bank:
     def stream_word(self, register: Register) -> str:
         """Write the value that the FIFO port of a register gets from the bus."""
         part = slice_at(register.signal, register.signal.address)
-        bits = str(part.low) if _is_bool(register) else f"{part.high} downto {part.low}"
+        bits = str(part.low) if is_bool(register) else f"{part.high} downto {part.low}"
         return self.given(register, f"wb_dat_i({bits})")
 
     def zero(self, register: Register) -> str:
         """Write 0 for what hardware gives."""
-        bits = "'0'" if _is_bool(register) else bit_literal(0, register.signal.width)
+        bits = "'0'" if is_bool(register) else bit_literal(0, register.signal.width)
         return self.given(register, bits) if register.signal.kind.enumeration is not None else bits
 
 
@@ -241,7 +255,7 @@ def _chained(registers: Iterable[Register]) -> list[Register]:
     for register in registers:
         width = register.signal.width
         # One bit of a vector is a range, too, but a bool is taken by its index.
-        place = str(first) if _is_bool(register) else f"{first + width - 1} downto {first}"
+        place = str(first) if is_bool(register) else f"{first + width - 1} downto {first}"
         chained.append(register._replace(chain=place))
         first += width
     return chained
@@ -249,10 +263,11 @@ def _chained(registers: Iterable[Register]) -> list[Register]:
 
 def is_bit(register: Register) -> bool:
     """Whether `read_at` writes a single bit."""
-    return _is_bool(register) and not (register.is_register or register.is_held)
+    return is_bool(register) and register.signal.fifo
 
 
-def _is_bool(register: Register) -> bool:
+def is_bool(register: Register) -> bool:
+    """Whether hardware's side of a register is a single bit."""
     return register.signal.kind.name is KindName.BOOL
 
 

@@ -11,7 +11,7 @@ import random
 from typing import TYPE_CHECKING, NamedTuple
 
 from unity_link.generate.vhdl.types import bit_literal
-from unity_link.spec import Access, KindName, Signal
+from unity_link.spec import KindName, Signal
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator
@@ -61,6 +61,7 @@ class Stimuli:
             *((f"What is written reaches hardware, round {one}.", self._writes(one)) for one in range(1, ROUNDS + 1)),
             ("Fields of one word are written by reading it first.", self._fields()),
             ("A value of several words is read from one instant.", self._instants()),
+            ("A sample is read from one instant, also between the words of a block.", self._samples()),
             ("A FIFO port moves each word once, and refuses what it cannot move.", self._streams()),
             ("A module gets the accesses to its addresses, counted from its base.", self._windows()),
             ("Everything else is refused.", self._refusals()),
@@ -159,11 +160,7 @@ class Stimuli:
         return self._number(kind.width, round_, path)
 
     def _reads(self, round_: int) -> Iterator[str]:
-        given = [
-            register
-            for register in self._bank.registers
-            if register.signal.access is Access.READ and not register.signal.fifo
-        ]
+        given = [register for register in self._bank.registers if register.is_sampled]
         yield from (self._give(register, self._raw(register, round_)) for register in given)
         if given:
             yield "pass(2);"
@@ -196,6 +193,25 @@ class Stimuli:
             yield from (kept[0], self._give(register, self._raw(register, ROUNDS + 1)), "pass(2);", *kept[1:])
             yield "pass(2);"
             yield from (self._read(address) for address in addresses)
+
+    def _samples(self) -> Iterator[str]:
+        given = [register for register in self._bank.registers if register.is_sampled]
+        if not given:
+            return
+        block = next((register.signal.addresses for register in given if register.is_held), ())
+        yield from (self._give(register, self._raw(register, 1)) for register in given)
+        yield "pass(2);"
+        of_block = [self._read(address, keep=address != block[-1]) for address in block]
+        yield from of_block[:1]
+        yield from (self._give(register, self._raw(register, 2)) for register in given)
+        yield from ("pass(1);", "sample_access <= '1';")
+        of_sample = [self._read(word.address, keep=True) for word in self._readable()]
+        yield from (self._give(register, self._raw(register, 3)) for register in given)
+        yield from of_sample
+        # As behind a sample that was not answered, the transaction that it came into goes on.
+        yield from ("cyc <= '0';", "pass(2);", f"cyc <= '{int(bool(block))}';", "pass(1);", "sample_access <= '0';")
+        yield from (*of_block[1:], "pass(2);")
+        yield from (self._read(word.address) for word in self._readable())
 
     def _streams(self) -> Iterator[str]:
         for index, register in enumerate(self._bank.streams):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import ctypes
 import functools
-from ctypes import POINTER, c_double, c_int, c_size_t, c_uint8, c_uint64, c_void_p
+from ctypes import POINTER, c_double, c_int, c_size_t, c_uint8, c_uint32, c_uint64, c_void_p
 
 from unity_link.errors import ConnectError
 from unity_link.virtual.rtl.compiling import compiled
@@ -12,6 +12,16 @@ from unity_link.virtual.rtl.configurations import find
 
 DeviceFunction = ctypes.CFUNCTYPE(c_int, c_void_p, c_uint64, c_int, POINTER(c_uint64))
 """`Device` of shim.cc: context, address, whether it is a write, the word; gives an Answer."""
+
+
+class Reply(ctypes.Structure):
+    """`Reply` of shim.cc: the word, cycles after the strobe, and an Answer."""
+
+    _fields_ = (("word", c_uint64), ("after", c_uint32), ("answer", c_uint32))
+
+
+SlaveFunction = ctypes.CFUNCTYPE(c_int, c_void_p, c_uint64, c_int, c_uint64, POINTER(Reply))
+"""`Slave` of shim.cc: context, address, whether it is a write, the word written, replies; gives how many these are."""
 
 _PROTOTYPES: dict[str, tuple[type | None, tuple[type, ...]]] = {
     "ul_create": (c_void_p, ()),
@@ -39,6 +49,8 @@ _PROTOTYPES: dict[str, tuple[type | None, tuple[type, ...]]] = {
     "ul_used_memory": (c_size_t, (c_void_p, POINTER(c_uint64), c_size_t)),
     "ul_set_behind": (None, (c_void_p, c_uint64, c_uint8)),
     "ul_set_device": (None, (c_void_p, DeviceFunction, c_void_p)),
+    "ul_set_slave": (None, (c_void_p, SlaveFunction, c_void_p)),
+    "ul_set_stalls": (None, (c_void_p, c_uint64)),
     "ul_set_only_device": (None, (c_void_p,)),
     "ul_sample_word": (c_int, (c_void_p,)),
     "ul_open_waveform": (c_int, (c_void_p, ctypes.c_char_p)),

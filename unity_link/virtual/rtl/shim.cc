@@ -11,7 +11,8 @@
 // feedback, would take the time of another evaluation.
 //
 // The bus answers each access with the cycle after it, as block RAM does: `ack` is a register. In classic mode the
-// strobe that is still up beside `ack` belongs to the access just answered.
+// strobe that is still up beside `ack` belongs to the access just answered. A `Slave` answers when it likes instead, and
+// as often, whether that is allowed or not.
 
 #include UL_MODEL
 
@@ -22,6 +23,7 @@
 #include <cstring>
 #include <deque>
 #include <limits>
+#include <map>
 #include <memory>
 #include <string>
 #include <unordered_map>
@@ -39,7 +41,17 @@ using Top = cxxrtl_design::p_unity__link__fifo;
 // A bus access that the caller answers. `value` is the word written, or takes the word read. Gives an Answer.
 using Device = int (*)(void *context, uint64_t address, int write, uint64_t *value);
 
-enum Answer { ANSWER_ACK = 0, ANSWER_ERROR = 1, ANSWER_NONE = 2 };
+enum Answer { ANSWER_ACK = 0, ANSWER_ERROR = 1, ANSWER_NONE = 2, ANSWER_RETRY = 3 };
+
+// What a slave gives as an answer, so many cycles after the strobe that it has seen.
+struct Reply {
+	uint64_t word;
+	uint32_t after;
+	uint32_t answer;
+};
+
+// A bus slave without manners. `value` is the word written. Gives how many replies it has written, of two at most.
+using Slave = int (*)(void *context, uint64_t address, int write, uint64_t value, Reply *replies);
 
 // What is behind an address that is no plain memory: one of Answer, or the device.
 constexpr uint8_t BEHIND_MEMORY = 0;
@@ -267,7 +279,9 @@ public:
 		to_gateway.clear();
 		from_gateway.clear();
 		lost_before_next = false;
-		ack_ = err_ = false;
+		ack_ = err_ = rty_ = false;
+		is_slaves_ = false;
+		replies_.clear();
 		read_data_ = 0;
 		set(top_.p_rst, 1);
 		run(2);
@@ -339,6 +353,10 @@ public:
 	std::unordered_map<uint64_t, uint8_t> behind;
 	Device device = nullptr;
 	void *device_context = nullptr;
+	Slave slave = nullptr;
+	void *slave_context = nullptr;
+	// Cycles of each 64 in which a pipelined slave stalls, one a bit.
+	uint64_t stalls = 0;
 	uint64_t cycles = 0;
 	uint64_t flushes = 0;
 	size_t room = std::numeric_limits<size_t>::max();
@@ -385,6 +403,8 @@ private:
 		set(top_.p_out__ready, room_left);
 		set(top_.p_wb__ack, ack_);
 		set(top_.p_wb__err, err_);
+		set(top_.p_wb__rty, rty_);
+		set(top_.p_wb__stall, stalls >> cycles % 64 & 1);
 		set(top_.p_wb__dat__i, read_data_);
 		fill(top_.p_trigger, trigger);
 		set(top_.prev_p_clk, 0);
@@ -408,14 +428,21 @@ private:
 		}
 		if (get(top_.p_out__flush))
 			++flushes;
-		const bool answered = ack_ || err_;
-		ack_ = err_ = false;
-		if (on_bus && get(top_.p_wb__stb) && !answered)
+		const bool answered = ack_ || err_ || rty_;
+		const bool strobe = on_bus && get(top_.p_wb__stb);
+		ack_ = err_ = rty_ = false;
+		if (slave)
+			pass_to_slave(strobe, answered);
+		else if (strobe && !answered)
 			access();
+		// It rests after a timeout, or reads a long request that its FIFO holds.
+		const uint64_t held = get(top_.UL_HELD);
+		const bool busy = get(top_.UL_RESTS) || held != held_;
+		held_ = held;
 
 		top_.commit();
 		++cycles;
-		quiet_ = (taken || sent || on_bus) ? 0 : quiet_ + 1;
+		quiet_ = (taken || sent || on_bus || busy) ? 0 : quiet_ + 1;
 	}
 
 	void show() {
@@ -451,10 +478,39 @@ private:
 		read_data_ = value;
 	}
 
+	// One cycle of a slave: it sees each access once, and what it has said before stands in the registers from the next
+	// cycle on, if that is its time.
+	void pass_to_slave(bool strobe, bool answered) {
+		const bool begins = UL_PIPELINED ? !(stalls >> cycles % 64 & 1) : !is_slaves_;
+		if (strobe && begins) {
+			Reply replies[2];
+			const bool write = get(top_.p_wb__we);
+			const uint64_t value = write ? get(top_.p_wb__dat__o) : 0;
+			const int count = slave(slave_context, get(top_.p_wb__adr), write, value, replies);
+			for (int index = 0; index < count; ++index)
+				replies_.emplace(cycles + replies[index].after, replies[index]);
+		}
+		is_slaves_ = strobe && !answered;
+		while (!replies_.empty() && replies_.begin()->first <= cycles + 1) {
+			const Reply reply = replies_.begin()->second;
+			replies_.erase(replies_.begin());
+			ack_ = reply.answer == ANSWER_ACK;
+			err_ = reply.answer == ANSWER_ERROR;
+			rty_ = reply.answer == ANSWER_RETRY;
+			read_data_ = reply.word;
+		}
+	}
+
 	Top top_;
 	bool ack_ = false;
 	bool err_ = false;
+	bool rty_ = false;
+	// The strobe is that of an access which the slave has seen.
+	bool is_slaves_ = false;
+	// By the cycle in which they stand on the bus.
+	std::multimap<uint64_t, Reply> replies_;
 	uint64_t read_data_ = 0;
+	uint64_t held_ = 0;
 	uint64_t quiet_ = 0;
 	double in_due_ = 0;
 	double out_due_ = 0;
@@ -532,6 +588,12 @@ void ul_set_device(Gateway *gateway, Device device, void *context) {
 	gateway->device = device;
 	gateway->device_context = context;
 }
+// A slave in place of memory and devices, and the cycles in which it stalls.
+void ul_set_slave(Gateway *gateway, Slave slave, void *context) {
+	gateway->slave = slave;
+	gateway->slave_context = context;
+}
+void ul_set_stalls(Gateway *gateway, uint64_t pattern) { gateway->stalls = pattern; }
 void ul_set_only_device(Gateway *gateway) { gateway->only_device = true; }
 int ul_sample_word(Gateway *gateway) { return gateway->sample_word(); }
 

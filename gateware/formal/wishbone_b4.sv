@@ -1,0 +1,64 @@
+// What Wishbone B4 asks of a master and of a slave on a bus between two (revision B4, sections 3 and 5).
+//
+// The rules of one side are asserted or assumed, as the proof is about it or about the other. A master may take back
+// `cyc` at any time; then a slave with registers may answer once more in the cycle after it.
+
+module wishbone_b4 #(
+	parameter ADDRESS_BITS = 8,
+	parameter DATA_BITS = 8,
+	parameter PIPELINED = 0,
+	// Whether this side is proved; otherwise it is assumed to keep to the rules. 2: nothing is known of it.
+	parameter MASTER = 1,
+	parameter SLAVE = 0
+) (
+	input clk,
+	input rst,
+	input cyc,
+	input stb,
+	input we,
+	input [ADDRESS_BITS-1:0] adr,
+	input [DATA_BITS-1:0] dat,
+	input [(DATA_BITS+7)/8-1:0] sel,
+	input ack,
+	input err,
+	input rty,
+	input stall,
+	// Accesses that a pipelined slave has taken and not answered.
+	output reg [2:0] open
+);
+	wire answered = ack || err || rty;
+	wire waits = PIPELINED ? stall : !answered;
+	wire took = PIPELINED && cyc && stb && !stall;
+
+	reg first = 1, was_reset = 0;
+	reg held = 0, strobe = 0;
+	reg [ADDRESS_BITS+DATA_BITS+(DATA_BITS+7)/8:0] access;
+	initial open = 0;
+
+	// Rule 3.20: what a reset ends. 3.25: `cyc` stands over the strobe. 3.60: an access stands still until it is taken.
+	wire ends_by_reset = !was_reset || (!cyc && !stb);
+	wire is_in_cycle = !stb || cyc;
+	wire stands_still = !(held && cyc) || (stb && {we, adr, dat, sel} == access);
+	// Rule 3.45: one answer at a time. 3.35 and 3.50: none without an access.
+	wire one_answer = ack + err + rty <= 1;
+	wire is_asked = PIPELINED ? !answered || open != 0 || took || (strobe && !cyc) : !answered || (cyc && stb) || (strobe && !stb);
+
+	always @(posedge clk) begin
+		first <= 0;
+		was_reset <= rst && !first;
+		held <= !rst && cyc && stb && waits;
+		strobe <= !rst && cyc && (stb || open != 0);
+		access <= {we, adr, dat, sel};
+		open <= rst || !cyc ? 0 : open + took - (answered && (open != 0 || took));
+		if (!first && !rst && MASTER == 1) begin
+			assert (ends_by_reset && is_in_cycle && stands_still);
+		end
+		if (!first && !rst && MASTER == 0) begin
+			assume (ends_by_reset && is_in_cycle && stands_still);
+		end
+		if (!first && !rst && SLAVE == 1)
+			assert (one_answer && is_asked);
+		if (!first && !rst && SLAVE == 0)
+			assume (one_answer && is_asked);
+	end
+endmodule

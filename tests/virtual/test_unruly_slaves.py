@@ -1,0 +1,244 @@
+"""The compiled gateware before slaves that answer late, twice or never, with err, rty and stall.
+
+Every access has a plan: what the slave answers when, and so what the gateway must make of it. Each reply carries a word
+of its own, so an answer that is taken for another access is seen in what the host gets.
+"""
+
+from __future__ import annotations
+
+import random
+from typing import TYPE_CHECKING, NamedTuple
+
+import pytest
+
+from compilers import needs_cxx
+from unity_link.virtual.rtl import RtlGateway
+from unity_link.virtual.rtl.library import Reply, SlaveFunction
+
+if TYPE_CHECKING:
+    import ctypes
+    from collections.abc import Iterator
+
+pytestmark = [pytest.mark.rtl, needs_cxx]
+
+TIMEOUT = 1024
+"""`bus_timeout` of both configurations."""
+LAST_UNHEARD = 2 * TIMEOUT + 1
+"""Cycles behind a strobe that timed out, in which an answer is still not looked at."""
+ACK, ERR, RTY = 0, 1, 3
+PATTERNS = {"default": 0, "wide": 0x8041_0C12_0F00_1124}
+"""Of each configuration the cycles in which its slave stalls; only the second one is pipelined."""
+MOST_STALLS = 4
+REQUESTS_AT_ONCE = 16
+
+
+class _Attempt(NamedTuple):
+    """A strobe that the slave must see, and the replies to it: cycles after it, answer, word."""
+
+    address: int
+    written: int | None
+    replies: list[tuple[int, int, int]]
+
+
+class _Outcome(NamedTuple):
+    """What the gateway must make of an access: the word, or an error of the protocol."""
+
+    word: int
+    error: int
+
+
+class _Unruly:
+    """A slave that follows a plan, which it makes as requests are made; notes where the gateway does not."""
+
+    def __init__(self, gateway: RtlGateway, stalls: int, last_reply: int) -> None:
+        info = gateway.info
+        self.faults: list[str] = []
+        self.accesses = 0
+        self._rng = random.Random(13)
+        self._stalls = MOST_STALLS if stalls else 0
+        self._last_reply = last_reply
+        self._word_bits = info.data_bits
+        self._attempts: list[_Attempt] = []
+        self._seen = 0
+        self._function = SlaveFunction(self._answer)
+        gateway._library.ul_set_slave(gateway._handle, self._function, None)
+        gateway._library.ul_set_stalls(gateway._handle, stalls)
+
+    def word(self) -> int:
+        return self._rng.getrandbits(self._word_bits)
+
+    def plan(self, address: int, written: int | None = None) -> _Outcome:
+        """Make up how the next access goes; return what must come of it."""
+        self.accesses += 1
+        # Cycles from the first strobe to that of this attempt, at least and at most.
+        least, most = 0, self._stalls
+        while self._rng.random() < 0.05 and most < TIMEOUT // 2:
+            after = self._soon()
+            self._attempt(address, written, [(after, RTY)], (1,))
+            least, most = least + after + 2, most + after + 2 + self._stalls
+        roll = self._rng.random()
+        if roll < 0.03:
+            return self._late(address, written, least, most)
+        if roll < 0.031 and not self._stalls:
+            return self._sent_away_for_ever(address, written, least)
+        after = self._soon() if self._rng.random() < 0.95 else self._rng.randrange(1, TIMEOUT - most)
+        answer = ERR if self._rng.random() < 0.1 else ACK
+        word = self._attempt(address, written, [(after, answer)], (1, 2))
+        return _Outcome(word, 4 if answer == ERR else 0)
+
+    def _soon(self) -> int:
+        return 1 + int(self._rng.expovariate(0.8))
+
+    def _late(self, address: int, written: int | None, least: int, most: int) -> _Outcome:
+        """Plan up to two answers when nobody listens any more, the first and the last of these cycles among them."""
+        first, last = TIMEOUT - least, self._last_reply - most
+        replies = [
+            (self._rng.choice((first, last, self._rng.randrange(first, last + 1))), self._rng.choice((ACK, ERR, RTY)))
+            for _ in range(self._rng.randrange(3))
+        ]
+        self._attempt(address, written, replies)
+        return _Outcome(0, 5)
+
+    def _sent_away_for_ever(self, address: int, written: int | None, begun: int) -> _Outcome:
+        while begun < TIMEOUT:
+            after = self._soon()
+            self._attempt(address, written, [(after, RTY)], (1,))
+            begun += after + 2
+        return _Outcome(0, 5)
+
+    def _attempt(
+        self, address: int, written: int | None, replies: list[tuple[int, int]], again: tuple[int, ...] = ()
+    ) -> int:
+        """Add an attempt; return the word of its first reply, which may be repeated with another one."""
+        told = [(after, answer, self.word()) for after, answer in replies]
+        if again and self._rng.random() < 0.2:
+            told.append((replies[0][0] + self._rng.choice(again), self._rng.choice((ACK, ERR, RTY)), self.word()))
+        self._attempts.append(_Attempt(address, written, told))
+        return told[0][2] if told else 0
+
+    def finish(self) -> None:
+        """Note strobes that were planned and did not come."""
+        if self._seen != len(self._attempts):
+            self.faults.append(f"{len(self._attempts) - self._seen} strobes too few")
+        self._attempts.clear()
+        self._seen = 0
+
+    def _answer(
+        self, _context: int | None, address: int, write: int, value: int, replies: ctypes._Pointer[Reply]
+    ) -> int:
+        if self._seen == len(self._attempts):
+            self.faults.append(f"a strobe at {address:#x} that nobody asked for")
+            return 0
+        attempt = self._attempts[self._seen]
+        self._seen += 1
+        if (address, value if write else None) != (attempt.address, attempt.written):
+            self.faults.append(f"{address:#x}, {write}, {value:#x} where {attempt} was to come")
+        for index, (after, answer, word) in enumerate(attempt.replies):
+            replies[index] = Reply(word, after, answer)
+        return len(attempt.replies)
+
+
+class _Requests:
+    """Makes requests of every kind that uses the bus, and what must be answered."""
+
+    def __init__(self, gateway: RtlGateway, slave: _Unruly) -> None:
+        self._slave = slave
+        self._rng = random.Random(14)
+        self._address_bits = gateway.info.address_bits
+        self._digits = gateway.info.address_digits, gateway.info.data_digits
+        self._sequence = 0
+        self.group = (1, 0x77)
+
+    def address(self, value: int) -> str:
+        return f"{value:0{self._digits[0]}X}"
+
+    def word(self, value: int) -> str:
+        return f"{value:0{self._digits[1]}X}"
+
+    def next(self) -> tuple[str, str]:
+        """Return a request, and the lines that answer it."""
+        kind = self._rng.choice(("R", "R", "R", "W", "W", "WS", "RM", "RQ", "WM", "WQ", "WK", "GP"))
+        address = self._rng.randrange((1 << self._address_bits) - 8)
+        if kind == "GP":
+            return self._publish()
+        if kind == "WK":
+            return self._masked(address)
+        if kind in ("R", "W", "WS"):
+            words = [self._slave.word()] * (kind != "R")
+            outcome = self._slave.plan(address, words[0] if words else None)
+            text = self.address(address)
+            answer = "" if kind == "WS" else f"{kind}{text}{'' if words else self.word(outcome.word)}"
+            return f"{kind}{text}{''.join(map(self.word, words))}", _or_error(answer, outcome.error)
+        return self._block(kind, address)
+
+    def _block(self, kind: str, address: int) -> tuple[str, str]:
+        count, step = self._rng.randrange(1, 6), int(kind[1] == "M")
+        words = [self._slave.word() for _ in range(count)] if kind[0] == "W" else []
+        error, read = 0, []
+        for index in range(count):
+            outcome = self._slave.plan(address + step * index, words[index] if words else None)
+            read.append(outcome.word)
+            if error := outcome.error:
+                break
+        head = f"{kind}{self.address(address)}"
+        text = "".join(map(self.word, words)) if words else f"{count:02X}"
+        answer = f"{head}{count:02X}{'' if words else ''.join(map(self.word, read))}"
+        return head + text, _or_error(answer, error)
+
+    def _masked(self, address: int) -> tuple[str, str]:
+        mask, word = self._slave.word(), self._slave.word()
+        old = outcome = self._slave.plan(address)
+        if not old.error:
+            outcome = self._slave.plan(address, old.word & ~mask | word & mask)
+        text = self.address(address)
+        return f"WK{text}{self.word(mask)}{self.word(word)}", _or_error(f"WK{text}{self.word(old.word)}", outcome.error)
+
+    def _publish(self) -> tuple[str, str]:
+        number, words = self._sequence, []
+        self._sequence = (number + 1) % 256
+        for address in self.group:
+            outcome = self._slave.plan(address)
+            words.append(self.word(outcome.word))
+            if outcome.error:
+                return "GP00", "GP00\r\n"
+        return "GP00", f"P00{number:02X}{''.join(words)}\r\nGP00\r\n"
+
+
+def _or_error(answer: str, error: int) -> str:
+    if error:
+        return f"X{error:02X}\r\n"
+    return f"{answer}\r\n" if answer else ""
+
+
+def _faults(configuration: str, accesses: int, last_reply: int) -> Iterator[str]:
+    """Yield what the gateware does wrong in so many random accesses."""
+    gateway, stalls = RtlGateway(configuration), PATTERNS[configuration]
+    slave = _Unruly(gateway, stalls, last_reply)
+    requests = _Requests(gateway, slave)
+    listed = "".join(map(requests.address, requests.group))
+    assert gateway.receive(f"GS002000010{len(requests.group)}{listed}\r".encode(), 0.0) == b"GS00\r\n"
+    while slave.accesses < accesses:
+        asked = [requests.next() for _ in range(REQUESTS_AT_ONCE)]
+        answered = gateway.receive("".join(f"{request}\r" for request, _ in asked).encode(), 0.0).decode()
+        expected = "".join(answer for _, answer in asked)
+        slave.finish()
+        yield from slave.faults
+        slave.faults.clear()
+        if answered != expected:
+            yield f"{asked}: {answered!r}"
+
+
+@pytest.mark.parametrize("configuration", PATTERNS)
+def test_no_answer_is_taken_for_another_access_and_the_next_one_works(configuration: str) -> None:
+    assert next(_faults(configuration, 10_000, LAST_UNHEARD), None) is None
+
+
+@pytest.mark.campaign
+@pytest.mark.parametrize("configuration", PATTERNS)
+def test_no_answer_is_taken_for_another_access_in_half_a_million(configuration: str) -> None:
+    assert next(_faults(configuration, 500_000, LAST_UNHEARD), None) is None
+
+
+@pytest.mark.parametrize(("configuration", "beyond"), [("default", 1), ("wide", 20)])
+def test_an_answer_beyond_the_bound_is_seen_to_be_taken_for_another_access(configuration: str, beyond: int) -> None:
+    assert next(_faults(configuration, 10_000, LAST_UNHEARD + beyond), None) is not None
