@@ -1,6 +1,6 @@
 """VHDL to Verilog: one entity with chosen generics, all of its hierarchy in one file.
 
-A warning is an error here, as is what is never assigned. GHDL itself refuses latches.
+A warning is an error here, but for those of attributes, as is what is never assigned. GHDL itself refuses latches.
 """
 
 from __future__ import annotations
@@ -20,6 +20,8 @@ if TYPE_CHECKING:
 
 _STD = "--std=08"
 _ERROR_LINES = 12
+# Attributes speak to the vendors' tools, each to its own.
+_FOR_OTHER_TOOLS = "[-Wunhandled-attribute]"
 
 
 class ConversionError(Exception):
@@ -57,7 +59,8 @@ def to_verilog(top: str, generics: Mapping[str, object] | None = None, extra_sou
         except subprocess.CalledProcessError as error:
             first_lines = "\n".join(error.stderr.strip().splitlines()[:_ERROR_LINES])
             raise ConversionError(f"{top} with {dict(generics or {})}: {first_lines}") from error
-    warnings = [line for step in steps for line in step.stderr.splitlines() if ":warning:" in line]
+    lines = [line for step in steps for line in step.stderr.splitlines()]
+    warnings = [line for line in lines if ":warning:" in line and _FOR_OTHER_TOOLS not in line]
     # GHDL says nothing of what is never assigned. (Where a `case` names all values, its default is unknown, too.)
     warnings += re.findall(r"^ *assign \w+ = [^?\n]*'b[01X]*X[^?\n]*;.*$", steps[-1].stdout, re.MULTILINE)
     if warnings:
