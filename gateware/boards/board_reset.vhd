@@ -22,7 +22,7 @@ architecture rtl of board_reset is
 
   -- vsg_off signal_007
   signal waited : unsigned(4 downto 0) := (others => '0');
-  -- vsg_on signal_007
+-- vsg_on signal_007
 
 begin
 

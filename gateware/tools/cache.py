@@ -30,9 +30,14 @@ def kept(path: Path, make: Callable[[], str]) -> str:
     return path.read_text()
 
 
-def vhdl_sources() -> list[Path]:
-    """Return every VHDL source of the gateware, sorted by path."""
-    return sorted((GATEWARE / "rtl").rglob("*.vhd"))
+def vhdl_sources(pads: str | None = None) -> list[Path]:
+    """Return every VHDL source of the gateware, sorted by path.
+
+    Args:
+        pads: the vendor whose registers the FT245 has at its pins, a folder of `gateware/pads`; None: portable ones.
+    """
+    theirs = {source.name: source for source in (GATEWARE / "pads" / pads).glob("*.vhd")} if pads else {}
+    return [theirs.get(source.name, source) for source in sorted((GATEWARE / "rtl").rglob("*.vhd"))]
 
 
 def hash_of(texts: Iterable[str | bytes]) -> str:

@@ -19,6 +19,11 @@ if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
 
 _STD = "--std=08"
+# Only the vendors' primitives are components, and bound to nothing: they go as they are into the result.
+_UNBOUND = "-Wno-binding"
+# VHDL does not tell small letters from capitals, Verilog does: the names of these and of all that is theirs are capitals.
+_PRIMITIVES = re.compile(r"^  (?:delayg|ifs1p3bx|ofs1p3bx|dffp|fdpe)\b.*?\);$", re.MULTILINE | re.DOTALL)
+_THEIR_NAMES = re.compile(r"^  \w+|\.\w+\(", re.MULTILINE)
 _ERROR_LINES = 12
 # Attributes speak to the vendors' tools, each to its own.
 _FOR_OTHER_TOOLS = "[-Wunhandled-attribute]"
@@ -28,29 +33,35 @@ class ConversionError(Exception):
     """A tool refused the sources; the message is what it said."""
 
 
-def to_verilog(top: str, generics: Mapping[str, object] | None = None, extra_sources: Sequence[Path] = ()) -> Path:
+def to_verilog(
+    top: str,
+    generics: Mapping[str, object] | None = None,
+    extra_sources: Sequence[Path] = (),
+    pads: str | None = None,
+) -> Path:
     """Return a Verilog file of the entity `top`, converted unless that was done before.
 
     Args:
         top: name of the entity in `gateware/rtl` or `extra_sources`.
         generics: values for its generics; what is not named keeps its default. Booleans may be Python's.
         extra_sources: VHDL files beside those in `gateware/rtl`.
+        pads: whose registers are at the pins, as in `vhdl_sources`.
 
     Raises:
         ConversionError: if GHDL refuses the sources, or warns of something in them.
         ToolMissingError: if there is no GHDL that can be used.
     """
-    sources = [*vhdl_sources(), *(Path(source).resolve() for source in extra_sources)]
+    sources = [*vhdl_sources(pads), *(Path(source).resolve() for source in extra_sources)]
     options = [f"-g{name}={_as_vhdl(value)}" for name, value in sorted((generics or {}).items())]
     ghdl = converting_ghdl()
-    name = hash_of([ghdl.version(), top, *options, *(source.read_bytes() for source in sources)])
+    name = hash_of([ghdl.version(), _PRIMITIVES.pattern, top, *options, *(source.read_bytes() for source in sources)])
     result = cache_folder("verilog") / f"{top}-{name}.v"
     if result.exists():
         return result
     with tempfile.TemporaryDirectory() as scratch:
         try:
             # Imported first, so that GHDL itself finds the order in which the sources depend on each other.
-            work = [_STD, f"--workdir={scratch}"]
+            work = [_STD, _UNBOUND, f"--workdir={scratch}"]
             steps = (
                 ghdl.run("import", *work, *map(str, sources), cwd=Path(scratch)),
                 ghdl.run("make", *work, top, cwd=Path(scratch)),
@@ -67,6 +78,7 @@ def to_verilog(top: str, generics: Mapping[str, object] | None = None, extra_sou
         raise ConversionError(f"{top} with {dict(generics or {})}: " + "\n".join(warnings[:_ERROR_LINES]))
     # The remarks name files of this machine.
     text = re.sub(r"^ */\*.*?\*/\n", "", steps[-1].stdout, flags=re.MULTILINE)
+    text = _PRIMITIVES.sub(lambda cell: _THEIR_NAMES.sub(lambda name: name[0].upper(), cell[0]), text)
     partial = result.with_suffix(f".{os.getpid()}")
     partial.write_text(text)
     partial.replace(result)

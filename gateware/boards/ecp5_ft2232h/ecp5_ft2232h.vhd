@@ -30,7 +30,7 @@ architecture rtl of ecp5_ft2232h is
 
   signal rst          : std_logic;
   signal ft_data_out  : std_logic_vector(7 downto 0);
-  signal ft_data_oe   : std_logic;
+  signal ft_data_oe   : std_logic_vector(7 downto 0);
   signal wb_cyc       : std_logic;
   signal wb_stb       : std_logic;
   signal wb_we        : std_logic;
@@ -44,9 +44,14 @@ architecture rtl of ecp5_ft2232h is
 begin
 
   ft2232_reset_n <= '1';
-  fifo_data      <= ft_data_out when ft_data_oe = '1' else
-                    (others => 'Z');
   leds           <= slave_leds(3 downto 0);
+
+  each_data_pin : for pin in fifo_data'range generate
+
+    fifo_data(pin) <= ft_data_out(pin) when ft_data_oe(pin) = '1' else
+                      'Z';
+
+  end generate each_data_pin;
 
   reset : entity work.board_reset
     port map (

@@ -93,8 +93,8 @@ architecture rtl of fifo_async is
   signal not_full  : std_logic;
   signal push      : std_logic;
 
-  signal read_at    : pointer_t;
-  signal read_gray  : pointer_t;
+  signal read_at   : pointer_t;
+  signal read_gray : pointer_t;
   -- As the reading side sees it.
   signal write_seen : pointer_t;
   signal head_valid : std_logic;
