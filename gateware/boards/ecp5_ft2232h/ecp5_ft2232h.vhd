@@ -3,6 +3,7 @@
 -- An ECP5-25 with an FT2232H whose channel A is wired as a FIFO, all of its pins. The gateway runs on the board's
 -- oscillator of 24.576 MHz; `ft245_sync` crosses to the 60 MHz of the chip, which runs only while the PC holds it in
 -- synchronous mode (`ft232h://...` does). Any FT232H module on any ECP5 is wired alike: change the .lpf alone.
+-- The registers at its pins are the ECP5's own: gateware/pads/ecp5 takes the place of its like in gateware/rtl.
 -- Behind the gateway stands `demo_slave`, whose first four LEDs the board has.
 
 library ieee;
@@ -10,6 +11,10 @@ library ieee;
   use ieee.numeric_std.all;
 
 entity ecp5_ft2232h is
+  generic (
+    -- "ft245_sync" or "ft245" (asynchronous): the wires are the same, the PC says which.
+    physical : string := "ft245_sync"
+  );
   port (
     clk_24576000   : in    std_logic;
     btn_reset      : in    std_logic;
@@ -62,7 +67,7 @@ begin
 
   gateway : entity work.unity_link
     generic map (
-      physical => "ft245_sync",
+      physical => physical,
       clock_hz => 24_576_000
     )
     port map (

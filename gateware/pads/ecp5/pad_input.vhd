@@ -60,6 +60,6 @@ begin
       q    => q
     );
 
-  -- vsg_on instantiation_034
+-- vsg_on instantiation_034
 
 end architecture ecp5;

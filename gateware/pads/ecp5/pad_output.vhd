@@ -38,6 +38,6 @@ begin
       q    => q
     );
 
-  -- vsg_on instantiation_034
+-- vsg_on instantiation_034
 
 end architecture ecp5;

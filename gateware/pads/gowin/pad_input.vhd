@@ -36,6 +36,6 @@ begin
       preset => quiet
     );
 
-  -- vsg_on instantiation_034
+-- vsg_on instantiation_034
 
 end architecture gowin;

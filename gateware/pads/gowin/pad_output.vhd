@@ -37,6 +37,6 @@ begin
       preset => quiet
     );
 
-  -- vsg_on instantiation_034
+-- vsg_on instantiation_034
 
 end architecture gowin;

@@ -42,6 +42,6 @@ begin
       d   => d
     );
 
-  -- vsg_on instantiation_034
+-- vsg_on instantiation_034
 
 end architecture xilinx;
