@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 _STD = "--std=08"
 # Only the vendors' primitives are components, and bound to nothing: they go as they are into the result.
 _UNBOUND = "-Wno-binding"
-# VHDL does not tell small letters from capitals, Verilog does: the names of these and of all that is theirs are capitals.
+# VHDL does not tell small letters from capitals, Verilog does: these names, and all of their ports, are capitals.
 _PRIMITIVES = re.compile(r"^  (?:delayg|ifs1p3bx|ofs1p3bx|dffp|fdpe)\b.*?\);$", re.MULTILINE | re.DOTALL)
 _THEIR_NAMES = re.compile(r"^  \w+|\.\w+\(", re.MULTILINE)
 _ERROR_LINES = 12

@@ -30,6 +30,8 @@ class Pin:
     """Of its I/O cell: "in", "out" and "driver"."""
     bypassed: bool
     """Whether something of the fabric is connected to the pin itself."""
+    delay_steps: int = 0
+    """Of the I/O cell's delay, which stands before the register "in"."""
 
 
 @dataclasses.dataclass(frozen=True)
@@ -90,7 +92,8 @@ class Placed:
         cells = [name for name in logic if self._cells[name]["type"] == "IOLOGIC"]
         modes = self._cells[cells[0]]["parameters"] if cells else {}
         registers = tuple(what for parameter, what in _REGISTERS.items() if modes.get(parameter) == "FF")
-        return Pin(registers, bypassed=bool([*outside, *(name for name in readers if name not in cells)]))
+        bypassed = bool([*outside, *(name for name in readers if name not in cells)])
+        return Pin(registers, bypassed=bypassed, delay_steps=int(modes.get("DELAY.DEL_VALUE", "0"), 2))
 
     def crossings(self) -> dict[str, Crossing]:
         """Return each crossing but those of resets and of memories, by the place of its first registers."""
@@ -112,9 +115,7 @@ class Placed:
     def _sources(self, name: str) -> set[int | None]:
         """Return the clocks of all that a register's data depends on; None: of none. Memories are left out."""
         cell = self._cells[name]
-        return functools.reduce(
-            set.union, (self._clocks_behind(bit) for bit in _data_bits(cell)), set[int | None]()
-        )
+        return functools.reduce(set.union, (self._clocks_behind(bit) for bit in _data_bits(cell)), set[int | None]())
 
     def _clocks_behind(self, bit: int) -> set[int | None]:
         found: set[int | None] = set()
@@ -137,7 +138,8 @@ class Placed:
         return found
 
     def _on_a_wire(self, name: str) -> bool:
-        drivers = [self._cells[self._driver[bit]]["type"] for bit in _data_bits(self._cells[name]) if bit in self._driver]
+        driven = [bit for bit in _data_bits(self._cells[name]) if bit in self._driver]
+        drivers = [self._cells[self._driver[bit]]["type"] for bit in driven]
         return drivers in (["TRELLIS_FF"], ["TRELLIS_IO"], ["IOLOGIC"])
 
     def _row(self, name: str) -> int:

@@ -115,6 +115,8 @@ class Configuration:
     """Whose registers are at the pins of an FT245, a folder of `gateware/pads`; else portable ones."""
     spec: Path | None = None
     """A UL-spec; `top` is in the VHDL that is generated from it."""
+    sources: tuple[Path, ...] = ()
+    """VHDL files beside those of the gateware and its boards."""
 
 
 _MINIMAL: dict[str, object] = {
@@ -191,14 +193,19 @@ class Result:
 
 
 def synthesise(name: str, device_name: str) -> Result:
-    """Map and place one configuration, unless that was done before.
+    """Map and place one of `CONFIGURATIONS`, unless that was done before.
 
     Raises:
         ConversionError: if a tool refuses the design.
         ToolMissingError: if a tool is not there.
     """
-    configuration, device = CONFIGURATIONS[name], DEVICES[device_name]
-    sources = sorted(_BOARDS.rglob("*.vhd")) if configuration.board else []
+    return place(name, CONFIGURATIONS[name], device_name)
+
+
+def place(name: str, configuration: Configuration, device_name: str) -> Result:
+    """Map and place a design that is kept under a name, as `synthesise` does."""
+    device = DEVICES[device_name]
+    sources = [*configuration.sources, *(sorted(_BOARDS.rglob("*.vhd")) if configuration.board else [])]
     if configuration.spec is not None:
         folder = cache_folder("generated", configuration.spec.stem)
         sources += write(generate("vhdl", compile_file(configuration.spec)), folder)
@@ -225,7 +232,7 @@ def synthesise(name: str, device_name: str) -> Result:
         logic=used[device.logic],
         memory=sum(used.get(kind, 0) for kind in device.memory),
         fmax={_clock(clock): float(figures["achieved"]) for clock, figures in report["fmax"].items()},
-        pins={pin: Pin(tuple(what["registers"]), what["bypassed"]) for pin, what in report["pins"].items()},
+        pins={pin: Pin(**{**what, "registers": tuple(what["registers"])}) for pin, what in report["pins"].items()},
         crossings={place: Crossing(**what) for place, what in report["crossings"].items()},
     )
 
@@ -317,8 +324,8 @@ def table(results: dict[tuple[str, str], Result], budget: dict[str, Any]) -> str
         parts.append("")
     parts += [
         "## Pins and crossings\n",
-        "Read from the placed designs (`gateware.tools.placed`). A crossing's delays are those of its wires, as nextpnr",
-        "knows them; what a Gray pointer needs is a skew below a cycle of the clock that it comes from.\n",
+        "Read from the placed designs by `gateware/tools/placed.py`. A crossing's delays are those of its wires, as",
+        "nextpnr knows them; a Gray pointer needs a skew below a cycle of the clock that it comes from.\n",
     ]
     for (name, its_device), result in results.items():
         if result.crossings:
@@ -335,8 +342,8 @@ def _pins_table(pins: dict[str, Pin]) -> list[str]:
     lines = ["| pins | I/O cells with registers | registers in them | connected past them |", "|---|---|---|---|"]
     for (name, what), count in rows.items():
         if what.registers:
-            bypassed = "yes" if what.bypassed else "no"
-            lines.append(f"| {name} | {count} | {count * len(what.registers)}: {', '.join(what.registers)} | {bypassed} |")
+            registers = f"{count * len(what.registers)}: {', '.join(what.registers)}"
+            lines.append(f"| {name} | {count} | {registers} | {'yes' if what.bypassed else 'no'} |")
     used = [(what, count) for (_, what), count in rows.items() if what.registers]
     total = sum(count * len(what.registers) for what, count in used)
     return [*lines, f"| all | {sum(count for _, count in used)} | {total} | |"]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import os
 import random
 from typing import TYPE_CHECKING
@@ -293,7 +294,7 @@ async def a_txe_that_is_high_for_one_cycle_costs_one_byte_twice_and_then_half_th
     first = next(index for index, byte in enumerate(chip.from_gateware) if byte != data[index])
     assert bytes(chip.from_gateware) == data[:first] + data[first + 1 : first + 2] + data[first:]
     behind = chip.write_cycles[first + 3 :]
-    assert min(later - sooner for sooner, later in zip(behind, behind[1:], strict=False)) >= 2
+    assert min(later - sooner for sooner, later in itertools.pairwise(behind)) >= 2
     chip.stop()
 
 

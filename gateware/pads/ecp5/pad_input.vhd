@@ -1,5 +1,6 @@
 -- `pad_input` in the pads of Lattice's ECP5. The pad's own delay stands before it: without that its register wants its
--- input held for 3.3 ns (docs/gateware.md has the table), and the chips hold theirs for 0 or 1.
+-- input held for 3.3 ns (docs/gateware.md has the budget), and the chips hold theirs for 0 or 1. 59 steps of 25 ps are
+-- what Lattice's tools take for a hold time of 0 (SCLK_ZEROHOLD); the rest is ours to spare.
 
 library ieee;
   use ieee.std_logic_1164.all;
@@ -18,7 +19,8 @@ architecture ecp5 of pad_input is
 
   component delayg is
     generic (
-      del_mode : string
+      del_mode  : string;
+      del_value : integer
     );
     port (
       a : in    std_logic;
@@ -44,7 +46,8 @@ begin
 
   pad_delay : component delayg
     generic map (
-      del_mode => "SCLK_ZEROHOLD"
+      del_mode  => "USER_DEFINED",
+      del_value => 127
     )
     port map (
       a => d,
