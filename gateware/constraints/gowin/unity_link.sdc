@@ -14,4 +14,4 @@ set_output_delay -clock ft_clkout -min 0 [get_ports {ft_rd_n ft_wr_n ft_oe_n ft_
 set_max_delay -from [get_regs {*write_gray*}] -to [get_regs {*write_crossing/meta*}] 10
 set_max_delay -from [get_regs {*read_gray*}] -to [get_regs {*read_crossing/meta*}] 10
 set_false_path -to [get_regs {*up_crossing/meta* *driving_crossing/meta* *question_crossing/meta* *answer_crossing/meta*}]
-set_false_path -to [get_regs {*rx_crossing/meta* *cts_crossing/meta*}]
+set_false_path -to [get_regs {*rx_crossing/meta* *cts_crossing/meta* *trigger_crossing/meta*}]

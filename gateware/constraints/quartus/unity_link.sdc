@@ -23,7 +23,7 @@ foreach way {write read} {
 }
 
 # One bit each, and resets, which begin at any instant.
-foreach crossing {up_crossing driving_crossing question_crossing answer_crossing rx_crossing cts_crossing} {
+foreach crossing {up_crossing driving_crossing question_crossing answer_crossing rx_crossing cts_crossing trigger_crossing} {
     set_false_path -to [get_registers -nowarn "*synchroniser:${crossing}|meta\[*\]"]
 }
 foreach crossing {chip_reset chip_quiet chip_quiet_data} {
