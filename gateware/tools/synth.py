@@ -325,13 +325,13 @@ def table(results: dict[tuple[str, str], Result], budget: dict[str, Any]) -> str
                 )
         parts.append("")
     parts += [
-        "## Pins and crossings\n",
+        "### Pins and crossings\n",
         "Read from the placed designs by `gateware/tools/placed.py`. A crossing's delays are those of its wires, as",
         "nextpnr knows them; a Gray pointer needs a skew below a cycle of the clock that it comes from.\n",
     ]
     for (name, its_device), result in results.items():
         if result.crossings:
-            parts += [f"### {name} on {its_device}\n", *_pins_table(result.pins), "", *_crossings_table(result), ""]
+            parts += [f"#### {name} on {its_device}\n", *_pins_table(result.pins), "", *_crossings_table(result), ""]
     return "\n".join(parts)
 
 
