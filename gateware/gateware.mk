@@ -22,6 +22,6 @@ formal: $(ALL) ## prove the properties of gateware/formal
 
 lint-vhdl: $(ALL) ## the style of the VHDL sources
 	@$(BIN)/vsg --configuration gateware/vsg.yaml --output_format syntastic \
-		--filename $(sort $(shell find gateware/rtl gateware/boards -name '*.vhd'))
+		--filename $(sort $(shell find gateware/rtl gateware/pads gateware/boards -name '*.vhd'))
 
 lint: lint-vhdl

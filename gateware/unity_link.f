@@ -2,10 +2,13 @@
 # VHDL-2008, library work, in compile order; made by `make lists`.
 rtl/bus/wishbone_master.vhd
 rtl/cores/math_pkg.vhd
+rtl/cores/reset_synchroniser.vhd
 rtl/cores/stream_register.vhd
+rtl/cores/synchroniser.vhd
 rtl/datalink/crc_pkg.vhd
 rtl/physical/fifo_port.vhd
-rtl/physical/ft245_async.vhd
+rtl/physical/pad_input.vhd
+rtl/physical/pad_output.vhd
 rtl/unity_link_pkg.vhd
 rtl/application/base_tick.vhd
 rtl/application/frame_writer.vhd
@@ -23,7 +26,9 @@ rtl/datalink/datalink_rx.vhd
 rtl/datalink/datalink_tx.vhd
 rtl/datalink/plain_rx.vhd
 rtl/datalink/plain_tx.vhd
+rtl/physical/ft245_pads.vhd
 rtl/application/subscription_manager.vhd
+rtl/physical/ft245_async.vhd
 rtl/physical/ft245_sync.vhd
 rtl/physical/uart.vhd
 rtl/unity_link_core.vhd

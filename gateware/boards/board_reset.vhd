@@ -20,10 +20,9 @@ end entity board_reset;
 
 architecture rtl of board_reset is
 
-  -- vsg_off signal_007
-  signal button_meta : std_logic := '0';
-  signal button_seen : std_logic := '0';
+  signal button_seen : std_logic;
 
+  -- vsg_off signal_007
   signal waited : unsigned(4 downto 0) := (others => '0');
 -- vsg_on signal_007
 
@@ -31,12 +30,17 @@ begin
 
   rst <= not waited(waited'high);
 
+  button_crossing : entity work.synchroniser
+    port map (
+      clk  => clk,
+      d(0) => button,
+      q(0) => button_seen
+    );
+
   wait_a_while : process (clk) is
   begin
 
     if rising_edge(clk) then
-      button_meta <= button;
-      button_seen <= button_meta;
       if button_seen = '1' then
         waited <= (others => '0');
       elsif waited(waited'high) = '0' then

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
 // What AXI4-Lite asks of a master and of a slave (AMBA IHI 0022, A3.2, A3.3 and B1), one access under way at most.
 //
 // The rules of one side are asserted or assumed, as the proof is about it or about the other.

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
 // What the AXI4-Lite wrapper promises, whatever the core does within the rules at its top and the slave within those of
 // AXI4-Lite, for as long as it likes: it keeps to AXI4-Lite; the core is told of an access once, with the answer to that
 // access and to no other, however many it has given up before; and an access is made as the core asks for it.

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
 // What a generated register bank promises (that of bank.ul), whatever a Wishbone master does within the standard and
 // hardware at any time: it keeps to Wishbone B4 as a slave; it answers within the time that a FIFO port may take; all
 // words that are read in a sample are of one instant, that of its strobe, and those of a value in a block are of one; a

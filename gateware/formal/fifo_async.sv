@@ -83,8 +83,8 @@ module fifo_async_properties #(
 		cover (push && pop && gone > DEPTH);
 	end
 
-	(* hierconn *) wire [ADDRESS:0] \dut.write_at , \dut.write_gray , \dut.write_meta , \dut.write_seen ;
-	(* hierconn *) wire [ADDRESS:0] \dut.read_at , \dut.read_gray , \dut.read_meta , \dut.read_seen ;
+	(* hierconn *) wire [ADDRESS:0] \dut.write_at , \dut.write_gray , \dut.write_crossing.meta , \dut.write_seen ;
+	(* hierconn *) wire [ADDRESS:0] \dut.read_at , \dut.read_gray , \dut.read_crossing.meta , \dut.read_seen ;
 	(* hierconn *) wire [WIDTH-1:0] \dut.memory[0] , \dut.memory[1] , \dut.memory[2] , \dut.memory[3] ;
 	wire [WIDTH-1:0] memory [0:DEPTH-1];
 	assign memory[0] = \dut.memory[0] ;
@@ -119,10 +119,10 @@ module fifo_async_properties #(
 		assert ($onehot0(read_gray_before ^ \dut.read_gray ));
 		assert (binary(\dut.write_gray ) == \dut.write_at );
 		assert (binary(\dut.read_gray ) == \dut.read_at );
-		assert (beyond(binary(\dut.read_meta )) <= beyond(\dut.read_at ));
+		assert (beyond(binary(\dut.read_crossing.meta )) <= beyond(\dut.read_at ));
 		assert (beyond(\dut.read_at ) <= beyond(binary(\dut.write_seen )));
-		assert (beyond(binary(\dut.write_seen )) <= beyond(binary(\dut.write_meta )));
-		assert (beyond(binary(\dut.write_meta )) <= beyond(\dut.write_at ));
+		assert (beyond(binary(\dut.write_seen )) <= beyond(binary(\dut.write_crossing.meta )));
+		assert (beyond(binary(\dut.write_crossing.meta )) <= beyond(\dut.write_at ));
 		assert (beyond(\dut.write_at ) <= DEPTH);
 		assert (inside == ((\dut.write_at - \dut.read_at ) & (2 * DEPTH - 1)) + out_valid);
 		if (followed) begin

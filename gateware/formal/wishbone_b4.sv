@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
 // What Wishbone B4 asks of a master and of a slave on a bus between two (revision B4, sections 3 and 5).
 //
 // The rules of one side are asserted or assumed, as the proof is about it or about the other. A master may take back

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
 // What the Wishbone wrapper promises, whatever the core does within the rules at its top and the slave beyond any:
 // it keeps to Wishbone B4; an answer is passed on where the access is the slave's, and nowhere else; what has been sent
 // away is asked again after one cycle; `cyc` stands while the lock does, and falls in an access only where the core

@@ -4,10 +4,13 @@
 set gateware [file dirname [file dirname [file normalize [info script]]]]
 set_global_assignment -name VHDL_FILE [file join $gateware rtl/bus/wishbone_master.vhd] -library work -hdl_version VHDL_2008
 set_global_assignment -name VHDL_FILE [file join $gateware rtl/cores/math_pkg.vhd] -library work -hdl_version VHDL_2008
+set_global_assignment -name VHDL_FILE [file join $gateware rtl/cores/reset_synchroniser.vhd] -library work -hdl_version VHDL_2008
 set_global_assignment -name VHDL_FILE [file join $gateware rtl/cores/stream_register.vhd] -library work -hdl_version VHDL_2008
+set_global_assignment -name VHDL_FILE [file join $gateware rtl/cores/synchroniser.vhd] -library work -hdl_version VHDL_2008
 set_global_assignment -name VHDL_FILE [file join $gateware rtl/datalink/crc_pkg.vhd] -library work -hdl_version VHDL_2008
 set_global_assignment -name VHDL_FILE [file join $gateware rtl/physical/fifo_port.vhd] -library work -hdl_version VHDL_2008
-set_global_assignment -name VHDL_FILE [file join $gateware rtl/physical/ft245_async.vhd] -library work -hdl_version VHDL_2008
+set_global_assignment -name VHDL_FILE [file join $gateware rtl/physical/pad_input.vhd] -library work -hdl_version VHDL_2008
+set_global_assignment -name VHDL_FILE [file join $gateware rtl/physical/pad_output.vhd] -library work -hdl_version VHDL_2008
 set_global_assignment -name VHDL_FILE [file join $gateware rtl/unity_link_pkg.vhd] -library work -hdl_version VHDL_2008
 set_global_assignment -name VHDL_FILE [file join $gateware rtl/application/base_tick.vhd] -library work -hdl_version VHDL_2008
 set_global_assignment -name VHDL_FILE [file join $gateware rtl/application/frame_writer.vhd] -library work -hdl_version VHDL_2008
@@ -25,7 +28,9 @@ set_global_assignment -name VHDL_FILE [file join $gateware rtl/datalink/datalink
 set_global_assignment -name VHDL_FILE [file join $gateware rtl/datalink/datalink_tx.vhd] -library work -hdl_version VHDL_2008
 set_global_assignment -name VHDL_FILE [file join $gateware rtl/datalink/plain_rx.vhd] -library work -hdl_version VHDL_2008
 set_global_assignment -name VHDL_FILE [file join $gateware rtl/datalink/plain_tx.vhd] -library work -hdl_version VHDL_2008
+set_global_assignment -name VHDL_FILE [file join $gateware rtl/physical/ft245_pads.vhd] -library work -hdl_version VHDL_2008
 set_global_assignment -name VHDL_FILE [file join $gateware rtl/application/subscription_manager.vhd] -library work -hdl_version VHDL_2008
+set_global_assignment -name VHDL_FILE [file join $gateware rtl/physical/ft245_async.vhd] -library work -hdl_version VHDL_2008
 set_global_assignment -name VHDL_FILE [file join $gateware rtl/physical/ft245_sync.vhd] -library work -hdl_version VHDL_2008
 set_global_assignment -name VHDL_FILE [file join $gateware rtl/physical/uart.vhd] -library work -hdl_version VHDL_2008
 set_global_assignment -name VHDL_FILE [file join $gateware rtl/unity_link_core.vhd] -library work -hdl_version VHDL_2008

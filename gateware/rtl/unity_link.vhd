@@ -4,8 +4,8 @@
 --
 -- Only the pins of the medium and of the bus in use need to be connected: the inputs of the others have defaults that
 -- keep them still. The layers that were not chosen are not elaborated. Bidirectional data pins are joined by the
--- board's top, because how a tristate pin is described differs between vendors:
--- `ft_data <= ft_data_out when ft_data_oe = '1' else (others => 'Z')`.
+-- board's top, because how a tristate pin is described differs between vendors, bit by bit, as each has a register of
+-- its own for its driver: `ft_data(n) <= ft_data_out(n) when ft_data_oe(n) = '1' else 'Z'`.
 
 library ieee;
   use ieee.std_logic_1164.all;
@@ -86,7 +86,7 @@ entity unity_link is
     ft_clkout   : in    std_logic                    := '0';
     ft_data_in  : in    std_logic_vector(7 downto 0) := (others => '0');
     ft_data_out : out   std_logic_vector(7 downto 0);
-    ft_data_oe  : out   std_logic;
+    ft_data_oe  : out   std_logic_vector(7 downto 0);
     ft_rxf_n    : in    std_logic                    := '1';
     ft_txe_n    : in    std_logic                    := '1';
     ft_rd_n     : out   std_logic;
@@ -456,7 +456,7 @@ begin
   without_ft245 : if physical /= "ft245" and physical /= "ft245_sync" generate
 
     ft_data_out <= (others => '0');
-    ft_data_oe  <= '0';
+    ft_data_oe  <= (others => '0');
     ft_rd_n     <= '1';
     ft_wr_n     <= '1';
     ft_oe_n     <= '1';

@@ -102,9 +102,23 @@ properties.sv
 
 
 def clocks_as_enables(verilog: str) -> str:
-    """Return a design of two clocks one clock `clk`, of which the two enable the edges that happen at an instant."""
-    enabled = re.sub(r"always @\(posedge (in|out)_clk\)", r"always @(posedge clk) if (\1_clk)", verilog)
-    return enabled.replace("(input  in_clk,", "(input  clk, in_clk,")
+    """Return a design of two clocks one clock `clk`, of which the two enable the edges that happen at an instant.
+
+    A synchroniser has one clock, and gets with it the enable that its place has for one.
+    """
+    parts = re.split(r"^(?=module )", verilog, flags=re.MULTILINE)
+    return "".join(_crossing(part) if part.startswith("module synchroniser") else _two_sides(part) for part in parts)
+
+
+def _two_sides(module: str) -> str:
+    enabled = re.sub(r"always @\(posedge (in|out)_clk\)", r"always @(posedge clk) if (\1_clk)", module)
+    connected = re.sub(r"\.clk\((in|out)_clk\)", r".clk(clk), .edge_now(\1_clk)", enabled)
+    return connected.replace("(input  in_clk,", "(input  clk, in_clk,")
+
+
+def _crossing(module: str) -> str:
+    enabled = module.replace("always @(posedge clk)", "always @(posedge clk) if (edge_now)")
+    return enabled.replace("(input  clk,", "(input  clk, edge_now,")
 
 
 def prove(proof: Proof, change: Callable[[str], str] = lambda verilog: verilog) -> str | None:

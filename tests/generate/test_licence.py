@@ -16,7 +16,9 @@ COPIED = sorted(
     for folder, pattern in (
         ("gateware/rtl", "*.vhd"),
         ("gateware/boards", "*.*"),
+        ("gateware/constraints", "*"),
         ("gateware/import", "*"),
+        ("gateware/pads", "*.vhd"),
         ("gateware", "unity_link.*"),
         ("gateware/formal", "*.sv"),
     )

@@ -39,13 +39,17 @@ def kept(path: Path, make: Callable[[], str]) -> str:
     return path.read_text()
 
 
-def vhdl_sources() -> list[Path]:
+def vhdl_sources(pads: str | None = None) -> list[Path]:
     """Return every VHDL source of the gateware, sorted by path.
+
+    Args:
+        pads: the vendor whose registers the FT245 has at its pins, a folder of `gateware/pads`; None: portable ones.
 
     Raises:
         ToolMissingError: where an installation has none.
     """
-    found = sorted((GATEWARE / "rtl").rglob("*.vhd"))
+    theirs = {source.name: source for source in (GATEWARE / "pads" / pads).glob("*.vhd")} if pads else {}
+    found = [theirs.get(source.name, source) for source in sorted((GATEWARE / "rtl").rglob("*.vhd"))]
     if not found:
         raise ToolMissingError(f"the gateware's VHDL is not in {GATEWARE / 'rtl'}: install unity-link anew")
     return found

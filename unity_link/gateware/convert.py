@@ -1,6 +1,6 @@
 """VHDL to Verilog: one entity with chosen generics, all of its hierarchy in one file.
 
-A warning is an error here, as is what is never assigned. GHDL itself refuses latches.
+A warning is an error here, but for those of attributes, as is what is never assigned. GHDL itself refuses latches.
 """
 
 from __future__ import annotations
@@ -20,36 +20,49 @@ if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
 
 _STD = "--std=08"
+# Only the vendors' primitives are components, and bound to nothing: they go as they are into the result.
+_UNBOUND = "-Wno-binding"
+# VHDL does not tell small letters from capitals, Verilog does: these names, and all of their ports, are capitals.
+_PRIMITIVES = re.compile(r"^  (?:delayg|ifs1p3bx|ofs1p3bx|dffp|fdpe)\b.*?\);$", re.MULTILINE | re.DOTALL)
+_THEIR_NAMES = re.compile(r"^  \w+|\.\w+\(", re.MULTILINE)
 _ERROR_LINES = 12
+# Attributes speak to the vendors' tools, each to its own.
+_FOR_OTHER_TOOLS = "[-Wunhandled-attribute]"
 
 
 class ConversionError(UnityLinkError):
     """A tool refused the sources; the message is what it said."""
 
 
-def to_verilog(top: str, generics: Mapping[str, object] | None = None, extra_sources: Sequence[Path] = ()) -> Path:
+def to_verilog(
+    top: str,
+    generics: Mapping[str, object] | None = None,
+    extra_sources: Sequence[Path] = (),
+    pads: str | None = None,
+) -> Path:
     """Return a Verilog file of the entity `top`, converted unless that was done before.
 
     Args:
         top: name of the entity in `gateware/rtl` or `extra_sources`.
         generics: values for its generics; what is not named keeps its default. Booleans may be Python's.
         extra_sources: VHDL files beside those in `gateware/rtl`.
+        pads: whose registers are at the pins, as in `vhdl_sources`.
 
     Raises:
         ConversionError: if GHDL refuses the sources, or warns of something in them.
         ToolMissingError: if there is no GHDL that can be used.
     """
-    sources = [*vhdl_sources(), *(Path(source).resolve() for source in extra_sources)]
+    sources = [*vhdl_sources(pads), *(Path(source).resolve() for source in extra_sources)]
     options = [f"-g{name}={_as_vhdl(value)}" for name, value in sorted((generics or {}).items())]
     ghdl = converting_ghdl()
-    name = hash_of([ghdl.version(), top, *options, *(source.read_bytes() for source in sources)])
+    name = hash_of([ghdl.version(), _PRIMITIVES.pattern, top, *options, *(source.read_bytes() for source in sources)])
     result = cache_folder("verilog") / f"{top}-{name}.v"
     if result.exists():
         return result
     with tempfile.TemporaryDirectory() as scratch:
         try:
             # Imported first, so that GHDL itself finds the order in which the sources depend on each other.
-            work = [_STD, f"--workdir={scratch}"]
+            work = [_STD, _UNBOUND, f"--workdir={scratch}"]
             steps = (
                 ghdl.run("import", *work, *map(str, sources), cwd=Path(scratch)),
                 ghdl.run("make", *work, top, cwd=Path(scratch)),
@@ -58,13 +71,15 @@ def to_verilog(top: str, generics: Mapping[str, object] | None = None, extra_sou
         except subprocess.CalledProcessError as error:
             first_lines = "\n".join(error.stderr.strip().splitlines()[:_ERROR_LINES])
             raise ConversionError(f"{top} with {dict(generics or {})}: {first_lines}") from error
-    warnings = [line for step in steps for line in step.stderr.splitlines() if ":warning:" in line]
+    lines = [line for step in steps for line in step.stderr.splitlines()]
+    warnings = [line for line in lines if ":warning:" in line and _FOR_OTHER_TOOLS not in line]
     # GHDL says nothing of what is never assigned. (Where a `case` names all values, its default is unknown, too.)
     warnings += re.findall(r"^ *assign \w+ = [^?\n]*'b[01X]*X[^?\n]*;.*$", steps[-1].stdout, re.MULTILINE)
     if warnings:
         raise ConversionError(f"{top} with {dict(generics or {})}: " + "\n".join(warnings[:_ERROR_LINES]))
     # The remarks name files of this machine.
     text = re.sub(r"^ */\*.*?\*/\n", "", steps[-1].stdout, flags=re.MULTILINE)
+    text = _PRIMITIVES.sub(lambda cell: _THEIR_NAMES.sub(lambda name: name[0].upper(), cell[0]), text)
     partial = result.with_suffix(f".{os.getpid()}")
     partial.write_text(text)
     partial.replace(result)

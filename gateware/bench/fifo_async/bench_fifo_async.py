@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 import cocotb
 from cocotb.clock import Clock
 from cocotb.triggers import ClockCycles, ReadOnly, RisingEdge, Timer
+from cocotb.utils import get_sim_time
 
 from gateware.bench.streams import Sink, Source
 
@@ -37,6 +38,8 @@ async def _end_reset(dut: SimHandleBase) -> None:
     dut.out_rst.value = 0
     await RisingEdge(dut.in_clk)
     dut.in_rst.value = 0
+    # `runner` looks for this: undefined signals are no fault until then.
+    cocotb.log.info("reset ended at %d ps", get_sim_time("ps"))
     await RisingEdge(dut.in_clk)
 
 

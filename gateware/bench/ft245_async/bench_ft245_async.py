@@ -114,6 +114,25 @@ async def a_full_chip_does_not_keep_bytes_from_arriving(dut: SimHandleBase) -> N
 
 
 @cocotb.test
+async def nobody_drives_the_bus_of_a_chip_that_takes_nothing(dut: SimHandleBase) -> None:
+    chip = await _prepare(dut)
+    chip.most_pause_ns = 1_000_000
+    source = cocotb.start_soon(_source(dut).send(_data(4)))
+    await Timer(4, unit="us")
+    written = len(chip.from_gateware)
+    assert written < 4
+    assert int(dut.data_oe.value) == 0
+    # What waits goes when there is room again, and the bus is free again behind it.
+    chip.stop()
+    chip = AsyncChip(dut)
+    await source
+    await Timer(2, unit="us")
+    assert bytes(chip.from_gateware) == _data(4)[written:]
+    assert int(dut.data_oe.value) == 0
+    chip.stop()
+
+
+@cocotb.test
 async def from_50_mhz_on_it_writes_as_fast_as_the_chip_takes_bytes(dut: SimHandleBase) -> None:
     if int(dut.clock_hz.value) < 50_000_000:
         return

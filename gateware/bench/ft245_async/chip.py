@@ -95,7 +95,7 @@ class AsyncChip:
             await FallingEdge(dut.wr_n)
             fell = get_sim_time("ns")
             self.write_times.append(fell)
-            assert int(dut.data_oe.value) == 1, "WR# fell and the bus is not driven"
+            assert int(dut.data_oe.value) == 0xFF, "WR# fell and the bus is not driven"
             _least("T8: data before WR# falls", fell - self._data_changed, T8 + self._skew)
             self.from_gateware.append(int(dut.data_out.value))
             withdrawn = self._rng.randint(*T6) + self._rng.randint(0, self._skew)
@@ -113,14 +113,16 @@ class AsyncChip:
         assert self._data_changed < fell, "T9: the data changed too early after WR# rose"
 
     async def _siwu(self) -> None:
-        dut = self._dut
+        dut, rose = self._dut, -1e9
         while True:
             await FallingEdge(dut.siwu_n)
             fell = get_sim_time("ns")
+            _least("SIWU# high", fell - rose, SIWU_WIDTH + self._skew)
             assert int(dut.wr_n.value) == 1, "SIWU# fell before the end of WR#"
             self.flushed_after.append(len(self.from_gateware))
             await RisingEdge(dut.siwu_n)
-            _least("SIWU# low", get_sim_time("ns") - fell, SIWU_WIDTH + self._skew)
+            rose = get_sim_time("ns")
+            _least("SIWU# low", rose - fell, SIWU_WIDTH + self._skew)
             assert len(self.from_gateware) == self.flushed_after[-1], "a byte was written while SIWU# was low"
 
     async def _watch_data(self) -> None:
@@ -134,7 +136,7 @@ class AsyncChip:
         while True:
             await dut.data_oe.value_change
             self._data_changed = get_sim_time("ns")
-            if dut.data_oe.value == 1:
+            if int(dut.data_oe.value):
                 assert dut.rd_n.value == 1, "the gateware drives the bus while it reads"
                 _least("bus free after a read", self._data_changed - self._read_ended, T1[1] + self._skew)
 

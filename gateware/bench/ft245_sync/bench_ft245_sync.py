@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import os
 import random
 from typing import TYPE_CHECKING
@@ -16,19 +17,22 @@ if TYPE_CHECKING:
     from cocotb.handle import SimHandleBase
 
 _CLK_NS = float(os.environ["CLK_NS"])
-_FLAGS = ((0.0, 0.0), (0.5, 0.5), (0.1, 0.8), (0.8, 0.1), (0.03, 0.03))
+_KIND = os.environ["CHIP"]
+_SILENCE_NS = 80 * _CLK_NS
+"""After which the pins rest where CLKOUT stands: 64 cycles of clk, and those in which a question is on its way."""
+_FLAGS = ((0.0, 0.0), (0.5, 0.5), (0.1, 0.7), (0.8, 0.1), (0.03, 0.03))
 _CORE_PAUSES = ((0.0, 150), (0.5, 150), (0.95, 40))
 """How often the core pauses, and bytes that show what it makes of it: pauses take the time, and not bytes."""
 
 
-async def _prepare(dut: SimHandleBase, no_rxf: float = 0.0, no_txe: float = 0.0) -> SyncChip:
+async def _prepare(dut: SimHandleBase, no_rxf: float = 0.0, no_txe: float = 0.0, txe_high: int = 2) -> SyncChip:
     dut.rx_ready.value = 0
     dut.tx_valid.value = 0
     dut.tx_data.value = 0
     dut.flush.value = 0
     dut.rxf_n.value = 1
     dut.txe_n.value = 1
-    chip = SyncChip(dut, no_rxf=no_rxf, no_txe=no_txe)
+    chip = SyncChip(dut, no_rxf=no_rxf, no_txe=no_txe, txe_high=txe_high, kind=_KIND)
     await start(dut.clk, dut.rst, _CLK_NS)
     await ClockCycles(dut.clk, 10)
     return chip
@@ -91,8 +95,9 @@ async def both_directions_share_the_bus(dut: SimHandleBase) -> None:
         for core_pause in (0.0, 0.5):
             chip = await _prepare(dut, no_rxf, no_txe)
             sink = _sink(dut, core_pause)
-            # More than a turn.
-            down, up = _data(300), _data(300, 12)
+            # More than a turn, where that takes no time.
+            count = 300 if no_txe < 0.1 else 120
+            down, up = _data(count), _data(count, 12)
             chip.to_gateware.extend(down)
             await _source(dut, core_pause).send(up)
             assert await sink.wait_for(len(down)) == [(byte, 0) for byte in down]
@@ -158,6 +163,8 @@ async def siwu_follows_the_last_byte_before_the_flush(dut: SimHandleBase) -> Non
             await _flush(dut)
         await RisingEdge(dut.clk)
         await _until_written(chip, 150)
+        # The pulse behind the last byte may have to wait for the end of another.
+        await Timer(1, unit="us")
         assert set(chip.flushed_after) <= set(flushes)
         assert chip.flushed_after == sorted(set(chip.flushed_after))
         assert chip.flushed_after[-1] == 150
@@ -185,20 +192,109 @@ async def a_flush_without_a_new_byte_does_nothing(dut: SimHandleBase) -> None:
 
 @cocotb.test
 async def nothing_is_lost_when_clkout_stops_for_a_while(dut: SimHandleBase) -> None:
+    rng = random.Random(16)
+    for no_rxf, no_txe in ((0.0, 0.0), (0.3, 0.3)):
+        chip = await _prepare(dut, no_rxf, no_txe)
+        sink = _sink(dut)
+        down, up = _data(600), _data(600, 12)
+        chip.to_gateware.extend(down)
+        source = cocotb.start_soon(_source(dut).send(up))
+        for stop_ns in (100, 3000, _SILENCE_NS, 2 * _SILENCE_NS, 9000, _SILENCE_NS, _SILENCE_NS):
+            await Timer(rng.randrange(300, 1700), unit="ns")
+            chip.running = False
+            await Timer(round(stop_ns), unit="ns")
+            chip.running = True
+        await source
+        assert await sink.wait_for(len(down)) == [(byte, 0) for byte in down]
+        await _until_written(chip, len(up))
+        assert bytes(chip.from_gateware) == up
+        chip.stop()
+        sink.stop()
+
+
+@cocotb.test
+async def the_pins_rest_while_clkout_stands_whatever_they_did(dut: SimHandleBase) -> None:
+    rng = random.Random(17)
+    for round_number in range(8):
+        chip = await _prepare(dut)
+        sink = _sink(dut)
+        if round_number % 2:
+            chip.to_gateware.extend(_data(2000))
+        else:
+            source = cocotb.start_soon(_source(dut).send(_data(2000)))
+        await Timer(rng.randrange(1000, 3000), unit="ns")
+        chip.running = False
+        await Timer(2 * PERIOD_PS, unit="ps")
+        assert not chip.at_rest, "nothing was going on"
+        await Timer(round(_SILENCE_NS), unit="ns")
+        assert chip.at_rest
+        await RisingEdge(dut.clk)
+        if not round_number % 2:
+            source.cancel()
+        chip.stop()
+        sink.stop()
+
+
+@cocotb.test
+async def nobody_drives_an_idle_bus(dut: SimHandleBase) -> None:
     chip = await _prepare(dut)
     sink = _sink(dut)
-    down, up = _data(600), _data(600, 12)
-    chip.to_gateware.extend(down)
-    source = cocotb.start_soon(_source(dut).send(up))
-    for _ in range(5):
-        await Timer(1700, unit="ns")
-        chip.running = False
-        await Timer(3, unit="us")
+    for _ in range(3):
+        await RisingEdge(dut.clk)
+        await _source(dut).send(b"A")
+        await Timer(2, unit="us")
+        assert chip.at_rest
+        chip.to_gateware.extend(b"B")
+        await Timer(2, unit="us")
+        assert chip.at_rest
+    # Bytes wait, and the chip takes none.
+    chip.no_txe = 1.0
+    await RisingEdge(dut.clk)
+    await _source(dut).send(b"CD")
+    await Timer(2, unit="us")
+    assert chip.at_rest
+    assert (bytes(chip.from_gateware), len(sink.received)) == (b"AAA", 3)
+    chip.stop()
+    sink.stop()
+
+
+@cocotb.test
+async def it_begins_when_clkout_starts_late(dut: SimHandleBase) -> None:
+    chip = await _prepare(dut)
+    for wait_us in (1, 20):
+        chip.stop()
+        chip = SyncChip(dut, kind=_KIND, running=False)
+        sink = _sink(dut)
+        await RisingEdge(dut.clk)
+        dut.rst.value = 1
+        await RisingEdge(dut.clk)
+        dut.rst.value = 0
+        source = cocotb.start_soon(_source(dut).send(b"AB"))
+        await Timer(wait_us, unit="us")
+        assert chip.at_rest
+        assert not sink.received
         chip.running = True
-    await source
-    assert await sink.wait_for(len(down)) == [(byte, 0) for byte in down]
-    await _until_written(chip, len(up))
-    assert bytes(chip.from_gateware) == up
+        chip.to_gateware.extend(b"CD")
+        await source
+        assert await sink.wait_for(2) == [(ord("C"), 0), (ord("D"), 0)]
+        await _until_written(chip, 2)
+        assert bytes(chip.from_gateware) == b"AB"
+        sink.stop()
+    chip.stop()
+
+
+@cocotb.test
+async def a_txe_that_is_high_for_one_cycle_costs_one_byte_twice_and_then_half_the_rate(dut: SimHandleBase) -> None:
+    if _CLK_NS > PERIOD_PS / 1000:
+        return  # no byte is at the pins behind one that is refused
+    chip = await _prepare(dut, 0.0, 0.05, txe_high=1)
+    data = _data(600)
+    await _source(dut).send(data)
+    await _until_written(chip, len(data) + 1)
+    first = next(index for index, byte in enumerate(chip.from_gateware) if byte != data[index])
+    assert bytes(chip.from_gateware) == data[:first] + data[first + 1 : first + 2] + data[first:]
+    behind = chip.write_cycles[first + 3 :]
+    assert min(later - sooner for sooner, later in itertools.pairwise(behind)) >= 2
     chip.stop()
 
 
@@ -228,7 +324,7 @@ async def nothing_from_before_a_reset_comes_after_it(dut: SimHandleBase) -> None
         if clkout_stands:
             await Timer(2, unit="us")
             assert not sink.received
-        chip = SyncChip(dut)
+        chip = SyncChip(dut, kind=_KIND)
         await sender
         await Timer(1, unit="us")
         chip.to_gateware.extend(b"AB")

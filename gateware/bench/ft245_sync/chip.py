@@ -1,42 +1,71 @@
-"""The synchronous FT245 FIFO as its datasheet draws it (FT232H, FT_000288, section 4.4, table 4.1).
+"""The synchronous FT245 FIFO as its datasheets draw it, and the pads of an FPGA before it.
 
 The chip makes CLKOUT. At each rising edge it looks at its pins, checks that they were stable for the setup time, and
-moves a byte where both halves of a handshake are low; then its own outputs change at a random instant of the 9 ns that
-they may take, the data bus being undefined until then. RXF# and TXE# go away in any cycle with the probabilities asked
-for.
+moves a byte where both halves of a handshake are low; then all that it drives is undefined, from the end of its hold
+time to a random instant within the longest time that it may take. RXF# and TXE# go away in any cycle with the
+probabilities asked for; once away, TXE# stays so for `txe_high` cycles.
+
+What leaves the gateware is at the chip's pins later by the slowest pads that a budget was worked out for.
 """
 
 from __future__ import annotations
 
+import dataclasses
 import random
 from collections import deque
 from typing import TYPE_CHECKING
 
 import cocotb
 from cocotb.triggers import Timer
-from cocotb.types import LogicArray
+from cocotb.types import Logic, LogicArray
 from cocotb.utils import get_sim_time
 
 if TYPE_CHECKING:
     from cocotb.handle import SimHandleBase
 
 PERIOD_PS = 16_667
-SETUP_PS = 7_500
-OUTPUT_PS = 9_000
 SIWU_PS = 250_000
+PADS_PS = 6_800
+"""Clock to output of an ECP5 of speed grade 6 (docs/gateware.md, "What the pins leave")."""
+MOST_IDLE = 24
+"""Cycles of CLKOUT for which somebody may drive the bus and nothing moves: `patience`, and both ways to turn it."""
 _UNDEFINED = LogicArray("XXXXXXXX")
 
 
-class SyncChip:
-    """One FT232H at the pins of `ft245_sync`; everything it found wrong has raised in the simulation."""
+@dataclasses.dataclass(frozen=True)
+class Timing:
+    """What a chip asks for and takes, in ps: table 4.1 of FT_000288, and the one of FT_000061 that is like it."""
 
-    def __init__(self, dut: SimHandleBase, *, no_rxf: float = 0.0, no_txe: float = 0.0, seed: int = 1) -> None:
-        """Take the entity, and the probabilities that a flag stays away in a cycle."""
+    setup: int
+    hold: int
+    output: int
+
+
+CHIPS = {"ft232h": Timing(7_500, 1, 9_000), "ft2232h": Timing(8_000, 1_000, 7_150)}
+"""A hold time of 0 is the least that a simulation knows."""
+
+
+class SyncChip:
+    """One chip at the pins of `ft245_sync`; everything it found wrong has raised in the simulation."""
+
+    def __init__(
+        self,
+        dut: SimHandleBase,
+        *,
+        no_rxf: float = 0.0,
+        no_txe: float = 0.0,
+        txe_high: int = 2,
+        kind: str = "ft232h",
+        running: bool = True,
+        seed: int = 1,
+    ) -> None:
+        """Take the entity, and the probabilities that a flag goes away in a cycle."""
         self._dut = dut
-        self._pins = {name: getattr(dut, name) for name in ("rd_n", "wr_n", "oe_n", "siwu_n", "data_oe")}
+        self._timing = CHIPS[kind]
+        self._pins = {name: getattr(dut, name) for name in ("rd_n", "wr_n", "oe_n", "siwu_n")}
         self._rng = random.Random(seed)
-        self.no_rxf, self.no_txe = no_rxf, no_txe
-        self.running = True
+        self.no_rxf, self.no_txe, self._txe_high = no_rxf, no_txe, txe_high
+        self.running = running
         self.to_gateware: deque[int] = deque()
         self.from_gateware: list[int] = []
         self.flushed_after: list[int] = []
@@ -44,11 +73,19 @@ class SyncChip:
         self.read_cycles: list[int] = []
         self.write_cycles: list[int] = []
         self._siwu_fell: float | None = None
+        self._siwu_rose = -1e9
+        self._idle = 0
+        self._txe_away = 0
         self._changed: dict[str, int] = {}
         dut.clkout.value = 0
         self._tasks = [cocotb.start_soon(self._run())]
         for name in ("rd_n", "wr_n", "oe_n", "data_out", "data_oe"):
             self._tasks.append(cocotb.start_soon(self._watch(name)))
+
+    @property
+    def at_rest(self) -> bool:
+        """Whether the gateware asks for nothing and drives nothing."""
+        return not self._ours() and all(self._bit(name) for name in self._pins)
 
     def stop(self) -> None:
         """Leave the pins as they are."""
@@ -59,20 +96,23 @@ class SyncChip:
         pin, reset = getattr(self._dut, name), self._dut.rst
         while True:
             await pin.value_change
-            # A reset takes the strobes away at once; the chip then knows nothing of a cycle.
-            if reset.value == 0:
+            # A reset, and a CLKOUT that stands, take the strobes away at once; the chip then knows nothing of a cycle.
+            if reset.value == 0 and self.running:
                 self._changed[name] = get_sim_time("ps")
 
     async def _run(self) -> None:
         dut = self._dut
-        rxf_n, txe_n, last_oe_n, last_ours = 1, 1, self._bit("oe_n"), self._bit("data_oe")
+        rxf_n, txe_n, last_oe_n, last_ours = 1, 1, self._bit("oe_n"), self._ours()
         while True:
             if not self.running:
                 await Timer(PERIOD_PS, unit="ps")
                 continue
             self.cycles += 1
-            rd_n, wr_n, oe_n, ours = (self._bit(name) for name in ("rd_n", "wr_n", "oe_n", "data_oe"))
+            rd_n, wr_n, oe_n = (self._bit(name) for name in ("rd_n", "wr_n", "oe_n"))
+            ours = self._ours()
             self._check(rd_n, wr_n, oe_n, ours, last_oe_n, last_ours)
+            self._idle = self._idle + 1 if (ours or not oe_n) and rd_n and wr_n else 0
+            assert self._idle <= MOST_IDLE, "the bus is driven, and nothing moves"
             if rd_n == 0 and rxf_n == 0:
                 self.to_gateware.popleft()
                 self.read_cycles.append(self.cycles)
@@ -84,27 +124,39 @@ class SyncChip:
             self._siwu()
             last_oe_n, last_ours = oe_n, ours
             rxf_n = int(not self.to_gateware or self._rng.random() < self.no_rxf)
-            txe_n = int(self._rng.random() < self.no_txe)
+            txe_n = self._next_txe_n()
+            await self._cycle(rxf_n, txe_n)
 
-            dut.clkout.value = 1
-            await Timer(1, unit="ps")  # the least hold time that a simulation knows
-            dut.data_in.value = _UNDEFINED
-            delay = self._rng.randrange(2, OUTPUT_PS)
-            await Timer(delay - 1, unit="ps")
-            dut.rxf_n.value, dut.txe_n.value = rxf_n, txe_n
-            # The 9 ns after OE# fell (t6) are over at the next edge, as are those after CLKOUT (t5).
-            if self._bit("oe_n") == 0 and not rxf_n:
-                dut.data_in.value = self.to_gateware[0]
-            if delay < PERIOD_PS // 2:
-                await Timer(PERIOD_PS // 2 - delay, unit="ps")
-                delay = PERIOD_PS // 2
-            dut.clkout.value = 0
-            await Timer(PERIOD_PS - delay, unit="ps")
+    def _next_txe_n(self) -> int:
+        self._txe_away = max(self._txe_away - 1, 0)
+        if not self._txe_away and self._rng.random() < self.no_txe:
+            self._txe_away = self._txe_high
+        return int(self._txe_away > 0)
+
+    async def _cycle(self, rxf_n: int, txe_n: int) -> None:
+        """Make one period of CLKOUT, with what the chip drives in it."""
+        dut, hold = self._dut, self._timing.hold
+        dut.clkout.value = 1
+        await Timer(hold, unit="ps")
+        dut.data_in.value = _UNDEFINED
+        dut.rxf_n.value = dut.txe_n.value = Logic("X")
+        delay = self._rng.choice((hold + 1, self._rng.randrange(hold + 1, self._timing.output), self._timing.output))
+        await Timer(delay - hold, unit="ps")
+        dut.rxf_n.value, dut.txe_n.value = rxf_n, txe_n
+        # The time after OE# fell (t6) is over at the next edge, as is that after CLKOUT (t5).
+        if self._bit("oe_n") == 0 and not rxf_n:
+            dut.data_in.value = self.to_gateware[0]
+        if delay < PERIOD_PS // 2:
+            await Timer(PERIOD_PS // 2 - delay, unit="ps")
+            delay = PERIOD_PS // 2
+        dut.clkout.value = 0
+        await Timer(PERIOD_PS - delay, unit="ps")
 
     def _check(self, rd_n: int, wr_n: int, oe_n: int, ours: int, last_oe_n: int, last_ours: int) -> None:
-        now = get_sim_time("ps")
+        now, setup = get_sim_time("ps"), self._timing.setup
         for name, changed in self._changed.items():
-            assert now - changed >= SETUP_PS, f"{name} changed {now - changed} ps before CLKOUT, at least {SETUP_PS}"
+            stable = now - changed - PADS_PS
+            assert stable >= setup, f"{name} changed {stable} ps before CLKOUT, at least {setup}"
         assert not (ours and oe_n == 0), "both sides drive the bus"
         assert not (last_ours and oe_n == 0), "no cycle of turnaround before OE# falls"
         assert not (ours and last_oe_n == 0), "no cycle of turnaround after OE# rose"
@@ -114,13 +166,20 @@ class SyncChip:
     def _siwu(self) -> None:
         now = get_sim_time("ps")
         if self._bit("siwu_n") == 0 and self._siwu_fell is None:
+            assert now - self._siwu_rose >= SIWU_PS, f"SIWU# was high for {now - self._siwu_rose} ps"
             self._siwu_fell = now
             self.flushed_after.append(len(self.from_gateware))
         elif self._bit("siwu_n") == 1 and self._siwu_fell is not None:
             assert now - self._siwu_fell >= SIWU_PS, f"SIWU# was low for {now - self._siwu_fell} ps"
-            self._siwu_fell = None
+            self._siwu_fell, self._siwu_rose = None, now
 
     def _bit(self, name: str) -> int:
         value = self._pins[name].value
         # Before the first reset has reached the chip's side nothing is defined.
-        return int(value) if value.is_resolvable else {"data_oe": 0}.get(name, 1)
+        return int(value) if value.is_resolvable else 1
+
+    def _ours(self) -> int:
+        value = self._dut.data_oe.value
+        driven = int(value) if value.is_resolvable else 0
+        assert driven in (0, 0xFF), "some data pins are driven and others are not"
+        return int(driven != 0)

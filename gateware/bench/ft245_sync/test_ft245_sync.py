@@ -9,9 +9,21 @@ from gateware.bench.runner import run_bench
 pytestmark = pytest.mark.slow
 
 
-@pytest.mark.parametrize("clk_ns", [10.0, 16.0, pytest.param(20.0, marks=pytest.mark.campaign), 40.7])
-def test_ft245_sync(clk_ns: float) -> None:
-    run_bench("ft245_sync", "gateware.bench.ft245_sync.bench_ft245_sync", extra_env={"CLK_NS": str(clk_ns)})
+@pytest.mark.parametrize(
+    ("clk_ns", "chip"),
+    [
+        (10.0, "ft232h"),
+        (16.0, "ft2232h"),
+        pytest.param(20.0, "ft232h", marks=pytest.mark.campaign),
+        (40.7, "ft232h"),
+    ],
+)
+def test_ft245_sync(clk_ns: float, chip: str) -> None:
+    run_bench(
+        "ft245_sync",
+        "gateware.bench.ft245_sync.bench_ft245_sync",
+        extra_env={"CLK_NS": str(clk_ns), "CHIP": chip},
+    )
 
 
 def test_ft245_sync_with_the_smallest_fifos() -> None:
@@ -20,5 +32,5 @@ def test_ft245_sync_with_the_smallest_fifos() -> None:
         "gateware.bench.ft245_sync.bench_ft245_sync",
         generics={"rx_depth": 16, "tx_depth": 16},
         testcase=("bytes_arrive_each_once_and_in_order", "both_directions_share_the_bus"),
-        extra_env={"CLK_NS": "20.0"},
+        extra_env={"CLK_NS": "20.0", "CHIP": "ft2232h"},
     )

@@ -5,6 +5,7 @@
 -- An ECP5-25 with an FT2232H whose channel A is wired as a FIFO, all of its pins. The gateway runs on the board's
 -- oscillator of 24.576 MHz; `ft245_sync` crosses to the 60 MHz of the chip, which runs only while the PC holds it in
 -- synchronous mode (`ft232h://...` does). Any FT232H module on any ECP5 is wired alike: change the .lpf alone.
+-- The registers at its pins are the ECP5's own: gateware/pads/ecp5 takes the place of its like in gateware/rtl.
 -- Behind the gateway stands `demo_slave`, whose first four LEDs the board has.
 
 library ieee;
@@ -12,6 +13,10 @@ library ieee;
   use ieee.numeric_std.all;
 
 entity ecp5_ft2232h is
+  generic (
+    -- "ft245_sync" or "ft245" (asynchronous): the wires are the same, the PC says which.
+    physical : string := "ft245_sync"
+  );
   port (
     clk_24576000   : in    std_logic;
     btn_reset      : in    std_logic;
@@ -32,7 +37,7 @@ architecture rtl of ecp5_ft2232h is
 
   signal rst          : std_logic;
   signal ft_data_out  : std_logic_vector(7 downto 0);
-  signal ft_data_oe   : std_logic;
+  signal ft_data_oe   : std_logic_vector(7 downto 0);
   signal wb_cyc       : std_logic;
   signal wb_stb       : std_logic;
   signal wb_we        : std_logic;
@@ -46,9 +51,14 @@ architecture rtl of ecp5_ft2232h is
 begin
 
   ft2232_reset_n <= '1';
-  fifo_data      <= ft_data_out when ft_data_oe = '1' else
-                    (others => 'Z');
   leds           <= slave_leds(3 downto 0);
+
+  each_data_pin : for pin in fifo_data'range generate
+
+    fifo_data(pin) <= ft_data_out(pin) when ft_data_oe(pin) = '1' else
+                      'Z';
+
+  end generate each_data_pin;
 
   reset : entity work.board_reset
     port map (
@@ -59,7 +69,7 @@ begin
 
   gateway : entity work.unity_link
     generic map (
-      physical => "ft245_sync",
+      physical => physical,
       clock_hz => 24_576_000
     )
     port map (

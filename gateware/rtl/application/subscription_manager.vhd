@@ -266,24 +266,31 @@ begin
 
   with_triggers : if triggers generate
 
-    signal meta : vector_t;
-    signal now  : vector_t;
-    signal old  : vector_t;
+    signal now : vector_t;
+    signal old : vector_t;
 
   begin
+
+    trigger_crossing : entity work.synchroniser
+      generic map (
+        width => groups,
+        idle  => '1'
+      )
+      port map (
+        clk => clk,
+        rst => rst,
+        d   => trigger,
+        q   => now
+      );
 
     edges : process (clk) is
     begin
 
       if rising_edge(clk) then
-        meta           <= trigger;
-        now            <= meta;
         old            <= now;
         due_by_trigger <= (due_by_trigger or (now and not old and running)) and not clear_trigger;
 
         if rst = '1' then
-          meta           <= (others => '1');
-          now            <= (others => '1');
           old            <= (others => '1');
           due_by_trigger <= (others => '0');
         end if;

@@ -4,13 +4,15 @@
 --
 -- Each side owns a pointer and shows it to the other in Gray code, where one step changes one bit: a pointer that is
 -- caught while it changes reads as its old or its new value, never as something else. What a side sees of the other is
--- two to three of its cycles old, so `in_ready` and `out_valid` err on the safe side only. Pointers have one bit more
--- than an address, which tells full from empty. Sources: C. E. Cummings, "Simulation and Synthesis Techniques for
--- Asynchronous FIFO Design", SNUG 2002.
+-- `stages` to `stages` + 1 of its cycles old, so `in_ready` and `out_valid` err on the safe side only. Pointers have one
+-- bit more than an address, which tells full from empty. Sources: C. E. Cummings, "Simulation and Synthesis Techniques
+-- for Asynchronous FIFO Design", SNUG 2002.
 --
 -- Both sides must be reset together (each synchronously to its own clock, overlapping): a reset of one side alone would
--- bring back old entries. Time constraints: the paths into `*_meta` are the crossings; a tool that wants them bounded
--- gets the faster clock's period as the most delay.
+-- bring back old entries. Constraints: the bits of a pointer may differ in their delays by less than a cycle of the
+-- clock that makes them, or two steps could be seen as one that never was; so each way from `*_gray` into the `meta` of
+-- a `synchroniser` is bounded to the shorter period, and an entry, which has stood in the memory for as many cycles as
+-- the row has registers when it is read, to as much. gateware/constraints has the files.
 
 library ieee;
   use ieee.std_logic_1164.all;
@@ -23,7 +25,9 @@ entity fifo_async is
   generic (
     width : positive := 8;
     -- Entries; a power of two, at least 4. One more waits in the output register.
-    depth : positive := 16
+    depth : positive := 16;
+    -- Registers in a row that a pointer passes, 2 or more.
+    stages : positive := 2
   );
   port (
     in_clk   : in    std_logic;
@@ -86,14 +90,14 @@ architecture rtl of fifo_async is
 
   signal write_at   : pointer_t;
   signal write_gray : pointer_t;
-  signal read_meta  : pointer_t;
-  signal read_seen  : pointer_t;
-  signal not_full   : std_logic;
-  signal push       : std_logic;
+  -- As the writing side sees it.
+  signal read_seen : pointer_t;
+  signal not_full  : std_logic;
+  signal push      : std_logic;
 
-  signal read_at    : pointer_t;
-  signal read_gray  : pointer_t;
-  signal write_meta : pointer_t;
+  signal read_at   : pointer_t;
+  signal read_gray : pointer_t;
+  -- As the reading side sees it.
   signal write_seen : pointer_t;
   signal head_valid : std_logic;
   signal load       : std_logic;
@@ -104,10 +108,26 @@ begin
     report "fifo_async: depth is " & integer'image(depth) & ", expected a power of two of at least 4"
     severity failure;
 
+  assert stages >= 2
+    report "fifo_async: stages is " & integer'image(stages) & ", expected 2 or more"
+    severity failure;
+
   not_full <= '0' when write_gray = one_round_ahead(read_seen) else
               '1';
   push     <= in_valid and not_full;
   in_ready <= not_full;
+
+  read_crossing : entity work.synchroniser
+    generic map (
+      width  => pointer_t'length,
+      stages => stages
+    )
+    port map (
+      clk         => in_clk,
+      rst         => in_rst,
+      d           => std_logic_vector(read_gray),
+      unsigned(q) => read_seen
+    );
 
   write_side : process (in_clk) is
   begin
@@ -118,8 +138,6 @@ begin
         write_at                                      <= write_at + 1;
         write_gray                                    <= gray(write_at + 1);
       end if;
-      read_meta <= read_gray;
-      read_seen <= read_meta;
       -- An entry accepted in this cycle counts at once, one that left may count for longer: never too few.
       if push = '1' then
         in_level <= write_at + 1 - binary(read_seen);
@@ -130,8 +148,6 @@ begin
       if in_rst = '1' then
         write_at   <= (others => '0');
         write_gray <= (others => '0');
-        read_meta  <= (others => '0');
-        read_seen  <= (others => '0');
         in_level   <= (others => '0');
       end if;
     end if;
@@ -141,6 +157,18 @@ begin
   load      <= '1' when read_gray /= write_seen and (head_valid = '0' or out_ready = '1') else
                '0';
   out_valid <= head_valid;
+
+  write_crossing : entity work.synchroniser
+    generic map (
+      width  => pointer_t'length,
+      stages => stages
+    )
+    port map (
+      clk         => out_clk,
+      rst         => out_rst,
+      d           => std_logic_vector(write_gray),
+      unsigned(q) => write_seen
+    );
 
   read_side : process (out_clk) is
   begin
@@ -154,14 +182,10 @@ begin
       elsif out_ready = '1' then
         head_valid <= '0';
       end if;
-      write_meta <= write_gray;
-      write_seen <= write_meta;
 
       if out_rst = '1' then
         read_at    <= (others => '0');
         read_gray  <= (others => '0');
-        write_meta <= (others => '0');
-        write_seen <= (others => '0');
         head_valid <= '0';
       end if;
     end if;

@@ -72,6 +72,9 @@ end entity uart;
 
 architecture rtl of uart is
 
+  -- Registers in a row that RXD and CTS# pass.
+  constant stages : positive := 2;
+
   constant oversampled : boolean := clock_hz / baud >= 16;
 
   -- So many bits that the increment has 10 or more significant ones: its rounding is the error of the rate.
@@ -98,7 +101,7 @@ architecture rtl of uart is
 
   type rx_state_t is (wait_high, idle, start_bit, data_bits, stop_bit);
 
-  signal rx_meta     : std_logic;
+  signal rx_seen     : std_logic;
   signal rx_now      : std_logic;
   signal rx_quiet    : std_logic;
   signal rx_history  : std_logic_vector(2 downto 0);
@@ -116,7 +119,6 @@ architecture rtl of uart is
   signal held_valid  : std_logic;
   signal held_ready  : std_logic;
 
-  signal cts_meta : std_logic;
   signal cts_seen : std_logic;
   signal may_send : std_logic;
   signal tx_phase : phase_t;
@@ -130,6 +132,7 @@ architecture rtl of uart is
   signal tail_over : std_logic;
   signal may_drive : std_logic;
   signal may_hear  : std_logic;
+  signal deaf      : std_logic_vector(stages - 1 downto 0);
 
 begin
 
@@ -146,6 +149,20 @@ begin
     report "uart: driver_lead is " & integer'image(driver_lead) & " and driver_tail " & integer'image(driver_tail) &
            ", expected 0 to 15"
     severity failure;
+
+  rx_crossing : entity work.synchroniser
+    generic map (
+      stages => stages
+    )
+    port map (
+      clk  => clk,
+      rst  => rst,
+      d(0) => rxd,
+      q(0) => rx_seen
+    );
+
+  -- What came in while we drove the line is as old as what has passed the registers.
+  rx_now <= rx_seen or deaf(deaf'high);
 
   rx_sum <= ('0' & rx_phase) + step;
 
@@ -164,8 +181,7 @@ begin
   begin
 
     if rising_edge(clk) then
-      rx_meta <= rxd or not may_hear;
-      rx_now  <= rx_meta;
+      deaf <= deaf(deaf'high - 1 downto 0) & not may_hear;
       if rx_tick = '1' then
         rx_history <= rx_history(1 downto 0) & rx_now;
       end if;
@@ -238,8 +254,7 @@ begin
       end case;
 
       if rst = '1' then
-        rx_meta    <= '0';
-        rx_now     <= '0';
+        deaf       <= (others => '0');
         rx_history <= (others => '0');
         rx_phase   <= (others => '0');
         rx_state   <= wait_high;
@@ -307,19 +322,25 @@ begin
     rx_data <= rx_entry(7 downto 0);
     rx_lost <= rx_entry(8);
 
+    cts_crossing : entity work.synchroniser
+      generic map (
+        stages => stages,
+        idle   => '1'
+      )
+      port map (
+        clk  => clk,
+        rst  => rst,
+        d(0) => cts_n,
+        q(0) => cts_seen
+      );
+
     pins : process (clk) is
     begin
 
       if rising_edge(clk) then
-        cts_meta <= cts_n;
-        cts_seen <= cts_meta;
-        rts_n    <= '0';
+        rts_n <= '0';
         if rst = '1' or level >= rx_slack / 4 then
           rts_n <= '1';
-        end if;
-        if rst = '1' then
-          cts_meta <= '1';
-          cts_seen <= '1';
         end if;
       end if;
 

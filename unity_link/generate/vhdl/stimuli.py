@@ -14,7 +14,7 @@ from unity_link.generate.vhdl.types import bit_literal
 from unity_link.spec import KindName, Signal
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Iterator
+    from collections.abc import Iterable, Iterator, Sequence
 
     from unity_link.generate.vhdl.bank import Bank, BankWord, Register
 
@@ -198,7 +198,7 @@ class Stimuli:
         given = [register for register in self._bank.registers if register.is_sampled]
         if not given:
             return
-        block = next((register.signal.addresses for register in given if register.is_held), ())
+        block: Sequence[int] = next((register.signal.addresses for register in given if register.is_held), ())
         yield from (self._give(register, self._raw(register, 1)) for register in given)
         yield "pass(2);"
         of_block = [self._read(address, keep=address != block[-1]) for address in block]
