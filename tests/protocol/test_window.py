@@ -257,6 +257,23 @@ def test_a_sign_that_comes_too_early_is_forgotten_when_all_that_was_sent_before_
     assert window.deadline > 1.0
 
 
+def test_a_sign_that_comes_too_early_is_taken_also_at_the_very_time_of_a_fence(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr("unity_link.protocol.window.FENCE_DELAY", 0.25)
+    window: Window[Named] = Window(RING, round_trip=0.5, shortest_timeout=2.0)
+    sent(window, *("a" for _ in range(100)))
+    window.damaged(now=0.0)
+    repeated(window)
+    assert window.wants_repetition
+    window.damaged(now=0.25)
+    sent(window, "p", now=0.5)
+    assert window.deadline == 0.75
+    window.expire(now=0.75)
+    assert window.deadline is not None
+    assert window.deadline > 0.75
+
+
 def test_many_signs_that_arrive_together_are_one() -> None:
     window: Window[Named] = Window(RING)
     sent(window, *"abcdefghijklmnopqrstuvwxyz")

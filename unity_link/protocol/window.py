@@ -490,12 +490,12 @@ class Window(Generic[R]):
 
         A fence that is due is the matter of `needs_fence`.
         """
-        deadline = self.deadline
-        if deadline is None or deadline == self._fence_due or now < deadline:
-            return None
         if self._early_sign is not None and now >= self._early_sign[1]:
             self._early_sign = None
             self._go_back(now)
+            return None
+        deadline = self.deadline
+        if deadline is None or now < deadline or (deadline == self._fence_due and not self.wants_repetition):
             return None
         given_up = None
         self._tries += 1
