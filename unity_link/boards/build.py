@@ -20,7 +20,7 @@ from unity_link.gateware.cache import ToolMissingError, board_sources
 from unity_link.gateware.convert import to_verilog
 from unity_link.gateware.ghdl import converting_ghdl
 from unity_link.gateware.yowasp import RefusedError, run, script, version
-from unity_link.generate import generate, write
+from unity_link.generate import Templates, vhdl, write
 from unity_link.generate.vhdl.names import identifier
 
 if TYPE_CHECKING:
@@ -124,9 +124,9 @@ endmodule
 
 def _convert(spec: Spec, interface: Interface, board: Board, work: Path) -> None:
     """Write the whole design as Verilog."""
-    sources = write(generate("vhdl", spec, interface.name), work / "vhdl")
+    files = vhdl.files(interface, Templates("vhdl", spec, vhdl.FILTERS), clk_ready=True)
     # The bench is no part of a design.
-    sources = [source for source in sources if not source.stem.endswith("_bench")]
+    sources = write([file for file in files if not file.name.endswith("_bench.vhd")], work / "vhdl")
     generics = {"clock_hz": board.core_hz} | ({"baud": board.baud} if board.medium == "uart" else {})
     top = f"{identifier(interface.name)}_on_{board.medium}"
     shutil.copy(to_verilog(top, generics, [*sources, *board_sources()]), work / "design.v")
