@@ -73,12 +73,12 @@ def build(spec: Spec, board_name: str, board: Board, output: Path, interface: st
         ToolMissingError: where a tool is not there.
     """
     family = FAMILIES[board.family]
+    chosen = spec.interface(interface)
+    wrapper = top_text(identifier(chosen.name), board)
+    # What is missing is said at once, not after a minute.
     for tool in (YOSYS, family.nextpnr, family.packer):
         script(tool)
     converting_ghdl()
-    chosen = spec.interface(interface)
-    wrapper = top_text(identifier(chosen.name), board)
-    # In the cache of tools that see one folder each, everything bears a name of its own.
     with tempfile.TemporaryDirectory() as scratch:
         work = Path(scratch)
         _convert(spec, chosen, board, work)
@@ -230,17 +230,20 @@ def _keep(files: Mapping[str, bytes], output: Path) -> list[Path]:
         ArgumentError: where that cannot be done.
     """
     partial = {output / name: output / f".{name}.{os.getpid()}" for name in files}
+    named: list[Path] = []
     try:
         output.mkdir(parents=True, exist_ok=True)
         for path, text in zip(partial.values(), files.values(), strict=True):
             path.write_bytes(text)
         for path, written in partial.items():
             written.replace(path)
+            named.append(path)
     except OSError as error:
-        for written in partial.values():
-            written.unlink(missing_ok=True)
+        # What has its name already is half of what was made.
+        for path in (*partial.values(), *named):
+            path.unlink(missing_ok=True)
         raise ArgumentError(f"{output} cannot be written: {error.strerror or error}") from None
-    return list(partial)
+    return named
 
 
 def loader() -> str:
