@@ -89,7 +89,7 @@ def test_the_pins_are_the_ports_of_the_generated_design(medium: str) -> None:
     (text,) = (file.text for file in generate("vhdl", LAMP) if file.name == f"lamp_on_{medium}.vhd")
     entity = text[text.index("  port (") : text.index("end entity")]
     ways = {"in": "input", "out": "output", "inout": "inout"}
-    found = {}
+    found: dict[str, str] = {}
     for name, way, high in re.findall(
         r"^ +(\w+) *: (in|out|inout) +std_logic(?:_vector\((\d) downto 0\))?", entity, re.MULTILINE
     ):

@@ -43,9 +43,8 @@ def pll(board: Board) -> str:
     best = min(candidates(board.clock.hz), key=lambda one: abs(one.hz - wanted), default=None)
     if best is None or best.hz != wanted:
         nearest = f"; the nearest is {float(best.hz) / _MHZ:.6f} MHz" if best is not None else ""
-        raise ArgumentError(
-            f"the PLL of an {board.device} cannot make {wanted / _MHZ:.9g} MHz of {board.clock.hz / _MHZ:g} MHz{nearest}"
-        )
+        given = f"{board.clock.hz / _MHZ:g} MHz"
+        raise ArgumentError(f"the PLL of an {board.device} cannot make {wanted / _MHZ:.9g} MHz of {given}{nearest}")
     return {"ice40": _ice40_text, "ecp5": _ecp5_text, "gowin": _gowin_text}[board.family](board, best)
 
 
