@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import json
 import os
 import re
@@ -329,6 +330,18 @@ def test_every_family_gets_a_bitstream_with_a_pll(name: str, hz: int, tmp_path: 
     _, board = load_board(name)
     built = build(LAMP, name, with_core(board, hz * 1_000_000), tmp_path / "out")
     assert "| PLLs | 1 | " in built.report.read_text()
+
+
+@pytest.mark.campaign
+@pytest.mark.parametrize("medium", ["ft245", "ft245_sync"])
+def test_an_ft245_gets_the_pads_of_an_ecp5(medium: str, tmp_path: Path) -> None:
+    rows = (("P3", "G20"), *((f"{row}{column}" for column in (17, 18, 20)) for row in "KLMNPRTU"))
+    pins = dict(zip(PINS[medium], itertools.chain(*rows), strict=False))
+    board = changed(load_board("colorlight_i5")[1], medium=medium, pins=pins, baud=None)
+    if medium == "ft245":
+        board = with_core(board, 50_000_000)
+    built = build(LAMP, "x", board, tmp_path / "out")
+    assert ("| ft_clkout | 60.000 |" in built.report.read_text()) == (medium == "ft245_sync")
 
 
 @pytest.mark.campaign

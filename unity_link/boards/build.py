@@ -129,7 +129,8 @@ def _convert(spec: Spec, interface: Interface, board: Board, work: Path) -> None
     sources = write([file for file in files if not file.name.endswith("_bench.vhd")], work / "vhdl")
     generics = {"clock_hz": board.core_hz} | ({"baud": board.baud} if board.medium == "uart" else {})
     top = f"{identifier(interface.name)}_on_{board.medium}"
-    shutil.copy(to_verilog(top, generics, [*sources, *board_sources()]), work / "design.v")
+    pads = None if board.medium == "uart" else FAMILIES[board.family].pads
+    shutil.copy(to_verilog(top, generics, [*sources, *board_sources()], pads), work / "design.v")
 
 
 def _place(name: str, board_name: str, board: Board, work: Path) -> _Placed:
@@ -150,7 +151,7 @@ def _place(name: str, board_name: str, board: Board, work: Path) -> _Placed:
     placed = _Placed(
         {kind: (int(count["used"]), int(count["available"])) for kind, count in report["utilization"].items()},
         {
-            _clock(net): (float(figures["achieved"]), max(float(figures["constraint"]), 0.0))
+            (clock := _clock(net)): (float(figures["achieved"]), (board.clocks | {"clk": board.core_hz})[clock] / _MHZ)
             for net, figures in report["fmax"].items()
         },
     )

