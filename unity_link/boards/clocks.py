@@ -1,0 +1,127 @@
+"""Frequencies of PLLs: the settings that make exactly what a board asks for.
+
+Exactly, because baud rates and instants are counted in cycles of this clock. The limits are those of the data sheets:
+Lattice TN1251 (iCE40) and TN1263 (ECP5), Gowin UG286 and the devices' own.
+"""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from typing import TYPE_CHECKING, NamedTuple
+
+from unity_link.errors import ArgumentError
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Iterator
+
+    from unity_link.boards.board import Board
+
+_MHZ = 1_000_000
+_ICE40_PADS = {("up5k", "35")}
+"""Sites whose input goes to the PLL alone."""
+# Up to which frequency, in MHz, of the phase detector the filter has which setting.
+_ICE40_FILTERS = ((17, 1), (26, 2), (44, 3), (66, 4), (101, 5), (133, 6))
+
+
+class _Settings(NamedTuple):
+    hz: Fraction
+    divider: int
+    """Of the input."""
+    factor: int
+    output: int
+    """From the oscillator to the output."""
+
+
+def pll(board: Board) -> str:
+    """Return the instance of a PLL in Verilog: from `clk` it makes `core_clk`, and `ready` when that is stable.
+
+    Raises:
+        ArgumentError: where the board's FPGA cannot make the frequency.
+    """
+    candidates = {"ice40": _ice40, "ecp5": _ecp5, "gowin": _gowin}[board.family]
+    wanted = board.core_hz
+    best = min(candidates(board.clock.hz), key=lambda one: abs(one.hz - wanted), default=None)
+    if best is None or best.hz != wanted:
+        nearest = f"; the nearest is {float(best.hz) / _MHZ:.6f} MHz" if best is not None else ""
+        given = f"{board.clock.hz / _MHZ:g} MHz"
+        raise ArgumentError(f"the PLL of an {board.device} cannot make {wanted / _MHZ:.9g} MHz of {given}{nearest}")
+    return {"ice40": _ice40_text, "ecp5": _ecp5_text, "gowin": _gowin_text}[board.family](board, best)
+
+
+def _within(
+    hz: int, dividers: Iterable[int], factors: range, outputs: Iterable[int], detector: tuple[int, int], vco: range
+) -> Iterator[_Settings]:
+    """Find settings of a PLL whose oscillator runs at input / divider * factor; frequencies of limits are in MHz."""
+    for divider in dividers:
+        compared = Fraction(hz, divider)
+        if not detector[0] * _MHZ <= compared <= detector[1] * _MHZ:
+            continue
+        for factor in factors:
+            if vco.start * _MHZ <= compared * factor <= vco.stop * _MHZ:
+                yield from (_Settings(compared * factor / output, divider, factor, output) for output in outputs)
+
+
+def _ice40(hz: int) -> Iterator[_Settings]:
+    return _within(hz, range(1, 17), range(1, 65), [2**power for power in range(1, 7)], (10, 133), range(533, 1066))
+
+
+def _feedback(
+    hz: int, dividers: range, factors: range, outputs: Iterable[int], detector: tuple[int, int], vco: range
+) -> Iterator[_Settings]:
+    """Find settings of a PLL whose output is fed back: it is input / divider * factor."""
+    for output in outputs:
+        for found in _within(hz, dividers, range(output, factors.stop * output, output), (output,), detector, vco):
+            yield found._replace(factor=found.factor // output)
+
+
+def _ecp5(hz: int) -> Iterator[_Settings]:
+    return _feedback(hz, range(1, 129), range(1, 81), range(1, 129), (4, 400), range(400, 800))
+
+
+def _gowin(hz: int) -> Iterator[_Settings]:
+    outputs = (2, 4, 8, 16, 32, 48, 64, 80, 96, 112, 128)
+    # What all of GW1N, GW1NR, GW2A and GW2AR can.
+    return _feedback(hz, range(1, 65), range(1, 65), outputs, (3, 400), range(500, 1200))
+
+
+def _ice40_text(board: Board, found: _Settings) -> str:
+    detector = board.clock.hz / found.divider / _MHZ
+    filter_range = next(setting for limit, setting in _ICE40_FILTERS if detector <= limit)
+    pad = (board.device, board.pins["clk"]) in _ICE40_PADS
+    return f"""\
+  SB_PLL40_{"PAD" if pad else "CORE"} #(
+    .FEEDBACK_PATH("SIMPLE"), .DIVR(4'd{found.divider - 1}), .DIVF(7'd{found.factor - 1}),
+    .DIVQ(3'd{found.output.bit_length() - 1}), .FILTER_RANGE(3'd{filter_range})
+  ) pll (
+    .{"PACKAGEPIN" if pad else "REFERENCECLK"}(clk), .PLLOUTGLOBAL(core_clk), .LOCK(ready), .RESETB(1'b1), .BYPASS(1'b0)
+  );
+"""
+
+
+def _ecp5_text(board: Board, found: _Settings) -> str:
+    return f"""\
+  (* FREQUENCY_PIN_CLKI = "{board.clock.hz / _MHZ:g}", FREQUENCY_PIN_CLKOP = "{board.core_hz / _MHZ:g}" *)
+  (* ICP_CURRENT = "12", LPF_RESISTOR = "8", MFG_ENABLE_FILTEROPAMP = "1", MFG_GMCREF_SEL = "2" *)
+  EHXPLLL #(
+    .PLLRST_ENA("DISABLED"), .INTFB_WAKE("DISABLED"), .STDBY_ENABLE("DISABLED"), .DPHASE_SOURCE("DISABLED"),
+    .FEEDBK_PATH("CLKOP"), .OUTDIVIDER_MUXA("DIVA"), .CLKOP_ENABLE("ENABLED"), .CLKI_DIV({found.divider}),
+    .CLKFB_DIV({found.factor}), .CLKOP_DIV({found.output}), .CLKOP_CPHASE({found.output // 2}), .CLKOP_FPHASE(0)
+  ) pll (
+    .CLKI(clk), .CLKFB(core_clk), .CLKOP(core_clk), .LOCK(ready), .RST(1'b0), .STDBY(1'b0), .CLKINTFB(),
+    .PHASESEL0(1'b0), .PHASESEL1(1'b0), .PHASEDIR(1'b1), .PHASESTEP(1'b1), .PHASELOADREG(1'b1),
+    .PLLWAKESYNC(1'b0), .ENCLKOP(1'b0)
+  );
+"""
+
+
+def _gowin_text(board: Board, found: _Settings) -> str:
+    return f"""\
+  rPLL #(
+    .DEVICE("{board.device}"), .FCLKIN("{board.clock.hz / _MHZ:g}"), .IDIV_SEL({found.divider - 1}),
+    .FBDIV_SEL({found.factor - 1}), .ODIV_SEL({found.output}), .CLKFB_SEL("internal"), .DYN_IDIV_SEL("false"),
+    .DYN_FBDIV_SEL("false"), .DYN_ODIV_SEL("false"), .DYN_DA_EN("false"), .PSDA_SEL("0000"), .DUTYDA_SEL("1000")
+  ) pll (
+    .CLKIN(clk), .CLKOUT(core_clk), .LOCK(ready), .RESET(1'b0), .RESET_P(1'b0), .CLKFB(1'b0), .FBDSEL(6'b0),
+    .IDSEL(6'b0), .ODSEL(6'b0), .PSDA(4'b0), .DUTYDA(4'b0), .FDLY(4'b0)
+  );
+"""

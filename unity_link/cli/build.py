@@ -1,0 +1,50 @@
+"""`unity-link build SPEC --board NAME`: a bitstream from a spec, and into the board."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from unity_link.cli.output import print_line, print_note
+from unity_link.cli.spec import Name, SpecFile, compile_or_exit
+
+
+def add_to(app: typer.Typer) -> None:
+    """Add the commands of this file."""
+    app.command()(build)
+
+
+def build(
+    spec: SpecFile,
+    *,
+    board: Annotated[
+        str,
+        typer.Option("--board", metavar="NAME", help="The board: a name, or a file NAME.toml.", show_default=False),
+    ],
+    output: Annotated[
+        Path, typer.Option("--output", "-o", metavar="DIR", help="Where to write; made where it is not there.")
+    ] = Path(),
+    program: Annotated[bool, typer.Option("--program", help="Then put it into the board, by openFPGALoader.")] = False,
+    interface: Name = None,
+) -> None:
+    """Build a bitstream from a spec: gateway, registers and a chain of shift registers at the pins of a board.
+
+    Prints the bitstream and its report of size, speed and pins. Takes a minute or two. Needs pip install
+    "unity-link[build]", and GHDL 4 or later.
+    """
+    from unity_link.boards.board import load_board
+    from unity_link.boards.build import build as make
+    from unity_link.boards.build import loader
+    from unity_link.boards.build import program as put
+
+    name, chosen = load_board(board)
+    if program:
+        loader()
+    built = make(compile_or_exit(spec), name, chosen, output, interface)
+    for path in built:
+        print_line(str(path))
+    if program:
+        put(chosen, built.bitstream)
+        print_note(f"{chosen.title} is programmed")
