@@ -30,7 +30,7 @@ def test_help_names_the_extra_to_install(command: str, extra: str) -> None:
         (["record", "sim:", "x.ul", "-o", "x", "--duration", "-1"], "greater than or equal to 0, not -1"),
         (
             ["generate", "ros3", "x.ul"],
-            "'ros3' is not one of 'c', 'cpp', 'docs', 'matlab', 'python', 'ros1', 'ros2', 'vhdl'.",
+            "'ros3' is not one of 'c', 'cpp', 'docs', 'matlab', 'python', 'ros1', 'ros2', 'verilog', 'vhdl'.",
         ),
         (
             ["live", "sim:", "--watch", "abc"],

@@ -1,0 +1,1 @@
+"""The Verilog release, in two simulators beside GHDL."""
