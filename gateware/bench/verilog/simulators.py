@@ -22,7 +22,7 @@ TESTBENCH = HERE / "testbench.v"
 ENTITY = "unity_link_fifo"
 """What every design here was converted from."""
 _LANGUAGE = ("--language", "1364-2005")
-_QUIET_CYCLES = 1500
+_QUIET_CYCLES = 6_000
 _HOST_PINS = ("clk", "rst", "in_data", "in_valid", "in_ready", "out_data", "out_valid", "out_ready")
 _BUS_PINS = ("wb_cyc", "wb_stb", "wb_we", "wb_adr", "wb_dat_o", "wb_dat_i", "wb_ack", "wb_err")
 
