@@ -22,10 +22,10 @@ import tempfile
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from gateware.tools.yowasp import script, version
 from unity_link.gateware.cache import GATEWARE, cache_folder, hash_of, kept
 from unity_link.gateware.convert import ConversionError, to_verilog
 from unity_link.gateware.ghdl import ToolMissingError
+from unity_link.gateware.yowasp import script, version
 from unity_link.generate import generate, write
 from unity_link.spec import compile_file
 

@@ -17,10 +17,10 @@ import sys
 import tempfile
 from pathlib import Path
 
-from gateware.tools.yowasp import run, version
 from unity_link.gateware.cache import hash_of, vhdl_sources
 from unity_link.gateware.convert import ConversionError, to_verilog
 from unity_link.gateware.ghdl import ToolMissingError
+from unity_link.gateware.yowasp import run, version
 from unity_link.protocol.configuration import Feature, GatewayInfo
 from unity_link.virtual.rtl.archive import GENERATED, Entry, read_index, read_texts, write
 

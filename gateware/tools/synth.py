@@ -22,10 +22,10 @@ from typing import Any
 
 from gateware.tools import placed
 from gateware.tools.placed import Crossing, Pin, Placed
-from gateware.tools.yowasp import run, version
 from unity_link.gateware.cache import GATEWARE, cache_folder, hash_of, kept
 from unity_link.gateware.convert import ConversionError, to_verilog
 from unity_link.gateware.ghdl import ToolMissingError
+from unity_link.gateware.yowasp import run, version
 from unity_link.generate import generate, write
 from unity_link.spec import compile_file
 

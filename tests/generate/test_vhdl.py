@@ -14,11 +14,11 @@ import pytest
 from hypothesis import given, settings
 
 from gateware.bench.runner import GATEWARE, rtl_sources, run_bench, simulator_available
-from gateware.tools import yowasp
 from generate.bench_boards import ECHO, WALKER
 from generate.every_kind import WORD_BITS, every_kind, good_values
 from spec_examples import FIGURE_1, specs
 from unity_link.errors import UnsupportedError
+from unity_link.gateware import yowasp
 from unity_link.gateware.cache import cache_folder, hash_of, kept
 from unity_link.gateware.convert import to_verilog
 from unity_link.generate import generate, write

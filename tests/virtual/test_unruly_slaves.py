@@ -90,7 +90,7 @@ class _Unruly:
         return 1 + int(self._rng.expovariate(0.8))
 
     def _late(self, address: int, written: int | None, least: int, most: int) -> _Outcome:
-        """Plan up to two answers when nobody listens any more, the first and the last of these cycles among them."""
+        """Plan up to two answers after the timeout, the first and the last cycle of the quarantine among them."""
         first, last = TIMEOUT - least, self._last_reply - most
         replies = [
             (self._rng.choice((first, last, self._rng.randrange(first, last + 1))), self._rng.choice((ACK, ERR, RTY)))

@@ -33,7 +33,7 @@ _USED = re.compile(r"^Info:\s+(\w+):\s+(\d+)\s*/\s*(\d+)", re.MULTILINE)
 _MHZ = 1e6
 _LOADER = "openFPGALoader"
 _ANY = ""
-"""Warnings of the tools stop nobody: the same design is checked by `make synth`, where they are errors."""
+"""Warnings of the tools do not fail a build: `make synth` checks the same gateware, and they are errors there."""
 
 
 class BuildError(UnityLinkError):

@@ -12,9 +12,9 @@ import pytest
 from gateware.bench.runner import GATEWARE
 from gateware.tools.placed import Crossing, Pin, Placed, gowin_registers
 from gateware.tools.synth import Configuration, Result, place, synthesise
-from gateware.tools.yowasp import run, script
 from unity_link.gateware.convert import to_verilog
 from unity_link.gateware.ghdl import ToolMissingError
+from unity_link.gateware.yowasp import run, script
 
 pytestmark = pytest.mark.slow
 

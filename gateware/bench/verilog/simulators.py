@@ -66,7 +66,7 @@ class Verilated:
         self._out: IO[bytes] = process.stdout
 
     def send(self, data: bytes, *, lost_before: int | None = None) -> None:
-        """Give it bytes; before one of them others were lost, if that is said."""
+        """Send bytes; `lost_before` is the place before which the medium reports a loss, None where it reports none."""
         parts = [data] if lost_before is None else [data[:lost_before], data[lost_before:]]
         for number, part in enumerate(parts):
             self._in.write(b"lose\n" if number else b"")
