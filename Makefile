@@ -13,6 +13,8 @@ ALL := $(VENV)/.all-installed
 # What Unity-Link is measured beside has an environment of its own: nothing else is to depend on it.
 PEERS_VENV := $(VENV)/peers
 PEERS := $(PEERS_VENV)/.installed
+FUZZ_VENV := $(VENV)/fuzz
+FUZZ := $(FUZZ_VENV)/.installed
 PIP_INSTALL := -m pip install --quiet --disable-pip-version-check
 
 # Python to build .venv with: any from 3.11. Choose another by `make venv PYTHON=...`.
@@ -22,7 +24,7 @@ PYTEST_ARGS ?=
 # Tests run in so many processes side by side; 0 for none beside pytest's own.
 PYTEST_PROCESSES ?= auto
 
-.PHONY: help venv demo test coverage campaign lint format bench bench-peers bench-beside bench-noise bench-ros bench-live table1 release docs lock upgrade clean
+.PHONY: help venv demo test coverage campaign fuzz lint format bench bench-peers bench-beside bench-noise bench-ros bench-live table1 release docs lock upgrade clean
 
 help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z0-9-]+:.*## / { printf "  make %-12s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
@@ -45,6 +47,16 @@ coverage: $(ALL) ## the test suite, and which lines it does not run
 # Its tests are few and long: none waits for another in one process while the other has nothing to do.
 campaign: $(ALL) ## the searches at length, which `make test` leaves out
 	@$(PYTEST) --dist worksteal --timeout 0 -m campaign $(PYTEST_ARGS)
+
+# Seconds for each target.
+FUZZ_SECONDS ?= 600
+FUZZ_TARGETS ?= configuration frames gateway page recording session snooped spec
+fuzz: $(FUZZ) ## search for bytes that something cannot take, ten minutes each
+	@cd tests && for target in $(FUZZ_TARGETS); do \
+		echo "$$target for $(FUZZ_SECONDS) s"; \
+		../$(FUZZ_VENV)/bin/python -m fuzz $$target $(FUZZ_SECONDS) 2>../$(FUZZ_VENV)/log || { tail -40 ../$(FUZZ_VENV)/log; exit 1; }; \
+		grep '^stat::number_of_executed_units' ../$(FUZZ_VENV)/log; \
+	done
 
 lint: $(ALL) ## formatting, ruff, types, direction of the imports
 	@$(BIN)/ruff format --check .
@@ -95,6 +107,8 @@ lock: $(ALL) ## lock what pyproject.toml asks for, keeping the versions that are
 		--group build --group dev --group docs --group gateware -o requirements/all.lock
 	$(UV_LOCK) $(UPGRADE) --constraints requirements/all.lock --extra plot \
 		--group build --group peers -o requirements/peers.lock
+	$(UV_LOCK) $(UPGRADE) --constraints requirements/all.lock --extra live --extra record \
+		--group build --group fuzz -o requirements/fuzz.lock
 
 upgrade: UPGRADE := --upgrade
 upgrade: lock ## lock the newest versions
@@ -132,6 +146,11 @@ $(ALL): requirements/all.lock pyproject.toml | $(BIN)/python
 $(PEERS): requirements/peers.lock pyproject.toml | $(BIN)/python
 	@$(BIN)/python -m venv $(PEERS_VENV)
 	$(call install,requirements/peers.lock,$(PEERS_VENV))
+	@touch $@
+
+$(FUZZ): requirements/fuzz.lock pyproject.toml | $(BIN)/python
+	@$(BIN)/python -m venv $(FUZZ_VENV)
+	$(call install,requirements/fuzz.lock,$(FUZZ_VENV))
 	@touch $@
 
 # The gateware's targets; it also adds its own checks to `lint` and `test`.

@@ -1,0 +1,64 @@
+"""Write the inputs that a search begins with: ``python -m fuzz.make_corpus``, from the directory of the tests.
+
+What a search has found stays: only the files named here are written anew.
+"""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from pathlib import Path
+
+from unity_link.protocol.crc import Crc
+from unity_link.virtual import VirtualGateway
+
+CORPUS = Path(__file__).with_name("corpus")
+EXAMPLES = Path(__file__).parents[2] / "examples"
+DEFAULT = VirtualGateway().receive(b"Q\r", 0.0).strip()[1:]
+
+
+def checked(body: bytes) -> bytes:
+    """Return a body with its check and its end."""
+    return body + Crc().text(body) + b"\n"
+
+
+def record(folder: Path) -> None:
+    """Record a robot, and what passed meanwhile."""
+    snoop, recording = folder / "snooped" / "short", folder / "recording" / "short"
+    for path in (snoop, recording):
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.unlink(missing_ok=True)
+    program = Path(sys.executable).with_name("unity-link")
+    url, spec = f"sim:scara?snoop={snoop}", EXAMPLES / "scara.ul"
+    subprocess.run([program, "record", url, spec, "-o", recording, "--duration", "0.02"], check=True)
+
+
+def main() -> int:
+    """Write all; returns the exit status."""
+    session = checked(b"K000")
+    requests = [
+        checked(body) for body in (b"r00088", b"w0018A0000002A", b"rm0028804", b"gs00303000A020A0B", b"gn00403")
+    ]
+    texts: dict[str, bytes] = {
+        "frames/requests": session + b"".join(requests),
+        "frames/plain": b"R0A\rW0A0000002A\r\nX03\r\n",
+        "configuration/default": DEFAULT,
+        "gateway/session": b"\x80" + session + b"".join(requests),
+        "gateway/plain": b"\x80Q\rR0A\rRM0AFF\rGS0000000103010203\rGN00\rGP00\r",
+        "session/asks": bytes([1, 0, 1, 0, 1, 0, 1, 3, 7, 0, 3, 8, 1, 5, 3, 9, 3, 0, 1, 4, 9, 3, 2, 2, 9, 0, 1]),
+        "session/resets": bytes([1, 0, 1, 0, 1, 0, 1, 3, 7, 0, 0, 7, 1, 3, 7, 0, 0, 1, 4, 30, 0, 1, 0, 1, 0, 1]),
+        "page/hello": b'{"type":"hello","token":"secret"}',
+        "page/write": b'{"type":"write","number":1,"signal":"j1.pos_sp","value":1.5}',
+        "spec/scara": (EXAMPLES / "scara.ul").read_bytes(),
+        "spec/walker": (EXAMPLES / "walker.ul").read_bytes(),
+    }
+    for name, data in texts.items():
+        path = CORPUS / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_bytes(data)
+    record(CORPUS)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

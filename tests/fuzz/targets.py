@@ -1,0 +1,216 @@
+"""What reads bytes of strangers, each as a function of one input: it ends, or refuses in a sentence of ours.
+
+A function raises nothing whatever it is given: what it lets through is a defect. `test_corpus.py` replays known inputs,
+``python -m fuzz TARGET SECONDS`` searches for others by coverage.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import tempfile
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import msgspec
+
+from unity_link.bridges.live.writing import Hello, Write
+from unity_link.bridges.recording.reader import Recording
+from unity_link.errors import UnityLinkError
+from unity_link.protocol.configuration import GatewayInfo
+from unity_link.protocol.crc import Crc
+from unity_link.protocol.frames import FrameError, Framing
+from unity_link.protocol.requests import Request
+from unity_link.protocol.session import Session
+from unity_link.protocol.transcript import Transcript
+from unity_link.spec import compile_text, format_text
+from unity_link.transport import snoop
+from unity_link.virtual import VirtualGateway
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from unity_link.protocol.messages import Codec
+
+LONGEST_ANSWER = 1 << 20
+"""Bytes that a gateway may answer to an input; blocks and samples are what they are asked for."""
+_FRAMINGS = [
+    Framing(Crc(bits, polynomial), node)
+    for bits, polynomial in ((8, 0x07), (16, 0x1021), (32, 0x04C11DB7))
+    for node in (None, 5)
+]
+_FOLDER = Path(tempfile.mkdtemp(prefix="unity-link-fuzz."))
+
+
+def frames(data: bytes) -> None:
+    """Open lines with each check, and put both directions into words."""
+    for line in data.split(b"\n"):
+        for framing in _FRAMINGS:
+            with contextlib.suppress(FrameError):
+                framing.open(line)
+    transcript = Transcript()
+    for sent in (True, False):
+        list(transcript.take(data, 0.0, sent=sent))
+    list(transcript.end(1.0))
+
+
+def configuration(data: bytes) -> None:
+    """Take a text for what a gateway says of itself; what is taken says the same again."""
+    with contextlib.suppress(UnityLinkError, ValueError):
+        info = GatewayInfo.from_hex(data)
+        assert GatewayInfo.from_hex(info.to_hex()) == info
+
+
+def gateway(data: bytes) -> None:
+    """Have a gateway hear bytes in two pieces, as time passes."""
+    heard = VirtualGateway()
+    cut = data[0] * len(data) // 256 if data else 0
+    answered = 0
+    for now, part in ((0.0, data[1:cut]), (0.1, data[cut:])):
+        answered += len(heard.receive(part, now))
+    due = heard.next_due
+    if due is not None:
+        answered += len(heard.advance(due))
+    assert answered < LONGEST_ANSWER
+
+
+class _Choices:
+    """The bytes of an input, taken one after the other."""
+
+    def __init__(self, data: bytes) -> None:
+        self._data = data
+
+    def __bool__(self) -> bool:
+        return bool(self._data)
+
+    def take(self, count: int = 1) -> bytes:
+        """Return the next bytes, fewer at the end."""
+        taken, self._data = self._data[:count], self._data[count:]
+        return taken
+
+    def number(self) -> int:
+        """Return the next byte, 0 at the end."""
+        return self.take()[0] if self._data else 0
+
+
+class _Line:
+    """A session that asks a gateway, over a line that the input changes."""
+
+    def __init__(self, choices: _Choices) -> None:
+        self._choices, self._far = choices, VirtualGateway()
+        self._near = Session(None, lambda: 0x5A, resumes=bool(choices.number() & 1))
+        self._now, self._back, self.asked = 0.0, bytearray(), list[Request]()
+        self._near.connect(self._now, 0.003)
+        self._steps = (
+            self._hear,
+            self._answer,
+            self._say,
+            self._ask,
+            self._wait,
+            self._damage,
+            self._lose,
+            self._reset,
+        )
+
+    def step(self) -> None:
+        """Do what the next byte says."""
+        self._steps[self._choices.number() % len(self._steps)]()
+
+    def end(self) -> None:
+        """End the connection."""
+        self._near.disconnect("the input has ended")
+
+    def _hear(self) -> None:
+        self._back += self._far.receive(self._near.take_output(), self._now)
+
+    def _answer(self) -> None:
+        self._near.receive(bytes(self._back), self._now)
+        self._back.clear()
+
+    def _say(self) -> None:
+        self._near.receive(self._choices.take(self._choices.number() % 64), self._now)
+
+    def _ask(self) -> None:
+        if self._near.is_open:
+            request = _request(self._near.codec, self._choices)
+            self._near.submit(request, self._now)
+            self.asked.append(request)
+
+    def _wait(self) -> None:
+        self._now += self._choices.number() / 64
+        if self._near.deadline is not None and self._near.deadline <= self._now:
+            self._near.expire(self._now)
+
+    def _damage(self) -> None:
+        if self._back:
+            self._back[self._choices.number() % len(self._back)] ^= 1 << self._choices.number() % 8
+
+    def _lose(self) -> None:
+        if self._back:
+            del self._back[: self._choices.number() % len(self._back)]
+
+    def _reset(self) -> None:
+        self._far.reset()
+
+
+def session(data: bytes) -> None:
+    """Have a session ask a gateway, over a line that the input changes; nothing is answered and failed."""
+    choices = _Choices(data)
+    line = _Line(choices)
+    while choices:
+        line.step()
+    line.end()
+    assert not any(request.answer is not None and request.error is not None for request in line.asked)
+
+
+def _request(codec: Codec, choices: _Choices) -> Request:
+    address = choices.number()
+    command, fields, reply = (
+        ("R", codec.fields("R", address), codec.data_digits),
+        ("W", codec.fields("W", address, choices.number()), 0),
+        ("WS", codec.fields("WS", address, choices.number()), None),
+        ("RM", codec.fields("RM", address, 3), 3 * codec.data_digits),
+    )[choices.number() % 4]
+    return Request(codec, command, fields, reply)
+
+
+def spec(data: bytes) -> None:
+    """Compile and format a text as UL-spec; what is formatted compiles to the same map."""
+    text = data.decode(errors="replace")
+    with contextlib.suppress(UnityLinkError):
+        compiled = compile_text(text)
+        again = compile_text(format_text(text))
+        assert [one.fingerprint for one in again.interfaces] == [one.fingerprint for one in compiled.interfaces]
+
+
+def recording(data: bytes) -> None:
+    """Read a file as a recording, in both orders."""
+    path = _FOLDER / "input.mcap"
+    path.write_bytes(data)
+    with contextlib.suppress(UnityLinkError):
+        read = Recording(path)
+        for _ in read.samples():
+            pass
+        for _ in read.in_order():
+            pass
+
+
+def snooped(data: bytes) -> None:
+    """Read a file as a snoop."""
+    path = _FOLDER / "input.pcapng"
+    path.write_bytes(data)
+    damages: list[str] = []
+    with contextlib.suppress(UnityLinkError):
+        for _ in snoop.read(path, damages.append):
+            pass
+
+
+def page(data: bytes) -> None:
+    """Decode what a browser says to `live`."""
+    with contextlib.suppress(msgspec.DecodeError, RecursionError, UnicodeError):
+        msgspec.json.Decoder(Hello | Write).decode(data)
+
+
+TARGETS: dict[str, Callable[[bytes], None]] = {
+    function.__name__: function
+    for function in (configuration, frames, gateway, page, recording, session, snooped, spec)
+}
