@@ -22,6 +22,7 @@ MARKUP: Any = "markdown"
 FAMILIES = {
     "demo": "demo",
     "info": "info",
+    "doctor": "doctor",
     "read": "access",
     "write": "access",
     "watch": "watch",
