@@ -26,7 +26,7 @@ from unity_link.protocol.configuration import Feature, GatewayInfo
 from unity_link.spec import compile_text
 from unity_link.transport.ft232h.chip import UDEV_LINE
 from unity_link.transport.ft232h.eeprom_image import build_eeprom
-from unity_link.virtual import VirtualGateway
+from unity_link.virtual import Gateway, VirtualGateway
 from unity_link.virtual.faults import Noise, NoisyLine
 from unity_link.virtual.ft232h.board import GatewayBoard
 from unity_link.virtual.ft232h.bus import VirtualBus, VirtualFt232h
@@ -35,10 +35,9 @@ from unity_link.virtual.serving import serve_pty, serve_tcp
 from unity_link.virtual.uart import hear
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Iterator, MutableMapping
     from contextlib import AbstractAsyncContextManager
 
-    from unity_link.virtual import Gateway
 
 PROGRAM = str(Path(sys.executable).parent / "unity-link")
 CHIP = "ftdi://ftdi:232h/1"
@@ -248,7 +247,7 @@ def test_one_per_mille_of_damage(chances: dict[str, float]) -> None:
 class Quiet(http.server.BaseHTTPRequestHandler):
     """An HTTP server's answer, without its log."""
 
-    def log_message(self, *_: object) -> None:  # type: ignore[override]
+    def log_message(self, *_: object) -> None:
         pass
 
 
@@ -337,7 +336,7 @@ def test_a_computer_that_is_slow_to_run_what_waits() -> None:
     assert process.returncode == 1
 
 
-class Chatter:
+class Chatter(Gateway):
     """A gateway in front of another, which answers so many times, and otherwise says something by itself or nothing.
 
     Args:
@@ -347,11 +346,17 @@ class Chatter:
 
     def __init__(self, gateway: Gateway, answers: int | None = None) -> None:
         self.info = gateway.info
-        self.memory = gateway.memory
         self.wake = lambda: None
-        self.waiting = 0
         self._gateway = gateway
         self._answers = answers
+
+    @property
+    def memory(self) -> MutableMapping[int, int]:
+        return self._gateway.memory
+
+    @property
+    def waiting(self) -> int:
+        return 0
 
     @property
     def next_due(self) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import contextlib
 import re
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -26,7 +27,7 @@ PATIENCE = 0.5
 PATIENCE_FOR_A_SPEED = 0.15
 SPEEDS = (115_200, 1_000_000, 921_600, 3_000_000, 12_000_000, 2_000_000, 460_800, 230_400, 57_600, 9_600)
 """Bits a second that are tried, the usual ones first."""
-_ANSWER = re.compile(rb"Q[0-9A-F]{66}")
+_ANSWER = re.compile(rb"Q[0-9A-F]{64}")
 _HTTP_REQUEST = b"GET / HTTP/1.0\r\n\r\n"
 _PROTOCOLS = (
     (b"HTTP/", "HTTP"),
@@ -86,15 +87,15 @@ async def listen(
     transport = await open_medium(url, listener)
     try:
         transport.write(sent)
-        async with asyncio.timeout(seconds):
-            await listener.done.wait()
-    except TimeoutError:
-        pass
+        with contextlib.suppress(TimeoutError):
+            async with asyncio.timeout(seconds):
+                await listener.done.wait()
+        heard = Heard(sent, listener.data, listener.ended)
     finally:
         transport.abort()
         # A port is free for the next attempt in a later turn of the loop.
         await asyncio.sleep(0.01)
-    return Heard(sent, listener.data, listener.ended)
+    return heard
 
 
 async def explain_silence(url: DriverUrl, error: ConnectError) -> AsyncIterator[Finding]:
@@ -131,7 +132,7 @@ def _recognise(heard: Heard) -> Finding | None:
             "answer",
             "what is sent comes back as it is: TX is connected to RX (loopback)",
             Fault.LOOPBACK,
-            "connect TX to the gateway's rx and RX to its tx, and take off jumpers; switch echo off at an adapter for RS-485",
+            "connect TX to the gateway's rx and RX to its tx, and no jumper; switch off the echo of an RS-485 adapter",
         )
     if data.startswith(_TAKEN):
         return Finding(

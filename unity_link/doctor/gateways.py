@@ -28,13 +28,17 @@ if TYPE_CHECKING:
 
 ROUND_TRIPS = 25
 BURST = 100
-"""Requests that are under way at a time."""
+"""Requests that are under way at a time, at most."""
 REQUESTS = 2_000
 LONGEST_BURST = 1.5
 """Seconds for all bursts."""
 _FIFO_BYTES_PER_SECOND = 8e6
 """Of an asynchronous FT245."""
 _BITS_PER_BYTE = 10
+_LONGEST_ANSWER = 2.0
+"""Seconds after which a gateway that has not answered stands still."""
+_REQUEST_BYTES = 10
+"""Of an ``h``, as of its answer."""
 _SLACK = 5e-3
 """Seconds by which a computer with other work may be slower than the medium."""
 _FEWEST_IN_FIFO = 4
@@ -59,15 +63,16 @@ async def check_gateway(url: DriverUrl, link: Link, interface: Interface | None)
     info = link.gateway
     yield Finding(
         "gateway",
-        f"protocol version {info.protocol_version:02X}, as this host's {PROTOCOL_VERSION:02X}; words of {info.data_bits} bits, "
-        f"addresses of {info.address_bits}; {', '.join(feature_names(info)) or 'no features'}",
+        f"protocol version {info.protocol_version:02X}, as this host's {PROTOCOL_VERSION:02X}; "
+        f"words of {info.data_bits} bits, addresses of {info.address_bits}; "
+        f"{', '.join(feature_names(info)) or 'no features'}",
     )
     yield _check_map(info, interface)
     rate = bytes_per_second(url)
     yield _check_fifo(info, url)
     round_trip = await _round_trip(link, ROUND_TRIPS)
     yield _judge_round_trip(round_trip, rate, info)
-    measured = await _measure(link)
+    measured = await _measure(link, rate)
     yield _judge_noise(measured)
     yield _judge_throughput(measured, rate)
 
@@ -82,7 +87,9 @@ def bytes_per_second(url: DriverUrl) -> float | None:
 def _check_map(info: GatewayInfo, interface: Interface | None) -> Finding:
     told = Feature.FINGERPRINT in info.features
     if interface is None:
-        return Finding("map", f"{info.build_id:08X}, not compared: no SPEC was given" if told else "the gateway names none")
+        return Finding(
+            "map", f"{info.build_id:08X}, not compared: no SPEC was given" if told else "the gateway names none"
+        )
     if not told:
         return Finding("map", f"the gateway does not say which it is, so {interface.name} cannot be compared with it")
     if info.build_id == interface.fingerprint:
@@ -122,7 +129,8 @@ async def _round_trip(link: Link, count: int) -> float:
     times = []
     for _ in range(count):
         began = time.perf_counter()
-        await link.fence()
+        async with asyncio.timeout(_LONGEST_ANSWER):
+            await link.fence()
         times.append(time.perf_counter() - began)
     return statistics.median(times)
 
@@ -168,13 +176,15 @@ async def check_send_immediate(url: DriverUrl, info: GatewayInfo) -> Finding:
     return Finding("send at once", text, Fault.SEND_IMMEDIATE, advice)
 
 
-async def _measure(link: Link) -> Measured:
+async def _measure(link: Link, rate: float | None) -> Measured:
     """Have many requests under way, and count what happens."""
     before, began = link.statistics, time.perf_counter()
+    burst = BURST if rate is None else min(BURST, max(1, int(rate * LONGEST_BURST / 4 / _REQUEST_BYTES)))
     done = 0
     while done < REQUESTS and time.perf_counter() - began < LONGEST_BURST:
-        await asyncio.gather(*(link.fence() for _ in range(BURST)))
-        done += BURST
+        async with asyncio.timeout(_LONGEST_ANSWER):
+            await asyncio.gather(*(link.fence() for _ in range(burst)))
+        done += burst
     after = link.statistics
     return Measured(
         done,

@@ -1,4 +1,4 @@
-"""The port or the chip that a URL names, before a link is opened on it: is it there, may it be used, is it set right."""
+"""The port or chip that a URL names, before a link is opened on it: is it there, may it be used, is it set right."""
 
 from __future__ import annotations
 
@@ -33,7 +33,10 @@ _FAULTS = {
     errno.ENXIO: (Fault.UNPLUGGED, "plug it in again, and look at the cable and the hub"),
     errno.EIO: (Fault.UNPLUGGED, "plug it in again, and look at the cable and the hub"),
     errno.ECONNREFUSED: (Fault.ABSENT, "start what serves the gateway, or correct the address"),
-    errno.ETIME: (Fault.STALLED, "look at the clock and the reset of the gateware, the wiring, and the mode of the FIFO"),
+    errno.ETIME: (
+        Fault.STALLED,
+        "look at the clock and the reset of the gateware, the wiring, and the mode of the FIFO",
+    ),
 }
 
 
@@ -148,7 +151,9 @@ def _check_chip(url: DriverUrl) -> Iterator[Finding]:
                 text = f"{content.description}, but mode={settings_of(url).mode} needs {wanted}"
                 yield Finding("chip", text, Fault.EEPROM, advice)
                 return
-            yield Finding("chip", f"{content.description} ({content.product}, serial number {content.serial or 'none'})")
+            yield Finding(
+                "chip", f"{content.description} ({content.product}, serial number {content.serial or 'none'})"
+            )
             chip.configure()
             latency = chip.ftdi.get_latency_timer()
         finally:

@@ -56,10 +56,13 @@ class UartLine(Gateway):
     def __init__(self, gateway: Gateway, baud: float, port_baud: Callable[[], float]) -> None:
         self.info = gateway.info
         self.wake: Callable[[], None] = lambda: None
-        gateway.wake = lambda: self.wake()
+        gateway.wake = self._pass_on_wake
         self._gateway = gateway
         self._baud = baud
         self._port_baud = port_baud
+
+    def _pass_on_wake(self) -> None:
+        self.wake()
 
     @property
     def memory(self) -> MutableMapping[int, int]:

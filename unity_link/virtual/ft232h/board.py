@@ -60,9 +60,7 @@ class GatewayBoard:
         siwu_wired: whether SIWU# is connected.
     """
 
-    def __init__(
-        self, gateway: Gateway, mode: Mode = Mode.FIFO, *, step: int = STEP, siwu_wired: bool = True
-    ) -> None:
+    def __init__(self, gateway: Gateway, mode: Mode = Mode.FIFO, *, step: int = STEP, siwu_wired: bool = True) -> None:
         self.gateway = gateway
         self._siwu_wired = siwu_wired
         # Asked once: what a protocol has is slow to look up.
