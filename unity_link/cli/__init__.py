@@ -6,6 +6,8 @@ One file for each family of commands. They parse, show and explain; what they do
 - `families` says which file has which command, and imports it when the command is typed
 - `running` runs a command's coroutine until it is done or a signal comes, `output` says what stdout and stderr are for
 - `arguments` and `words` read and write addresses and values
+- `signals` has get and set, by names; `completion` tells a shell how an argument may go on
+- `doctor` finds what is slow or wrong
 - `info`, `access` (read, write), `watch`, `simulate`, `terminal`, `demo` with `demo_view` are commands
 - `spec` has the commands about specs: check, fmt, show, import; `generate` writes code from one
 - `recording` has record and replay; `export` is about recordings and specs; `ros` has the bridges to ROS
@@ -34,6 +36,7 @@ from typing import Annotated
 import typer
 
 import unity_link
+from unity_link.cli.completion import join_words_of_bash, remember_used
 from unity_link.cli.families import MARKUP, Commands
 from unity_link.cli.output import print_error
 from unity_link.cli.running import INTERRUPTED
@@ -77,6 +80,7 @@ _UNWRITABLE = {errno.EBADF, errno.EDQUOT, errno.EFBIG, errno.EIO, errno.ENOSPC, 
 def main(program: typer.Typer = app) -> None:
     """Run a command line, and exit with its code."""
     _open_what_is_closed()
+    join_words_of_bash()
     sys.exit(_run(program))
 
 
@@ -110,6 +114,8 @@ def _run(program: typer.Typer) -> int:
         return FAILED
     except KeyboardInterrupt:
         return INTERRUPTED
+    if code in (0, None, INTERRUPTED):
+        remember_used()
     return code or 0
 
 

@@ -7,6 +7,7 @@ from typing import Annotated
 
 import typer
 
+from unity_link.cli.completion import complete_board
 from unity_link.cli.output import print_line, print_note
 from unity_link.cli.spec import Name, SpecFile, compile_or_exit
 
@@ -21,7 +22,7 @@ def build(
     *,
     board: Annotated[
         str,
-        typer.Option("--board", metavar="NAME", help="The board: a name, or a file NAME.toml.", show_default=False),
+        typer.Option("--board", metavar="NAME", help="The board: a name, or a file NAME.toml.", autocompletion=complete_board, show_default=False),
     ],
     output: Annotated[
         Path, typer.Option("--output", "-o", metavar="DIR", help="Where to write; made where it is not there.")

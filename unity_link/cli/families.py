@@ -25,6 +25,8 @@ FAMILIES = {
     "doctor": "doctor",
     "read": "access",
     "write": "access",
+    "get": "signals",
+    "set": "signals",
     "watch": "watch",
     "live": "live",
     "simulate": "simulate",

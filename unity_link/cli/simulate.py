@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from unity_link.cli.arguments import number
+from unity_link.cli.completion import complete_robot
 from unity_link.cli.output import print_line
 from unity_link.cli.running import run
 from unity_link.errors import ArgumentError
@@ -71,7 +72,12 @@ def simulate(  # noqa: PLR0913  (each is an option)
         Path | None, typer.Option(metavar="PATH", help="Of --pty: a symbolic link to the port, removed at the end.")
     ] = None,
     robot: Annotated[
-        str, typer.Option(metavar="NAME", help="What stands behind the bus: scara or walker; or plain memory.")
+        str,
+        typer.Option(
+            metavar="NAME",
+            help="What stands behind the bus: scara or walker; or plain memory.",
+            autocompletion=complete_robot,
+        ),
     ] = "",
     rtl: Annotated[
         bool,
