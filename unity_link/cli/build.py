@@ -22,7 +22,13 @@ def build(
     *,
     board: Annotated[
         str,
-        typer.Option("--board", metavar="NAME", help="The board: a name, or a file NAME.toml.", autocompletion=complete_board, show_default=False),
+        typer.Option(
+            "--board",
+            metavar="NAME",
+            help="The board: a name, or a file NAME.toml.",
+            autocompletion=complete_board,
+            show_default=False,
+        ),
     ],
     output: Annotated[
         Path, typer.Option("--output", "-o", metavar="DIR", help="Where to write; made where it is not there.")

@@ -27,7 +27,7 @@ _LISTS = ("names", "assignments", "signals")
 """Parameters of commands that are specs and signals."""
 _SUFFIX = ".ul"
 _SECRET = re.compile(r"[?&]token=")
-_SCHEMES = ("serial:", "tcp://", "unix:", "udp://", "zenoh:", "ftdi://", "ftdi-async://", "sim:", "rtl:")
+SCHEMES = ("serial:", "tcp://", "unix:", "udp://", "zenoh:", "ftdi://", "ftdi-async://", "sim:", "rtl:")
 _DEVICES = ("ttyUSB*", "ttyACM*")
 
 
@@ -107,7 +107,7 @@ def _ways(incomplete: str, known: Iterable[str]) -> list[str]:
 def complete_url(incomplete: str) -> list[str]:
     """Return URLs that begin so: those that were used, the ports of this computer, and the schemes."""
     ports = [f"serial:{port}" for pattern in _DEVICES for port in sorted(Path("/dev").glob(pattern))]
-    known = [*remembered(), *ports, *(f"sim:{robot}" for robot in complete_robot("")), *_SCHEMES]
+    known = [*remembered(), *ports, *(f"sim:{robot}" for robot in complete_robot("")), *SCHEMES]
     return _ways(incomplete, known)
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import enum
 import fnmatch
 import os
+import re
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -27,6 +28,7 @@ if TYPE_CHECKING:
 SPEC_VARIABLE = "UNITY_LINK_SPEC"
 """In the environment: the spec of commands that are given none."""
 SUFFIX = ".ul"
+_HEX = re.compile("[0-9A-Fa-f]+")
 _TRUTHS = {"true": True, "on": True, "yes": True, "1": True, "false": False, "off": False, "no": False, "0": False}
 
 
@@ -156,8 +158,9 @@ def split(url: str, arguments: Sequence[str]) -> tuple[Path, list[str]]:
     named = os.environ.get(SPEC_VARIABLE) or _spec_in(url)
     if named is None:
         before = f" before {arguments[0]}" if arguments else ""
+        hint = f"; an address is written 0x{arguments[0]}" if arguments and _HEX.fullmatch(arguments[0]) else ""
         raise ArgumentError(
-            f"no SPEC says which signals there are: give one{before}, such as robot.ul, or set {SPEC_VARIABLE}"
+            f"no SPEC says which signals there are: give one{before}, such as robot.ul, or set {SPEC_VARIABLE}{hint}"
         )
     return Path(named), list(arguments)
 
@@ -197,7 +200,9 @@ def choose(robot_type: type[LoadedRobot], names: Sequence[str], what: str) -> li
         fitting = [path for path in found if path in able and (len(found) == 1 or not able[path].fifo)]
         if not fitting:
             only = robot_type.interface.signals[found[0]].access
-            raise ArgumentError(f"{found[0]} is a {only} signal, and cannot be {'written' if what == 'write' else what}")
+            raise ArgumentError(
+                f"{found[0]} is a {only} signal, and cannot be {'written' if what == 'write' else what}"
+            )
         chosen += fitting
     if not chosen:
         raise ArgumentError(f"{robot_type.interface.name} has no signal that can be {what}")
