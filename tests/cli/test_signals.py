@@ -2,25 +2,29 @@
 
 from __future__ import annotations
 
+import contextlib
+import io
 import json
 import os
 import subprocess
 import sys
 from pathlib import Path
+from typing import NamedTuple
+from unittest import mock
 
 import pytest
 
+from unity_link import cli
 from unity_link.cli import completion
 from unity_link.cli.families import FAMILIES
 from unity_link.protocol.configuration import Feature, GatewayInfo
 from unity_link.spec import compile_text
 from unity_link.transport import parse_url
 
-PROGRAM = str(Path(sys.executable).parent / "unity-link")
 ROOT = Path(__file__).parents[2]
 SCARA = str(ROOT / "examples" / "scara.ul")
 SPEC = """
-enum mode(2) { IDLE = 0, RUN = 1 }
+enum mode { IDLE = 0, RUN = 1 }
 public rover() {
   @left = 0x10: signed 32 READWRITE(SCALE=0.5, UNIT="m/s", MIN=-10, MAX=10);
   @state = 0x11: mode READWRITE();
@@ -30,17 +34,25 @@ public rover() {
 """
 
 
-def run(*arguments: str, **environment: str) -> subprocess.CompletedProcess[str]:
-    result = subprocess.run(
-        [sys.executable, "-m", "unity_link", *arguments],
-        capture_output=True,
-        text=True,
-        timeout=120,
-        check=False,
-        env={**os.environ, **environment},
-    )
-    assert "Traceback" not in result.stderr
-    return result
+class Result(NamedTuple):
+    returncode: int
+    stdout: str
+    stderr: str
+
+
+def run(*arguments: str, **environment: str) -> Result:
+    """Run the command line in this process: what is tested here is its own, and not the system's."""
+    out, err = io.StringIO(), io.StringIO()
+    with (
+        mock.patch.dict(os.environ, environment),
+        mock.patch.object(sys, "argv", ["unity-link", *arguments]),
+        contextlib.redirect_stdout(out),
+        contextlib.redirect_stderr(err),
+        pytest.raises(SystemExit) as ended,
+    ):
+        cli.main()
+    assert isinstance(ended.value.code, int)
+    return Result(ended.value.code, out.getvalue(), err.getvalue())
 
 
 @pytest.fixture
@@ -121,6 +133,11 @@ def test_a_spec_that_is_not_the_gateways_is_refused_before_a_write_unless_the_ur
     assert "map=some" in run("get", "sim:?map=some", rover).stderr
 
 
+def test_the_command_line_is_a_module_too() -> None:
+    command = [sys.executable, "-m", "unity_link", "--version"]
+    assert subprocess.run(command, capture_output=True, text=True, check=True).stdout.startswith("unity-link ")
+
+
 # The shell
 
 
@@ -132,16 +149,10 @@ def completed(line: str, shell: str = "zsh", **environment: str) -> list[str]:
         spaced = line.replace(":", " : ").replace("=", " = ").split(" ")
         parts = [part for part in spaced[:-1] if part] + spaced[-1:]
         words = {"COMP_WORDS": "\n".join(parts), "COMP_CWORD": str(len(parts) - 1)}
-    result = subprocess.run(
-        [PROGRAM],
-        capture_output=True,
-        text=True,
-        timeout=60,
-        check=True,
-        env={**os.environ, "_UNITY_LINK_COMPLETE": f"complete_{shell}", **words, **environment},
-    )
+    result = run(_UNITY_LINK_COMPLETE=f"complete_{shell}", **words, **environment)
+    assert result.returncode == 0
     if shell == "zsh":
-        return [part.split('"')[0] for part in result.stdout.split('"')[1::2]]
+        return [part.replace(r"\\:", ":") for part in result.stdout.split('"')[1::2]]
     return result.stdout.split()
 
 
@@ -151,7 +162,7 @@ def test_the_commands_and_signals_are_completed() -> None:
     assert completed(f"unity-link set sim:scara {SCARA} j1.pos", "bash") == ["j1.pos_sp="]
     assert completed("unity-link simulate --robot w", "bash") == ["walker"]
     assert "ulx3s" in completed("unity-link build x.ul --board u", "bash")
-    assert completed("unity-link get sim: examples/sc", "bash") == ["examples/scara.ul"]
+    assert completed("unity-link get sim:scara examples/sc", "bash") == ["examples/scara.ul"]
 
 
 def test_urls_are_completed_by_what_was_used_with_success_and_hold_no_secret(tmp_path: Path) -> None:
@@ -161,7 +172,7 @@ def test_urls_are_completed_by_what_was_used_with_success_and_hold_no_secret(tmp
     run("read", "tcp://127.0.0.1:1?token=secret", "0", **memory)
     assert run("info", "serial:/dev/nosuch", **memory).returncode == 1
     assert (tmp_path / "state" / "urls").read_text().splitlines() == ["sim:?id_digits=2", "sim:walker"]
-    assert completed("unity-link info si", "fish", **memory)[:2] == ["sim:?id_digits=2", "sim:walker"]
+    assert completed("unity-link info si", **memory)[:2] == ["sim:?id_digits=2", "sim:walker"]
     assert completed("unity-link info sim:w", "bash", **memory) == ["walker"]
     assert "//" in completed("unity-link info tcp:", "bash", **memory)
 

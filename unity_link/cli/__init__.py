@@ -36,7 +36,7 @@ from typing import Annotated
 import typer
 
 import unity_link
-from unity_link.cli.completion import join_words_of_bash, remember_used
+from unity_link.cli.completion import remember_used, words_of_bash
 from unity_link.cli.families import MARKUP, Commands
 from unity_link.cli.output import print_error
 from unity_link.cli.running import INTERRUPTED
@@ -80,8 +80,8 @@ _UNWRITABLE = {errno.EBADF, errno.EDQUOT, errno.EFBIG, errno.EIO, errno.ENOSPC, 
 def main(program: typer.Typer = app) -> None:
     """Run a command line, and exit with its code."""
     _open_what_is_closed()
-    join_words_of_bash()
-    sys.exit(_run(program))
+    with words_of_bash():
+        sys.exit(_run(program))
 
 
 def _open_what_is_closed() -> None:
@@ -96,7 +96,7 @@ def _run(program: typer.Typer) -> int:
     if isinstance(sys.stdout, io.TextIOWrapper):
         sys.stdout.reconfigure(errors="backslashreplace")
     try:
-        code: int | None = program(standalone_mode=False)
+        code: int | None = program(standalone_mode=False, prog_name="unity-link")
         sys.stdout.flush()
     except typer.TyperException as error:
         # Without any argument the help has been printed, and there is nothing to add.

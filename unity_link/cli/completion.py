@@ -7,8 +7,10 @@ gateway is asked: completion is quick, and nothing happens on a wire.
 from __future__ import annotations
 
 import contextlib
+import io
 import os
 import re
+import sys
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -77,31 +79,44 @@ def _memory() -> Path | None:
     return Path(state) / "unity-link" / "urls"
 
 
-def join_words_of_bash() -> None:
-    """Have bash's words be those of other shells: it takes each `:` and `=` for a word of its own."""
+@contextlib.contextmanager
+def words_of_bash() -> Iterator[None]:
+    """Answer bash as other shells are: it takes `:` and `=` for words, and replaces what stands behind the last."""
     if os.environ.get(_ASKED) != _BY_BASH:
+        yield
         return
-    words = os.environ.get("COMP_WORDS", "").split("\n")
-    place = int(os.environ.get("COMP_CWORD", "0"))
+    words, place = _joined(os.environ.get("COMP_WORDS", "").split("\n"), int(os.environ.get("COMP_CWORD", "0")))
+    os.environ.update(COMP_WORDS="\n".join(words), COMP_CWORD=str(place))
+    typed = words[place] if place < len(words) else ""
+    cut = 1 + max(map(typed.rfind, _BREAKS))
+    answer = io.StringIO()
+    try:
+        with contextlib.redirect_stdout(answer):
+            yield
+    finally:
+        sys.stdout.write("\n".join(line[cut:] for line in answer.getvalue().splitlines()))
+
+
+def _joined(words: list[str], place: int) -> tuple[list[str], int]:
+    """Join words with the breaks beside them; return them, and which of them the word at a place has become a part of.
+
+    What stands behind a break is taken for a part of the same word: bash does not tell whether a space was between.
+    """
     joined: list[str] = []
     at = 0
     for number, word in enumerate(words):
-        sticks = joined and (word[:1] in _BREAKS or joined[-1][-1:] in _BREAKS) and number > 1 and word != ""
-        # An empty word behind a break is the one that is being typed.
-        sticks = sticks or (number == place and word == "" and joined and joined[-1][-1:] in _BREAKS)
-        if sticks:
+        if number > 1 and (word in _BREAKS or joined[-1].endswith(_BREAKS)):
             joined[-1] += word
         else:
             joined.append(word)
         if number == place:
             at = len(joined) - 1
-    os.environ.update(COMP_WORDS="\n".join(joined), COMP_CWORD=str(at))
+    return joined, at
 
 
 def _ways(incomplete: str, known: Iterable[str]) -> list[str]:
-    """Return how an argument may go on, as the shell wants it: bash replaces what stands behind its last break."""
-    cut = 1 + max(map(incomplete.rfind, _BREAKS)) if os.environ.get(_ASKED) == _BY_BASH else 0
-    return [text[cut:] for text in dict.fromkeys(known) if text.startswith(incomplete)]
+    """Return how an argument may go on, each way once."""
+    return [text for text in dict.fromkeys(known) if text.startswith(incomplete)]
 
 
 def complete_url(incomplete: str) -> list[str]:
