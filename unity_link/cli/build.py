@@ -7,8 +7,9 @@ from typing import Annotated
 
 import typer
 
+from unity_link.cli.arguments import Json  # noqa: TC001  (typer reads it)
 from unity_link.cli.completion import complete_board
-from unity_link.cli.output import print_line, print_note
+from unity_link.cli.output import print_note, print_result
 from unity_link.cli.spec import Name, SpecFile, compile_or_exit
 
 
@@ -35,6 +36,7 @@ def build(
     ] = Path(),
     program: Annotated[bool, typer.Option("--program", help="Then put it into the board, by openFPGALoader.")] = False,
     interface: Name = None,
+    json: Json = False,
 ) -> None:
     """Build a bitstream from a spec: gateway, registers and a chain of shift registers at the pins of a board.
 
@@ -51,7 +53,7 @@ def build(
         loader()
     built = make(compile_or_exit(spec), name, chosen, output, interface)
     for path in built:
-        print_line(str(path))
+        print_result("file", path, json=json)
     if program:
         put(chosen, built.bitstream)
         print_note(f"{chosen.title} is programmed")
