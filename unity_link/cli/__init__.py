@@ -6,7 +6,8 @@ One file for each family of commands. They parse, show and explain; what they do
 - `families` says which file has which command, and imports it when the command is typed
 - `running` runs a command's coroutine until it is done or a signal comes, `output` says what stdout and stderr are for
 - `arguments` and `words` read and write addresses and values
-- `signals` has get and set, by names; `completion` tells a shell how an argument may go on
+- `signals` has get and set, by names; `completion` tells a shell how an argument may go on,
+  `manual` makes the manual page of all commands; `watched` is what `watch` watches
 - `doctor` finds what is slow or wrong
 - `info`, `access` (read, write), `watch`, `simulate`, `terminal`, `demo` with `demo_view` are commands
 - `spec` has the commands about specs: check, fmt, show, import; `generate` writes code from one

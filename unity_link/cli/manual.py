@@ -73,8 +73,8 @@ def _command(command: Any, name: str, above: Any) -> Iterator[str]:
         for below in command.list_commands(context):
             yield from _command(command.get_command(context, below), f"{name} {below}", context)
         return
-    usage = " ".join(part for part in command.collect_usage_pieces(context) if part)
-    yield f".SS {_escaped(name)} {_escaped(usage)}"
+    arguments = [p.metavar or p.name for p in command.get_params(context) if p.param_type_name == "argument"]
+    yield f".SS {_escaped(' '.join([name, *arguments, '[OPTIONS]']))}"
     yield _text(command.help)
     yield from _options(command, context)
 
@@ -82,8 +82,9 @@ def _command(command: Any, name: str, above: Any) -> Iterator[str]:
 def _options(command: Any, context: Any) -> Iterator[str]:
     for parameter in command.get_params(context):
         record = parameter.get_help_record(context)
-        if record is not None:
-            yield from (".TP", f".B {_escaped(record[0])}", _text(record[1]) or "\\&")
+        if record is not None and "--help" not in parameter.opts:
+            term = parameter.metavar if parameter.param_type_name == "argument" else record[0]
+            yield from (".TP", f".B {_escaped(term)}", _text(record[1]) or "\\&")
 
 
 def _text(text: str | None) -> str:

@@ -36,7 +36,7 @@ def add_to(app: typer.Typer) -> None:
     app.command()(replay)
 
 
-def record(
+def record(  # noqa: PLR0913  (each is an option)
     url: Url,
     spec: SpecFile,
     *,
@@ -76,7 +76,7 @@ def record(
     )
 
 
-async def _record(
+async def _record(  # noqa: PLR0913  (as `record`)
     url: str,
     spec: Spec,
     interface: str | None,
