@@ -16,7 +16,6 @@ import pytest
 
 from unity_link import cli
 from unity_link.cli import completion
-from unity_link.cli.families import FAMILIES
 from unity_link.protocol.configuration import Feature, GatewayInfo
 from unity_link.spec import compile_text
 from unity_link.transport import parse_url
@@ -189,9 +188,3 @@ def test_the_schemes_that_are_offered_are_known() -> None:
     for scheme in completion.SCHEMES:
         if scheme != "zenoh:":
             assert parse_url(f"{scheme}x").scheme == scheme.partition(":")[0]
-
-
-def test_every_command_is_in_the_reference() -> None:
-    reference = (ROOT / "docs" / "reference" / "command-line.md").read_text()
-    for command in FAMILIES:
-        assert f"## {command}" in reference or f"{command} " in reference
