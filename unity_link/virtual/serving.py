@@ -18,7 +18,6 @@ import contextlib
 import fcntl
 import io
 import os
-import tty
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, cast
 
@@ -296,6 +295,9 @@ async def serve_pty(
         counter = await stack.enter_async_context(_counter(gateway))
         # As long as the port's side is open here, a client may come and go.
         stack.callback(os.close, port)
+        # Not there on Windows, where nothing above is either.
+        import tty
+
         tty.setraw(port)
         name = os.ttyname(port)
         reading = stack.enter_context(io.FileIO(master, "r"))
