@@ -96,7 +96,8 @@ release: $(ALL) ## the wheel and the source archive in dist, tried in an empty e
 
 docs: $(ALL) ## the documentation as HTML, warnings are errors
 	@$(BIN)/sphinx-build --fail-on-warning --keep-going --quiet docs docs/_build/html
-	@echo "docs/_build/html/index.html"
+	@$(BIN)/python -m unity_link.cli.manual > docs/_build/unity-link.1
+	@echo "docs/_build/html/index.html docs/_build/unity-link.1"
 
 # Versions with hashes and nothing else: the files name neither a registry nor a machine.
 UV_LOCK := $(BIN)/uv pip compile pyproject.toml --universal --python-version 3.11 --generate-hashes \

@@ -164,7 +164,7 @@ def test_a_command_imports_what_it_uses(arguments: str, needs: set[str]) -> None
 
 def test_a_command_imports_no_other_family() -> None:
     loaded = printed(COMMAND, "read", "sim:", "0x10")
-    families = {"access", "arguments", "families", "output", "running", "words"}
+    families = {"access", "arguments", "completion", "families", "output", "running", "words"}
     assert {name for name in loaded if name.startswith("unity_link.cli.")} == {
         f"unity_link.cli.{name}" for name in families
     }

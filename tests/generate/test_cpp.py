@@ -14,6 +14,7 @@ from generate.peers import MEDIA, FaultyLine, Medium, ObservedGateway, lose, rep
 from generate.programs import CPP, SANITIZED, C, compiled, generated, linked, output
 from spec_examples import FIGURE_1
 from unity_link.generate import generate
+from unity_link.protocol.configuration import Feature, GatewayInfo
 from unity_link.protocol.crc import Crc
 from unity_link.protocol.frames import Framing
 from unity_link.spec import KindName, compile_text
@@ -440,3 +441,21 @@ def test_a_spec_for_words_of_another_width_is_noticed(runtime: list[Path]) -> No
     body = "    THROWS(UnsupportedError, robot.legs[0].joints[0].target.get());\n"
     with simulate("tcp", "--set", "data_bits=16") as url:
         output(program(body, runtime), url)
+
+
+def test_a_gateway_of_another_map_is_refused_before_the_first_write_unless_that_is_known(runtime: list[Path]) -> None:
+    fingerprint = WALKER.interface().fingerprint
+    body = f"""
+    THROWS(UnsupportedError, link.check_map(0xCAFE, "walker"));
+    CHECK(last == "the gateway was built for the map {fingerprint:08X}, and walker describes the map 0000CAFE: "
+                  "generate the client from the spec that the gateway was built from, or build the gateway anew");
+    Walker known{{link, unity_link::any_map}};
+    """
+    features = int(GatewayInfo().features | Feature.FINGERPRINT)
+    made = program(body, runtime)
+    with simulate("tcp", "--set", f"features={features}", "--set", f"build_id={fingerprint}") as url:
+        output(made, url)
+    with simulate("tcp", "--set", f"features={features}", "--set", "build_id=0xCAFE") as url:
+        refused = subprocess.run([made, url], capture_output=True, text=True, check=False)
+    assert refused.returncode != 0
+    assert f"the map 0000CAFE, and walker describes the map {fingerprint:08X}" in refused.stdout + refused.stderr

@@ -208,6 +208,25 @@ attempt('queue', @() link.read_queue(1, 1));
         assert shown[label].startswith("unity_link:unsupported the gateway was built without"), shown[label]
 
 
+def test_a_gateway_of_another_map_is_refused(octave: Octave) -> None:
+    spec = compile_text(FIGURE_1)
+    octave.generate(spec)
+    fingerprint = spec.interface().fingerprint
+    mapped = ("--set", f"features={int(GatewayInfo().features | Feature.FINGERPRINT)}", "--set")
+    with (
+        simulate("tcp", *mapped, f"build_id={fingerprint}") as right,
+        simulate("tcp", *mapped, "build_id=0xCAFE") as wrong,
+    ):
+        shown = octave.run(f"""\
+robot = scara('{right}');
+show('right', robot.link.read(1));
+attempt('wrong', @() scara('{wrong}'));
+""")
+    assert shown["right"] == doubles(0)
+    told = f"the gateway was built for the map 0000CAFE, and the spec describes the map {fingerprint:08X}"
+    assert shown["wrong"].startswith(f"unity_link:unsupported {told}")
+
+
 # What is kept in the MEX file
 
 _HANDLES = """\

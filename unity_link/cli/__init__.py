@@ -6,6 +6,9 @@ One file for each family of commands. They parse, show and explain; what they do
 - `families` says which file has which command, and imports it when the command is typed
 - `running` runs a command's coroutine until it is done or a signal comes, `output` says what stdout and stderr are for
 - `arguments` and `words` read and write addresses and values
+- `signals` has get and set, by names; `completion` tells a shell how an argument may go on,
+  `manual` makes the manual page of all commands; `watched` is what `watch` watches
+- `doctor` finds what is slow or wrong
 - `info`, `access` (read, write), `watch`, `simulate`, `terminal`, `demo` with `demo_view` are commands
 - `spec` has the commands about specs: check, fmt, show, import; `generate` writes code from one
 - `build` makes bitstreams of boards, `gateware` gives the VHDL away
@@ -35,6 +38,7 @@ from typing import Annotated
 import typer
 
 import unity_link
+from unity_link.cli.completion import remember_used, words_of_bash
 from unity_link.cli.families import MARKUP, Commands
 from unity_link.cli.output import print_error
 from unity_link.cli.running import INTERRUPTED
@@ -78,7 +82,8 @@ _UNWRITABLE = {errno.EBADF, errno.EDQUOT, errno.EFBIG, errno.EIO, errno.ENOSPC, 
 def main(program: typer.Typer = app) -> None:
     """Run a command line, and exit with its code."""
     _open_what_is_closed()
-    sys.exit(_run(program))
+    with words_of_bash():
+        sys.exit(_run(program))
 
 
 def _open_what_is_closed() -> None:
@@ -93,7 +98,7 @@ def _run(program: typer.Typer) -> int:
     if isinstance(sys.stdout, io.TextIOWrapper):
         sys.stdout.reconfigure(errors="backslashreplace")
     try:
-        code: int | None = program(standalone_mode=False)
+        code: int | None = program(standalone_mode=False, prog_name="unity-link")
         sys.stdout.flush()
     except typer.TyperException as error:
         # Without any argument the help has been printed, and there is nothing to add.
@@ -111,6 +116,8 @@ def _run(program: typer.Typer) -> int:
         return FAILED
     except KeyboardInterrupt:
         return INTERRUPTED
+    if code in (0, None, INTERRUPTED):
+        remember_used()
     return code or 0
 
 

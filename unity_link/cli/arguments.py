@@ -7,6 +7,7 @@ from typing import Annotated
 
 import typer
 
+from unity_link.cli.completion import complete_url, note
 from unity_link.cli.words import parse_number
 from unity_link.errors import ArgumentError
 
@@ -19,7 +20,16 @@ def number(text: str) -> int:
         raise typer.BadParameter(str(error)) from None
 
 
-Url = Annotated[str, typer.Argument(metavar="URL", help="Where the gateway is, such as sim:scara.", show_default=False)]
+Url = Annotated[
+    str,
+    typer.Argument(
+        metavar="URL",
+        help="Where the gateway is, such as sim:scara.",
+        autocompletion=complete_url,
+        callback=note,
+        show_default=False,
+    ),
+]
 Address = Annotated[
     int, typer.Argument(metavar="ADDRESS", parser=number, help="Word address, such as 0x88.", show_default=False)
 ]

@@ -7,7 +7,9 @@ from typing import Annotated
 
 import typer
 
-from unity_link.cli.output import print_line, print_note
+from unity_link.cli.arguments import Json  # noqa: TC001  (typer reads it)
+from unity_link.cli.completion import complete_board
+from unity_link.cli.output import print_note, print_result
 from unity_link.cli.spec import Name, SpecFile, compile_or_exit
 from unity_link.errors import ArgumentError
 
@@ -22,13 +24,20 @@ def build(
     *,
     board: Annotated[
         str,
-        typer.Option("--board", metavar="NAME", help="The board: a name, or a file NAME.toml.", show_default=False),
+        typer.Option(
+            "--board",
+            metavar="NAME",
+            help="The board: a name, or a file NAME.toml.",
+            autocompletion=complete_board,
+            show_default=False,
+        ),
     ],
     output: Annotated[
         Path, typer.Option("--output", "-o", metavar="DIR", help="Where to write; made where it is not there.")
     ] = Path(),
     program: Annotated[bool, typer.Option("--program", help="Then put it into the board, by openFPGALoader.")] = False,
     interface: Name = None,
+    json: Json = False,
 ) -> None:
     """Build a bitstream from a spec: gateway, registers and a chain of shift registers at the pins of a board.
 
@@ -48,14 +57,14 @@ def build(
         if program:
             raise ArgumentError(f"--program needs a bitstream, and that of {name} is made by {vendor.tool}")
         opened = make_project(compile_or_exit(spec), name, chosen, output, interface)
-        print_line(str(opened))
+        print_result("file", opened, json=json)
         print_note(f"for {vendor.tool}: {vendor.opens} {opened}")
         return
     if program:
         loader()
     built = make(compile_or_exit(spec), name, chosen, output, interface)
     for path in built:
-        print_line(str(path))
+        print_result("file", path, json=json)
     if program:
         put(chosen, built.bitstream)
         print_note(f"{chosen.title} is programmed")

@@ -22,8 +22,11 @@ MARKUP: Any = "markdown"
 FAMILIES = {
     "demo": "demo",
     "info": "info",
+    "doctor": "doctor",
     "read": "access",
     "write": "access",
+    "get": "signals",
+    "set": "signals",
     "watch": "watch",
     "live": "live",
     "simulate": "simulate",

@@ -7,7 +7,8 @@ from typing import Annotated
 
 import typer
 
-from unity_link.cli.output import print_line
+from unity_link.cli.arguments import Json  # noqa: TC001  (typer reads it)
+from unity_link.cli.output import print_result
 
 
 def add_to(app: typer.Typer) -> None:
@@ -23,8 +24,10 @@ def copy(
     folder: Annotated[
         Path, typer.Argument(metavar="DIR", help="Where to write; must not be there, or empty.", show_default=False)
     ],
+    *,
+    json: Json = False,
 ) -> None:
     """Copy the gateware: VHDL in the library unity_link, pads and constraints of vendors, a script for each tool."""
     from unity_link.gateware.sources import copy_gateware
 
-    print_line(str(copy_gateware(folder)))
+    print_result("folder", copy_gateware(folder), json=json)

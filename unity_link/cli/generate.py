@@ -7,7 +7,8 @@ from typing import Annotated
 
 import typer
 
-from unity_link.cli.output import print_line
+from unity_link.cli.arguments import Json  # noqa: TC001  (typer reads it)
+from unity_link.cli.output import print_result
 from unity_link.cli.spec import Name, SpecFile, compile_or_exit
 from unity_link.errors import ArgumentError
 from unity_link.generate import TargetName  # noqa: TC001  (typer reads the annotations)
@@ -32,6 +33,7 @@ def generate(
             "--with-gateware", help="For vhdl: add the gateware and a script for each tool, so the folder is whole."
         ),
     ] = False,
+    json: Json = False,
 ) -> None:
     """Generate code from a spec: typed proxies, clients in C, C++ and MATLAB, VHDL, packages of ROS, documents."""
     from unity_link.generate import generate as make
@@ -45,4 +47,4 @@ def generate(
 
         files = list(complete(files))
     for path in write(files, output):
-        print_line(str(path))
+        print_result("file", path, json=json)

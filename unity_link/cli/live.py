@@ -15,8 +15,8 @@ from urllib.parse import quote
 
 import typer
 
-from unity_link.cli.arguments import DEFAULT_TIMEOUT, Timeout, Url, number
-from unity_link.cli.output import print_line, print_note
+from unity_link.cli.arguments import DEFAULT_TIMEOUT, Json, Timeout, Url, number
+from unity_link.cli.output import print_note, print_result
 from unity_link.cli.running import run
 from unity_link.cli.spec import Name, compile_or_exit
 from unity_link.errors import ArgumentError, ConnectError
@@ -79,6 +79,7 @@ def live(  # noqa: PLR0913  (its options)
         ),
     ] = None,
     interface: Name = None,
+    json: Json = False,
     timeout: Timeout = DEFAULT_TIMEOUT,
 ) -> None:
     """Show signals as moving pictures, on a page of this machine.
@@ -99,7 +100,7 @@ def live(  # noqa: PLR0913  (its options)
     chosen = _Shown(compiled, interface, watch or [], rate, poll or None)
     token = _token() if allow_writes else None
     app_port = foxglove_port or FOXGLOVE_PORT if foxglove else None
-    run(_live(url, chosen, token, port, app_port, browser=browser, timeout=timeout))
+    run(_live(url, chosen, token, port, app_port, browser=browser, json=json, timeout=timeout))
 
 
 class _Shown:
@@ -139,6 +140,7 @@ async def _live(
     foxglove_port: int | None,
     *,
     browser: bool,
+    json: bool,
     timeout: float,  # noqa: ASYNC109  (an option of the command)
 ) -> None:
     try:
@@ -158,7 +160,7 @@ async def _live(
             foxglove = stack.enter_context(FoxgloveServer(robot, groups, foxglove_port))
         listener = stack.enter_context(bind(port))
         page = LivePage(robot, groups, gateway=url, token=token, foxglove=foxglove, report=print_note)
-        _announce(listener, token, foxglove, browser=browser)
+        _announce(listener, token, foxglove, browser=browser, json=json)
         began = time.monotonic()
         try:
             await page.run(listener)
@@ -166,12 +168,12 @@ async def _live(
             print_note(_summary(page, time.monotonic() - began))
 
 
-def _announce(listener: socket.socket, token: str | None, foxglove: object, *, browser: bool) -> None:
+def _announce(listener: socket.socket, token: str | None, foxglove: object, *, browser: bool, json: bool) -> None:
     host, port = listener.getsockname()
     address = f"http://{host}:{port}/" + ("" if token is None else f"#token={quote(token, safe='')}")
-    print_line(address)
+    print_result("page", address, json=json)
     if foxglove is not None:
-        print_line(str(foxglove))
+        print_result("foxglove", foxglove, json=json)
     if browser and _has_screen():
         import webbrowser
 

@@ -42,6 +42,14 @@ def print_json(value: Any) -> None:
     print_line(msgspec.json.encode(value).decode())
 
 
+def print_result(name: str, value: object, *, json: bool) -> None:
+    """Print a result: its text alone, or for programs as the only field of an object."""
+    if json:
+        print_json({name: str(value)})
+    else:
+        print_line(str(value))
+
+
 def print_note(text: str) -> None:
     """Print a line for people on stderr."""
     print(text, file=sys.stderr, flush=True)  # noqa: T201  (this is where commands print)

@@ -11,8 +11,8 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from unity_link.cli.arguments import DEFAULT_TIMEOUT, Timeout, Url, check_poll
-from unity_link.cli.output import print_line, print_note
+from unity_link.cli.arguments import DEFAULT_TIMEOUT, Json, Timeout, Url, check_poll
+from unity_link.cli.output import print_json, print_note, print_result
 from unity_link.cli.running import run
 from unity_link.cli.spec import Name, SpecFile, compile_or_exit
 from unity_link.errors import ArgumentError
@@ -36,7 +36,7 @@ def add_to(app: typer.Typer) -> None:
     app.command()(replay)
 
 
-def record(
+def record(  # noqa: PLR0913  (each is an option)
     url: Url,
     spec: SpecFile,
     *,
@@ -52,6 +52,7 @@ def record(
     ] = None,
     overwrite: Annotated[bool, typer.Option("--overwrite", help="Replace a file of that name.")] = False,
     interface: Name = None,
+    json: Json = False,
     timeout: Timeout = DEFAULT_TIMEOUT,
 ) -> None:
     """Record all that a robot publishes; Ctrl-C ends it.
@@ -60,10 +61,22 @@ def record(
     up to a second before is in it. A gateway that goes away is waited for.
     """
     check_poll(poll)
-    run(_record(url, compile_or_exit(spec), interface, output, poll, duration, overwrite=overwrite, timeout=timeout))
+    run(
+        _record(
+            url,
+            compile_or_exit(spec),
+            interface,
+            output,
+            poll,
+            duration,
+            overwrite=overwrite,
+            json=json,
+            timeout=timeout,
+        )
+    )
 
 
-async def _record(
+async def _record(  # noqa: PLR0913  (as `record`)
     url: str,
     spec: Spec,
     interface: str | None,
@@ -72,6 +85,7 @@ async def _record(
     duration: float | None,
     *,
     overwrite: bool,
+    json: bool,
     timeout: float,  # noqa: ASYNC109  (an option of the command)
 ) -> None:
     from unity_link.bridges.recording import Recorder
@@ -95,6 +109,17 @@ async def _record(
                 raise
         finally:
             print_note(f"{output}: {_state(recorder, began)}")
+            if json:
+                print_json(
+                    {
+                        "file": str(output),
+                        "samples": recorder.samples,
+                        "lost": recorder.lost,
+                        "bytes": recorder.size,
+                        "interruptions": recorder.interruptions,
+                        "away_s": recorder.away,
+                    }
+                )
 
 
 def _state(recorder: Recorder, began: float) -> str:
@@ -148,6 +173,7 @@ def replay(
     ] = None,
     speed: Annotated[float, typer.Option(metavar="FACTOR", help="How many times as fast as it was.")] = 1.0,
     loop: Annotated[bool, typer.Option("--loop", help="Begin again at the end.")] = False,
+    json: Json = False,
 ) -> None:
     """Serve a gateway that answers as the recorded one did.
 
@@ -156,10 +182,10 @@ def replay(
     """
     if sum((pty, tcp is not None, unix is not None)) != 1:
         raise ArgumentError("one of --pty, --tcp and --unix was expected")
-    run(_replay(recording, tcp, unix, speed, loop=loop))
+    run(_replay(recording, tcp, unix, speed, loop=loop, json=json))
 
 
-async def _replay(path: Path, tcp: int | None, unix: Path | None, speed: float, *, loop: bool) -> None:
+async def _replay(path: Path, tcp: int | None, unix: Path | None, speed: float, *, loop: bool, json: bool) -> None:
     from unity_link.bridges.recording import Recording
     from unity_link.bridges.recording import replay as play
     from unity_link.virtual.serving import serve_pty, serve_tcp, serve_unix
@@ -177,7 +203,7 @@ async def _replay(path: Path, tcp: int | None, unix: Path | None, speed: float, 
         return f"{path}: {player.position:.1f} s played" + (", ended" if player.ended else "")
 
     async with serving as url:
-        print_line(url)
+        print_result("url", url, json=json)
         with _shown(state) as refresh:
             showing = asyncio.create_task(refresh())
             try:
@@ -194,6 +220,7 @@ def export_recording(
     output: Annotated[
         Path, typer.Option("--output", "-o", metavar="DIR", help="Where to write; made where it is not there.")
     ] = Path(),
+    json: Json = False,
 ) -> None:
     """Make tables of a recording: a file for each group, a row for each sample, a column for each signal."""
     if parquet == csv:
@@ -213,4 +240,4 @@ def export_recording(
     elif read.was_cut:
         print_note(f"{recording} was not finished: what is in it was exported")
     for path in paths:
-        print_line(str(path))
+        print_result("file", path, json=json)

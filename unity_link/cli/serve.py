@@ -10,8 +10,8 @@ from typing import Annotated
 
 import typer
 
-from unity_link.cli.arguments import Url  # noqa: TC001  (typer reads it)
-from unity_link.cli.output import print_line, print_note
+from unity_link.cli.arguments import Json, Url  # noqa: TC001  (typer reads them)
+from unity_link.cli.output import print_note, print_result
 from unity_link.cli.running import run
 from unity_link.errors import ArgumentError
 from unity_link.transport.listening import LOOPBACK
@@ -57,6 +57,7 @@ def serve(
             rich_help_panel=_PANEL,
         ),
     ] = None,
+    json: Json = False,
 ) -> None:
     """Share one link between several programs.
 
@@ -72,7 +73,7 @@ def serve(
         )
     if tcp is None and unix is None:
         unix = _default_path()
-    run(_serve(url, unix, tcp, host, token))
+    run(_serve(url, unix, tcp, host, token, json=json))
 
 
 def _token(file: Path | None) -> str | None:
@@ -101,7 +102,7 @@ def _default_path() -> Path:
     return Path(directory) / _DEFAULT_NAME
 
 
-async def _serve(url: str, unix: Path | None, tcp: int | None, host: str, token: str | None) -> None:
+async def _serve(url: str, unix: Path | None, tcp: int | None, host: str, token: str | None, *, json: bool) -> None:
     from unity_link.bridges import serve as bridge
     from unity_link.cli.service import Service
 
@@ -119,7 +120,7 @@ async def _serve(url: str, unix: Path | None, tcp: int | None, host: str, token:
 
     async with bridge.serve(url, unix=unix, tcp=tcp, host=host, token=token, report=report) as server:
         for place in server.urls:
-            print_line(place)
+            print_result("url", place, json=json)
         service.tell("READY=1")
         signs = asyncio.create_task(service.live(status))
         try:

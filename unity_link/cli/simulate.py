@@ -8,8 +8,9 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from unity_link.cli.arguments import number
-from unity_link.cli.output import print_line
+from unity_link.cli.arguments import Json, number
+from unity_link.cli.completion import complete_robot
+from unity_link.cli.output import print_result
 from unity_link.cli.running import run
 from unity_link.errors import ArgumentError
 from unity_link.transport.listening import LOOPBACK
@@ -71,7 +72,12 @@ def simulate(  # noqa: PLR0913  (each is an option)
         Path | None, typer.Option(metavar="PATH", help="Of --pty: a symbolic link to the port, removed at the end.")
     ] = None,
     robot: Annotated[
-        str, typer.Option(metavar="NAME", help="What stands behind the bus: scara or walker; or plain memory.")
+        str,
+        typer.Option(
+            metavar="NAME",
+            help="What stands behind the bus: scara or walker; or plain memory.",
+            autocompletion=complete_robot,
+        ),
     ] = "",
     rtl: Annotated[
         bool,
@@ -87,6 +93,7 @@ def simulate(  # noqa: PLR0913  (each is an option)
     seed: Annotated[
         int, typer.Option(metavar="N", help="Chooses which; the same seed, the same.", rich_help_panel=_NOISE_PANEL)
     ] = 0,
+    json: Json = False,
 ) -> None:
     """Serve a virtual gateway to any program.
 
@@ -117,7 +124,7 @@ def simulate(  # noqa: PLR0913  (each is an option)
         raise ArgumentError(
             f"one of --pty, --tcp, --unix, --udp and --usbip was expected, not {len(ways) or 'none'} of them"
         )
-    run(_simulate(ways[0]))
+    run(_simulate(ways[0], json=json))
 
 
 def _serving(way: str, gateway: Gateway, *place: Any) -> AbstractAsyncContextManager[str]:
@@ -147,7 +154,7 @@ def _configuration(settings: list[str]) -> dict[str, int]:
     return values
 
 
-async def _simulate(way: AbstractAsyncContextManager[str]) -> None:
+async def _simulate(way: AbstractAsyncContextManager[str], *, json: bool) -> None:
     async with way as url:
-        print_line(url)
+        print_result("url", url, json=json)
         await asyncio.get_running_loop().create_future()

@@ -1,6 +1,6 @@
-"""`unity-link watch`: addresses as they change, sampled by the gateway at its own clock.
+"""`unity-link watch`: addresses or signals as they change, sampled by the gateway at its own clock.
 
-On a terminal, a live table with a curve for each address; in a pipe, a line for each sample.
+On a terminal, a live table with a curve for each; in a pipe, a line for each sample.
 """
 
 from __future__ import annotations
@@ -12,16 +12,20 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from unity_link.cli.arguments import DEFAULT_TIMEOUT, Json, Timeout, Url, number
+from unity_link.cli.completion import complete_signal
 from unity_link.cli.output import is_live, print_json, print_line, print_note
 from unity_link.cli.running import run
+from unity_link.cli.signals import is_spec, robot_of, split
+from unity_link.cli.spec import Name  # noqa: TC001  (typer reads it)
+from unity_link.cli.watched import Signals, Words
 from unity_link.errors import ArgumentError, first_error
-from unity_link.protocol.numbers import Format, address_text, in_form, to_signed
+from unity_link.protocol.numbers import Format
 
 if TYPE_CHECKING:
     from collections.abc import AsyncIterator, Callable
 
+    from unity_link.cli.watched import Stream, Taken, Watched
     from unity_link.link.link import Link
-    from unity_link.link.subscription import Sample, Subscription
 
 FRAMES_PER_SECOND = 15
 
@@ -31,11 +35,17 @@ def add_to(app: typer.Typer) -> None:
     app.command()(watch)
 
 
-def watch(
+def watch(  # noqa: PLR0913  (each is an option)
     url: Url,
-    addresses: Annotated[
-        list[int],
-        typer.Argument(metavar="ADDRESS...", parser=number, help="Word addresses, such as 0x88.", show_default=False),
+    signals: Annotated[
+        list[str],
+        typer.Argument(
+            metavar="ADDRESS... | [SPEC] SIGNAL...",
+            help="Word addresses, such as 0x88; or a spec, such as robot.ul, and signals: j1.position, a part as j1, "
+            "a pattern as '*.position'.",
+            autocompletion=complete_signal,
+            show_default=False,
+        ),
     ],
     *,
     rate: Annotated[float, typer.Option("--rate", metavar="HZ", help="Samples a second.")] = 20.0,
@@ -45,29 +55,47 @@ def watch(
     duration: Annotated[
         float | None, typer.Option("--duration", metavar="SECONDS", min=0.0, help="End after so long.")
     ] = None,
-    form: Annotated[Format, typer.Option("--format", help="How values are written.")] = Format.SIGNED,
+    form: Annotated[
+        Format | None, typer.Option("--format", help="How the words at addresses are written: signed without.")
+    ] = None,
+    interface: Name = None,
     json: Json = False,
     timeout: Timeout = DEFAULT_TIMEOUT,
 ) -> None:
-    """Watch addresses change, all sampled at the same instant; q or Ctrl-C ends it with a summary.
+    """Watch addresses or signals change, all sampled at the same instant; q or Ctrl-C ends it with a summary.
 
     A gateway that goes away is waited for.
 
     In a pipe, each sample is a line: its time in seconds, how many were lost before it, and the values, between tabs.
-    Under --json the values are numbers, in two's complement for --format signed and unsigned for the others.
+    Signals are in their units. Under --json the values of addresses are numbers, in two's complement for --format
+    signed and unsigned for the others. Without a SPEC, UNITY_LINK_SPEC in the environment names it.
     """
     if not rate > 0:
         raise ArgumentError(f"a rate of {rate:g} Hz was asked for, expected more than 0")
-    run(_watch(url, addresses, rate, count, duration, form, json=json, timeout=timeout))
+    watched: Watched
+    if _are_addresses(signals):
+        if interface is not None:
+            raise ArgumentError("--interface goes with a SPEC and signals")
+        watched = Words([number(text) for text in signals], form or Format.SIGNED)
+    elif form is not None:
+        raise ArgumentError(f"--format {form} goes with addresses: signals are written in their units")
+    else:
+        spec, names = split(url, signals)
+        watched = Signals(robot_of(spec, interface), names)
+    run(_watch(url, watched, rate, count, duration, json=json, timeout=timeout))
+
+
+def _are_addresses(texts: list[str]) -> bool:
+    """Return whether all are addresses; the first may be wrong where it can be nothing else."""
+    return not is_spec(texts[0]) and all(text[:1].isdigit() for text in texts)
 
 
 async def _watch(
     url: str,
-    addresses: list[int],
+    watched: Watched,
     rate: float,
     count: int | None,
     duration: float | None,
-    form: Format,
     *,
     json: bool,
     timeout: float,  # noqa: ASYNC109  (an option of the command)
@@ -76,13 +104,13 @@ async def _watch(
 
     async with (
         connect(url, timeout=timeout, reconnect=True) as link,
-        link.subscribe(addresses, rate_hz=rate) as samples,
+        watched.subscribe(link, rate) as samples,
     ):
         start = time.monotonic()
         try:
             async with asyncio.timeout(duration):
                 show = _show_live if is_live() and not json else _show_lines
-                await show(url, link, samples, count, _Writer(link, form, json=json))
+                await show(url, link, samples, count, watched, json=json)
         except TimeoutError:
             if duration is None:
                 raise
@@ -90,7 +118,7 @@ async def _watch(
             print_note(_summary(samples, count, time.monotonic() - start))
 
 
-def _summary(samples: Subscription, count: int | None, seconds: float) -> str:
+def _summary(samples: Stream, count: int | None, seconds: float) -> str:
     # More may have come by the time at which as many as were asked for have been written.
     shown = samples.received if count is None else min(count, samples.received)
     # The first comes at the beginning, so there is one period less than samples.
@@ -98,7 +126,7 @@ def _summary(samples: Subscription, count: int | None, seconds: float) -> str:
     return f"{shown:,} samples in {seconds:.1f} s{rate}, {samples.lost:,} lost"
 
 
-async def _first(count: int | None, samples: Subscription) -> AsyncIterator[Sample]:
+async def _first(count: int | None, samples: Stream) -> AsyncIterator[Taken]:
     """Return the first `count` samples, or all."""
     number = 0
     async for sample in samples:
@@ -108,31 +136,7 @@ async def _first(count: int | None, samples: Subscription) -> AsyncIterator[Samp
             return
 
 
-class _Writer:
-    """Writes the values of samples as the user asked for."""
-
-    def __init__(self, link: Link, form: Format, *, json: bool) -> None:
-        self.gateway = link.gateway
-        self.bits = link.gateway.data_bits
-        self.form = form
-        self.json = json
-
-    def text(self, word: int) -> str:
-        """Write a word."""
-        return in_form(word, self.bits, self.form)
-
-    def number(self, word: int) -> int:
-        """Return the number that a word stands for."""
-        return to_signed(word, self.bits) if self.form is Format.SIGNED else word
-
-    def from_number(self, value: int) -> str:
-        """Write a number that `number` gave."""
-        return self.text(value & (1 << self.bits) - 1)
-
-
-async def _follow(
-    samples: Subscription, count: int | None, take: Callable[[Sample], None], look: Callable[[], None]
-) -> None:
+async def _follow(samples: Stream, count: int | None, take: Callable[[Taken], None], look: Callable[[], None]) -> None:
     """Pass the first `count` samples to `take`, or all, and look beside that how things stand."""
     with first_error():
         async with asyncio.TaskGroup() as tasks:
@@ -150,27 +154,33 @@ async def _repeat(action: Callable[[], None]) -> None:
         action()
 
 
-async def _show_lines(url: str, link: Link, samples: Subscription, count: int | None, writer: _Writer) -> None:  # noqa: ARG001
-    names = [address_text(address, link.gateway) for address in samples.schedule.addresses]
-    if not writer.json:
-        print_line("\t".join(["time", "lost", *names]))
+async def _show_lines(
+    url: str,  # noqa: ARG001  (as `_show_live`)
+    link: Link,
+    samples: Stream,
+    count: int | None,
+    watched: Watched,
+    *,
+    json: bool,
+) -> None:
+    if not json:
+        print_line("\t".join(["time", "lost", *watched.names]))
 
-    def take(sample: Sample) -> None:
-        words = sample.values.tolist()
+    def take(sample: Taken) -> None:
+        values = watched.values(sample)
         at = sample.arrived if sample.time is None else sample.time
-        if writer.json:
-            values = {name: writer.number(word) for name, word in zip(names, words, strict=True)}
+        if json:
             print_json(
                 {
                     "sequence": sample.sequence,
                     "time": sample.time,
                     "arrived": sample.arrived,
                     "lost": sample.lost,
-                    "values": values,
+                    "values": dict(zip(watched.names, map(watched.plain, values), strict=True)),
                 }
             )
         else:
-            print_line("\t".join([f"{at:.6f}", str(sample.lost), *map(writer.text, words)]))
+            print_line("\t".join([f"{at:.6f}", str(sample.lost), *map(watched.text, values)]))
 
     away = False
 
@@ -183,10 +193,18 @@ async def _show_lines(url: str, link: Link, samples: Subscription, count: int | 
     await _follow(samples, count, take, look)
 
 
-async def _show_live(url: str, link: Link, samples: Subscription, count: int | None, writer: _Writer) -> None:
+async def _show_live(
+    url: str,
+    link: Link,
+    samples: Stream,
+    count: int | None,
+    watched: Watched,
+    *,
+    json: bool,  # noqa: ARG001  (as `_show_lines`)
+) -> None:
     from unity_link.cli.full_screen import full_screen
     from unity_link.cli.watch_view import WatchView
 
-    view = WatchView(url, link, samples, [address_text(a, link.gateway) for a in samples.schedule.addresses], writer)
+    view = WatchView(url, link, samples, watched)
     async with full_screen(view.render) as draw:
         await _follow(samples, count, view.take, draw)

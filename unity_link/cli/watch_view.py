@@ -1,10 +1,10 @@
-"""What `watch` shows on a terminal: one row for each address, with what it was in the last seconds as a curve."""
+"""What `watch` shows on a terminal: one row for each address or signal, and its last seconds as a curve."""
 
 from __future__ import annotations
 
 import time
 from collections import deque
-from typing import TYPE_CHECKING, Protocol
+from typing import TYPE_CHECKING
 
 from rich.console import Group, RenderableType
 from rich.table import Table
@@ -13,17 +13,15 @@ from rich.text import Text
 from unity_link.cli.plots import DOTS_ACROSS, Curve, Rgb, draw
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
-
     from rich.console import ConsoleDimensions
 
+    from unity_link.cli.watched import Stream, Taken, Watched
     from unity_link.link.link import Link
-    from unity_link.link.subscription import Sample, Subscription
 
 WINDOW = 10.0
 """Seconds that a curve shows."""
 COLORS: tuple[Rgb, ...] = ((86, 182, 232), (240, 160, 80), (126, 200, 120), (220, 130, 190), (230, 210, 90))
-_ADDRESS, _HEADINGS = "address", ("value", "min", "max")
+_HEADINGS = ("value", "min", "max")
 _GAP = 2
 """Columns of the terminal beside each column of the table."""
 _MOST_BINS = 400
@@ -31,29 +29,21 @@ _NARROWEST_PLOT = 10
 _WIDEST_PLOT = 60
 
 
-class Writer(Protocol):
-    """How numbers become text."""
-
-    def number(self, word: int) -> int:
-        """Return the number that a word stands for."""
-
-    def from_number(self, value: int) -> str:
-        """Write such a number."""
-
-
 class Trace:
-    """The numbers of one address: the newest, the extremes, and a curve of bounded size.
+    """The numbers of one row: the newest, the extremes, and a curve of bounded size.
 
     A curve is kept in bins of equal time, each with its lowest and highest number, so that a peak between two pictures
     is seen however fast the samples come.
     """
 
     def __init__(self) -> None:
-        self.newest = self.lowest = self.highest = 0
+        self.newest: float = 0
+        self.lowest: float = 0
+        self.highest: float = 0
         self._empty = True
-        self._bins: deque[tuple[int, int, int]] = deque(maxlen=_MOST_BINS)
+        self._bins: deque[tuple[int, float, float]] = deque(maxlen=_MOST_BINS)
 
-    def take(self, value: int, at: float) -> None:
+    def take(self, value: float, at: float) -> None:
         """Take the number of the time `at`, in seconds."""
         if self._empty:
             self._empty = False
@@ -71,7 +61,7 @@ class Trace:
     def curve(self, at: float, most: int, color: Rgb) -> Curve:
         """Return the last seconds before `at` as a curve of about `most` points."""
         newest = int(at / WINDOW * _MOST_BINS)
-        merged: dict[int, list[int]] = {}
+        merged: dict[int, list[float]] = {}
         for place, low, high in self._bins:
             if place > newest - _MOST_BINS:
                 merged.setdefault((place - newest) * most // (2 * _MOST_BINS), []).extend((low, high))
@@ -87,29 +77,29 @@ class Trace:
 class WatchView:
     """The table, from what samples it is given."""
 
-    def __init__(self, url: str, link: Link, samples: Subscription, names: Sequence[str], writer: Writer) -> None:
+    def __init__(self, url: str, link: Link, samples: Stream, watched: Watched) -> None:
         self._url = url
         self._link = link
         self._samples = samples
-        self._names = names
-        self._writer = writer
-        self._traces = [Trace() for _ in names]
+        self._names = watched.names
+        self._watched = watched
+        self._traces = [Trace() for _ in watched.names]
         self._began = time.monotonic()
 
-    def take(self, sample: Sample) -> None:
+    def take(self, sample: Taken) -> None:
         """Take a sample."""
         at = time.monotonic()
-        for trace, word in zip(self._traces, sample.values.tolist(), strict=True):
-            trace.take(self._writer.number(word), at)
+        for trace, value in zip(self._traces, self._watched.values(sample), strict=True):
+            trace.take(self._watched.number(value), at)
 
     def render(self, size: ConsoleDimensions) -> RenderableType:
         """Draw the table for a terminal of `size`; rows that do not fit are counted, not shown."""
         frame = 6
         shown = max(1, min(len(self._names), size.height - frame))
         height = 2 if 2 * shown <= size.height - frame else 1
-        texts = [[self._writer.from_number(n) for n in (t.newest, t.lowest, t.highest)] for t in self._traces[:shown]]
+        texts = [[self._watched.text(n) for n in (t.newest, t.lowest, t.highest)] for t in self._traces[:shown]]
         widths = [
-            max(len(_ADDRESS), len(self._names[0])),
+            max(len(self._watched.heading), len(self._names[0])),
             *(max(5, *map(len, column)) for column in zip(*texts, strict=True)),
         ]
         # The value itself is what is shown where there is no room for all.
@@ -117,7 +107,7 @@ class WatchView:
         rest = size.width - sum(widths[: columns + 1]) - _GAP * (columns + 2)
         plot_width = min(rest, _WIDEST_PLOT)
         table = Table(box=None, header_style="dim", padding=(0, 1), show_edge=False)
-        table.add_column(_ADDRESS, style="cyan", no_wrap=True, min_width=widths[0])
+        table.add_column(self._watched.heading, style="cyan", no_wrap=True, min_width=widths[0])
         for heading in _HEADINGS[:columns]:
             table.add_column(heading, justify="right", no_wrap=True, style="bold" if heading == "value" else "")
         if plot_width >= _NARROWEST_PLOT:

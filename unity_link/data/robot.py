@@ -253,10 +253,11 @@ def _check_gateway(interface: model.Interface, link: Link) -> None:
             f"the spec of {interface.name} has addresses up to {highest:#x}, and those of the gateway end at "
             f"{(1 << info.address_bits) - 1:#x}"
         )
-    if Feature.FINGERPRINT in info.features and info.build_id != interface.fingerprint:
+    if Feature.FINGERPRINT in info.features and info.build_id != interface.fingerprint and not link.any_map:
         raise UnsupportedError(
             f"the gateway was built for the map {info.build_id:08X}, and the spec of {interface.name} describes the "
-            f"map {interface.fingerprint:08X}: load the spec that the gateway was built from, or build it from this one"
+            f"map {interface.fingerprint:08X}: load the spec that the gateway was built from, or build it from this "
+            "one, or write map=any in the URL if you know what differs"
         )
 
 

@@ -88,6 +88,8 @@ class Connection:
         self._runtime: Runtime = AsyncioRuntime() if runtime is None else runtime
         self._now = self._runtime.time
         self._new_waiter = self._runtime.create_future
+        self.any_map = isinstance(target, DriverUrl) and target.any_map
+        """Whether robots of another map than the gateway's are taken."""
         node = target.node if isinstance(target, DriverUrl) else None
         self._session = Session(node, choose_seed, resumes=resumes or reconnect is not None)
         self._stream: Stream | None = None

@@ -44,7 +44,7 @@ _STAND_INS: dict[str, str] = {}
 _DEVICE_NAMES = frozenset({"ftdi", "ftdi-async"})
 """Schemes whose URLs have a device in a form of its own, such as ``ftdi:232h:SERIAL``, where others have host and port.
 """
-COMMON_OPTIONS = frozenset({"node", "snoop"})
+COMMON_OPTIONS = frozenset({"node", "snoop", "map"})
 SNOOP_VARIABLE = "UNITY_LINK_SNOOP"
 """In the environment: the snoop of all connections whose URL names none."""
 SENT, RECEIVED, SAMPLES = (logging.getLogger(f"unity_link.frames.{name}") for name in ("sent", "received", "samples"))
@@ -111,6 +111,14 @@ class DriverUrl(msgspec.Struct, frozen=True):
         if not 0 <= node <= 0xFE:
             raise ArgumentError(f"node={node} in {self.text} is not from 0 to 254")
         return node
+
+    @property
+    def any_map(self) -> bool:
+        """Whether a program may use a gateway that was built from another spec than its own."""
+        chosen = self.options.get("map")
+        if chosen not in (None, "any"):
+            raise ArgumentError(f"map={chosen} in {self.text} is not any")
+        return chosen is not None
 
     @property
     def snoop(self) -> str | None:

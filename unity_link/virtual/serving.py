@@ -12,8 +12,10 @@ one is full, the client is not read from; nothing in between grows.
 
 from __future__ import annotations
 
+import array
 import asyncio
 import contextlib
+import fcntl
 import io
 import os
 from pathlib import Path
@@ -24,6 +26,7 @@ from unity_link.protocol.datagrams import GatewayDatagrams
 from unity_link.protocol.messages import Codec
 from unity_link.transport.listening import LOOPBACK, listen_tcp, listen_unix, port_error
 from unity_link.virtual.transport import GatewayTransport
+from unity_link.virtual.uart import UartLine
 
 if TYPE_CHECKING:
     from collections.abc import AsyncIterator, Iterator
@@ -34,6 +37,8 @@ BUSY = b"this gateway serves another client; try again when that has gone\r\n"
 GRACE = 0.1
 """Seconds that a new client waits for the one before to go: hanging up may be heard later than calling again."""
 _LONGEST_REST = 65536
+_TCGETS2, _TERMIOS2_SIZE, _OUTPUT_SPEED = 0x802C542A, 64, 10
+"""Linux: how a terminal tells a speed that is none of the old ones; size and place are of `struct termios2`."""
 
 
 class ClientCounter(asyncio.Protocol):
@@ -264,7 +269,9 @@ class _PtySide(_Client):
 
 
 @contextlib.asynccontextmanager
-async def serve_pty(gateway: Gateway, link: str | os.PathLike[str] | None = None) -> AsyncIterator[str]:
+async def serve_pty(
+    gateway: Gateway, link: str | os.PathLike[str] | None = None, *, baud: float | None = None
+) -> AsyncIterator[str]:
     """Serve a gateway on a pseudo terminal, which looks like a serial port. Gives its URL.
 
     The port may be closed and opened again; what the gateway sends meanwhile waits in the terminal until that is full.
@@ -272,16 +279,20 @@ async def serve_pty(gateway: Gateway, link: str | os.PathLike[str] | None = None
     Args:
         gateway: what is served.
         link: path of a symbolic link to the terminal, under which it can be found again; removed at the end.
+        baud: speed of the gateway's UART, bits a second: a client whose port has another hears garbage, and so does
+            the gateway. None for a terminal whose speed is of no effect, as usual.
 
     Raises:
         ConnectError: where there is something at the path already, or no terminal is left.
     """
     async with contextlib.AsyncExitStack() as stack:
-        counter = await stack.enter_async_context(_counter(gateway))
         try:
             master, port = os.openpty()
         except OSError as error:
             raise ConnectError(f"no pseudo terminal can be opened ({error.strerror or error})") from error
+        if baud is not None:
+            gateway = UartLine(gateway, baud, lambda: _speed(master))
+        counter = await stack.enter_async_context(_counter(gateway))
         # As long as the port's side is open here, a client may come and go.
         stack.callback(os.close, port)
         # Not there on Windows, where nothing above is either.
@@ -299,6 +310,13 @@ async def serve_pty(gateway: Gateway, link: str | os.PathLike[str] | None = None
         sender, _ = await loop.connect_write_pipe(lambda: _PtySide(counter), writing)
         stack.callback(sender.abort)
         yield f"serial:{name}"
+
+
+def _speed(master: int) -> float:
+    """Return the speed that the other side of a pseudo terminal has set."""
+    settings = array.array("i", bytes(_TERMIOS2_SIZE))
+    fcntl.ioctl(master, _TCGETS2, settings)
+    return settings[_OUTPUT_SPEED]
 
 
 def _absolute(path: str | os.PathLike[str]) -> Path:

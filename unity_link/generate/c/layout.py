@@ -207,6 +207,7 @@ class Layout:
         self._shorts = Names([self.class_name, *members], is_global)
         self._globals = Names([self.prefix, *self._guards, *members], is_global)
         self.root_type = self._global("signals")
+        self.check_map = self._global("check_map")
         self.enumerations = {one.name: self._enumeration(one) for one in interface.enumerations}
         self.value_types: dict[str, ValueType] = {}
         """By the paths of the signals."""

@@ -38,6 +38,9 @@ DEFAULT_BAUD = 115_200
 CONTROL_TIMEOUT_MS = 1000
 """Of requests to the chip; a chip that works takes less than one."""
 UDEV_RULE = "/etc/udev/rules.d/70-ft232h.rules"
+UDEV_LINE = (
+    'SUBSYSTEM=="usb", ATTR{idVendor}=="0403", ATTR{idProduct}=="6014", MODE="0660", GROUP="plugdev", TAG+="uaccess"'
+)
 _NO_PYFTDI = "an FT232H needs pyftdi, which is not installed: pip install 'unity-link[ftdi]'"
 _SUPPORTED = 0x0900
 """bcdDevice of an FT232H."""

@@ -57,10 +57,12 @@ class GatewayBoard:
         gateway: what answers. The sizes of its FIFOs are in its `info`.
         mode: what its gateware was built for; where the chip's pins are something else, no byte passes.
         step: most bytes that pass the pins in one event.
+        siwu_wired: whether SIWU# is connected.
     """
 
-    def __init__(self, gateway: Gateway, mode: Mode = Mode.FIFO, *, step: int = STEP) -> None:
+    def __init__(self, gateway: Gateway, mode: Mode = Mode.FIFO, *, step: int = STEP, siwu_wired: bool = True) -> None:
         self.gateway = gateway
+        self._siwu_wired = siwu_wired
         # Asked once: what a protocol has is slow to look up.
         self._sends_immediately = gateway if isinstance(gateway, SendsImmediately) else None
         self.mode = mode
@@ -223,9 +225,10 @@ class GatewayBoard:
         while self._pulses and self._pulses[0][0] == self._written:
             if self._pulses.popleft()[1]:
                 self._pulse_when_idle = True
-            else:
+            elif self._siwu_wired:
                 chip.send_immediate()
         busy = self._sent or self._received or chip.readable or self._reading is not None
         if self._pulse_when_idle and not busy:
             self._pulse_when_idle = False
-            chip.send_immediate()
+            if self._siwu_wired:
+                chip.send_immediate()

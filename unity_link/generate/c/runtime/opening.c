@@ -236,3 +236,13 @@ const char *ul_status_text(ul_status status)
     }
     return "an error of the gateway that this version does not know";
 }
+
+ul_status ul_check_map(ul_link *link, uint32_t map, const char *name)
+{
+    if (!(link->info.features & UL_FEATURE_FINGERPRINT) || link->info.build_id == map) return UL_OK;
+    snprintf(link->error, sizeof link->error,
+             "the gateway was built for the map %08lX, and %.40s describes the map %08lX: generate the client from the "
+             "spec that the gateway was built from, or build the gateway anew",
+             (unsigned long)link->info.build_id, name, (unsigned long)map);
+    return UL_UNSUPPORTED;
+}

@@ -1,0 +1,190 @@
+"""Signals by their names on the command line, and how a shell completes what is typed."""
+
+from __future__ import annotations
+
+import contextlib
+import io
+import json
+import os
+import subprocess
+import sys
+from pathlib import Path
+from typing import NamedTuple
+from unittest import mock
+
+import pytest
+
+from unity_link import cli
+from unity_link.cli import completion
+from unity_link.protocol.configuration import Feature, GatewayInfo
+from unity_link.spec import compile_text
+from unity_link.transport import parse_url
+
+ROOT = Path(__file__).parents[2]
+SCARA = str(ROOT / "examples" / "scara.ul")
+SPEC = """
+enum mode { IDLE = 0, RUN = 1 }
+public rover() {
+  @left = 0x10: signed 32 READWRITE(SCALE=0.5, UNIT="m/s", MIN=-10, MAX=10);
+  @state = 0x11: mode READWRITE();
+  @lamp = 0x12: bool READWRITE();
+  @ticks = 0x13: unsigned READ();
+}
+"""
+
+
+class Result(NamedTuple):
+    returncode: int
+    stdout: str
+    stderr: str
+
+
+def run(*arguments: str, **environment: str) -> Result:
+    """Run the command line in this process: what is tested here is its own, and not the system's."""
+    out, err = io.StringIO(), io.StringIO()
+    with (
+        mock.patch.dict(os.environ, environment),
+        mock.patch.object(sys, "argv", ["unity-link", *arguments]),
+        contextlib.redirect_stdout(out),
+        contextlib.redirect_stderr(err),
+        pytest.raises(SystemExit) as ended,
+    ):
+        cli.main()
+    assert isinstance(ended.value.code, int)
+    return Result(ended.value.code, out.getvalue(), err.getvalue())
+
+
+@pytest.fixture
+def rover(tmp_path: Path) -> str:
+    path = tmp_path / "rover.ul"
+    path.write_text(SPEC)
+    return str(path)
+
+
+def test_signals_are_read_by_name_part_and_pattern_in_their_units() -> None:
+    assert run("get", "sim:scara", SCARA, "j1.spd_sp").stdout == "j1.spd_sp  74.9988 deg/s\n"
+    whole = json.loads(run("get", "sim:scara", SCARA, "j2", "*.cpos", "--json").stdout)
+    assert list(whole["values"]) == ["j2.cpos", "j2.spd", "j2.pos_sp", "j2.spd_sp", "j1.cpos", "j3.cpos", "j4.cpos"]
+    assert whole["units"]["j3.cpos"] == "mm"
+
+
+def test_the_environment_may_name_the_spec() -> None:
+    assert run("get", "sim:scara", "j4.spd_sp", "--values", UNITY_LINK_SPEC=SCARA).stdout == "225\n"
+
+
+def test_signals_are_written_by_name_with_units_names_and_truths(rover: str) -> None:
+    result = run("set", "sim:", rover, "left=-1.5 m/s", "state=RUN", "lamp=on", "--json")
+    assert json.loads(result.stdout)["values"] == {"left": -1.5, "state": "RUN", "lamp": True}
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        (["get", "lfet"], "rover has no signal 'lfet': did you mean 'left'?"),
+        (["set", "left=11"], "left: 11 is outside of its limits, -10 to 10 m/s"),
+        (["set", "lamp=on", "left=fast"], "left: 'fast' is no value of signed 32: a number in m/s was expected"),
+        (["set", "left=1 mm/s"], "left: '1 mm/s' is no value of signed 32: a number in m/s was expected"),
+        (["set", "state=STOP"], "state: 'STOP' is no value of mode: IDLE, RUN are"),
+        (["set", "ticks=1"], "ticks is a READ signal, and cannot be written"),
+        (["set", "left"], "'left' is no SIGNAL=VALUE: write, for example, left=1"),
+        (["set"], "no signal was given: SIGNAL=VALUE was expected, such as j1.target=-1.5"),
+        (["watch", "left", "--format", "hex"], "--format hex goes with addresses: signals are written in their units"),
+    ],
+    ids=lambda value: " ".join(value) if isinstance(value, list) else "",
+)
+def test_a_wrong_name_or_value_is_told_before_anything_is_written(
+    arguments: list[str], words: str, rover: str, tmp_path: Path
+) -> None:
+    command, *rest = arguments
+    snoop = tmp_path / "nothing"
+    result = run(command, f"sim:?snoop={snoop}", rover, *rest)
+    assert (result.returncode, result.stdout, result.stderr) == (2, "", f"error: {words}\n")
+    assert not snoop.exists()
+
+
+def test_without_a_spec_a_name_is_answered_by_what_to_give() -> None:
+    result = run("get", "sim:scara", "j1.cpos")
+    assert result.returncode == 2
+    assert "no SPEC says which signals there are: give one before j1.cpos, such as robot.ul" in result.stderr
+
+
+def test_signals_are_watched_by_name() -> None:
+    lines = run("watch", "sim:scara", SCARA, "j1.spd_sp", "j3.spd_sp", "--count", "2").stdout.splitlines()
+    assert lines[0] == "time\tlost\tj1.spd_sp\tj3.spd_sp"
+    assert [line.split("\t")[2:] for line in lines[1:]] == [["74.9988", "125"]] * 2
+    (line,) = run("watch", "sim:scara", SCARA, "j1.spd_sp", "--count", "1", "--json").stdout.splitlines()
+    assert json.loads(line)["values"] == {"j1.spd_sp": pytest.approx(74.9988)}
+
+
+def test_a_spec_that_is_not_the_gateways_is_refused_before_a_write_unless_the_url_says_that_it_is_known(
+    rover: str,
+) -> None:
+    fingerprint = compile_text(SPEC).interface().fingerprint
+    features = int(GatewayInfo().features | Feature.FINGERPRINT)
+    right, wrong = (f"sim:?features={features}&build_id={number}" for number in (fingerprint, 0xCAFE))
+    assert run("set", right, rover, "left=1").returncode == 0
+    for command in (["set", "left=1"], ["get"], ["watch", "left", "--count", "1"]):
+        result = run(command[0], wrong, rover, *command[1:])
+        assert (result.returncode, result.stdout) == (1, "")
+        assert "the gateway was built for the map 0000CAFE" in result.stderr
+        assert len(result.stderr.splitlines()) <= 2
+    assert run("set", f"{wrong}&map=any", rover, "left=1").returncode == 0
+    assert "map=some" in run("get", "sim:?map=some", rover).stderr
+
+
+def test_the_command_line_is_a_module_too() -> None:
+    command = [sys.executable, "-m", "unity_link", "--version"]
+    assert subprocess.run(command, capture_output=True, text=True, check=True).stdout.startswith("unity-link ")
+
+
+# The shell
+
+
+def completed(line: str, shell: str = "zsh", **environment: str) -> list[str]:
+    """Return what a shell is offered behind a line."""
+    words = {"_TYPER_COMPLETE_ARGS": line}
+    if shell == "bash":
+        # As bash takes a line apart: each of its breaks is a word.
+        spaced = line.replace(":", " : ").replace("=", " = ").split(" ")
+        parts = [part for part in spaced[:-1] if part] + spaced[-1:]
+        words = {"COMP_WORDS": "\n".join(parts), "COMP_CWORD": str(len(parts) - 1)}
+    result = run(_UNITY_LINK_COMPLETE=f"complete_{shell}", **words, **environment)
+    assert result.returncode == 0
+    if shell == "zsh":
+        return [part.replace(r"\\:", ":") for part in result.stdout.split('"')[1::2]]
+    return result.stdout.split()
+
+
+def test_the_commands_and_signals_are_completed() -> None:
+    assert completed("unity-link ge", "bash") == ["get", "generate"]
+    assert completed(f"unity-link get sim:scara {SCARA} j1.s", "bash") == ["j1.spd", "j1.spd_sp"]
+    assert completed(f"unity-link set sim:scara {SCARA} j1.pos", "bash") == ["j1.pos_sp="]
+    assert completed("unity-link simulate --robot w", "bash") == ["walker"]
+    assert "ulx3s" in completed("unity-link build x.ul --board u", "bash")
+    assert completed("unity-link get sim:scara examples/sc", "bash") == ["examples/scara.ul"]
+
+
+def test_urls_are_completed_by_what_was_used_with_success_and_hold_no_secret(tmp_path: Path) -> None:
+    memory = {"UNITY_LINK_MEMORY": str(tmp_path / "state" / "urls")}
+    assert run("read", "sim:walker", "0x10", **memory).returncode == 0
+    assert run("read", "sim:?id_digits=2", "0x10", **memory).returncode == 0
+    run("read", "tcp://127.0.0.1:1?token=secret", "0", **memory)
+    assert run("info", "serial:/dev/nosuch", **memory).returncode == 1
+    assert (tmp_path / "state" / "urls").read_text().splitlines() == ["sim:?id_digits=2", "sim:walker"]
+    assert completed("unity-link info si", **memory)[:2] == ["sim:?id_digits=2", "sim:walker"]
+    assert completed("unity-link info sim:w", "bash", **memory) == ["walker"]
+    assert "//" in completed("unity-link info tcp:", "bash", **memory)
+
+
+def test_a_memory_that_cannot_be_written_is_no_error(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    (tmp_path / "file").write_text("")
+    monkeypatch.setenv("UNITY_LINK_MEMORY", str(tmp_path / "file" / "urls"))
+    completion.note("sim:")
+    completion.remember_used()
+    assert completion.remembered() == []
+
+
+def test_the_schemes_that_are_offered_are_known() -> None:
+    for scheme in completion.SCHEMES:
+        if scheme != "zenoh:":
+            assert parse_url(f"{scheme}x").scheme == scheme.partition(":")[0]

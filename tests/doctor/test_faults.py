@@ -1,0 +1,374 @@
+"""`unity-link doctor` finds each fault that is put into the virtual chip, the line, the gateway and the computer."""
+
+from __future__ import annotations
+
+import asyncio
+import http.server
+import json
+import os
+import signal
+import subprocess
+import sys
+import threading
+import tty
+from contextlib import contextmanager
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import pytest
+import typer
+from typer.testing import CliRunner
+
+from unity_link.cli import doctor
+from unity_link.doctor import garbage
+from unity_link.doctor.media import adapter_latency
+from unity_link.protocol.configuration import Feature, GatewayInfo
+from unity_link.spec import compile_text
+from unity_link.transport.ft232h.chip import UDEV_LINE
+from unity_link.transport.ft232h.eeprom_image import build_eeprom
+from unity_link.virtual import Gateway, VirtualGateway
+from unity_link.virtual.faults import Noise, NoisyLine
+from unity_link.virtual.ft232h.board import GatewayBoard
+from unity_link.virtual.ft232h.bus import VirtualBus, VirtualFt232h
+from unity_link.virtual.ft232h.pyusb_backend import installed
+from unity_link.virtual.serving import serve_pty, serve_tcp
+from unity_link.virtual.uart import hear
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator, MutableMapping
+    from contextlib import AbstractAsyncContextManager
+
+
+PROGRAM = str(Path(sys.executable).parent / "unity-link")
+CHIP = "ftdi://ftdi:232h/1"
+SPEC, OTHER = "public robot() { @x = 1: READ(); }", "public robot() { @x = 2: READ(); }"
+ROOT = Path(__file__).parents[2]
+app = typer.Typer(pretty_exceptions_enable=False)
+app.command()(doctor.doctor)
+app.command("another")(lambda: None)
+
+
+def examined(*arguments: str) -> dict[str, dict[str, str]]:
+    """Run the command, and return what is wrong, by the names of the faults."""
+    result = CliRunner().invoke(app, ["doctor", *arguments, "--json"])
+    if result.exception is not None and not isinstance(result.exception, SystemExit):
+        raise result.exception
+    findings = [json.loads(line) for line in result.stdout.splitlines()]
+    faults = {finding["fault"]: finding for finding in findings if finding["fault"]}
+    assert result.exit_code == (1 if faults else 0)
+    return faults
+
+
+@contextmanager
+def served(serving: AbstractAsyncContextManager[str]) -> Iterator[str]:
+    """Serve beside the test, in a loop and a thread of its own, and give the URL."""
+    loop, ready, urls = asyncio.new_event_loop(), threading.Event(), []
+
+    async def serve() -> None:
+        async with serving as url:
+            urls.append(url)
+            ready.set()
+            await over.wait()
+
+    over = asyncio.Event()
+    thread = threading.Thread(target=loop.run_until_complete, args=(serve(),))
+    thread.start()
+    try:
+        assert ready.wait(10)
+        yield urls[0]
+    finally:
+        loop.call_soon_threadsafe(over.set)
+        thread.join()
+        loop.close()
+
+
+@contextmanager
+def plugged_in(board: GatewayBoard | None = None, **settings: Any) -> Iterator[VirtualFt232h]:
+    device = VirtualFt232h(board or GatewayBoard(VirtualGateway()), **settings)
+    with installed(VirtualBus(device)):
+        yield device
+
+
+def gateway_of(**fields: Any) -> VirtualGateway:
+    return VirtualGateway(GatewayInfo(**fields))
+
+
+# The chip
+
+
+def test_a_chip_that_is_a_uart_by_its_eeprom() -> None:
+    with plugged_in(image=build_eeprom("UART", "S1")):
+        fault = examined(CHIP)["wrong EEPROM"]
+    assert "unity-link ft232h configure ftdi://ftdi:232h/1 --mode fifo" in fault["advice"]
+
+
+def test_a_latency_timer_of_16_ms() -> None:
+    with plugged_in():
+        assert "16 ms" in examined(f"{CHIP}?latency=16")["latency timer"]["text"]
+
+
+def test_a_latency_timer_of_16_ms_of_the_kernels_driver(tmp_path: Path) -> None:
+    device = tmp_path / "class" / "tty" / "ttyUSB0" / "device"
+    device.mkdir(parents=True)
+    (device / "latency_timer").write_text("16\n")
+    assert adapter_latency("/dev/ttyUSB0", tmp_path) == 16
+    assert adapter_latency("/dev/ttyUSB1", tmp_path) is None
+
+
+def test_a_chip_whose_siwu_is_not_wired() -> None:
+    with plugged_in(GatewayBoard(VirtualGateway(), siwu_wired=False)):
+        assert "event_char=10" in examined(CHIP)["no SIWU#"]["advice"]
+
+
+def test_a_gateway_without_siwu_and_the_event_character_in_its_place() -> None:
+    without = gateway_of(features=GatewayInfo().features & ~Feature.SEND_IMMEDIATE)
+    with plugged_in(GatewayBoard(without)):
+        assert "no SIWU#" in examined(CHIP)
+        assert "no SIWU#" not in examined(f"{CHIP}?event_char=10")
+
+
+def test_a_chip_without_permission_and_the_line_for_udev() -> None:
+    with plugged_in() as device:
+        device.denied = True
+        assert UDEV_LINE in examined(CHIP)["no permission"]["advice"]
+    assert UDEV_LINE in (ROOT / "docs" / "how-to" / "ft232h.md").read_text()
+
+
+def test_a_chip_that_another_program_has() -> None:
+    with plugged_in() as device:
+        device.claimed_by = object()
+        assert "busy" in examined(CHIP)
+
+
+def test_a_chip_that_is_not_there() -> None:
+    with plugged_in() as device:
+        device.unplug()
+        assert "unplugged" in examined(CHIP)
+
+
+# Serial ports
+
+
+def test_a_port_that_is_not_there() -> None:
+    assert "unplugged" in examined("serial:/dev/nosuch")
+
+
+def test_a_port_that_another_program_has_is_told_with_that_program() -> None:
+    with served(serve_pty(VirtualGateway())) as url:
+        holding = "import serial, sys; p = serial.Serial(sys.argv[1], exclusive=True); print(flush=True); input()"
+        command = [sys.executable, "-c", holding, url.removeprefix("serial:")]
+        with subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True) as other:
+            assert other.stdout is not None
+            other.stdout.readline()
+            result = CliRunner().invoke(app, ["doctor", url])
+            other.communicate("\n")
+    assert result.exit_code == 1
+    assert "busy" in result.stdout
+    assert f"(process {other.pid})" in result.stdout
+
+
+def test_a_port_of_somebody_else() -> None:
+    # Root may open anything, and the files of Python may be root's: who asks is somebody else, who imports is not.
+    program = "import os; os.getuid() or os.setreuid(65534, 0); from unity_link.cli import main; main()"
+    with served(serve_pty(VirtualGateway())) as url:
+        path = Path(url.removeprefix("serial:"))
+        path.chmod(0)
+        result = subprocess.run(
+            [sys.executable, "-c", program, "doctor", url, "--json"],
+            capture_output=True,
+            text=True,
+            timeout=60,
+            check=False,
+        )
+        group = path.group()
+    found = [json.loads(line) for line in result.stdout.splitlines()][-1]
+    assert (result.returncode, found["fault"]) == (1, "no permission")
+    assert f"usermod -aG {group}" in found["advice"]
+    assert 'MODE="0660"' in found["advice"]
+
+
+@pytest.mark.parametrize("baud", [115_200, 9_600])
+def test_a_port_of_another_speed_than_the_gateway(baud: int) -> None:
+    with served(serve_pty(VirtualGateway(), baud=921_600)) as url:
+        fault = examined(f"{url}?baud={baud}", "--timeout", "0.4")["wrong baud"]
+        assert "baud=921600" in fault["advice"]
+        assert "wrong baud" not in examined(f"{url}?baud=921600")
+
+
+def test_garbage_of_a_speed_that_nobody_would_try() -> None:
+    gateway = gateway_of()
+    with served(serve_pty(Chatter(gateway), baud=31_250)) as url:
+        assert "several times faster" in examined(f"{url}?baud=115200", "--timeout", "0.4")["wrong baud"]["text"]
+
+
+@pytest.mark.parametrize("factor", [3, 4, 8, 16, 100])
+def test_garbage_of_a_port_that_is_too_fast_is_told_by_its_pattern(factor: int) -> None:
+    heard = hear(b"x00002ABCD\np07000012345678\n" * 3, 9_600, 9_600 * factor)
+    assert not garbage.is_text(heard)
+    assert "faster than the gateway" in garbage.describe(heard)
+
+
+@pytest.mark.parametrize("factor", [2, 3, 4, 8])
+def test_garbage_of_a_port_that_is_too_slow_is_not_taken_for_that_of_a_fast_one(factor: int) -> None:
+    heard = hear(b"x00002ABCD\np07000012345678\n" * 3, 9_600 * factor, 9_600)
+    assert not garbage.is_text(heard)
+    assert "slower" in garbage.describe(heard)
+
+
+def test_tx_that_is_connected_to_rx() -> None:
+    master, port = os.openpty()
+    tty.setraw(port)
+
+    def echo() -> None:
+        while (data := os.read(master, 4096)) != b"end":
+            os.write(master, data)
+
+    thread = threading.Thread(target=echo)
+    thread.start()
+    try:
+        assert "TX" in examined(f"serial:{os.ttyname(port)}", "--timeout", "0.4")["loopback"]["advice"]
+    finally:
+        os.write(port, b"end")
+        thread.join()
+        os.close(port)
+        os.close(master)
+
+
+@pytest.mark.parametrize("chances", [{"flip": 0.001}, {"loss": 0.001}])
+def test_one_per_mille_of_damage(chances: dict[str, float]) -> None:
+    noisy = NoisyLine(VirtualGateway(), Noise(1, **chances), Noise(2, **chances))
+    with served(serve_pty(noisy)) as url:
+        assert "one byte in" in examined(url)["noise"]["text"]
+
+
+# What is at the other end
+
+
+class Quiet(http.server.BaseHTTPRequestHandler):
+    """An HTTP server's answer, without its log."""
+
+    def log_message(self, *_: object) -> None:
+        pass
+
+
+def test_a_server_of_http_on_the_port() -> None:
+    with http.server.ThreadingHTTPServer(("127.0.0.1", 0), Quiet) as server:
+        threading.Thread(target=server.serve_forever).start()
+        found = examined(f"tcp://127.0.0.1:{server.server_port}", "--timeout", "0.4")
+        server.shutdown()
+    assert "HTTP answers there" in found["another protocol"]["text"]
+
+
+def test_a_port_on_which_nothing_listens() -> None:
+    assert "nothing listens" in examined("tcp://127.0.0.1:1")
+
+
+def test_a_gateway_of_another_version() -> None:
+    with served(serve_tcp(gateway_of(protocol_version=3))) as url:
+        assert "version 03" in examined(url)["other version"]["text"]
+
+
+def test_a_small_fifo_without_flow_control() -> None:
+    small = gateway_of(receive_fifo_bytes=32, features=GatewayInfo().features & ~Feature.FLOW_CONTROL)
+    with served(serve_pty(small)) as url:
+        assert "rtscts=1" in examined(url)["small FIFO"]["advice"]
+
+
+@pytest.mark.parametrize("answers", [0, 30], ids=["from the beginning", "in the middle"])
+def test_a_gateway_that_stands_still(answers: int) -> None:
+    with served(serve_pty(Chatter(VirtualGateway(), answers))) as url:
+        assert "stalled gateway" in examined(url, "--timeout", "0.4")
+
+
+def test_a_server_that_stands_still() -> None:
+    with subprocess.Popen([PROGRAM, "simulate", "--tcp", "0"], stdout=subprocess.PIPE, text=True) as server:
+        assert server.stdout is not None
+        url = server.stdout.readline().strip()
+        server.send_signal(signal.SIGSTOP)
+        try:
+            assert "stalled gateway" in examined(url, "--timeout", "0.4")
+        finally:
+            server.send_signal(signal.SIGCONT)
+            server.terminate()
+
+
+def test_a_gateway_that_serves_another_program() -> None:
+    with served(serve_tcp(VirtualGateway())) as url:
+        import unity_link.blocking
+
+        with unity_link.blocking.connect(url):
+            assert "busy" in examined(url, "--timeout", "0.4")
+
+
+def test_a_gateway_that_was_built_from_another_spec(tmp_path: Path) -> None:
+    (tmp_path / "right.ul").write_text(SPEC)
+    (tmp_path / "wrong.ul").write_text(OTHER)
+    fingerprint = compile_text(SPEC).interface().fingerprint
+    gateway = gateway_of(features=GatewayInfo().features | Feature.FINGERPRINT, build_id=fingerprint)
+    with served(serve_pty(gateway)) as url:
+        assert "wrong spec" not in examined(url, str(tmp_path / "right.ul"))
+        assert f"{fingerprint:08X}" in examined(url, str(tmp_path / "wrong.ul"))["wrong spec"]["text"]
+
+
+# The computer
+
+
+def test_a_computer_that_is_slow_to_run_what_waits() -> None:
+    with subprocess.Popen([PROGRAM, "doctor", "sim:", "--json"], stdout=subprocess.PIPE, text=True) as process:
+        assert process.stdout is not None
+        first = process.stdout.readline()
+        over = threading.Event()
+
+        def slow_down() -> None:
+            while not over.wait(0.004):
+                process.send_signal(signal.SIGSTOP)
+                over.wait(0.04)
+                process.send_signal(signal.SIGCONT)
+
+        slowing = threading.Thread(target=slow_down)
+        slowing.start()
+        findings = [json.loads(line) for line in [first, process.stdout.readline(), process.stdout.readline()]]
+        over.set()
+        slowing.join()
+        process.send_signal(signal.SIGCONT)
+        process.stdout.read()
+    assert [finding["fault"] for finding in findings] == [None, None, "slow host"]
+    assert process.returncode == 1
+
+
+class Chatter(Gateway):
+    """A gateway in front of another, which answers so many times, and otherwise says something by itself or nothing.
+
+    Args:
+        gateway: who answers.
+        answers: how often; None for a gateway that never does, and sends the same samples for ever.
+    """
+
+    def __init__(self, gateway: Gateway, answers: int | None = None) -> None:
+        self.info = gateway.info
+        self.wake = lambda: None
+        self._gateway = gateway
+        self._answers = answers
+
+    @property
+    def memory(self) -> MutableMapping[int, int]:
+        return self._gateway.memory
+
+    @property
+    def waiting(self) -> int:
+        return 0
+
+    @property
+    def next_due(self) -> None:
+        return None
+
+    def receive(self, data: bytes, now: float) -> bytes:
+        if self._answers is None:
+            return b"p07000012345678\n" * 4
+        if self._answers <= 0:
+            return b""
+        self._answers -= 1
+        return self._gateway.receive(data, now)
+
+    def advance(self, now: float, room: int | None = None) -> bytes:
+        return b""

@@ -1,0 +1,168 @@
+"""What the shell is told when it asks how an argument goes on: URLs that were used before, schemes, ports, signals.
+
+URLs that a command has used with success are remembered in a file of the user's own, but for those with a token. No
+gateway is asked: completion is quick, and nothing happens on a wire.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import io
+import os
+import re
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Iterator
+
+MEMORY_VARIABLE = "UNITY_LINK_MEMORY"
+"""In the environment: the file with the URLs; empty for none."""
+_MOST = 20
+"""URLs that are remembered."""
+_ASKED, _BY_BASH = "_UNITY_LINK_COMPLETE", "complete_bash"
+"""What typer's scripts for shells say in the environment."""
+_BREAKS = (":", "=")
+"""What breaks words in bash, and is in URLs and assignments."""
+_LISTS = ("names", "assignments", "signals")
+"""Parameters of commands that are specs and signals."""
+_SUFFIX = ".ul"
+_SECRET = re.compile(r"[?&]token=")
+SCHEMES = ("serial:", "tcp://", "unix:", "udp://", "zenoh:", "ftdi://", "ftdi-async://", "sim:", "rtl:")
+_DEVICES = ("ttyUSB*", "ttyACM*")
+
+
+_used: list[str] = []
+"""The URL of the command that runs."""
+
+
+def note(url: str) -> str:
+    """Take down the URL of the command that runs, and return it."""
+    _used[:] = [url]
+    return url
+
+
+def remember_used() -> None:
+    """Remember the URL of a command that has done its work, the newest first; where that cannot be done is no error."""
+    # A secret is not to be found in a file that nobody has asked for.
+    for url in _used:
+        path = _memory()
+        if path is None or _SECRET.search(url) or "\n" in url:
+            return
+        before = remembered()
+        if before[:1] == [url]:
+            return
+        kept = [url, *(other for other in before if other != url)][:_MOST]
+        with contextlib.suppress(OSError):
+            path.parent.mkdir(parents=True, exist_ok=True)
+            replacement = path.with_suffix(f".{os.getpid()}")
+            replacement.write_text("\n".join(kept) + "\n", encoding="utf-8")
+            replacement.replace(path)
+
+
+def remembered() -> list[str]:
+    """Return the URLs that were used before, the newest first."""
+    path = _memory()
+    try:
+        return [] if path is None else path.read_text(encoding="utf-8").splitlines()
+    except (OSError, UnicodeDecodeError):
+        return []
+
+
+def _memory() -> Path | None:
+    """Return the file with the URLs, in the user's state or where the environment says; None where it says none."""
+    named = os.environ.get(MEMORY_VARIABLE)
+    if named is not None:
+        return Path(named) if named else None
+    state = os.environ.get("XDG_STATE_HOME") or Path.home() / ".local" / "state"
+    return Path(state) / "unity-link" / "urls"
+
+
+@contextlib.contextmanager
+def words_of_bash() -> Iterator[None]:
+    """Answer bash as other shells are: it takes `:` and `=` for words, and replaces what stands behind the last."""
+    if os.environ.get(_ASKED) != _BY_BASH:
+        yield
+        return
+    words, place = _joined(os.environ.get("COMP_WORDS", "").split("\n"), int(os.environ.get("COMP_CWORD", "0")))
+    os.environ.update(COMP_WORDS="\n".join(words), COMP_CWORD=str(place))
+    typed = words[place] if place < len(words) else ""
+    cut = 1 + max(map(typed.rfind, _BREAKS))
+    answer = io.StringIO()
+    try:
+        with contextlib.redirect_stdout(answer):
+            yield
+    finally:
+        sys.stdout.write("\n".join(line[cut:] for line in answer.getvalue().splitlines()))
+
+
+def _joined(words: list[str], place: int) -> tuple[list[str], int]:
+    """Join words with the breaks beside them; return them, and which of them the word at a place has become a part of.
+
+    What stands behind a break is taken for a part of the same word: bash does not tell whether a space was between.
+    """
+    joined: list[str] = []
+    at = 0
+    for number, word in enumerate(words):
+        if number > 1 and (word in _BREAKS or joined[-1].endswith(_BREAKS)):
+            joined[-1] += word
+        else:
+            joined.append(word)
+        if number == place:
+            at = len(joined) - 1
+    return joined, at
+
+
+def _ways(incomplete: str, known: Iterable[str]) -> list[str]:
+    """Return how an argument may go on, each way once."""
+    return [text for text in dict.fromkeys(known) if text.startswith(incomplete)]
+
+
+def complete_url(incomplete: str) -> list[str]:
+    """Return URLs that begin so: those that were used, the ports of this computer, and the schemes."""
+    ports = [f"serial:{port}" for pattern in _DEVICES for port in sorted(Path("/dev").glob(pattern))]
+    known = [*remembered(), *ports, *(f"sim:{robot}" for robot in complete_robot("")), *SCHEMES]
+    return _ways(incomplete, known)
+
+
+def complete_robot(incomplete: str) -> list[str]:
+    """Return the names of the robots that can be simulated."""
+    from unity_link.virtual.build import ROBOTS
+
+    return _ways(incomplete, filter(None, ROBOTS))
+
+
+def complete_board(incomplete: str) -> list[str]:
+    """Return the names of the boards that are known."""
+    from unity_link.boards.board import board_names
+
+    return _ways(incomplete, board_names())
+
+
+def complete_signal(ctx: Any, args: list[str], incomplete: str) -> list[str]:  # noqa: ARG001  (typer's)
+    """Return specs of this folder as the first argument behind the URL, and then signals of the spec."""
+    given = [text for name in _LISTS for text in ctx.params.get(name) or ()]
+    specs = [text for text in given if text.endswith(_SUFFIX)]
+    specs += list(filter(None, [os.environ.get("UNITY_LINK_SPEC")]))
+    if not specs:
+        return _ways(incomplete, sorted(_specs(incomplete)))
+    end = "=" if ctx.info_name == "set" else ""
+    return _ways(incomplete, (path + end for path in _paths(Path(specs[0]))))
+
+
+def _specs(incomplete: str) -> Iterator[str]:
+    folder, _, beginning = incomplete.rpartition("/")
+    for path in Path(folder or ("/" if incomplete.startswith("/") else ".")).glob("*"):
+        if path.name.startswith(beginning) and (path.suffix == _SUFFIX or path.is_dir()):
+            yield incomplete[: len(incomplete) - len(beginning)] + path.name + ("/" if path.is_dir() else "")
+
+
+def _paths(spec: Path) -> list[str]:
+    from unity_link.errors import UnityLinkError
+    from unity_link.spec import compile_file
+
+    # Whatever is wrong with it, the command itself will say.
+    with contextlib.suppress(UnityLinkError, OSError, ValueError):
+        return [path for one in compile_file(spec).interfaces for path in one.signals]
+    return []

@@ -1,0 +1,83 @@
+"""`unity-link doctor`: what is slow or wrong, and what to do about it."""
+
+from __future__ import annotations
+
+from pathlib import Path  # noqa: TC003  (typer reads it)
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from unity_link.cli.arguments import Json, Timeout  # noqa: TC001  (typer reads them)
+from unity_link.cli.output import print_json, print_note, print_parts
+from unity_link.cli.running import run
+from unity_link.cli.spec import Name, compile_or_exit
+from unity_link.errors import ArgumentError
+
+if TYPE_CHECKING:
+    from unity_link.doctor import Finding
+    from unity_link.spec.model import Interface
+
+WRONG = 1
+_WIDTH = 12
+_ANSWER_WITHIN = 2.5
+
+
+def add_to(app: typer.Typer) -> None:
+    """Add the commands of this file."""
+    app.command()(doctor)
+
+
+def doctor(
+    url: Annotated[
+        str | None, typer.Argument(metavar="[URL]", help="Where the gateway is; without it, this computer alone.")
+    ] = None,
+    spec: Annotated[
+        Path | None, typer.Argument(metavar="[SPEC]", help="The spec that programs take the gateway for.")
+    ] = None,
+    *,
+    interface: Name = None,
+    json: Json = False,
+    timeout: Timeout = _ANSWER_WITHIN,
+) -> None:
+    """Find what is slow or wrong: this computer, the port, the line, the gateway; and say what to do.
+
+    Nothing on the gateway's bus is read or written. Exits with 1 where something is wrong. Under --json each finding
+    is an object: "check", "text", and where something is wrong its name as "fault" and "advice".
+    """
+    expected: Interface | None = None
+    if spec is not None:
+        expected = compile_or_exit(spec).interface(interface)
+    elif interface is not None:
+        raise ArgumentError("--interface goes with a SPEC alone")
+    faults: list[Finding] = []
+    run(_doctor(url, expected, timeout, faults, json=json))
+    if faults:
+        raise typer.Exit(WRONG)
+
+
+async def _doctor(
+    url: str | None,
+    interface: Interface | None,
+    timeout: float,  # noqa: ASYNC109  (an option of the command)
+    faults: list[Finding],
+    *,
+    json: bool,
+) -> None:
+    from unity_link.doctor import examine
+
+    async for finding in examine(url, interface, timeout=timeout):
+        if finding.fault is not None:
+            faults.append(finding)
+        if json:
+            print_json(finding)
+        else:
+            _print(finding)
+    print_note(f"wrong: {', '.join(dict.fromkeys(f.fault or '' for f in faults))}" if faults else "nothing is wrong")
+
+
+def _print(finding: Finding) -> None:
+    mark = ("ok     ", "green") if finding.fault is None else ("WRONG  ", "bold red")
+    name = "" if finding.fault is None else f"{finding.fault}: "
+    print_parts(mark, (f"{finding.check:<{_WIDTH}}", "cyan"), "  ", (name, "bold"), finding.text)
+    if finding.advice:
+        print_parts(" " * (7 + _WIDTH), "  ", ("do: ", "bold"), finding.advice)

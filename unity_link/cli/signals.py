@@ -1,0 +1,285 @@
+"""`unity-link get` and `unity-link set`: signals by the names of a spec, with values in their units."""
+
+from __future__ import annotations
+
+import enum
+import fnmatch
+import os
+import re
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+
+from unity_link.cli.arguments import DEFAULT_TIMEOUT, Json, Timeout, Url
+from unity_link.cli.completion import complete_signal
+from unity_link.cli.output import print_json, print_line, print_parts
+from unity_link.cli.running import run
+from unity_link.cli.spec import Name, compile_or_exit
+from unity_link.errors import ArgumentError
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from unity_link.data.loading import LoadedRobot
+    from unity_link.data.proxies import Proxy
+    from unity_link.spec.model import Signal
+
+SPEC_VARIABLE = "UNITY_LINK_SPEC"
+"""In the environment: the spec of commands that are given none."""
+SUFFIX = ".ul"
+_HEX = re.compile("[0-9A-Fa-f]+")
+_TRUTHS = {"true": True, "on": True, "yes": True, "1": True, "false": False, "off": False, "no": False, "0": False}
+
+
+def add_to(app: typer.Typer) -> None:
+    """Add the commands of this file."""
+    app.command("get")(get)
+    # A negative value looks like an option.
+    app.command("set", context_settings={"ignore_unknown_options": True})(set_)
+
+
+def get(
+    url: Url,
+    names: Annotated[
+        list[str] | None,
+        typer.Argument(
+            metavar="[SPEC] [SIGNAL]...",
+            help="A spec, such as robot.ul, and signals: j1.position, a part as j1, a pattern as '*.position'; "
+            "without one, all that can be read but queues.",
+            autocompletion=complete_signal,
+        ),
+    ] = None,
+    *,
+    values_only: Annotated[bool, typer.Option("--values", help="Print the values alone, one a line.")] = False,
+    interface: Name = None,
+    json: Json = False,
+    timeout: Timeout = DEFAULT_TIMEOUT,
+) -> None:
+    """Read signals by their names, in their units. All are read in one go.
+
+    Without a SPEC, UNITY_LINK_SPEC in the environment names it. Under --json the values are those of the spec: numbers,
+    true or false, and of an enumeration its names.
+    """
+    spec, signals = split(url, names or [])
+    run(_get(url, robot_of(spec, interface), signals, values_only=values_only, json=json, timeout=timeout))
+
+
+async def _get(
+    url: str,
+    robot_type: type[LoadedRobot],
+    names: Sequence[str],
+    *,
+    values_only: bool,
+    json: bool,
+    timeout: float,  # noqa: ASYNC109  (an option of the command)
+) -> None:
+    from unity_link.data.groups import Group
+    from unity_link.link.link import connect
+
+    chosen = choose(robot_type, names, "read")
+    async with connect(url, timeout=timeout) as link:
+        robot = robot_type(link)
+        values = await Group(*(robot[path] for path in chosen)).get()
+    if json:
+        found = {proxy.path: plain(value) for proxy, value in values.items()}
+        print_json({"url": url, "values": found, "units": {proxy.path: proxy.unit for proxy in values if proxy.unit}})
+        return
+    width = max(map(len, chosen))
+    for proxy, value in values.items():
+        if values_only:
+            print_line(text(value))
+        else:
+            print_value(proxy, value, width)
+
+
+def set_(
+    url: Url,
+    assignments: Annotated[
+        list[str],
+        typer.Argument(
+            metavar="[SPEC] SIGNAL=VALUE...",
+            help="A spec, such as robot.ul, and signals with values: j1.target=-1.5 mode=RUN, or 'j1.target=5 deg'.",
+            autocompletion=complete_signal,
+            show_default=False,
+        ),
+    ],
+    *,
+    interface: Name = None,
+    json: Json = False,
+    timeout: Timeout = DEFAULT_TIMEOUT,
+) -> None:
+    """Write signals by their names, in their units and within their limits, in the order of the arguments.
+
+    All values are checked before the first is written. Without a SPEC, UNITY_LINK_SPEC in the environment names it.
+    """
+    spec, given = split(url, assignments)
+    robot_type = robot_of(spec, interface)
+    if not given:
+        raise ArgumentError("no signal was given: SIGNAL=VALUE was expected, such as j1.target=-1.5")
+    run(_set(url, robot_type, [_parse(robot_type, text) for text in given], json=json, timeout=timeout))
+
+
+async def _set(
+    url: str,
+    robot_type: type[LoadedRobot],
+    values: list[tuple[str, Any]],
+    *,
+    json: bool,
+    timeout: float,  # noqa: ASYNC109  (an option of the command)
+) -> None:
+    from unity_link.link.link import connect
+
+    written: list[Proxy[Any]] = []
+    async with connect(url, timeout=timeout) as link:
+        robot = robot_type(link)
+        for path, value in values:
+            proxy: Any = robot[path]
+            await proxy.set(value)
+            written.append(proxy)
+    if json:
+        print_json({"url": url, "values": {proxy.path: plain(proxy.value) for proxy in written}})
+        return
+    for proxy in written:
+        print_value(proxy, proxy.value, max(len(proxy.path) for proxy in written))
+
+
+# What the commands with names have in common
+
+
+def split(url: str, arguments: Sequence[str]) -> tuple[Path, list[str]]:
+    """Return the spec that arguments name, or else the environment or the URL, and the arguments behind it.
+
+    Raises:
+        ArgumentError: where nothing names one.
+    """
+    if arguments and is_spec(arguments[0]):
+        return Path(arguments[0]), list(arguments[1:])
+    named = os.environ.get(SPEC_VARIABLE) or _spec_in(url)
+    if named is None:
+        before = f" before {arguments[0]}" if arguments else ""
+        hint = f"; an address is written 0x{arguments[0]}" if arguments and _HEX.fullmatch(arguments[0]) else ""
+        raise ArgumentError(
+            f"no SPEC says which signals there are: give one{before}, such as robot.ul, or set {SPEC_VARIABLE}{hint}"
+        )
+    return Path(named), list(arguments)
+
+
+def is_spec(argument: str) -> bool:
+    """Return whether an argument is a spec, and no signal."""
+    return argument.endswith(SUFFIX) or argument == "-" or "/" in argument or Path(argument).is_file()
+
+
+def _spec_in(url: str) -> str | None:
+    path = url.partition(":")[2].partition("?")[0]
+    return path if path.endswith(SUFFIX) else None
+
+
+def robot_of(spec: Path, interface: str | None) -> type[LoadedRobot]:
+    """Compile a spec for a command; if it is wrong say so and end the command."""
+    from unity_link.data.loading import load
+
+    return load(compile_or_exit(spec), interface)
+
+
+def choose(robot_type: type[LoadedRobot], names: Sequence[str], what: str) -> list[str]:
+    """Return the paths of the signals that names stand for, each once, in the order of the names.
+
+    Args:
+        robot_type: has them.
+        names: paths, IDs, parts or patterns; none at all for every signal that is no queue.
+        what: is to be done: ``"read"`` or ``"write"``.
+
+    Raises:
+        ArgumentError: for a name that stands for nothing, or for nothing of which that can be done.
+    """
+    able = {path: signal for path, signal in robot_type.interface.signals.items() if _can(signal, what)}
+    chosen = [path for path, signal in able.items() if not signal.fifo] if not names else []
+    for name in names:
+        found = _stand_for(robot_type, name)
+        fitting = [path for path in found if path in able and (len(found) == 1 or not able[path].fifo)]
+        if not fitting:
+            only = robot_type.interface.signals[found[0]].access
+            raise ArgumentError(
+                f"{found[0]} is a {only} signal, and cannot be {'written' if what == 'write' else what}"
+            )
+        chosen += fitting
+    if not chosen:
+        raise ArgumentError(f"{robot_type.interface.name} has no signal that can be {what}")
+    return list(dict.fromkeys(chosen))
+
+
+def _can(signal: Signal, what: str) -> bool:
+    return signal.access.reads if what == "read" else signal.access.writes
+
+
+def _stand_for(robot_type: type[LoadedRobot], name: str) -> list[str]:
+    signals = robot_type.interface.signals
+    found = [
+        path
+        for path, signal in signals.items()
+        if name in (path, signal.id) or path.startswith((f"{name}.", f"{name}["))
+    ]
+    # Brackets are those of an array, as far as they can be.
+    found = found or [path for path in signals if fnmatch.fnmatchcase(path, name.replace("[", "[[]"))]
+    if not found:
+        from unity_link.spec.diagnostics import did_you_mean
+
+        hint = did_you_mean(name, [*signals, *(signal.id for signal in signals.values())])
+        raise ArgumentError(f"{robot_type.interface.name} has no signal {name!r}" + (f": {hint}" if hint else ""))
+    return found
+
+
+def _parse(robot_type: type[LoadedRobot], assignment: str) -> tuple[str, Any]:
+    """Return the path and the value of an assignment, checked.
+
+    Raises:
+        ArgumentError: where it is none, or the signal cannot take the value.
+    """
+    name, equals, value = assignment.partition("=")
+    if not equals:
+        raise ArgumentError(f"{assignment!r} is no SIGNAL=VALUE: write, for example, {assignment}=1")
+    (path, *others) = choose(robot_type, [name.strip()], "write")
+    if others:
+        raise ArgumentError(f"{name!r} stands for {len(others) + 1} signals: one was expected, such as {path}")
+    signal = robot_type.interface.signals[path]
+    parsed = _value(signal, value.strip())
+    signal.encode(parsed)
+    return path, parsed
+
+
+def _value(signal: Signal, given: str) -> Any:
+    """Return the value that a text stands for; the unit may stand behind it."""
+    number = given
+    if signal.unit and given.endswith(signal.unit):
+        number = given.removesuffix(signal.unit).strip()
+    if signal.kind.name == "bool" and number.lower() in _TRUTHS:
+        return _TRUTHS[number.lower()]
+    for read in (lambda text: int(text, 0), float):
+        try:
+            return read(number)
+        except ValueError:
+            continue
+    if signal.kind.enumeration is not None:
+        return number
+    expected = f"a number in {signal.unit}" if signal.unit else "a number"
+    raise ArgumentError(f"{signal.path}: {given!r} is no value of {signal.kind}: {expected} was expected")
+
+
+def plain(value: Any) -> Any:
+    """Return a value as JSON has it; of an enumeration the name."""
+    return value.name if isinstance(value, enum.Enum) else value
+
+
+def text(value: Any) -> str:
+    """Return a value as people read it."""
+    known = plain(value)
+    if isinstance(known, bool):
+        return "true" if known else "false"
+    return f"{known:.9g}" if isinstance(known, float) else str(known)
+
+
+def print_value(proxy: Proxy[Any], value: Any, width: int) -> None:
+    """Print a line with the path of a signal, its value and its unit."""
+    unit = f" {proxy.unit}" if proxy.unit else ""
+    print_parts((f"{proxy.path:<{width}}", "cyan"), "  ", (text(value), "bold"), unit)

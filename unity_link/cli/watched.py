@@ -1,0 +1,124 @@
+"""What `watch` watches: the words at addresses, or the signals of a spec."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, Protocol
+
+from unity_link.cli.signals import choose, plain, text
+from unity_link.protocol.numbers import Format, address_text, in_form, to_signed
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+    from contextlib import AbstractAsyncContextManager
+
+    from unity_link.data.batch import GroupSample
+    from unity_link.data.groups import Group
+    from unity_link.data.loading import LoadedRobot
+    from unity_link.data.sampling import GroupSubscription
+    from unity_link.link.link import Link
+    from unity_link.link.subscription import Sample, Subscription
+
+    Stream = Subscription | GroupSubscription
+    Taken = Sample | GroupSample
+
+
+class Watched(Protocol):
+    """What is watched, and how it is written. `names` are known when `subscribe` was called."""
+
+    heading: str
+    """What the names are."""
+    names: Sequence[str]
+
+    def subscribe(self, link: Link, rate_hz: float) -> AbstractAsyncContextManager[Any]:
+        """Return the stream of its samples."""
+
+    def values(self, sample: Any) -> Sequence[Any]:
+        """Return the values of a sample, one for each name."""
+
+    def plain(self, value: Any) -> Any:
+        """Return a value as JSON has it."""
+
+    def number(self, value: Any) -> float:
+        """Return the number that a curve shows of a value."""
+
+    def text(self, value: Any) -> str:
+        """Return a value, or such a number, as people read it."""
+
+
+class Words:
+    """Words at addresses.
+
+    Args:
+        addresses: of the words.
+        form: how they are written.
+    """
+
+    heading = "address"
+
+    def __init__(self, addresses: list[int], form: Format) -> None:
+        self.names: Sequence[str] = ()
+        self._addresses = addresses
+        self._form = form
+        self._bits = 0
+
+    def subscribe(self, link: Link, rate_hz: float) -> Subscription:
+        """Return the stream of their samples."""
+        self._bits = link.gateway.data_bits
+        samples = link.subscribe(self._addresses, rate_hz=rate_hz)
+        self.names = [address_text(address, link.gateway) for address in samples.schedule.addresses]
+        return samples
+
+    def values(self, sample: Sample) -> list[int]:
+        """Return the numbers that the words stand for."""
+        words: list[int] = sample.values.tolist()
+        return [to_signed(word, self._bits) for word in words] if self._form is Format.SIGNED else words
+
+    def plain(self, value: int) -> int:
+        """Return a number as it is."""
+        return value
+
+    number = plain
+
+    def text(self, value: float) -> str:
+        """Write a number."""
+        return in_form(int(value) & (1 << self._bits) - 1, self._bits, self._form)
+
+
+class Signals:
+    """Signals of a robot.
+
+    Args:
+        robot_type: has them.
+        chosen: paths, parts and patterns.
+    """
+
+    heading = "signal"
+
+    def __init__(self, robot_type: type[LoadedRobot], chosen: list[str]) -> None:
+        self.names: Sequence[str] = choose(robot_type, chosen, "read")
+        self._robot_type = robot_type
+        self._group: Group
+
+    def subscribe(self, link: Link, rate_hz: float) -> GroupSubscription:
+        """Return the stream of their samples."""
+        from unity_link.data.groups import Group
+
+        robot = self._robot_type(link)
+        self._group = Group(*(robot[path] for path in self.names))
+        return self._group.subscribe(rate_hz=rate_hz)
+
+    def values(self, sample: GroupSample) -> list[Any]:
+        """Return the values in their units."""
+        return [sample.values[proxy] for proxy in self._group.proxies]
+
+    def plain(self, value: Any) -> Any:
+        """Return a value as JSON has it."""
+        return plain(value)
+
+    def number(self, value: Any) -> float:
+        """Return the number of a value."""
+        return value if isinstance(value, float) else int(value)
+
+    def text(self, value: Any) -> str:
+        """Write a value."""
+        return text(value)

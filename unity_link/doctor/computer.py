@@ -1,0 +1,119 @@
+"""This computer: Python, the packages of each extra, the ports that are there, and how soon it runs what waits."""
+
+from __future__ import annotations
+
+import asyncio
+import importlib.metadata
+import os
+import platform
+import re
+import time
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from unity_link.doctor.findings import Fault, Finding
+from unity_link.errors import ConnectError
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+PACKAGE = "unity-link"
+_EXTRA = re.compile(r"extra == ['\"]([^'\"]+)['\"]")
+_NAME = re.compile(r"[A-Za-z0-9._-]+")
+WAKES = 40
+"""Short sleeps that are measured."""
+SLEEP = 0.001
+LATEST = 0.005
+"""Seconds by which this computer may be late on average."""
+
+
+def describe_python() -> Finding:
+    """Return which Python and which version of the package run."""
+    import unity_link
+
+    return Finding("python", f"{platform.python_version()} on {platform.system()}, unity-link {unity_link.__version__}")
+
+
+def describe_extras() -> Finding:
+    """Return which extras are installed. One that is missing is no fault: a medium that needs it says so."""
+    packages: dict[str, list[str]] = {}
+    try:
+        requirements = importlib.metadata.requires(PACKAGE) or []
+    except importlib.metadata.PackageNotFoundError:
+        return Finding("extras", "unity-link is not installed, but run from its sources")
+    for requirement in requirements:
+        extra, name = _EXTRA.search(requirement), _NAME.match(requirement)
+        if extra and name:
+            packages.setdefault(extra[1], []).append(name[0])
+    there = {extra: all(map(_is_installed, names)) for extra, names in packages.items()}
+    texts = [
+        f"{text} {', '.join(sorted(extra for extra in there if there[extra] is installed))}"
+        for text, installed in (("installed:", True), ("not installed:", False))
+        if installed in there.values()
+    ]
+    return Finding("extras", "; ".join(texts))
+
+
+def _is_installed(package: str) -> bool:
+    try:
+        importlib.metadata.version(package)
+    except importlib.metadata.PackageNotFoundError:
+        return False
+    return True
+
+
+async def check_speed() -> Finding:
+    """Return whether this computer runs soon what waits; what is late once is looked at again."""
+    late = await _lateness()
+    if late > LATEST:
+        late = min(late, await _lateness())
+    if late <= LATEST:
+        return Finding("computer", f"runs what waits within {_time(late)}, on average")
+    load = f", at a load of {os.getloadavg()[0]:.1f} on {os.cpu_count()} cores" if hasattr(os, "getloadavg") else ""
+    return Finding(
+        "computer",
+        f"this computer is slow to run what waits: {_time(late)} late on average{load}",
+        Fault.SLOW_HOST,
+        "end other programs, leave power saving, or give the program a higher priority (nice, chrt)",
+    )
+
+
+async def _lateness() -> float:
+    """Return by how much short sleeps are too long, in seconds, on average."""
+    began = time.perf_counter()
+    for _ in range(WAKES):
+        await asyncio.sleep(SLEEP)
+    return max(0.0, (time.perf_counter() - began) / WAKES - SLEEP)
+
+
+def _time(seconds: float) -> str:
+    return f"{seconds * 1e3:.1f} ms"
+
+
+def list_ports() -> Iterator[Finding]:
+    """Return what a gateway may be connected to here: serial ports and FT232H chips."""
+    from serial.tools.list_ports import comports
+
+    from unity_link.doctor.media import check_permission
+
+    ports = sorted(comports(), key=lambda port: port.device)
+    for port in ports:
+        if Path(port.device).exists() and (denied := check_permission(port.device)):
+            yield denied
+        else:
+            yield Finding("port", f"serial:{port.device}  {port.description}")
+    chips = list(_list_chips())
+    yield from chips
+    if not ports and not chips:
+        yield Finding("port", "no serial port and no FT232H is plugged in")
+
+
+def _list_chips() -> Iterator[Finding]:
+    from unity_link.transport.ft232h.chip import list_chips
+
+    try:
+        for url, description in list_chips():
+            yield Finding("port", f"{url}  {description}")
+    except ConnectError as error:
+        # No fault: a computer may have no use for them.
+        yield Finding("port", f"FT232H chips cannot be looked for: {error}")

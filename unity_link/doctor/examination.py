@@ -1,0 +1,98 @@
+"""All checks, in the order in which one thing needs another."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from unity_link.doctor import computer
+from unity_link.doctor.answers import explain_silence
+from unity_link.doctor.findings import Fault, Finding
+from unity_link.doctor.gateways import check_gateway, check_send_immediate
+from unity_link.doctor.media import CHIP_SCHEMES, check_medium, explain_failure
+from unity_link.errors import ConnectError, UnansweredError, UnsupportedError
+from unity_link.link.link import connect
+from unity_link.transport import parse_url
+
+if TYPE_CHECKING:
+    from collections.abc import AsyncIterator
+
+    from unity_link.protocol.configuration import GatewayInfo
+    from unity_link.spec.model import Interface
+    from unity_link.transport import DriverUrl
+
+TIMEOUT = 2.5
+"""Seconds for a gateway to answer at all."""
+
+
+async def examine(
+    url: str | None = None,
+    interface: Interface | None = None,
+    *,
+    timeout: float = TIMEOUT,  # noqa: ASYNC109  (as `unity_link.connect`)
+) -> AsyncIterator[Finding]:
+    """Look for what is slow or wrong; where something is that hides the rest, the rest is not looked at.
+
+    Args:
+        url: where the gateway is to be; None to look at this computer alone.
+        interface: what a program takes the gateway for.
+        timeout: seconds until the gateway must have answered.
+
+    Raises:
+        ArgumentError: for a URL that cannot be.
+    """
+    yield computer.describe_python()
+    yield computer.describe_extras()
+    yield await computer.check_speed()
+    if url is None:
+        for finding in computer.list_ports():
+            yield finding
+        return
+    try:
+        parsed = parse_url(url)
+    except ConnectError as error:
+        yield explain_failure("driver", error)
+        return
+    unusable = False
+    for finding in await check_medium(parsed):
+        unusable = unusable or finding.fault not in (None, Fault.LATENCY)
+        yield finding
+    if not unusable:
+        async for finding in _check_link(url, parsed, interface, timeout):
+            yield finding
+
+
+async def _check_link(
+    url: str,
+    parsed: DriverUrl,
+    interface: Interface | None,
+    timeout: float,  # noqa: ASYNC109
+) -> AsyncIterator[Finding]:
+    info: GatewayInfo | None = None
+    try:
+        async with connect(url, timeout=timeout) as link:
+            info = link.gateway
+            async for finding in check_gateway(parsed, link, interface):
+                yield finding
+    except UnsupportedError as error:
+        yield Finding("gateway", str(error), Fault.VERSION, "")
+    except ConnectError as error:
+        async for finding in explain_silence(parsed, error):
+            yield finding
+    except (UnansweredError, TimeoutError) as error:
+        yield _explain_loss(error)
+    else:
+        if parsed.scheme in CHIP_SCHEMES and parsed.options.get("mode") != "uart":
+            yield await check_send_immediate(parsed, info)
+
+
+def _explain_loss(error: UnansweredError | TimeoutError) -> Finding:
+    found = explain_failure("link", error)
+    if found.fault is not Fault.FAILED:
+        return found
+    reason = error.reason if isinstance(error, UnansweredError) else "the gateway does not answer any more"
+    return Finding(
+        "link",
+        f"the gateway answered at first, and then no more: {reason}",
+        Fault.STALLED,
+        "look at the clock, the power and the reset of the gateway, and at what serves it",
+    )

@@ -1,0 +1,42 @@
+"""What is found, in words."""
+
+from __future__ import annotations
+
+import enum
+
+import msgspec
+
+
+class Fault(enum.StrEnum):
+    """What can be wrong, by the name that programs may look for."""
+
+    MISSING = "missing package"
+    PERMISSION = "no permission"
+    BUSY = "busy"
+    UNPLUGGED = "unplugged"
+    ABSENT = "nothing listens"
+    EEPROM = "wrong EEPROM"
+    LATENCY = "latency timer"
+    SEND_IMMEDIATE = "no SIWU#"
+    BAUD = "wrong baud"
+    LOOPBACK = "loopback"
+    PROTOCOL = "another protocol"
+    VERSION = "other version"
+    SPEC = "wrong spec"
+    FIFO = "small FIFO"
+    STALLED = "stalled gateway"
+    NOISE = "noise"
+    SLOW_HOST = "slow host"
+    SLOW_LINK = "slow link"
+    FAILED = "failed"
+
+
+class Finding(msgspec.Struct, frozen=True):
+    """What one check has found."""
+
+    check: str
+    text: str
+    fault: Fault | None = None
+    """None where nothing is wrong."""
+    advice: str = ""
+    """What to do about it."""

@@ -1,0 +1,164 @@
+"""The port or chip that a URL names, before a link is opened on it: is it there, may it be used, is it set right."""
+
+from __future__ import annotations
+
+import asyncio
+import errno
+import os
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from unity_link.doctor.findings import Fault, Finding
+from unity_link.errors import ConnectError
+from unity_link.transport.ft232h.chip import UDEV_LINE, UDEV_RULE, find_errno
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from unity_link.transport import DriverUrl
+
+CHIP_SCHEMES = ("ftdi", "ftdi-async")
+LONGEST_LATENCY = 4
+"""ms of a latency timer beyond which it is what one waits for."""
+_SYSTEM = Path("/sys")
+_PROCESSES = Path("/proc")
+_SHARE = "close that program, or share the link: unity-link serve"
+_FAULTS = {
+    errno.EACCES: (Fault.PERMISSION, ""),
+    errno.EPERM: (Fault.PERMISSION, ""),
+    errno.EBUSY: (Fault.BUSY, _SHARE),
+    errno.EAGAIN: (Fault.BUSY, _SHARE),
+    errno.ENOENT: (Fault.UNPLUGGED, "plug it in, and look at its name: unity-link doctor lists what is there"),
+    errno.ENODEV: (Fault.UNPLUGGED, "plug it in again, and look at the cable and the hub"),
+    errno.ENXIO: (Fault.UNPLUGGED, "plug it in again, and look at the cable and the hub"),
+    errno.EIO: (Fault.UNPLUGGED, "plug it in again, and look at the cable and the hub"),
+    errno.ECONNREFUSED: (Fault.ABSENT, "start what serves the gateway, or correct the address"),
+    errno.ETIME: (
+        Fault.STALLED,
+        "look at the clock and the reset of the gateware, the wiring, and the mode of the FIFO",
+    ),
+}
+
+
+def explain_failure(check: str, error: BaseException) -> Finding:
+    """Return what it means that a medium could not be opened, or was lost."""
+    text = str(error)
+    fault, advice = _FAULTS.get(find_errno(error) or 0, (Fault.FAILED, ""))
+    if isinstance(error.__cause__, ImportError) or "is not installed" in text:
+        fault = Fault.MISSING
+    elif "no such FT232H" in text:
+        fault, advice = _FAULTS[errno.ENODEV]
+    elif fault is Fault.FAILED and text.endswith(("is it listening?", "is it served?")):
+        fault, advice = _FAULTS[errno.ECONNREFUSED]
+    elif "no permission for the FT232H" in text:
+        fault = Fault.PERMISSION
+    if fault is Fault.PERMISSION and "FT232H" in text:
+        advice = f"write this line into {UDEV_RULE}, then unplug it and plug it in again: {UDEV_LINE}"
+    return Finding(check, text, fault, advice)
+
+
+async def check_medium(url: DriverUrl) -> list[Finding]:
+    """Return what can be said of a port or a chip; nothing is sent over it."""
+    if url.scheme == "serial":
+        return list(_check_port(url))
+    if url.scheme in CHIP_SCHEMES:
+        return await asyncio.get_running_loop().run_in_executor(None, lambda: list(_check_chip(url)))
+    return []
+
+
+# Serial ports
+
+
+def _check_port(url: DriverUrl) -> Iterator[Finding]:
+    path = url.path
+    if not Path(path).exists():
+        missing = FileNotFoundError(errno.ENOENT, f"there is no port {path}; is the adapter plugged in?")
+        yield Finding("port", str(missing.strerror), *_FAULTS[errno.ENOENT])
+        return
+    if denied := check_permission(path):
+        yield denied
+        return
+    holders = list(_holders(Path(path)))
+    yield Finding("port", f"{path} is there" + (f", and open in {', '.join(holders)}" if holders else ""))
+    latency = adapter_latency(path)
+    if latency is not None:
+        yield _judge_latency("port", latency, f"run: echo 1 | sudo tee {_latency_file(path, _SYSTEM)}")
+
+
+def check_permission(path: str) -> Finding | None:
+    """Return what to do for a port that this user may not open; None for one that may be."""
+    if os.access(path, os.R_OK | os.W_OK):
+        return None
+    group = Path(path).group()
+    return Finding(
+        "port",
+        f"no permission for {path}, which belongs to the group {group}",
+        Fault.PERMISSION,
+        f"run: sudo usermod -aG {group} $USER, and log in again; or write a udev rule: "
+        f'KERNEL=="{Path(path).name}", MODE="0660", TAG+="uaccess"',
+    )
+
+
+def adapter_latency(path: str, system: Path = _SYSTEM) -> int | None:
+    """Return the latency timer of a serial adapter as the kernel tells it, in ms; None where there is none."""
+    try:
+        return int(_latency_file(path, system).read_text())
+    except (OSError, ValueError):
+        return None
+
+
+def _latency_file(path: str, system: Path) -> Path:
+    return system / "class" / "tty" / Path(path).resolve().name / "device" / "latency_timer"
+
+
+def _judge_latency(check: str, latency: int, advice: str) -> Finding:
+    if latency <= LONGEST_LATENCY:
+        return Finding(check, f"the latency timer is {latency} ms")
+    text = f"the latency timer is {latency} ms: a lone answer may wait that long in the adapter"
+    return Finding(check, text, Fault.LATENCY, advice)
+
+
+def _holders(path: Path) -> Iterator[str]:
+    """Return the other programs of this user that have a file open; of those of others nothing can be known."""
+    target = path.resolve()
+    for process in _PROCESSES.glob("[0-9]*"):
+        if process.name == str(os.getpid()):
+            continue
+        try:
+            if any(opened.resolve() == target for opened in (process / "fd").iterdir()):
+                yield f"{(process / 'comm').read_text().strip()} (process {process.name})"
+        except OSError:
+            continue
+
+
+# FT232H
+
+
+def _check_chip(url: DriverUrl) -> Iterator[Finding]:
+    from unity_link.transport.ft232h.chip import base_url, open_chip, settings_of
+    from unity_link.transport.ft232h.eeprom import read_info
+
+    try:
+        chip = open_chip(url, check=False)
+        try:
+            content = read_info(chip)
+            wanted = "UART" if settings_of(url).mode == "uart" else "FIFO"
+            if content.channel_type != wanted:
+                advice = (
+                    f"run: unity-link ft232h configure {base_url(url)} --mode {wanted.lower()}, "
+                    "then unplug the FT232H and plug it in again"
+                )
+                text = f"{content.description}, but mode={settings_of(url).mode} needs {wanted}"
+                yield Finding("chip", text, Fault.EEPROM, advice)
+                return
+            yield Finding(
+                "chip", f"{content.description} ({content.product}, serial number {content.serial or 'none'})"
+            )
+            chip.configure()
+            latency = chip.ftdi.get_latency_timer()
+        finally:
+            chip.close()
+    except (ConnectError, OSError) as error:
+        yield explain_failure("chip", error)
+        return
+    yield _judge_latency("chip", latency, "leave latency= out of the URL: the driver then sets 1 ms")

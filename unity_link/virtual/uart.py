@@ -1,0 +1,92 @@
+"""What a UART hears of another one that has a different speed.
+
+The line is high at rest. A byte is a low start bit, eight data bits, the lowest first, and a high stop bit. The hearer
+waits for a falling edge, and looks at the line in the middle of what it takes for bits. Where it finds the line low at
+the time of the stop bit, it hands on the byte all the same, as Linux does for a port in raw mode.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from unity_link.virtual.gateway import Gateway
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, MutableMapping
+
+_DATA_BITS = 8
+
+
+def hear(data: bytes, sent_at: float, heard_at: float) -> bytes:
+    """Return what is heard at a speed of bytes that are sent without a pause at another; both in bits a second."""
+    levels = [1]
+    for byte in data:
+        levels += [0, *(byte >> bit & 1 for bit in range(_DATA_BITS)), 1]
+    ratio = sent_at / heard_at
+    heard = bytearray()
+    place = 0
+    while (edge := _falling_edge(levels, place)) is not None:
+        bits = (_level(levels, edge + (1.5 + bit) * ratio) << bit for bit in range(_DATA_BITS))
+        heard.append(sum(bits))
+        place = int(edge + 9.5 * ratio)
+    return bytes(heard)
+
+
+def _falling_edge(levels: list[int], start: int) -> int | None:
+    for place in range(max(start, 0) + 1, len(levels)):
+        if levels[place - 1] and not levels[place]:
+            return place
+    return None
+
+
+def _level(levels: list[int], time: float) -> int:
+    place = int(time)
+    return levels[place] if place < len(levels) else 1
+
+
+class UartLine(Gateway):
+    """A gateway behind a UART of one speed, whose host has a port of perhaps another.
+
+    Args:
+        gateway: what is behind the line.
+        baud: the speed of the gateway's UART, bits a second.
+        port_baud: returns that of the host's port.
+    """
+
+    def __init__(self, gateway: Gateway, baud: float, port_baud: Callable[[], float]) -> None:
+        self.info = gateway.info
+        self.wake: Callable[[], None] = lambda: None
+        gateway.wake = self._pass_on_wake
+        self._gateway = gateway
+        self._baud = baud
+        self._port_baud = port_baud
+
+    def _pass_on_wake(self) -> None:
+        self.wake()
+
+    @property
+    def memory(self) -> MutableMapping[int, int]:
+        """The words behind the gateway, by address."""
+        return self._gateway.memory
+
+    @property
+    def next_due(self) -> float | None:
+        """When the gateway has something to do."""
+        return self._gateway.next_due
+
+    @property
+    def waiting(self) -> int:
+        """Bytes that wait at the gateway."""
+        return self._gateway.waiting
+
+    def receive(self, data: bytes, now: float) -> bytes:
+        """Take bytes at the time `now`, in seconds, and return those that are heard at once."""
+        port = self._port_baud()
+        if port == self._baud:
+            return self._gateway.receive(data, now)
+        return hear(self._gateway.receive(hear(data, port, self._baud), now), self._baud, port)
+
+    def advance(self, now: float, room: int | None = None) -> bytes:
+        """Let time pass, and return the bytes that are heard; see `Gateway`."""
+        sent, port = self._gateway.advance(now, room), self._port_baud()
+        return sent if port == self._baud else hear(sent, self._baud, port)
