@@ -44,6 +44,7 @@ _PROTOTYPES: dict[str, tuple[type | None, tuple[type, ...]]] = {
     "ul_available": (c_size_t, (c_void_p,)),
     "ul_pull": (c_size_t, (c_void_p, ctypes.c_char_p, c_size_t)),
     "ul_set_trigger": (None, (c_void_p, c_int)),
+    "ul_choose_trigger": (None, (c_void_p, c_int)),
     "ul_read_memory": (c_uint64, (c_void_p, c_uint64)),
     "ul_write_memory": (None, (c_void_p, c_uint64, c_uint64)),
     "ul_used_memory": (c_size_t, (c_void_p, POINTER(c_uint64), c_size_t)),
