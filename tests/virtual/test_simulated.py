@@ -524,7 +524,10 @@ def test_a_model_with_a_bug_never_has_a_command_wait(tmp_path: Path) -> None:
     model = tmp_path / "bad.py"
     model.write_text(
         "from unity_link.virtual.simulated import SimulatedRobot\n"
-        "class Bad(SimulatedRobot):\n    step_seconds = 1e-6\n    def step(self, dt):\n        self.left.speed = 1 / 0\n"
+        "class Bad(SimulatedRobot):\n"
+        "    step_seconds = 1e-6\n"
+        "    def step(self, dt):\n"
+        "        self.left.speed = 1 / 0\n"
     )
     command = [PROGRAM, "read", f"sim:{ROVER}?model={model}:Bad", "0x10"]
     done = subprocess.run(command, capture_output=True, text=True, timeout=60, check=False)
