@@ -11,6 +11,7 @@ undriven or undefined signal, which shows up in `numeric_std` and would otherwis
 from __future__ import annotations
 
 import hashlib
+import itertools
 import os
 import re
 import shutil
@@ -18,8 +19,10 @@ import uuid
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from unity_link.gateware.cache import LIBRARY, library_of
+
 if TYPE_CHECKING:
-    from collections.abc import Mapping, Sequence
+    from collections.abc import Iterable, Mapping, Sequence
 
 GATEWARE = Path(__file__).resolve().parent.parent
 _BUILD = GATEWARE / "build" / "bench"
@@ -63,10 +66,10 @@ def run_bench(
     """Run the cocotb tests of one module on one entity.
 
     Args:
-        toplevel: name of the entity (lower case, in library `work`).
+        toplevel: name of the entity, in lower case.
         module: dotted name of the Python module with the cocotb tests (`gateware.bench.uart.bench_uart`).
         generics: generics of the top entity; booleans may be Python's.
-        extra_sources: VHDL files beside those in `gateware/rtl` (a wrapper made for the bench).
+        extra_sources: VHDL files beside those in `gateware/rtl` (a wrapper made for the bench), in the library `work`.
         testcase: run only the test or tests whose name ends so.
         seed: of cocotb's random numbers; by default 1, so that a run can be repeated. The environment variable
             COCOTB_RANDOM_SEED overrides it.
@@ -80,8 +83,8 @@ def run_bench(
     from cocotb_tools.check_results import get_results
     from cocotb_tools.runner import get_runner
 
-    sources = [*rtl_sources(), *(Path(source).resolve() for source in extra_sources)]
-    build_dir = _BUILD / f"{toplevel}-{_hash_of(sources)}"
+    libraries = {LIBRARY: rtl_sources(), "work": [Path(source).resolve() for source in extra_sources]}
+    build_dir = _BUILD / f"{toplevel}-{_hash_of(itertools.chain(*libraries.values()))}"
     run_dir = build_dir / f"run-{uuid.uuid4().hex[:12]}"
     run_dir.mkdir(parents=True)
     # Here ends what cocotb's use of pytest sees of the project: no conftest.py, which takes a second to load.
@@ -90,18 +93,18 @@ def run_bench(
     log_file, results_file = run_dir / "simulation.log", run_dir / "results.xml"
     runner = get_runner("ghdl")
     try:
-        _build_once(runner, toplevel, sources, build_dir)
+        _build_once(runner, toplevel, libraries, build_dir)
         runner.test(
             test_module=module,
             hdl_toplevel=toplevel,
-            hdl_toplevel_library="work",
+            hdl_toplevel_library=library_of(toplevel),
             hdl_toplevel_lang="vhdl",
             build_dir=build_dir,
             test_dir=run_dir,
             results_xml=str(results_file),
             testcase=testcase,
             seed=os.environ.get("COCOTB_RANDOM_SEED", seed if seed is not None else 1),
-            test_args=[_STD, f"--workdir={build_dir}"],
+            test_args=[_STD, f"--workdir={build_dir}", f"-P{build_dir}"],
             plusargs=["--ieee-asserts=disable-at-0"],
             parameters={name: _as_vhdl(value) for name, value in (generics or {}).items()},
             extra_env={**_INSIDE, **(extra_env or {})},
@@ -122,34 +125,43 @@ def run_bench(
     shutil.rmtree(run_dir)
 
 
-def _build_once(runner: object, toplevel: str, sources: Sequence[Path], build_dir: Path) -> None:
+def _build_once(runner: object, toplevel: str, libraries: Mapping[str, Sequence[Path]], build_dir: Path) -> None:
     """Analyse the sources unless that was done; two runs at once do the same work twice and one result is kept."""
-    library = build_dir / "work-obj08.cf"
-    if library.exists():
+    # That of the entity last, because only it is asked for.
+    own = library_of(toplevel)
+    names = [name for name in libraries if libraries[name] and name != own] + [own]
+    if (build_dir / _index(own)).exists():
         return
     scratch = build_dir / f"build-{uuid.uuid4().hex[:12]}"
     scratch.mkdir()
-    log_file = scratch / "build.log"
-    try:
-        runner.build(  # type: ignore[attr-defined]
-            hdl_library="work",
-            sources=list(sources),
-            hdl_toplevel=toplevel,
-            build_args=[_STD],
-            build_dir=scratch,
-            always=True,
-            log_file=log_file,
-        )
-    except RuntimeError as error:
-        raise BenchError(f"{toplevel} does not analyse: {error}\n{_tail(log_file)}") from error
-    warned = re.findall(_SOURCE_WARNING, log_file.read_text(), re.MULTILINE)
-    if warned:
-        raise BenchError(f"{toplevel}: the simulator warns of a source: {warned[0]}")
-    (scratch / library.name).replace(library)
+    for name in names:
+        log_file = scratch / f"{name}.log"
+        try:
+            runner.build(  # type: ignore[attr-defined]
+                hdl_library=name,
+                sources=list(libraries[name]),
+                hdl_toplevel=toplevel if name == own else None,
+                build_args=[_STD],
+                build_dir=scratch,
+                always=True,
+                log_file=log_file,
+            )
+        except RuntimeError as error:
+            raise BenchError(f"{toplevel} does not analyse: {error}\n{_tail(log_file)}") from error
+        warned = re.findall(_SOURCE_WARNING, log_file.read_text(), re.MULTILINE)
+        if warned:
+            raise BenchError(f"{toplevel}: the simulator warns of a source: {warned[0]}")
+    for name in names:
+        (scratch / _index(name)).replace(build_dir / _index(name))
     shutil.rmtree(scratch)
 
 
-def _hash_of(sources: Sequence[Path]) -> str:
+def _index(library: str) -> str:
+    """Return the name of the file in which GHDL keeps what it knows of a library."""
+    return f"{library}-obj08.cf"
+
+
+def _hash_of(sources: Iterable[Path]) -> str:
     """Return what names a build: the contents and places of all sources."""
     digest = hashlib.sha256()
     for source in sources:

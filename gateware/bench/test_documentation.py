@@ -7,6 +7,7 @@ import subprocess
 from typing import TYPE_CHECKING
 
 from gateware.bench.runner import GATEWARE, rtl_sources, run_bench
+from unity_link.gateware.cache import LIBRARY
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -22,7 +23,8 @@ def test_the_design_in_the_documentation_works(tmp_path: Path) -> None:
 
 def test_the_boards_elaborate(tmp_path: Path) -> None:
     boards = sorted((GATEWARE / "boards").rglob("*.vhd"))
-    _ghdl(tmp_path, "-i", *map(str, rtl_sources()), *map(str, boards))
+    _ghdl(tmp_path, "-i", f"--work={LIBRARY}", *map(str, rtl_sources()))
+    _ghdl(tmp_path, "-i", *map(str, boards))
     for board in (path for path in boards if path.stem == path.parent.name):
         _ghdl(tmp_path, "-m", board.stem)
 

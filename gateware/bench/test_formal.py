@@ -19,26 +19,26 @@ if TYPE_CHECKING:
 pytestmark = [pytest.mark.slow]
 
 FAULTS = {
-    "a full FIFO takes more": ("fifo_sync", "push", "in_valid"),
-    "a full dual-clock FIFO takes more": ("fifo_async", "push", "in_valid"),
-    "a pointer crosses in binary": ("fifo_async", "write_gray", "write_at"),
-    "a body does not wait for its reader": ("datalink_rx", "advance", "1'b1"),
-    "a frame does not wait for its reader": ("datalink_tx", "advance", "1'b1"),
-    "a request comes into a sample": ("bus_master", "grant", "request & ~(sample & ~exclusive) & (state == 0)"),
-    "the bus does not rest after a time-out": ("bus_master", r"n\d+_o(?= = timed_out \? 2'b11 : 2'b00;)", "2'b00"),
-    "a sample has two instants": ("bus_master", r"n\d+_o(?= = grant_sample & n\d+_o;)", "grant_sample"),
-    "a transaction is left between two accesses": ("wishbone_master", r"n\d+_o(?= = asks \| bus_lock;)", "asks"),
-    "an answer is taken before the access is": ("wishbone_master pipelined", "takes", "1'b1"),
-    "an access that was sent away is not asked again": ("wishbone_master", "sent_away", "1'b0"),
-    "an answer that nobody wants is told": ("axi4_lite_master", r"n\d+_o(?= = answered & wanted;)", "answered"),
+    "a full FIFO takes more": ("ul_fifo_sync", "push", "in_valid"),
+    "a full dual-clock FIFO takes more": ("ul_fifo_async", "push", "in_valid"),
+    "a pointer crosses in binary": ("ul_fifo_async", "write_gray", "write_at"),
+    "a body does not wait for its reader": ("ul_datalink_rx", "advance", "1'b1"),
+    "a frame does not wait for its reader": ("ul_datalink_tx", "advance", "1'b1"),
+    "a request comes into a sample": ("ul_bus_master", "grant", "request & ~(sample & ~exclusive) & (state == 0)"),
+    "the bus does not rest after a time-out": ("ul_bus_master", r"n\d+_o(?= = timed_out \? 2'b11 : 2'b00;)", "2'b00"),
+    "a sample has two instants": ("ul_bus_master", r"n\d+_o(?= = grant_sample & n\d+_o;)", "grant_sample"),
+    "a transaction is left between two accesses": ("ul_wishbone_master", r"n\d+_o(?= = asks \| bus_lock;)", "asks"),
+    "an answer is taken before the access is": ("ul_wishbone_master pipelined", "takes", "1'b1"),
+    "an access that was sent away is not asked again": ("ul_wishbone_master", "sent_away", "1'b0"),
+    "an answer that nobody wants is told": ("ul_axi4_lite_master", r"n\d+_o(?= = answered & wanted;)", "answered"),
     "an address is taken back": (
-        "axi4_lite_master",
+        "ul_axi4_lite_master",
         r"n\d+_o(?= = address_valid & write;)",
         "address_valid & write & wready",
     ),
     "a sample has the instant of a block": ("bank_registers", "position_given", "position_held"),
     "a register bank answers twice": ("bank_registers", "access_now", "wb_cyc & wb_stb"),
-    "no session is needed": ("request_executor", r"(?P<bit>\w+)(?= = r\[3\];.*\n.* = ~(?P=bit);)", "1'b1"),
+    "no session is needed": ("ul_request_executor", r"(?P<bit>\w+)(?= = r\[3\];.*\n.* = ~(?P=bit);)", "1'b1"),
 }
 """The proof, a signal of it (a regular expression), and what drives it in place of what should."""
 

@@ -9,8 +9,8 @@ from pathlib import Path
 
 import pytest
 
-from gateware.tools.lists import LIBRARY, TOP, in_compile_order, lists
-from unity_link.gateware.cache import GATEWARE, vhdl_sources
+from gateware.tools.lists import TOP, in_compile_order, lists
+from unity_link.gateware.cache import GATEWARE, LIBRARY, vhdl_sources
 
 _PATH = re.compile(r"rtl/[\w/]+\.vhd")
 
@@ -22,7 +22,7 @@ def test_the_order_has_every_file_once_behind_what_it_uses() -> None:
     for name in order:
         text = (GATEWARE / name).read_text()
         known |= set(re.findall(r"^(?:entity|package) (\w+) is$", text, re.MULTILINE))
-        assert set(re.findall(rf"(?:entity|use) {LIBRARY}\.(\w+)", text)) <= known, name
+        assert set(re.findall(r"(?:entity|use) work\.(\w+)", text)) <= known, name
     assert order[-1].endswith((f"/{TOP}.vhd", f"/{TOP}_fifo.vhd"))
 
 
@@ -48,7 +48,7 @@ def test_a_script_adds_each_file_with_its_library(tool: str) -> None:
     added = [Path(word) for words in seen for word in words if word.endswith(".vhd")]
     assert added == [GATEWARE / name for name in in_compile_order()]
     placed = files[1:] if tool == "gowin" else [words for words in seen if any(word.endswith(".vhd") for word in words)]
-    assert all(LIBRARY in words or "xil_defaultlib" in words for words in placed)
+    assert all(LIBRARY in words for words in placed)
     assert len(placed) == len(added)
 
 

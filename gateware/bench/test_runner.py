@@ -54,4 +54,4 @@ def test_a_bench_fails_where(statements: str, said: str, tmp_path: Path) -> None
 
 def test_a_bench_that_runs_no_test_fails() -> None:
     with pytest.raises(BenchError, match="stream_register"):
-        run_bench("stream_register", "gateware.bench.streams")
+        run_bench("ul_stream_register", "gateware.bench.streams")

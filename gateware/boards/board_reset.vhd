@@ -9,6 +9,8 @@ library ieee;
   use ieee.std_logic_1164.all;
   use ieee.numeric_std.all;
 
+library unity_link;
+
 entity board_reset is
   port (
     clk : in    std_logic;
@@ -30,7 +32,7 @@ begin
 
   rst <= not waited(waited'high);
 
-  button_crossing : entity work.synchroniser
+  button_crossing : entity unity_link.ul_synchroniser
     port map (
       clk  => clk,
       d(0) => button,

@@ -12,7 +12,7 @@ library ieee;
   use ieee.numeric_std.all;
 
 library work;
-  use work.math_pkg.all;
+  use work.ul_math_pkg.all;
   use work.unity_link_pkg.all;
 
 entity unity_link is
@@ -229,7 +229,7 @@ begin
 
   with_wishbone : if bus_standard = "wishbone" generate
 
-    wishbone_master_inst : entity work.wishbone_master
+    wishbone_master_inst : entity work.ul_wishbone_master
       generic map (
         data_bits    => data_bits,
         address_bits => address_bits,
@@ -275,7 +275,7 @@ begin
 
   with_axi4_lite : if bus_standard = "axi4_lite" generate
 
-    axi4_lite_master_inst : entity work.axi4_lite_master
+    axi4_lite_master_inst : entity work.ul_axi4_lite_master
       generic map (
         data_bits    => data_bits,
         address_bits => address_bits
@@ -322,7 +322,7 @@ begin
 
   with_fifo : if physical = "fifo" generate
 
-    fifo_port_inst : entity work.fifo_port
+    fifo_port_inst : entity work.ul_fifo_port
       port map (
         clk       => clk,
         rst       => rst,
@@ -357,7 +357,7 @@ begin
 
   with_uart : if physical = "uart" generate
 
-    uart_inst : entity work.uart
+    uart_inst : entity work.ul_uart
       generic map (
         clock_hz     => clock_hz,
         baud         => baud,
@@ -396,7 +396,7 @@ begin
 
   with_ft245 : if physical = "ft245" generate
 
-    ft245_async_inst : entity work.ft245_async
+    ft245_async_inst : entity work.ul_ft245_async
       generic map (
         clock_hz => clock_hz
       )
@@ -427,7 +427,7 @@ begin
 
   with_ft245_sync : if physical = "ft245_sync" generate
 
-    ft245_sync_inst : entity work.ft245_sync
+    ft245_sync_inst : entity work.ul_ft245_sync
       port map (
         clk      => clk,
         rst      => rst,

@@ -3,9 +3,9 @@
 -- The gateway without a medium and without a bus standard: bytes on one side, the bus-independent interface on the
 -- other.
 --
---     rx -> FIFO -> datalink_rx -> request_decoder -> request_executor -> bus_master -> bus
---     tx <- FIFO <- datalink_tx <- frame_writer  <-+- (responses)            ^
---                                                  +- (samples) <- subscription_manager <- trigger, base tick
+--     rx -> FIFO -> ul_datalink_rx -> ul_request_decoder -> ul_request_executor -> ul_bus_master -> bus
+--     tx <- FIFO <- ul_datalink_tx <- ul_frame_writer <-+- (responses)              ^
+--                                                       +- (samples) <- ul_subscription_manager <- trigger, base tick
 --
 -- Requests are parsed while they arrive and executed at their end; the next one is parsed and executed while the last
 -- answer is sent, so that a stream of reads fills every cycle of the transmitter. See docs/gateware.md.
@@ -23,7 +23,7 @@ library ieee;
   use ieee.numeric_std.all;
 
 library work;
-  use work.math_pkg.all;
+  use work.ul_math_pkg.all;
   use work.unity_link_pkg.all;
 
 entity unity_link_core is
@@ -306,7 +306,7 @@ begin
 
   fifo_in <= rx_lost & rx_data;
 
-  rx_fifo_inst : entity work.fifo_sync
+  rx_fifo_inst : entity work.ul_fifo_sync
     generic map (
       width => 9,
       depth => rx_fifo_depth
@@ -323,7 +323,7 @@ begin
       level     => open
     );
 
-  rx_register_inst : entity work.stream_register
+  rx_register_inst : entity work.ul_stream_register
     generic map (
       width => 9
     )
@@ -340,7 +340,7 @@ begin
 
   with_datalink_rx : if checked_frames generate
 
-    datalink_rx_inst : entity work.datalink_rx
+    datalink_rx_inst : entity work.ul_datalink_rx
       generic map (
         crc_bits       => crc_bits,
         crc_polynomial => crc_polynomial,
@@ -371,7 +371,7 @@ begin
     body_plain  <= '1';
     body_silent <= '0';
 
-    plain_rx_inst : entity work.plain_rx
+    plain_rx_inst : entity work.ul_plain_rx
       port map (
         clk       => clk,
         rst       => rst,
@@ -391,7 +391,7 @@ begin
 
   -- Requests.
 
-  request_decoder_inst : entity work.request_decoder
+  request_decoder_inst : entity work.ul_request_decoder
     generic map (
       data_bits      => data_bits,
       address_bits   => address_bits,
@@ -438,7 +438,7 @@ begin
       busy                 => decoder_busy
     );
 
-  request_memory_inst : entity work.word_memory
+  request_memory_inst : entity work.ul_word_memory
     generic map (
       width => memory_width,
       depth => memory_depth
@@ -452,7 +452,7 @@ begin
       read_data   => memory_word
     );
 
-  request_executor_inst : entity work.request_executor
+  request_executor_inst : entity work.ul_request_executor
     generic map (
       data_bits      => data_bits,
       address_bits   => address_bits,
@@ -516,7 +516,7 @@ begin
       answer_words         => answer_words
     );
 
-  response_ring_inst : entity work.word_ring
+  response_ring_inst : entity work.ul_word_ring
     generic map (
       width => data_bits,
       depth => response_depth
@@ -534,7 +534,7 @@ begin
       pop        => response_pop
     );
 
-  bus_master_inst : entity work.bus_master
+  bus_master_inst : entity work.ul_bus_master
     generic map (
       data_bits    => data_bits,
       address_bits => address_bits,
@@ -582,7 +582,7 @@ begin
 
   begin
 
-    subscription_manager_inst : entity work.subscription_manager
+    subscription_manager_inst : entity work.ul_subscription_manager
       generic map (
         data_bits                 => data_bits,
         address_bits              => address_bits,
@@ -624,7 +624,7 @@ begin
         ring_room        => ring_room
       );
 
-    sample_ring_inst : entity work.word_ring
+    sample_ring_inst : entity work.ul_word_ring
       generic map (
         width => sample_width,
         depth => sample_depth
@@ -658,7 +658,7 @@ begin
 
   -- Bytes out.
 
-  frame_writer_inst : entity work.frame_writer
+  frame_writer_inst : entity work.ul_frame_writer
     generic map (
       data_bits    => data_bits,
       address_bits => address_bits,
@@ -698,7 +698,7 @@ begin
 
   with_datalink_tx : if checked_frames generate
 
-    datalink_tx_inst : entity work.datalink_tx
+    datalink_tx_inst : entity work.ul_datalink_tx
       generic map (
         crc_bits       => crc_bits,
         crc_polynomial => crc_polynomial,
@@ -724,7 +724,7 @@ begin
 
   without_datalink_tx : if not checked_frames generate
 
-    plain_tx_inst : entity work.plain_tx
+    plain_tx_inst : entity work.ul_plain_tx
       port map (
         clk       => clk,
         rst       => rst,
@@ -744,7 +744,7 @@ begin
 
   tx_in <= sent_mark & sent_data;
 
-  tx_fifo_inst : entity work.fifo_sync
+  tx_fifo_inst : entity work.ul_fifo_sync
     generic map (
       width => 10,
       depth => tx_fifo_depth
@@ -769,7 +769,7 @@ begin
 
   with_send_immediate : if send_immediate generate
 
-    send_immediate_inst : entity work.send_immediate
+    send_immediate_inst : entity work.ul_send_immediate
       port map (
         clk    => clk,
         rst    => rst,

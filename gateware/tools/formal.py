@@ -58,22 +58,22 @@ class Proof:
 
 
 PROOFS = [
-    Proof("fifo_sync", {"width": 2, "depth": 4}),
-    Proof("fifo_async", {"width": 2, "depth": 4}, cover_steps=24, two_clocks=True),
-    Proof("datalink_rx", {"crc_bits": 8, "longest": 3}, cover_steps=20, induction_steps=6),
-    Proof("datalink_tx", {"crc_bits": 8}),
-    Proof("bus_master", {"data_bits": 8, "timeout": 3}, cover_steps=20, induction_steps=4),
-    Proof("wishbone_master", {"data_bits": 8}, rules="wishbone_b4", induction_steps=4),
+    Proof("ul_fifo_sync", {"width": 2, "depth": 4}),
+    Proof("ul_fifo_async", {"width": 2, "depth": 4}, cover_steps=24, two_clocks=True),
+    Proof("ul_datalink_rx", {"crc_bits": 8, "longest": 3}, cover_steps=20, induction_steps=6),
+    Proof("ul_datalink_tx", {"crc_bits": 8}),
+    Proof("ul_bus_master", {"data_bits": 8, "timeout": 3}, cover_steps=20, induction_steps=4),
+    Proof("ul_wishbone_master", {"data_bits": 8}, rules="wishbone_b4", induction_steps=4),
     Proof(
-        "wishbone_master",
+        "ul_wishbone_master",
         {"data_bits": 8, "pipelined": True},
         rules="wishbone_b4",
         defines=("PIPELINED",),
         induction_steps=4,
     ),
-    Proof("axi4_lite_master", rules="axi4_lite", induction_steps=4),
+    Proof("ul_axi4_lite_master", rules="axi4_lite", induction_steps=4),
     Proof("bank_registers", {"stream_wait": 3}, rules="wishbone_b4", spec="bank", induction_steps=4),
-    Proof("request_executor", {"data_bits": 8, "id_digits": 2, "room_bits": 3}),
+    Proof("ul_request_executor", {"data_bits": 8, "id_digits": 2, "room_bits": 3}),
 ]
 
 _MOST_SECONDS = 900
@@ -107,7 +107,7 @@ def clocks_as_enables(verilog: str) -> str:
     A synchroniser has one clock, and gets with it the enable that its place has for one.
     """
     parts = re.split(r"^(?=module )", verilog, flags=re.MULTILINE)
-    return "".join(_crossing(part) if part.startswith("module synchroniser") else _two_sides(part) for part in parts)
+    return "".join(_crossing(part) if part.startswith("module ul_synchroniser") else _two_sides(part) for part in parts)
 
 
 def _two_sides(module: str) -> str:

@@ -15,18 +15,14 @@ from typing import TYPE_CHECKING
 
 import unity_link
 from unity_link.gateware import LICENCE
-from unity_link.gateware.cache import GATEWARE, vhdl_sources
+from unity_link.gateware.cache import GATEWARE, LIBRARY, vhdl_sources
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
 
-LIBRARY = "work"
-"""What the sources name themselves by, in `use` clauses and instances."""
 TOP = "unity_link"
-# Vivado knows the library `work` by this name alone.
-_OF_VIVADO = "xil_defaultlib" if LIBRARY == "work" else LIBRARY
 _UNIT = re.compile(r"^(?:entity|package) (\w+) is$", re.MULTILINE)
-_USED = re.compile(rf"\b(?:entity|use) {LIBRARY}\.(\w+)", re.IGNORECASE)
+_USED = re.compile(r"\b(?:entity|use) work\.(\w+)", re.IGNORECASE)
 _MADE = "made by `make lists`"
 
 
@@ -54,7 +50,7 @@ def lists() -> dict[str, str]:
         "unity_link.core": _core(files),
         "import/vivado.tcl": _script(
             "Vivado, in a project or without: source import/vivado.tcl",
-            (f"read_vhdl -vhdl2008 -library {_OF_VIVADO} [file join $gateware {file}]" for file in files),
+            (f"read_vhdl -vhdl2008 -library {LIBRARY} [file join $gateware {file}]" for file in files),
         ),
         "import/quartus.tcl": _script(
             "Quartus, in an open project: source import/quartus.tcl",
@@ -95,14 +91,10 @@ def lists() -> dict[str, str]:
             f"<!-- Efinity: put these into <efx:design_info> of the project's XML, with the path to them; {_MADE}. -->",
             '<efx:design_info def_veri_version="verilog_2k" def_vhdl_version="vhdl_2008" '
             'xmlns:efx="http://www.efinixinc.com/enf_proj">',
-            *(f'  <efx:design_file name="{file}" version="vhdl_2008" library="{_of_efinity()}"/>' for file in files),
+            *(f'  <efx:design_file name="{file}" version="vhdl_2008" library="{LIBRARY}"/>' for file in files),
             "</efx:design_info>",
         ),
     }
-
-
-def _of_efinity() -> str:
-    return "default" if LIBRARY == "work" else LIBRARY
 
 
 def _lines(*lines: str) -> str:
@@ -120,7 +112,6 @@ def _script(how: str, commands: Iterable[str]) -> str:
 
 
 def _core(files: list[str]) -> str:
-    logical = [] if LIBRARY == "work" else [f"    logical_name : {LIBRARY}"]
     return _lines(
         "CAPI=2:",
         f"# {LICENCE}",
@@ -134,7 +125,7 @@ def _core(files: list[str]) -> str:
         "    files:",
         *(f"      - {file}" for file in files),
         "    file_type : vhdlSource-2008",
-        *logical,
+        f"    logical_name : {LIBRARY}",
         "",
         "targets:",
         "  default: &default",
@@ -146,7 +137,7 @@ def _core(files: list[str]) -> str:
         "    tools:",
         "      ghdl:",
         "        analyze_options : [--std=08]",
-        f"    toplevel : {TOP}",
+        f"    toplevel : {LIBRARY}.{TOP}",
     )
 
 

@@ -20,6 +20,8 @@ class ToolMissingError(UnityLinkError):
 _HERE = Path(__file__).resolve().parent
 GATEWARE = _HERE if (_HERE / "rtl").exists() else _HERE.parent.parent / "gateware"
 """The folder in which the VHDL is, in `rtl`: that of the project, or what an installed package has of it."""
+LIBRARY = "unity_link"
+"""The VHDL library into which the gateware's sources are compiled; they themselves call it `work`."""
 
 
 def cache_folder(*parts: str) -> Path:
@@ -53,6 +55,11 @@ def vhdl_sources(pads: str | None = None) -> list[Path]:
     if not found:
         raise ToolMissingError(f"the gateware's VHDL is not in {GATEWARE / 'rtl'}: install unity-link anew")
     return found
+
+
+def library_of(entity: str) -> str:
+    """Return the VHDL library in which an entity is compiled: the gateware's, or for all others that of the user."""
+    return LIBRARY if any(source.stem == entity for source in vhdl_sources()) else "work"
 
 
 def board_sources() -> list[Path]:

@@ -5,6 +5,7 @@ A warning is an error here, but for those of attributes, as is what is never ass
 
 from __future__ import annotations
 
+import itertools
 import os
 import re
 import subprocess
@@ -13,7 +14,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from unity_link.errors import UnityLinkError
-from unity_link.gateware.cache import cache_folder, hash_of, vhdl_sources
+from unity_link.gateware.cache import LIBRARY, cache_folder, hash_of, library_of, vhdl_sources
 from unity_link.gateware.ghdl import converting_ghdl
 
 if TYPE_CHECKING:
@@ -45,14 +46,15 @@ def to_verilog(
     Args:
         top: name of the entity in `gateware/rtl` or `extra_sources`.
         generics: values for its generics; what is not named keeps its default. Booleans may be Python's.
-        extra_sources: VHDL files beside those in `gateware/rtl`.
+        extra_sources: VHDL files beside those in `gateware/rtl`, of the library `work`.
         pads: whose registers are at the pins, as in `vhdl_sources`.
 
     Raises:
         ConversionError: if GHDL refuses the sources, or warns of something in them.
         ToolMissingError: if there is no GHDL that can be used.
     """
-    sources = [*vhdl_sources(pads), *(Path(source).resolve() for source in extra_sources)]
+    libraries = {LIBRARY: vhdl_sources(pads), "work": [Path(source).resolve() for source in extra_sources]}
+    sources = itertools.chain(*libraries.values())
     options = [f"-g{name}={_as_vhdl(value)}" for name, value in sorted((generics or {}).items())]
     ghdl = converting_ghdl()
     name = hash_of([ghdl.version(), _PRIMITIVES.pattern, top, *options, *(source.read_bytes() for source in sources)])
@@ -62,9 +64,14 @@ def to_verilog(
     with tempfile.TemporaryDirectory() as scratch:
         try:
             # Imported first, so that GHDL itself finds the order in which the sources depend on each other.
-            work = [_STD, _UNBOUND, f"--workdir={scratch}"]
+            anywhere = [_STD, _UNBOUND, f"--workdir={scratch}"]
+            work = [*anywhere, f"--work={library_of(top)}"]
             steps = (
-                ghdl.run("import", *work, *map(str, sources), cwd=Path(scratch)),
+                *(
+                    ghdl.run("import", *anywhere, f"--work={library}", *map(str, files), cwd=Path(scratch))
+                    for library, files in libraries.items()
+                    if files
+                ),
                 ghdl.run("make", *work, top, cwd=Path(scratch)),
                 ghdl.run("synth", *work, "--out=verilog", *options, top, cwd=Path(scratch)),
             )

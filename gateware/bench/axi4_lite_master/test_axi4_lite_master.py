@@ -10,7 +10,7 @@ from gateware.bench.runner import run_bench
 @pytest.mark.parametrize("data_bits", [32, 64])
 def test_axi4_lite_master(data_bits: int) -> None:
     module = "gateware.bench.axi4_lite_master.bench_axi4_lite_master"
-    run_bench("axi4_lite_master", module, generics={"data_bits": data_bits})
+    run_bench("ul_axi4_lite_master", module, generics={"data_bits": data_bits})
 
 
 def test_a_whole_gateway_works_on_axi4_lite() -> None:

@@ -12,4 +12,4 @@ from gateware.bench.runner import run_bench
 )
 def test_base_tick(clock_hz: int, millihertz: int) -> None:
     generics = {"clock_hz": clock_hz, "base_frequency_millihertz": millihertz}
-    run_bench("base_tick", "gateware.bench.base_tick.bench_base_tick", generics=generics)
+    run_bench("ul_base_tick", "gateware.bench.base_tick.bench_base_tick", generics=generics)

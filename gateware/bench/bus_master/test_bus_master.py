@@ -6,4 +6,4 @@ from gateware.bench.runner import run_bench
 
 
 def test_bus_master() -> None:
-    run_bench("bus_master", "gateware.bench.bus_master.bench_bus_master", generics={"timeout": 20})
+    run_bench("ul_bus_master", "gateware.bench.bus_master.bench_bus_master", generics={"timeout": 20})

@@ -14,7 +14,7 @@ from gateware.bench.runner import run_bench
 )
 def test_fifo_async(depth: int, in_ps: int, out_ps: int) -> None:
     run_bench(
-        "fifo_async",
+        "ul_fifo_async",
         "gateware.bench.fifo_async.bench_fifo_async",
         generics={"width": 9, "depth": depth},
         extra_env={"IN_PERIOD_PS": str(in_ps), "OUT_PERIOD_PS": str(out_ps)},
@@ -23,7 +23,7 @@ def test_fifo_async(depth: int, in_ps: int, out_ps: int) -> None:
 
 def test_fifo_async_with_more_registers_in_its_crossings() -> None:
     run_bench(
-        "fifo_async",
+        "ul_fifo_async",
         "gateware.bench.fifo_async.bench_fifo_async",
         generics={"width": 9, "depth": 16, "stages": 3},
         extra_env={"IN_PERIOD_PS": "16666", "OUT_PERIOD_PS": "10000"},

@@ -6,4 +6,4 @@ from gateware.bench.runner import run_bench
 
 
 def test_fifo_port() -> None:
-    run_bench("fifo_port", "gateware.bench.fifo_port.bench_fifo_port")
+    run_bench("ul_fifo_port", "gateware.bench.fifo_port.bench_fifo_port")

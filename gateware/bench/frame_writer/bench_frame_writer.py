@@ -78,7 +78,7 @@ class Widths:
 
 
 class Ring:
-    """A `word_ring` as its reader sees it: after `pop` the next word stands there from the second cycle on."""
+    """A `ul_word_ring` as its reader sees it: after `pop` the next word stands there from the second cycle on."""
 
     def __init__(self, dut: SimHandleBase, word: str, pop: str, available: str | None = None) -> None:
         self.words: deque[int] = deque()

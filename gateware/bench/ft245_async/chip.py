@@ -26,7 +26,7 @@ _UNDEFINED = LogicArray("XXXXXXXX")
 
 
 class AsyncChip:
-    """One FT232H at the pins of `ft245_async`; everything it found wrong has raised in the simulation."""
+    """One FT232H at the pins of `ul_ft245_async`; everything it found wrong has raised in the simulation."""
 
     def __init__(self, dut: SimHandleBase, *, most_pause_ns: int = 0, seed: int = 1) -> None:
         """Take the entity, and the longest that a flag stays away beyond the datasheet's least."""

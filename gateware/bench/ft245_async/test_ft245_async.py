@@ -19,12 +19,12 @@ from gateware.bench.runner import run_bench
     ],
 )
 def test_ft245_async(clock_hz: int) -> None:
-    run_bench("ft245_async", "gateware.bench.ft245_async.bench_ft245_async", generics={"clock_hz": clock_hz})
+    run_bench("ul_ft245_async", "gateware.bench.ft245_async.bench_ft245_async", generics={"clock_hz": clock_hz})
 
 
 def test_ft245_async_with_more_skew() -> None:
     run_bench(
-        "ft245_async",
+        "ul_ft245_async",
         "gateware.bench.ft245_async.bench_ft245_async",
         generics={"clock_hz": 80_000_000, "skew_ns": 12},
         testcase=("bytes_arrive_each_once_and_in_order", "both_directions_share_the_bus"),

@@ -46,7 +46,7 @@ CHIPS = {"ft232h": Timing(7_500, 1, 9_000), "ft2232h": Timing(8_000, 1_000, 7_15
 
 
 class SyncChip:
-    """One chip at the pins of `ft245_sync`; everything it found wrong has raised in the simulation."""
+    """One chip at the pins of `ul_ft245_sync`; everything it found wrong has raised in the simulation."""
 
     def __init__(
         self,

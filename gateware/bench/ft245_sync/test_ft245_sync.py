@@ -20,7 +20,7 @@ pytestmark = pytest.mark.slow
 )
 def test_ft245_sync(clk_ns: float, chip: str) -> None:
     run_bench(
-        "ft245_sync",
+        "ul_ft245_sync",
         "gateware.bench.ft245_sync.bench_ft245_sync",
         extra_env={"CLK_NS": str(clk_ns), "CHIP": chip},
     )
@@ -28,7 +28,7 @@ def test_ft245_sync(clk_ns: float, chip: str) -> None:
 
 def test_ft245_sync_with_the_smallest_fifos() -> None:
     run_bench(
-        "ft245_sync",
+        "ul_ft245_sync",
         "gateware.bench.ft245_sync.bench_ft245_sync",
         generics={"rx_depth": 16, "tx_depth": 16},
         testcase=("bytes_arrive_each_once_and_in_order", "both_directions_share_the_bus"),

@@ -9,4 +9,4 @@ from gateware.bench.runner import run_bench
 
 @pytest.mark.parametrize("groups", [2, 5, 256])
 def test_group_timer(groups: int) -> None:
-    run_bench("group_timer", "gateware.bench.group_timer.bench_group_timer", generics={"groups": groups})
+    run_bench("ul_group_timer", "gateware.bench.group_timer.bench_group_timer", generics={"groups": groups})

@@ -5,6 +5,8 @@
 library ieee;
   use ieee.std_logic_1164.all;
 
+library unity_link;
+
 entity ft245_loopback is
   generic (
     synchronous : boolean := true
@@ -55,7 +57,7 @@ begin
 
   with_clock : if synchronous generate
 
-    layer : entity work.ft245_sync
+    layer : entity unity_link.ul_ft245_sync
       port map (
         clk      => clk_24576000,
         rst      => rst,
@@ -83,7 +85,7 @@ begin
 
   without_clock : if not synchronous generate
 
-    layer : entity work.ft245_async
+    layer : entity unity_link.ul_ft245_async
       generic map (
         clock_hz => 24_576_000
       )

@@ -157,7 +157,7 @@ def test_a_pin_that_the_fabric_reads_past_its_register_is_found() -> None:
 
 
 def test_each_vendor_has_the_same_entities_at_its_pins() -> None:
-    portable = {path.name: _entity(path) for path in (GATEWARE / "rtl" / "physical").glob("pad_*.vhd")}
+    portable = {path.name: _entity(path) for path in (GATEWARE / "rtl" / "physical").glob("ul_pad_*.vhd")}
     vendors = sorted(path for path in (GATEWARE / "pads").iterdir() if path.is_dir())
     assert [vendor.name for vendor in vendors] == ["ecp5", "gowin", "xilinx"]
     for vendor in vendors:

@@ -6,4 +6,4 @@ from gateware.bench.runner import run_bench
 
 
 def test_plain_rx() -> None:
-    run_bench("plain_rx", "gateware.bench.plain_rx.bench_plain_rx")
+    run_bench("ul_plain_rx", "gateware.bench.plain_rx.bench_plain_rx")

@@ -6,4 +6,4 @@ from gateware.bench.runner import run_bench
 
 
 def test_plain_tx() -> None:
-    run_bench("plain_tx", "gateware.bench.plain_tx.bench_plain_tx")
+    run_bench("ul_plain_tx", "gateware.bench.plain_tx.bench_plain_tx")

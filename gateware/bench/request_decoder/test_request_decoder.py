@@ -10,4 +10,4 @@ from gateware.bench.runner import run_bench
 @pytest.mark.parametrize("half_duplex", [False, True])
 def test_request_decoder(*, half_duplex: bool) -> None:
     bench = "gateware.bench.request_decoder.bench_request_decoder"
-    run_bench("request_decoder", bench, generics={"half_duplex": half_duplex})
+    run_bench("ul_request_decoder", bench, generics={"half_duplex": half_duplex})

@@ -6,4 +6,4 @@ from gateware.bench.runner import run_bench
 
 
 def test_request_executor() -> None:
-    run_bench("request_executor", "gateware.bench.request_executor.bench_request_executor")
+    run_bench("ul_request_executor", "gateware.bench.request_executor.bench_request_executor")

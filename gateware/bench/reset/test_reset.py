@@ -15,10 +15,10 @@ if TYPE_CHECKING:
 
 # What a block RAM shows before anything was written into it: nobody looks, because nothing is valid.
 MEMORY_OUTPUTS = {
-    "fifo_async": ["out_data"],
-    "ft245_sync": ["rx_data"],
-    "subscription_manager": ["access_address"],
-    "word_ring": ["read_data"],
+    "ul_fifo_async": ["out_data"],
+    "ul_ft245_sync": ["rx_data"],
+    "ul_subscription_manager": ["access_address"],
+    "ul_word_ring": ["read_data"],
 }
 CONFIGURATIONS = [
     *(("unity_link", {"physical": medium}) for medium in ("fifo", "uart", "ft245", "ft245_sync")),

@@ -6,4 +6,4 @@ from gateware.bench.runner import run_bench
 
 
 def test_stream_register() -> None:
-    run_bench("stream_register", "gateware.bench.stream_register.bench_stream_register")
+    run_bench("ul_stream_register", "gateware.bench.stream_register.bench_stream_register")

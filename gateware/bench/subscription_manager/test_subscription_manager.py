@@ -17,7 +17,7 @@ _CLOCK_HZ = 50_000_000
 )
 def test_subscription_manager(groups: int, group_words: int, data_bits: int, tick: int) -> None:
     run_bench(
-        "subscription_manager",
+        "ul_subscription_manager",
         _BENCH,
         generics={
             "groups": groups,
@@ -31,4 +31,4 @@ def test_subscription_manager(groups: int, group_words: int, data_bits: int, tic
 
 def test_groups_that_do_not_fit_between_two_base_ticks_are_refused() -> None:
     with pytest.raises(BenchError, match="leaves less than 264 clock cycles, which 256 groups take"):
-        run_bench("subscription_manager", _BENCH, generics={"groups": 256, "base_frequency_millihertz": 200_000_000})
+        run_bench("ul_subscription_manager", _BENCH, generics={"groups": 256, "base_frequency_millihertz": 200_000_000})

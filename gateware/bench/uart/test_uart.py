@@ -24,12 +24,12 @@ _BENCH = "gateware.bench.uart.bench_uart"
     ],
 )
 def test_uart(clock_hz: int, baud: int) -> None:
-    run_bench("uart", _BENCH, generics={"clock_hz": clock_hz, "baud": baud})
+    run_bench("ul_uart", _BENCH, generics={"clock_hz": clock_hz, "baud": baud})
 
 
 @pytest.mark.parametrize(("clock_hz", "baud"), [(48_000_000, 12_000_000), (48_000_000, 2_000_000)])
 def test_uart_with_flow_control(clock_hz: int, baud: int) -> None:
-    run_bench("uart", _BENCH, generics={"clock_hz": clock_hz, "baud": baud, "flow_control": True, "rx_slack": 32})
+    run_bench("ul_uart", _BENCH, generics={"clock_hz": clock_hz, "baud": baud, "flow_control": True, "rx_slack": 32})
 
 
 @pytest.mark.parametrize(
@@ -43,14 +43,14 @@ def test_uart_with_flow_control(clock_hz: int, baud: int) -> None:
 )
 def test_uart_with_a_transceiver_on_a_shared_pair(clock_hz: int, baud: int, driver_lead: int, driver_tail: int) -> None:
     generics = {"clock_hz": clock_hz, "baud": baud, "driver_lead": driver_lead, "driver_tail": driver_tail}
-    run_bench("uart", "gateware.bench.uart.bench_half_duplex", generics={**generics, "half_duplex": True})
+    run_bench("ul_uart", "gateware.bench.uart.bench_half_duplex", generics={**generics, "half_duplex": True})
 
 
 def test_half_duplex_with_flow_control_is_refused() -> None:
     with pytest.raises(BenchError, match="half_duplex and flow_control are both true"):
-        run_bench("uart", _BENCH, generics={"half_duplex": True, "flow_control": True})
+        run_bench("ul_uart", _BENCH, generics={"half_duplex": True, "flow_control": True})
 
 
 def test_a_baud_rate_above_a_quarter_of_the_clock_is_refused() -> None:
     with pytest.raises(BenchError, match="baud is 4000000, expected at most a quarter of clock_hz"):
-        run_bench("uart", _BENCH, generics={"clock_hz": 12_000_000, "baud": 4_000_000})
+        run_bench("ul_uart", _BENCH, generics={"clock_hz": 12_000_000, "baud": 4_000_000})

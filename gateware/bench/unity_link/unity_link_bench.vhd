@@ -91,6 +91,8 @@ library ieee;
   use ieee.std_logic_1164.all;
   use ieee.numeric_std.all;
 
+library unity_link;
+
 library work;
   use work.sparse_memory_pkg.all;
 
@@ -248,7 +250,7 @@ begin
 
   end process slave;
 
-  gateway : entity work.unity_link_fifo
+  gateway : entity unity_link.unity_link_fifo
     generic map (
       flow_control              => flow_control,
       checked_frames            => checked_frames,

@@ -10,4 +10,4 @@ from gateware.bench.runner import run_bench
 @pytest.mark.parametrize("pipelined", [False, True], ids=["classic", "pipelined"])
 def test_wishbone_master(*, pipelined: bool) -> None:
     module = "gateware.bench.wishbone_master.bench_wishbone_master"
-    run_bench("wishbone_master", module, generics={"pipelined": pipelined})
+    run_bench("ul_wishbone_master", module, generics={"pipelined": pipelined})

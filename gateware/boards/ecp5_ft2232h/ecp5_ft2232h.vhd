@@ -3,7 +3,7 @@
 -- Unity-Link on the open ECP5/FT2232HQ board (gildobjanschi/ECP5_BGA381_FT2232HQ_FIFO, rev. A): synchronous FT245.
 --
 -- An ECP5-25 with an FT2232H whose channel A is wired as a FIFO, all of its pins. The gateway runs on the board's
--- oscillator of 24.576 MHz; `ft245_sync` crosses to the 60 MHz of the chip, which runs only while the PC holds it in
+-- oscillator of 24.576 MHz; `ul_ft245_sync` crosses to the 60 MHz of the chip, which runs only while the PC holds it in
 -- synchronous mode (`ft232h://...` does). Any FT232H module on any ECP5 is wired alike: change the .lpf alone.
 -- The registers at its pins are the ECP5's own: gateware/pads/ecp5 takes the place of its like in gateware/rtl.
 -- Behind the gateway stands `demo_slave`, whose first four LEDs the board has.
@@ -11,6 +11,8 @@
 library ieee;
   use ieee.std_logic_1164.all;
   use ieee.numeric_std.all;
+
+library unity_link;
 
 entity ecp5_ft2232h is
   generic (
@@ -67,7 +69,7 @@ begin
       rst    => rst
     );
 
-  gateway : entity work.unity_link
+  gateway : entity unity_link.unity_link
     generic map (
       physical => physical,
       clock_hz => 24_576_000

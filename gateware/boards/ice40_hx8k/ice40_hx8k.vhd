@@ -3,12 +3,14 @@
 -- Unity-Link on Lattice's iCE40-HX8K Breakout Board (iCE40HX8K-B-EVN): its USB port, 3 MBd, no flow control.
 --
 -- The board's FT2232H carries a UART on its second channel: on Linux /dev/ttyUSB1. The clock is the board's 12 MHz, of
--- which 3 MBd are a quarter, the fastest that `uart` can do; it needs no PLL, so there is no vendor primitive here.
+-- which 3 MBd are a quarter, the fastest that `ul_uart` can do; it needs no PLL, so there is no vendor primitive here.
 -- Behind the gateway stands `demo_slave`; `W000000005A` and Enter in a terminal light half of the LEDs.
 
 library ieee;
   use ieee.std_logic_1164.all;
   use ieee.numeric_std.all;
+
+library unity_link;
 
 entity ice40_hx8k is
   port (
@@ -39,7 +41,7 @@ begin
       rst => rst
     );
 
-  gateway : entity work.unity_link
+  gateway : entity unity_link.unity_link
     generic map (
       physical => "uart",
       clock_hz => 12_000_000,

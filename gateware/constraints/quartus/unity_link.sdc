@@ -16,8 +16,8 @@ set_output_delay -clock ft_clkout -min 0 $to_chip
 
 # Gray pointers: within a cycle of the clock that takes them, and by less than one of the clock that makes them apart.
 foreach way {write read} {
-    set from [get_registers "*fifo_async:*|${way}_gray\[*\]"]
-    set to   [get_registers "*fifo_async:*|synchroniser:${way}_crossing|meta\[*\]"]
+    set from [get_registers "*ul_fifo_async:*|${way}_gray\[*\]"]
+    set to   [get_registers "*ul_fifo_async:*|ul_synchroniser:${way}_crossing|meta\[*\]"]
     set_false_path -hold -from $from -to $to
     set_max_delay -from $from -to $to 100
     set_net_delay -from $from -to $to -max -get_value_from_clock_period dst_clock_period -value_multiplier 0.8
@@ -26,7 +26,7 @@ foreach way {write read} {
 
 # One bit each, and resets, which begin at any instant.
 foreach crossing {up_crossing driving_crossing question_crossing answer_crossing rx_crossing cts_crossing trigger_crossing} {
-    set_false_path -to [get_registers -nowarn "*synchroniser:${crossing}|meta\[*\]"]
+    set_false_path -to [get_registers -nowarn "*ul_synchroniser:${crossing}|meta\[*\]"]
 }
 foreach crossing {chip_reset chip_quiet chip_quiet_data} {
     set_false_path -to [get_pins -nowarn "*|${crossing}|meta\[*\]|clrn"]

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What the datalink layer promises inwards, for every byte that may come and every readiness: what is offered stands
+// until it is taken; no more characters and ends go on than came; an end tells of an error of the datalink layer or of
+// none, and never of a wrong check where there is none; and it never stops for longer than it takes to empty its delay
+// line. (What is found wrong with which frame, the benches say.)
+
+module ul_datalink_rx_properties (
+	input clk,
+	input [7:0] in_data,
+	input in_lost,
+	input in_valid,
+	input out_ready
+);
+	localparam CHECK_DIGITS = 2;
+
+	wire in_ready, out_valid, out_last, out_plain, out_silent, busy;
+	wire [7:0] out_data;
+	wire [3:0] out_error;
+	reg rst = 1;
+
+	ul_datalink_rx dut (.*);
+
+	wire take = !rst && in_valid && in_ready;
+	wire give = !rst && out_valid && out_ready;
+	wire is_end = in_data == 8'h0A || in_data == 8'h0D;
+	reg offered = 0;
+	reg [14:0] offer;
+	reg [7:0] characters = 0;
+	reg [2:0] ends = 0;
+	reg [2:0] refused = 0;
+	reg [2:0] frames = 0;
+
+	always @(posedge clk) begin
+		rst <= 0;
+		if (rst)
+			assert (!offered && characters == 0 && ends == 0 && refused == 0);
+	end
+
+	always @(posedge clk) if (!rst) begin
+		// Bounded, so that they can be counted: each frame anew, since an end takes all of them away.
+		assume (characters < 200);
+		offered <= out_valid && !give;
+		offer <= {out_data, out_last, out_plain, out_error, out_silent};
+		characters <= characters + (take && !is_end) - (give && !out_last);
+		if (give && out_last)
+			characters <= take && !is_end;
+		ends <= ends + (take && is_end) - (give && out_last);
+		if (take && is_end && !(give && out_last) && ends == 2)
+			ends <= 2;
+		refused <= out_ready && !in_ready ? refused + 1 : 0;
+		if (give && out_last && out_error == 0 && frames != 7)
+			frames <= frames + 1;
+
+		if (offered)
+			assert (out_valid && {out_data, out_last, out_plain, out_error, out_silent} == offer);
+		if (out_valid && out_last) begin
+			assert (out_error == 0 || out_error == 1 || out_error == 7 || out_error == 9);
+			assert (!(out_plain && out_error == 1));
+		end
+		assert (!out_silent);
+		assert (refused <= CHECK_DIGITS + 1);
+
+		cover (frames == 2 && give && out_last && out_plain);
+		cover (frames == 1 && give && out_last && out_error == 0 && !out_plain);
+		cover (give && out_last && out_error == 9);
+		cover (give && out_last && out_error == 7);
+	end
+endmodule

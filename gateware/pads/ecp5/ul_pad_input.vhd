@@ -1,0 +1,70 @@
+-- SPDX-License-Identifier: BSD-3-Clause
+--
+-- `ul_pad_input` in the pads of Lattice's ECP5. The pad's own delay stands before it: without that its register wants
+-- its input held for 3.3 ns (docs/gateware.md has the budget), and the chips hold theirs for 0 or 1. 59 steps of 25 ps
+-- are what Lattice's tools take for a hold time of 0 (SCLK_ZEROHOLD); the rest is ours to spare.
+
+library ieee;
+  use ieee.std_logic_1164.all;
+
+entity ul_pad_input is
+  port (
+    clk : in    std_logic;
+    -- At once, as in the output of the same pin.
+    quiet : in    std_logic;
+    d     : in    std_logic;
+    q     : out   std_logic
+  );
+end entity ul_pad_input;
+
+architecture ecp5 of ul_pad_input is
+
+  component delayg is
+    generic (
+      del_mode  : string;
+      del_value : integer
+    );
+    port (
+      a : in    std_logic;
+      z : out   std_logic
+    );
+  end component delayg;
+
+  component ifs1p3bx is
+    port (
+      pd   : in    std_logic;
+      d    : in    std_logic;
+      sp   : in    std_logic;
+      sclk : in    std_logic;
+      q    : out   std_logic
+    );
+  end component ifs1p3bx;
+
+  signal later : std_logic;
+
+begin
+
+  -- vsg_off instantiation_034
+
+  pad_delay : component delayg
+    generic map (
+      del_mode  => "USER_DEFINED",
+      del_value => 127
+    )
+    port map (
+      a => d,
+      z => later
+    );
+
+  pad_register : component ifs1p3bx
+    port map (
+      pd   => quiet,
+      d    => later,
+      sp   => '1',
+      sclk => clk,
+      q    => q
+    );
+
+-- vsg_on instantiation_034
+
+end architecture ecp5;

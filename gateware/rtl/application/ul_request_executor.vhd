@@ -1,0 +1,544 @@
+-- SPDX-License-Identifier: BSD-3-Clause
+--
+-- Application layer, second half: executes a request once it is whole, and has it answered (docs/protocol.md, "Requests
+-- and responses" and "Exactly once, in order").
+--
+-- One request at a time, from `request_valid` to the moment at which the frame writer begins the answer. The order of
+-- the checks is that of the protocol: frame, command, form (the decoder's verdict), session, sequence, range, bus.
+--
+-- What is read goes to the response ring before the answer begins, because an error further on makes the answer that
+-- error alone. The words of a block to write, and the mask of WK, stand in the request memory, whose read port follows
+-- `memory_index` one cycle later; a single word comes straight from the decoder.
+--
+-- Each request about groups and each K begins an epoch, of which the subscription manager makes a note in each sample:
+-- the frame writer sends all samples of the epoch before first, and then the answer, also if that is an error. A request
+-- that is not answered begins none, so that two epochs can be told from each other by one bit.
+
+library ieee;
+  use ieee.std_logic_1164.all;
+  use ieee.numeric_std.all;
+
+library work;
+  use work.ul_math_pkg.all;
+  use work.unity_link_pkg.all;
+
+entity ul_request_executor is
+  generic (
+    data_bits      : positive := 32;
+    address_bits   : positive := 8;
+    id_digits      : positive := 3;
+    groups         : natural  := 16;
+    masked_write   : boolean  := true;
+    send_immediate : boolean  := true;
+    -- Bits that count the words of the response ring.
+    room_bits : positive := 9
+  );
+  port (
+    clk : in    std_logic;
+    rst : in    std_logic;
+    -- Request, from the decoder.
+    request_valid        : in    std_logic;
+    request_accept       : out   std_logic;
+    hold                 : out   std_logic;
+    request_command      : in    command_t;
+    request_has_id       : in    std_logic;
+    request_plain        : in    std_logic;
+    request_silent       : in    std_logic;
+    request_error        : in    error_t;
+    request_out_of_range : in    std_logic;
+    request_id           : in    std_logic_vector(4 * id_digits - 1 downto 0);
+    request_address      : in    std_logic_vector(4 * digits_of(address_bits) - 1 downto 0);
+    request_count        : in    std_logic_vector(7 downto 0);
+    request_group        : in    std_logic_vector(7 downto 0);
+    request_word         : in    std_logic_vector(data_bits - 1 downto 0);
+    -- Request memory.
+    memory_index : out   std_logic_vector(7 downto 0);
+    memory_word  : in    std_logic_vector(data_bits - 1 downto 0);
+    -- Response ring; what is written is the bus master's read_data.
+    ring_write    : out   std_logic;
+    ring_commit   : out   std_logic;
+    ring_rollback : out   std_logic;
+    ring_room     : in    unsigned(room_bits - 1 downto 0);
+    -- Bus master.
+    access_request   : out   std_logic;
+    access_write     : out   std_logic;
+    access_more      : out   std_logic;
+    access_exclusive : out   std_logic;
+    access_address   : out   std_logic_vector(address_bits - 1 downto 0);
+    access_data      : out   std_logic_vector(data_bits - 1 downto 0);
+    access_granted   : in    std_logic;
+    access_done      : in    std_logic;
+    access_failure   : in    error_t;
+    access_read_data : in    std_logic_vector(data_bits - 1 downto 0);
+    -- Subscription manager; the operation is asked for until done. is_set follows the group's number one cycle later.
+    group_is_set    : in    std_logic;
+    group_request   : out   std_logic;
+    group_operation : out   group_operation_t;
+    group_done      : in    std_logic;
+    -- Write port of the manager's list of addresses; what is written is the request memory's word.
+    list_write : out   std_logic;
+    list_index : out   std_logic_vector(7 downto 0);
+    epoch      : out   std_logic;
+    -- Answer, to the frame writer; it stands until taken.
+    answer_valid       : out   std_logic;
+    answer_taken       : in    std_logic;
+    answer_message     : out   message_t;
+    answer_lower       : out   std_logic;
+    answer_plain       : out   std_logic;
+    answer_mark        : out   flush_mark_t;
+    answer_has_id      : out   std_logic;
+    answer_has_address : out   std_logic;
+    answer_has_pair    : out   std_logic;
+    answer_id          : out   std_logic_vector(4 * id_digits - 1 downto 0);
+    answer_pair        : out   std_logic_vector(7 downto 0);
+    answer_words       : out   std_logic_vector(7 downto 0)
+  );
+end entity ul_request_executor;
+
+architecture rtl of ul_request_executor is
+
+  subtype id_t is std_logic_vector(4 * id_digits - 1 downto 0);
+
+  type state_t is (state_idle, state_room, state_load, state_access, state_stop, state_copy, state_group, state_answer);
+
+  constant mode_off      : std_logic_vector(1 downto 0) := "00";
+  constant mode_always   : std_logic_vector(1 downto 0) := "01";
+  constant mode_adaptive : std_logic_vector(1 downto 0) := "10";
+
+  type registers_t is record
+    state : state_t;
+    -- The session.
+    in_session : std_logic;
+    expected   : unsigned(id_t'range);
+    gap_told   : std_logic;
+    mode       : std_logic_vector(1 downto 0);
+    -- How the ID of the request being looked at stands to the one expected.
+    is_expected : std_logic;
+    is_ahead    : std_logic;
+    -- The request.
+    command : command_t;
+    has_id  : std_logic;
+    plain   : std_logic;
+    silent  : std_logic;
+    id      : id_t;
+    -- Its execution.
+    address        : unsigned(address_bits - 1 downto 0);
+    left           : unsigned(7 downto 0);
+    index          : unsigned(7 downto 0);
+    enough_room    : std_logic;
+    access_request : std_logic;
+    modifying      : std_logic;
+    operation      : group_operation_t;
+    list_write     : std_logic;
+    list_index     : unsigned(7 downto 0);
+    epoch          : std_logic;
+    -- Its answer, where that is no plain acknowledgement.
+    error        : error_t;
+    out_of_order : std_logic;
+  end record registers_t;
+
+  constant after_reset : registers_t :=
+  (
+    state          => state_idle,
+    in_session     => '0',
+    expected       => (others => '0'),
+    gap_told       => '0',
+    mode           => mode_adaptive,
+    is_expected    => '0',
+    is_ahead       => '0',
+    command        => command_h,
+    has_id         => '0',
+    plain          => '0',
+    silent         => '0',
+    id             => (others => '0'),
+    address        => (others => '0'),
+    left           => (others => '0'),
+    index          => (others => '0'),
+    enough_room    => '0',
+    access_request => '0',
+    modifying      => '0',
+    operation      => group_stop,
+    list_write     => '0',
+    list_index     => (others => '0'),
+    epoch          => '0',
+    error          => error_none,
+    out_of_order   => '0'
+  );
+
+  -- The upper half of the ring is behind.
+  function half_ring (distance : unsigned) return std_logic is
+  begin
+
+    return distance(distance'high);
+
+  end function half_ring;
+
+  -- No sample that was taken before may come after the answer.
+  function ends_samples (command : command_t) return boolean is
+  begin
+
+    return command(3 downto 2) = "10" or command = command_k;
+
+  end function ends_samples;
+
+  signal r           : registers_t;
+  signal is_write    : std_logic;
+  signal is_queue    : std_logic;
+  signal is_masked   : std_logic;
+  signal is_block    : std_logic;
+  signal last_word   : std_logic;
+  signal ok_done     : std_logic;
+  signal failed      : std_logic;
+  signal memory_kept : std_logic_vector(data_bits - 1 downto 0);
+
+begin
+
+  is_masked <= to_std_logic(masked_write and r.command = command_wk);
+  is_write  <= r.command(2) or r.modifying;
+  is_block  <= to_std_logic(r.command = command_wm or r.command = command_wq);
+  is_queue  <= to_std_logic(r.command = command_rq or r.command = command_wq);
+  last_word <= to_std_logic(r.left = 1) and not (is_masked and not r.modifying);
+  ok_done   <= access_done and to_std_logic(access_failure = error_none);
+  failed    <= access_done and to_std_logic(access_failure /= error_none);
+
+  request_accept <= to_std_logic(r.state = state_idle);
+  hold           <= to_std_logic(r.state /= state_idle);
+  memory_index   <= std_logic_vector(r.index);
+
+  access_request   <= r.access_request;
+  access_write     <= is_write;
+  access_more      <= not last_word and not is_queue;
+  access_exclusive <= is_write or is_masked;
+  access_address   <= std_logic_vector(r.address);
+  access_data      <= memory_kept when is_block = '1' else
+                      (access_read_data and not memory_kept) or (request_word and memory_kept) when is_masked = '1' else
+                      request_word;
+
+  ring_write    <= ok_done and not is_write;
+  ring_commit   <= to_std_logic(r.state = state_answer) and answer_taken;
+  ring_rollback <= failed or (to_std_logic(r.state = state_answer) and r.silent);
+
+  group_request   <= to_std_logic(r.state = state_stop or r.state = state_group);
+  group_operation <= r.operation;
+  list_write      <= r.list_write;
+  list_index      <= std_logic_vector(r.list_index);
+  epoch           <= r.epoch;
+
+  answer : process (all) is
+
+    variable is_error : std_logic;
+
+  begin
+
+    is_error       := to_std_logic(r.error /= error_none);
+    answer_valid   <= to_std_logic(r.state = state_answer) and not r.silent;
+    answer_message <= '0' & r.command;
+    answer_lower   <= r.has_id;
+    answer_plain   <= r.plain;
+    answer_id      <= r.id;
+    answer_has_id  <= r.has_id or to_std_logic(r.command = command_k and is_error = '0');
+    answer_pair    <= request_count;
+    answer_words   <= (others => '0');
+    if r.command(3) = '1' then
+      answer_pair <= request_group;
+    end if;
+    answer_has_address <= not r.has_id and not r.command(3) and not is_error;
+    answer_has_pair    <= '0';
+    if r.has_id = '0' then
+
+      case r.command is
+
+        when command_rm | command_rq | command_wm | command_wq | command_gs | command_gn | command_gx | command_gp |
+             command_i =>
+          answer_has_pair <= '1';
+
+        when others =>
+          null;
+
+      end case;
+
+    end if;
+    if is_error = '0' and r.out_of_order = '0' and r.command(3 downto 2) = "00" then
+      answer_words <= request_count;
+    end if;
+    if r.out_of_order = '1' then
+      answer_message <= message_out_of_sequence;
+    end if;
+    if is_error = '1' then
+      answer_message  <= message_error;
+      answer_has_pair <= '1';
+      answer_pair     <= x"0" & r.error;
+    end if;
+
+    answer_mark <= flush_none;
+    if send_immediate and r.mode = mode_always then
+      answer_mark <= flush_now;
+    elsif send_immediate and r.mode /= mode_off then
+      answer_mark <= flush_when_idle;
+    end if;
+
+  end process answer;
+
+  main : process (clk) is
+
+    variable v        : registers_t;
+    variable distance : unsigned(id_t'range);
+
+    procedure begin_group_operation (operation : group_operation_t; state : state_t) is
+    begin
+
+      v.operation := operation;
+      v.state     := state;
+      if groups = 0 then
+        v.state := state_answer;
+      end if;
+
+    end procedure begin_group_operation;
+
+    procedure refuse (error : error_t; with_id : std_logic) is
+    begin
+
+      v.error  := error;
+      v.has_id := with_id;
+      v.state  := state_answer;
+      if ends_samples(v.command) then
+        begin_group_operation(group_nothing, state_group);
+      end if;
+
+    end procedure refuse;
+
+    procedure start_session is
+    begin
+
+      v.in_session := '1';
+      v.expected   := unsigned(request_id);
+      v.gap_told   := '0';
+      v.mode       := mode_adaptive;
+      begin_group_operation(group_stop_all, state_group);
+
+    end procedure start_session;
+
+    -- What the form and the sequence allow.
+
+    procedure execute is
+    begin
+
+      v.state := state_answer;
+      if request_out_of_range = '1' then
+        refuse(error_range, request_has_id);
+        return;
+      end if;
+
+      case request_command is
+
+        when command_rm | command_rq =>
+          v.state := state_room;
+
+        when command_r | command_wk =>
+          v.state          := state_access;
+          v.access_request := '1';
+          if ring_room = 0 then
+            v.state          := state_room;
+            v.access_request := '0';
+          end if;
+
+        when command_w | command_ws =>
+          v.state          := state_access;
+          v.access_request := '1';
+
+        when command_wm | command_wq =>
+          v.state := state_load;
+
+        when command_gs =>
+          begin_group_operation(group_stop, state_stop);
+
+        when command_gn | command_gx | command_gp =>
+          if group_is_set = '0' then
+            refuse(error_range, request_has_id);
+          elsif request_command = command_gn then
+            begin_group_operation(group_start, state_group);
+          elsif request_command = command_gx then
+            begin_group_operation(group_stop, state_group);
+          else
+            begin_group_operation(group_publish, state_group);
+          end if;
+
+        when command_i =>
+          v.mode := request_group(1 downto 0);
+
+        when command_k =>
+          start_session;
+
+        when others =>
+          null;
+
+      end case;
+
+    end procedure execute;
+
+    -- A request that was executed before.
+
+    procedure repeat is
+    begin
+
+      case request_command is
+
+        when command_r | command_rm =>
+          execute;
+
+        when command_rq | command_wk =>
+          refuse(error_repeated, '1');
+
+        when command_ws =>
+          null;
+
+        when others =>
+          v.state := state_answer;
+
+      end case;
+
+    end procedure repeat;
+
+    procedure accept_request is
+    begin
+
+      v.command      := request_command;
+      v.has_id       := request_has_id;
+      v.plain        := request_plain;
+      v.silent       := request_silent;
+      v.id           := request_id;
+      v.address      := unsigned(request_address(address_bits - 1 downto 0));
+      v.left         := unsigned(request_count);
+      v.modifying    := '0';
+      v.error        := error_none;
+      v.out_of_order := '0';
+
+      if request_error /= error_none then
+        refuse(request_error, '0');
+      elsif request_has_id = '0' then
+        execute;
+      elsif r.in_session = '0' then
+        refuse(error_session, '1');
+      elsif r.is_expected = '1' then
+        v.expected := r.expected + 1;
+        v.gap_told := '0';
+        execute;
+      elsif r.is_ahead = '0' then
+        repeat;
+      elsif r.gap_told = '0' then
+        v.gap_told     := '1';
+        v.out_of_order := '1';
+        v.id           := std_logic_vector(r.expected);
+        v.state        := state_answer;
+      end if;
+
+    end procedure accept_request;
+
+    procedure finish_access is
+    begin
+
+      if failed = '1' then
+        v.access_request := '0';
+        refuse(access_failure, r.has_id);
+      elsif is_masked = '1' and r.modifying = '0' then
+        v.modifying := '1';
+      else
+        v.left := r.left - 1;
+        if is_queue = '0' then
+          v.address := r.address + 1;
+        end if;
+        if last_word = '1' then
+          v.access_request := '0';
+          v.state          := state_answer;
+          if r.command = command_ws then
+            v.state := state_idle;
+          end if;
+        end if;
+      end if;
+
+    end procedure finish_access;
+
+    -- Hands the addresses of GS from the request memory on to the subscription manager.
+
+    procedure copy_list is
+    begin
+
+      if r.index = unsigned(request_count) then
+        begin_group_operation(group_set, state_group);
+      else
+        v.index      := r.index + 1;
+        v.list_write := '1';
+        v.list_index := r.index;
+      end if;
+
+    end procedure copy_list;
+
+  begin
+
+    if rising_edge(clk) then
+      memory_kept   <= memory_word;
+      v             := r;
+      distance      := unsigned(request_id) - r.expected;
+      v.is_expected := to_std_logic(distance = 0);
+      v.is_ahead    := not half_ring(distance);
+      v.enough_room := to_std_logic(ring_room >= unsigned(request_count));
+      v.list_write  := '0';
+
+      case r.state is
+
+        when state_idle =>
+          -- The first word of the next request comes out of the memory in time if it was asked for all along.
+          v.index := (others => '0');
+          if request_valid = '1' then
+            accept_request;
+          end if;
+
+        when state_room =>
+          if r.enough_room = '1' then
+            v.state          := state_access;
+            v.access_request := '1';
+          end if;
+
+        when state_load =>
+          v.state          := state_access;
+          v.access_request := '1';
+
+        when state_access =>
+          if access_granted = '1' and r.command(2) = '1' then
+            v.index := r.index + 1;
+          end if;
+          if access_done = '1' then
+            finish_access;
+          end if;
+
+        when state_stop =>
+          if group_done = '1' then
+            v.state := state_copy;
+          end if;
+
+        when state_copy =>
+          copy_list;
+
+        when state_group =>
+          if group_done = '1' then
+            v.state := state_answer;
+            v.epoch := r.epoch xor not r.silent;
+          end if;
+
+        when state_answer =>
+          if answer_taken = '1' or r.silent = '1' then
+            v.state := state_idle;
+          end if;
+
+      end case;
+
+      r <= v;
+
+      if rst = '1' then
+        r <= after_reset;
+      end if;
+    end if;
+
+  end process main;
+
+end architecture rtl;

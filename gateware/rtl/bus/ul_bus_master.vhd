@@ -1,0 +1,186 @@
+-- SPDX-License-Identifier: BSD-3-Clause
+--
+-- Takes the accesses of requests and of samples to one bus, and ends those that are not answered.
+--
+-- Samples go first, also between the words of a block that is read, so that they are taken when they are due. They wait
+-- where a transaction would be torn: for the rest of WM and WK (`request_exclusive`). A sample, once begun, is not
+-- interrupted either. Its instant is the cycle in which its first access is chosen: `sample_strobe` is '1' then, and
+-- `sample_access` from the next one on until its last access has been answered, or the bus has rested after one that has
+-- not.
+--
+-- One access takes three cycles on a bus without wait states: chosen (`..._granted`), on the bus, told (`..._done`, with
+-- `failure` and `read_data`). A client keeps its request up until `done`; address and data of the next access must stand
+-- there in the cycle after it.
+--
+-- After an access that timed out nothing is asked of the bus for `timeout` cycles, in which the bus is taken back: a
+-- slave that answers late does so then, when nobody listens. The access is told before, so only the next one waits.
+
+library ieee;
+  use ieee.std_logic_1164.all;
+  use ieee.numeric_std.all;
+
+library work;
+  use work.ul_math_pkg.all;
+  use work.unity_link_pkg.all;
+
+entity ul_bus_master is
+  generic (
+    data_bits    : positive := 32;
+    address_bits : positive := 8;
+    -- Cycles on the bus after which an access has failed, and then without any.
+    timeout : positive := 1024
+  );
+  port (
+    clk : in    std_logic;
+    rst : in    std_logic;
+    -- Accesses of requests; more: another one of the same atomic transaction follows.
+    request           : in    std_logic;
+    request_write     : in    std_logic;
+    request_more      : in    std_logic;
+    request_exclusive : in    std_logic;
+    request_address   : in    std_logic_vector(address_bits - 1 downto 0);
+    request_data      : in    std_logic_vector(data_bits - 1 downto 0);
+    request_granted   : out   std_logic;
+    request_done      : out   std_logic;
+    -- Accesses of samples.
+    sample         : in    std_logic;
+    sample_more    : in    std_logic;
+    sample_address : in    std_logic_vector(address_bits - 1 downto 0);
+    sample_granted : out   std_logic;
+    sample_done    : out   std_logic;
+    sample_strobe  : out   std_logic;
+    sample_access  : out   std_logic;
+    -- For both, with done; read_data stands until the next access ends.
+    failure   : out   error_t;
+    read_data : out   std_logic_vector(data_bits - 1 downto 0);
+    -- Bus-independent interface, see `unity_link_core`.
+    bus_request    : out   std_logic;
+    bus_write      : out   std_logic;
+    bus_lock       : out   std_logic;
+    bus_address    : out   std_logic_vector(address_bits - 1 downto 0);
+    bus_write_data : out   std_logic_vector(data_bits - 1 downto 0);
+    bus_read_data  : in    std_logic_vector(data_bits - 1 downto 0);
+    bus_done       : in    std_logic;
+    bus_error      : in    std_logic
+  );
+end entity ul_bus_master;
+
+architecture rtl of ul_bus_master is
+
+  type state_t is (state_idle, state_active, state_told, state_rest);
+
+  signal state      : state_t;
+  signal for_sample : std_logic;
+  -- A transaction of this client has further accesses; of a request: nobody may come between them.
+  signal sample_lock  : std_logic;
+  signal request_lock : std_logic;
+  signal exclusive    : std_logic;
+  signal timed_out    : std_logic;
+  signal time_left    : unsigned(log2_ceil(timeout) downto 0);
+  signal grant_sample : std_logic;
+  signal grant        : std_logic;
+
+begin
+
+  grant_sample <= sample and not exclusive and to_std_logic(state = state_idle);
+  grant        <= request and not (sample and not exclusive) and not sample_lock and to_std_logic(state = state_idle);
+
+  sample_granted  <= grant_sample;
+  request_granted <= grant;
+  sample_done     <= to_std_logic(state = state_told) and for_sample;
+  sample_strobe   <= grant_sample and not sample_lock;
+  sample_access   <= for_sample and (to_std_logic(state = state_active) or sample_lock or timed_out);
+  request_done    <= to_std_logic(state = state_told) and not for_sample;
+  -- An access that timed out takes the bus down with it, whatever transaction it stood in, until its rest is over.
+  bus_lock <= (sample_lock or request_lock) and not timed_out;
+
+  main : process (clk) is
+  begin
+
+    if rising_edge(clk) then
+
+      case state is
+
+        when state_idle =>
+          time_left <= to_unsigned(timeout - 1, time_left'length);
+          if grant_sample = '1' then
+            for_sample  <= '1';
+            sample_lock <= sample_more;
+          end if;
+          if grant = '1' then
+            for_sample   <= '0';
+            request_lock <= request_more;
+            exclusive    <= request_more and request_exclusive;
+          end if;
+          if grant_sample = '1' or grant = '1' then
+            bus_request    <= '1';
+            bus_write      <= grant and request_write;
+            bus_write_data <= request_data;
+            bus_address    <= request_address;
+            if grant_sample = '1' then
+              bus_address <= sample_address;
+            end if;
+            state <= state_active;
+          end if;
+
+        when state_active =>
+          time_left <= time_left - 1;
+          failure   <= error_none;
+          if bus_done = '1' then
+            bus_request <= '0';
+            read_data   <= bus_read_data;
+            if bus_error = '1' then
+              failure <= error_bus;
+            end if;
+            state <= state_told;
+          elsif time_left = 0 then
+            bus_request <= '0';
+            timed_out   <= '1';
+            time_left   <= to_unsigned(timeout - 1, time_left'length);
+            failure     <= error_timeout;
+            state       <= state_told;
+          end if;
+
+        when state_told =>
+          if failure /= error_none then
+            if for_sample = '1' then
+              sample_lock <= '0';
+            else
+              request_lock <= '0';
+              exclusive    <= '0';
+            end if;
+          end if;
+          state <= state_idle;
+          if timed_out = '1' then
+            state <= state_rest;
+          end if;
+
+        when state_rest =>
+          time_left <= time_left - 1;
+          if time_left = 0 then
+            timed_out <= '0';
+            state     <= state_idle;
+          end if;
+
+      end case;
+
+      if rst = '1' then
+        state          <= state_idle;
+        for_sample     <= '0';
+        sample_lock    <= '0';
+        request_lock   <= '0';
+        exclusive      <= '0';
+        timed_out      <= '0';
+        time_left      <= (others => '0');
+        failure        <= error_none;
+        read_data      <= (others => '0');
+        bus_request    <= '0';
+        bus_write      <= '0';
+        bus_address    <= (others => '0');
+        bus_write_data <= (others => '0');
+      end if;
+    end if;
+
+  end process main;
+
+end architecture rtl;

@@ -1,0 +1,51 @@
+-- SPDX-License-Identifier: BSD-3-Clause
+--
+-- A memory with one write port and one registered read port, as every vendor's block RAM is.
+--
+-- Whether a word that is read in the cycle in which it is written is the old or the new one is left open: nobody asks.
+
+library ieee;
+  use ieee.std_logic_1164.all;
+  use ieee.numeric_std.all;
+
+library work;
+  use work.ul_math_pkg.all;
+
+entity ul_word_memory is
+  generic (
+    width : positive := 32;
+    -- Words; a power of two, at least 2.
+    depth : positive := 256
+  );
+  port (
+    clk         : in    std_logic;
+    write       : in    std_logic;
+    write_index : in    unsigned(log2_ceil(depth) - 1 downto 0);
+    write_data  : in    std_logic_vector(width - 1 downto 0);
+    read_index  : in    unsigned(log2_ceil(depth) - 1 downto 0);
+    -- One cycle after read_index.
+    read_data : out   std_logic_vector(width - 1 downto 0)
+  );
+end entity ul_word_memory;
+
+architecture rtl of ul_word_memory is
+
+  type memory_t is array (0 to depth - 1) of std_logic_vector(width - 1 downto 0);
+
+  signal memory : memory_t;
+
+begin
+
+  main : process (clk) is
+  begin
+
+    if rising_edge(clk) then
+      if write = '1' then
+        memory(to_integer(write_index)) <= write_data;
+      end if;
+      read_data <= memory(to_integer(read_index));
+    end if;
+
+  end process main;
+
+end architecture rtl;

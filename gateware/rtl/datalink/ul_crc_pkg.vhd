@@ -1,0 +1,52 @@
+-- SPDX-License-Identifier: BSD-3-Clause
+--
+-- The check of a frame (docs/protocol.md, "Frames"): a CRC of 8, 16 or 32 bits, not reflected, initial value 0, no final
+-- xor.
+
+library ieee;
+  use ieee.std_logic_1164.all;
+
+package ul_crc_pkg is
+
+  -- The CRC after one more character. The width is that of `crc`; `polynomial` has no highest term and is right-aligned.
+  function crc_after (
+    crc        : std_logic_vector;
+    character  : std_logic_vector(7 downto 0);
+    polynomial : std_logic_vector(31 downto 0)
+  ) return std_logic_vector;
+
+end package ul_crc_pkg;
+
+package body ul_crc_pkg is
+
+  function crc_after (
+    crc        : std_logic_vector;
+    character  : std_logic_vector(7 downto 0);
+    polynomial : std_logic_vector(31 downto 0)
+  ) return std_logic_vector is
+
+    constant width     : positive                             := crc'length;
+    constant taps      : std_logic_vector(width - 1 downto 0) := polynomial(width - 1 downto 0);
+    variable remainder : std_logic_vector(width - 1 downto 0);
+    variable carry     : std_logic;
+
+  begin
+
+    remainder                             := crc;
+    remainder(width - 1 downto width - 8) := remainder(width - 1 downto width - 8) xor character;
+
+    for bit_number in 1 to 8 loop
+
+      carry     := remainder(width - 1);
+      remainder := remainder(width - 2 downto 0) & '0';
+      if carry = '1' then
+        remainder := remainder xor taps;
+      end if;
+
+    end loop;
+
+    return remainder;
+
+  end function crc_after;
+
+end package body ul_crc_pkg;

@@ -1,0 +1,305 @@
+-- SPDX-License-Identifier: BSD-3-Clause
+--
+-- Datalink layer, inwards: takes frames apart and checks them (docs/protocol.md, "Frames" and "Addressed frames").
+--
+-- What stands before the check of a frame goes out character by character; what was found out about the frame follows
+-- as an event of its own, `out_last`, which carries no character. Whoever acts waits for that.
+--
+-- A frame's last `crc_bits / 4` characters are its check if it ends in LF and part of its body if it ends in CR, and
+-- only the end tells. So characters pass a delay line of that length: at LF it holds just the check, which is compared
+-- in the same cycle, and at CR it is emptied into the body. The CRC is taken of what leaves the line (and, on a shared
+-- medium, of the prefix, which never enters it).
+
+library ieee;
+  use ieee.std_logic_1164.all;
+  use ieee.numeric_std.all;
+
+library work;
+  use work.ul_crc_pkg.all;
+  use work.ul_math_pkg.all;
+  use work.unity_link_pkg.all;
+
+entity ul_datalink_rx is
+  generic (
+    crc_bits       : positive                      := 16;
+    crc_polynomial : std_logic_vector(31 downto 0) := x"00001021";
+    -- Most characters before the end, prefix not counted.
+    longest : positive := 2048;
+    -- Number on a shared medium, 0 to 254, or -1.
+    node : integer := -1
+  );
+  port (
+    clk      : in    std_logic;
+    rst      : in    std_logic;
+    in_data  : in    std_logic_vector(7 downto 0);
+    in_lost  : in    std_logic;
+    in_valid : in    std_logic;
+    in_ready : out   std_logic;
+    -- A character of a body, or with out_last the end of the frame.
+    out_data  : out   std_logic_vector(7 downto 0);
+    out_valid : out   std_logic;
+    out_ready : in    std_logic;
+    out_last  : out   std_logic;
+    -- With out_last: the form of the frame; error 09, 07, 01 or none; whether the frame is to all nodes: do not answer.
+    out_plain  : out   std_logic;
+    out_error  : out   error_t;
+    out_silent : out   std_logic;
+    -- A frame has begun and its end was not given out yet.
+    busy : out   std_logic
+  );
+end entity ul_datalink_rx;
+
+architecture rtl of ul_datalink_rx is
+
+  constant crc_digits    : positive := crc_bits / 4;
+  constant prefix_length : natural  := 3;
+
+  type line_t is array (0 to crc_digits - 1) of std_logic_vector(7 downto 0);
+
+  type registers_t is record
+    delayed : line_t;
+    filled  : std_logic_vector(0 to crc_digits - 1);
+    crc     : std_logic_vector(crc_bits - 1 downto 0);
+    -- Characters that may still come before the frame is too long.
+    left     : unsigned(log2_ceil(longest + 1) - 1 downto 0);
+    too_long : std_logic;
+    lost     : std_logic;
+    begun    : std_logic;
+    draining : std_logic;
+    -- Characters of the prefix that were seen, and what they say.
+    prefix     : unsigned(1 downto 0);
+    to_me      : std_logic;
+    to_all     : std_logic;
+    out_data   : std_logic_vector(7 downto 0);
+    out_valid  : std_logic;
+    out_last   : std_logic;
+    out_plain  : std_logic;
+    out_error  : error_t;
+    out_silent : std_logic;
+  end record registers_t;
+
+  constant after_reset : registers_t :=
+  (
+    delayed    => (others => (others => '0')),
+    filled     => (others => '0'),
+    crc        => (others => '0'),
+    left       => to_unsigned(longest, log2_ceil(longest + 1)),
+    too_long   => '0',
+    lost       => '0',
+    begun      => '0',
+    draining   => '0',
+    prefix     => (others => '0'),
+    to_me      => '1',
+    to_all     => to_std_logic(node >= 0),
+    out_data   => (others => '0'),
+    out_valid  => '0',
+    out_last   => '0',
+    out_plain  => '0',
+    out_error  => error_none,
+    out_silent => '0'
+  );
+
+  signal r       : registers_t;
+  signal advance : std_logic;
+
+  -- Whether the delay line holds this CRC in hex digits of either case.
+  function holds (now : registers_t) return boolean is
+
+    variable nibble : std_logic_vector(3 downto 0);
+    variable same   : boolean := true;
+
+  begin
+
+    for digit in 0 to crc_digits - 1 loop
+
+      nibble := now.crc(4 * digit + 3 downto 4 * digit);
+      same   := same and now.filled(digit) = '1' and is_hex(now.delayed(digit)) = '1';
+      same   := same and hex_value(now.delayed(digit)) = nibble;
+
+    end loop;
+
+    return same;
+
+  end function holds;
+
+  -- Whether a character is the first or the second hex digit of a node's number.
+  function is_digit_of (code : std_logic_vector(7 downto 0); number : natural; first : boolean) return std_logic is
+
+    constant digits : std_logic_vector(7 downto 0) := std_logic_vector(to_unsigned(number, 8));
+
+  begin
+
+    if first then
+      return is_hex(code) and to_std_logic(hex_value(code) = digits(7 downto 4));
+    end if;
+    return is_hex(code) and to_std_logic(hex_value(code) = digits(3 downto 0));
+
+  end function is_digit_of;
+
+  function is_end (code : std_logic_vector(7 downto 0)) return boolean is
+  begin
+
+    return code = character_lf or code = character_cr;
+
+  end function is_end;
+
+begin
+
+  advance  <= not r.out_valid or out_ready;
+  in_ready <= advance and not r.draining;
+
+  out_data   <= r.out_data;
+  out_valid  <= r.out_valid;
+  out_last   <= r.out_last;
+  out_plain  <= r.out_plain;
+  out_error  <= r.out_error;
+  out_silent <= r.out_silent;
+  busy       <= r.begun or r.out_valid;
+
+  assert crc_bits = 8 or crc_bits = 16 or crc_bits = 32
+    report "ul_datalink_rx: crc_bits is " & integer'image(crc_bits) & ", expected 8, 16 or 32"
+    severity failure;
+
+  assert node >= -1 and node <= 254
+    report "ul_datalink_rx: node is " & integer'image(node) & ", expected 0 to 254, or -1"
+    severity failure;
+
+  main : process (clk) is
+
+    variable v : registers_t;
+
+    -- The oldest character leaves the delay line into the body.
+
+    procedure step_line (newest : std_logic_vector(7 downto 0); newest_valid : std_logic) is
+    begin
+
+      v.out_data := r.delayed(crc_digits - 1);
+      if r.filled(crc_digits - 1) = '1' then
+        v.out_valid := '1';
+        v.crc       := crc_after(r.crc, r.delayed(crc_digits - 1), crc_polynomial);
+      end if;
+      v.delayed := newest & r.delayed(0 to crc_digits - 2);
+      v.filled  := newest_valid & r.filled(0 to crc_digits - 2);
+
+    end procedure step_line;
+
+    procedure finish_frame (plain : std_logic; check_is_right : boolean) is
+    begin
+
+      v.out_valid  := '1';
+      v.out_last   := '1';
+      v.out_plain  := plain;
+      v.out_silent := to_std_logic(node >= 0) and r.to_all;
+      if v.lost = '1' then
+        v.out_error := error_overflow;
+      elsif r.too_long = '1' then
+        v.out_error := error_too_long;
+      elsif not check_is_right then
+        v.out_error := error_crc;
+      else
+        v.out_error := error_none;
+      end if;
+
+    end procedure finish_frame;
+
+    procedure forget_frame is
+    begin
+
+      v.filled   := (others => '0');
+      v.crc      := (others => '0');
+      v.left     := after_reset.left;
+      v.too_long := '0';
+      v.lost     := '0';
+      v.begun    := '0';
+      v.draining := '0';
+      v.prefix   := (others => '0');
+      v.to_me    := '1';
+      v.to_all   := after_reset.to_all;
+
+    end procedure forget_frame;
+
+    procedure take_prefix is
+    begin
+
+      v.crc    := crc_after(r.crc, in_data, crc_polynomial);
+      v.prefix := r.prefix + 1;
+      if r.prefix = 0 then
+        v.to_me  := to_std_logic(in_data = character_z);
+        v.to_all := v.to_me;
+      else
+        v.to_me  := r.to_me and is_digit_of(in_data, maximum(node, 0), r.prefix = 1);
+        v.to_all := r.to_all and is_digit_of(in_data, 255, r.prefix = 1);
+      end if;
+
+    end procedure take_prefix;
+
+    procedure take_character is
+    begin
+
+      if r.to_me = '0' and r.to_all = '0' then
+        return;
+      end if;
+      step_line(in_data, '1');
+      if r.left = 0 then
+        v.too_long := '1';
+      else
+        v.left := r.left - 1;
+      end if;
+
+    end procedure take_character;
+
+    procedure take_end is
+
+      variable for_us : boolean;
+
+    begin
+
+      for_us := node < 0 or (r.prefix = prefix_length and (r.to_me = '1' or r.to_all = '1'));
+      -- Nothing between two ends, after the prefix if there is one: no frame.
+      if not for_us or (v.lost = '0' and r.left = longest) then
+        forget_frame;
+      elsif in_data = character_cr then
+        v.draining := '1';
+      else
+        finish_frame('0', holds(r));
+        forget_frame;
+      end if;
+
+    end procedure take_end;
+
+  begin
+
+    if rising_edge(clk) then
+      v := r;
+      if advance = '1' then
+        v.out_valid := '0';
+        v.out_last  := '0';
+        if r.draining = '1' then
+          if unsigned(r.filled) = 0 then
+            finish_frame('1', true);
+            forget_frame;
+          else
+            step_line(r.delayed(0), '0');
+          end if;
+        elsif in_valid = '1' then
+          v.begun := '1';
+          v.lost  := r.lost or in_lost;
+          if is_end(in_data) then
+            take_end;
+          elsif node >= 0 and r.prefix /= prefix_length then
+            take_prefix;
+          else
+            take_character;
+          end if;
+        end if;
+      end if;
+      r <= v;
+
+      if rst = '1' then
+        r <= after_reset;
+      end if;
+    end if;
+
+  end process main;
+
+end architecture rtl;

@@ -1,0 +1,201 @@
+-- SPDX-License-Identifier: BSD-3-Clause
+--
+-- Datalink layer, outwards: puts the prefix before a body (shared medium only), the check and the end behind it.
+--
+-- One character a cycle, ends included: while the check of a frame goes out, whoever writes bodies prepares the next
+-- one. The send-immediate mark of a frame stands beside its very last character.
+
+library ieee;
+  use ieee.std_logic_1164.all;
+  use ieee.numeric_std.all;
+
+library work;
+  use work.ul_crc_pkg.all;
+  use work.ul_math_pkg.all;
+  use work.unity_link_pkg.all;
+
+entity ul_datalink_tx is
+  generic (
+    crc_bits       : positive                      := 16;
+    crc_polynomial : std_logic_vector(31 downto 0) := x"00001021";
+    -- Number on a shared medium, 0 to 254, or -1.
+    node : integer := -1
+  );
+  port (
+    clk : in    std_logic;
+    rst : in    std_logic;
+    -- Bodies; in_plain and in_mark count with in_last.
+    in_data   : in    std_logic_vector(7 downto 0);
+    in_valid  : in    std_logic;
+    in_ready  : out   std_logic;
+    in_last   : in    std_logic;
+    in_plain  : in    std_logic;
+    in_mark   : in    flush_mark_t;
+    out_data  : out   std_logic_vector(7 downto 0);
+    out_mark  : out   flush_mark_t;
+    out_valid : out   std_logic;
+    out_ready : in    std_logic;
+    -- Something was taken that has not gone out yet.
+    busy : out   std_logic
+  );
+end entity ul_datalink_tx;
+
+architecture rtl of ul_datalink_tx is
+
+  constant crc_digits : positive := crc_bits / 4;
+
+  type state_t is (state_prefix, state_body, state_check, state_cr, state_lf);
+
+  function first_state return state_t is
+  begin
+
+    if node >= 0 then
+      return state_prefix;
+    else
+      return state_body;
+    end if;
+
+  end function first_state;
+
+  type registers_t is record
+    state     : state_t;
+    left      : unsigned(log2_ceil(crc_digits + 1) - 1 downto 0);
+    crc       : std_logic_vector(crc_bits - 1 downto 0);
+    mark      : flush_mark_t;
+    out_data  : std_logic_vector(7 downto 0);
+    out_mark  : flush_mark_t;
+    out_valid : std_logic;
+  end record registers_t;
+
+  constant after_reset : registers_t :=
+  (
+    state     => first_state,
+    left      => (others => '0'),
+    crc       => (others => '0'),
+    mark      => flush_none,
+    out_data  => (others => '0'),
+    out_mark  => flush_none,
+    out_valid => '0'
+  );
+
+  signal r       : registers_t;
+  signal advance : std_logic;
+
+  function prefix_character (place : natural) return std_logic_vector is
+
+    constant number : std_logic_vector(7 downto 0) := std_logic_vector(to_unsigned(maximum(node, 0), 8));
+
+  begin
+
+    case place is
+
+      when 0 =>
+        return character_z;
+
+      when 1 =>
+        return hex_character(number(7 downto 4));
+
+      when others =>
+        return hex_character(number(3 downto 0));
+
+    end case;
+
+  end function prefix_character;
+
+begin
+
+  advance  <= not r.out_valid or out_ready;
+  in_ready <= advance and to_std_logic(r.state = state_body);
+
+  out_data  <= r.out_data;
+  out_mark  <= r.out_mark;
+  out_valid <= r.out_valid;
+  busy      <= r.out_valid or to_std_logic(r.state /= first_state);
+
+  main : process (clk) is
+
+    variable v : registers_t;
+
+    -- One character of what the CRC covers.
+
+    procedure put_covered (code : std_logic_vector(7 downto 0)) is
+    begin
+
+      v.out_data  := code;
+      v.out_valid := '1';
+      v.crc       := crc_after(r.crc, code, crc_polynomial);
+
+    end procedure put_covered;
+
+  begin
+
+    if rising_edge(clk) then
+      v := r;
+      if advance = '1' then
+        v.out_valid := '0';
+        v.out_mark  := flush_none;
+
+        case r.state is
+
+          when state_prefix =>
+            if in_valid = '1' then
+              put_covered(prefix_character(to_integer(r.left)));
+              v.left := r.left + 1;
+              if r.left = 2 then
+                v.state := state_body;
+              end if;
+            end if;
+
+          when state_body =>
+            if in_valid = '1' then
+              put_covered(in_data);
+            end if;
+            v.left := to_unsigned(crc_digits, v.left'length);
+            v.mark := in_mark;
+            if in_valid = '1' and in_last = '1' then
+              v.state := state_check;
+              if in_plain = '1' then
+                v.state := state_cr;
+              end if;
+            end if;
+
+          when state_check =>
+            -- Both digits of the highest byte; then the next one takes its place, by the logic that is there already: a
+            -- CRC after its own highest byte is shifted by eight bits.
+            v.out_data  := hex_character(r.crc(crc_bits - 1 downto crc_bits - 4));
+            v.out_valid := '1';
+            if r.left(0) = '1' then
+              v.out_data := hex_character(r.crc(crc_bits - 5 downto crc_bits - 8));
+              v.crc      := crc_after(r.crc, r.crc(crc_bits - 1 downto crc_bits - 8), crc_polynomial);
+            end if;
+            v.left := r.left - 1;
+            if r.left = 1 then
+              v.state := state_lf;
+            end if;
+
+          when state_cr =>
+            v.out_data  := character_cr;
+            v.out_valid := '1';
+            v.state     := state_lf;
+
+          when state_lf =>
+            v.out_data  := character_lf;
+            v.out_valid := '1';
+            v.out_mark  := r.mark;
+            v.crc       := (others => '0');
+            v.left      := (others => '0');
+            v.state     := first_state;
+
+        end case;
+
+      end if;
+      r <= v;
+
+      if rst = '1' then
+        r <= after_reset;
+      end if;
+    end if;
+
+  end process main;
+
+end architecture rtl;

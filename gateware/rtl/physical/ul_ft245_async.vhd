@@ -1,0 +1,357 @@
+-- SPDX-License-Identifier: BSD-3-Clause
+--
+-- Physical layer: the asynchronous FT245 FIFO of an FT232H or FT2232H, with SIWU#.
+--
+-- Every interval is worked out from the clock frequency and the FT232H datasheet (FT_000288, table 4.2, named T1..T11
+-- below), plus `skew_ns` for the difference between the delays of two pins. Data is driven from before WR# falls until
+-- after it has risen, which is right whichever edge the chip latches at (editions of the datasheet differ on T9).
+--
+-- Each pin has a register of its own in `ul_ft245_pads`, that nothing else hangs on; what is decided here is at the pins
+-- from the next edge on, and the data that came in while RD# was low is taken out of the pads one cycle behind it.
+--
+-- RXF# and TXE# have no relation to the clock, so they pass two registers: the one in the pad, and the one of a
+-- `ul_synchroniser` behind that. What is seen is two cycles old; after an access, the flag that it withdraws (T1 and T6,
+-- 14 ns at most) is not believed until what is seen was sampled later than that. Between the two directions, the one
+-- that did not go last goes first.
+--
+-- A byte to send is put on the bus before TXE# allows it, so that its setup time costs nothing. If a byte to receive
+-- comes in the meantime, or TXE# stays away, the bus is given back: a chip that the PC has taken for something else may
+-- use the same pins. After that it is driven when TXE# is there.
+--
+-- `flush` means: when all bytes accepted so far were written, pull SIWU# low. Until that is done no further byte is
+-- accepted, so the pulse stands between the right two bytes. Without a byte since the last flush nothing is done: what
+-- the chip makes of SIWU# with an empty FIFO is not documented.
+
+library ieee;
+  use ieee.std_logic_1164.all;
+  use ieee.numeric_std.all;
+
+entity ul_ft245_async is
+  generic (
+    -- Hz.
+    clock_hz : positive := 50_000_000;
+    -- The most by which the delays of two pins of the FPGA differ, board included.
+    skew_ns : natural := 5
+  );
+  port (
+    clk : in    std_logic;
+    rst : in    std_logic;
+    -- Pins; the top joins data_in, data_out and data_oe ('1': drive), bit by bit, to the bidirectional bus.
+    data_in  : in    std_logic_vector(7 downto 0);
+    data_out : out   std_logic_vector(7 downto 0);
+    data_oe  : out   std_logic_vector(7 downto 0);
+    rxf_n    : in    std_logic;
+    txe_n    : in    std_logic;
+    rd_n     : out   std_logic;
+    wr_n     : out   std_logic;
+    siwu_n   : out   std_logic;
+    -- Core.
+    rx_data  : out   std_logic_vector(7 downto 0);
+    rx_lost  : out   std_logic;
+    rx_valid : out   std_logic;
+    rx_ready : in    std_logic;
+    tx_data  : in    std_logic_vector(7 downto 0);
+    tx_valid : in    std_logic;
+    tx_ready : out   std_logic;
+    flush    : in    std_logic
+  );
+end entity ul_ft245_async;
+
+architecture rtl of ul_ft245_async is
+
+  -- The least number of clock cycles that last so long, pins' skew included.
+  function cycles (ns : positive) return positive is
+  begin
+
+    return integer(real(ns + skew_ns) * real(clock_hz) / 1.0e9 + 0.499_999);
+
+  end function cycles;
+
+  -- From a register of ours through pin, chip, pin and both registers of the flag: `ns` is the chip's part.
+  function cycles_until_seen (ns : positive) return positive is
+  begin
+
+    return cycles(ns) + 2;
+
+  end function cycles_until_seen;
+
+  function most (a : positive; b : positive) return positive is
+  begin
+
+    if a > b then
+      return a;
+    end if;
+    return b;
+
+  end function most;
+
+  -- RD# low: T4, and T3 with the skew of RD# out and data in is over well before.
+  constant rd_low : positive := cycles(30);
+  -- RD# high until RXF# is believed again: T1. The chip has left the data bus by then, too.
+  constant rd_high : positive := cycles_until_seen(14);
+  -- T8.
+  constant wr_setup : positive := cycles(5);
+  -- T10.
+  constant wr_low : positive := cycles(30);
+  -- T9.
+  constant wr_hold : positive := cycles(5);
+  -- Hold over until TXE# is believed again: T6, from the fall of WR#.
+  constant wr_rest : positive := most(cycles_until_seen(14), wr_low + wr_hold + 1) - wr_low - wr_hold;
+  -- SIWU#: 250 ns low, and as long high before it may fall again.
+  constant siwu_time : positive := cycles(250);
+  -- For which the bus is driven before TXE# allows it.
+  constant patience : positive := cycles(500);
+
+  constant longest : positive := patience + rd_low + rd_high + wr_setup + wr_low + wr_hold + wr_rest;
+
+  type state_t is (idle, reading, after_read, setup, offering, writing, holding, after_write);
+
+  signal state        : state_t;
+  signal next_state   : state_t;
+  signal length       : natural range 1 to longest;
+  signal wait_cycles  : natural range 0 to longest;
+  signal over         : std_logic;
+  signal rxf          : std_logic;
+  signal rxf_seen     : std_logic;
+  signal txe          : std_logic;
+  signal txe_seen     : std_logic;
+  signal read_next    : std_logic;
+  signal write_next   : std_logic;
+  signal drive_next   : std_logic;
+  signal data_seen    : std_logic_vector(7 downto 0);
+  signal take         : std_logic;
+  signal offered      : std_logic;
+  signal wrote_last   : std_logic;
+  signal may_read     : std_logic;
+  signal received     : std_logic;
+  signal tx_byte      : std_logic_vector(7 downto 0);
+  signal tx_held      : std_logic;
+  signal accept       : std_logic;
+  signal unflushed    : std_logic;
+  signal flush_wanted : std_logic;
+  signal siwu_low     : std_logic;
+  signal siwu_next    : std_logic;
+  signal siwu_cycles  : natural range 0 to siwu_time;
+
+begin
+
+  rx_valid <= received;
+  rx_lost  <= '0';
+  tx_ready <= accept;
+  accept   <= not tx_held and not flush_wanted and not siwu_low;
+  may_read <= rxf_seen and not received;
+
+  pins : entity work.ul_ft245_pads
+    port map (
+      clk        => clk,
+      quiet      => '0',
+      quiet_data => '0',
+      data_in    => data_in,
+      data_out   => data_out,
+      data_oe    => data_oe,
+      rxf_n      => rxf_n,
+      txe_n      => txe_n,
+      rd_n       => rd_n,
+      wr_n       => wr_n,
+      oe_n       => open,
+      siwu_n     => siwu_n,
+      data       => tx_byte,
+      drive      => drive_next,
+      read       => read_next,
+      write      => write_next,
+      enable     => '0',
+      send_now   => siwu_next,
+      data_seen  => data_seen,
+      rxf        => rxf,
+      txe        => txe
+    );
+
+  -- The pad's register is the first of two.
+  flags : entity work.ul_synchroniser
+    generic map (
+      width  => 2,
+      stages => 1
+    )
+    port map (
+      clk  => clk,
+      rst  => rst,
+      d(0) => rxf,
+      d(1) => txe,
+      q(0) => rxf_seen,
+      q(1) => txe_seen
+    );
+
+  over <= '1' when wait_cycles = 0 else
+          '0';
+
+  -- A state lasts for `length` cycles, or until something happens.
+  decide : process (all) is
+  begin
+
+    next_state <= state;
+    length     <= 1;
+
+    case state is
+
+      when idle =>
+
+        if may_read = '1' and (wrote_last = '1' or tx_held = '0' or txe_seen = '0') then
+          next_state <= reading;
+          length     <= rd_low;
+        elsif tx_held = '1' and (txe_seen = '1' or offered = '0') then
+          next_state <= setup;
+          length     <= wr_setup;
+        end if;
+
+      when reading =>
+
+        if over = '1' then
+          next_state <= after_read;
+          length     <= rd_high;
+        end if;
+
+      when after_read | after_write =>
+
+        if over = '1' then
+          next_state <= idle;
+        end if;
+
+      when setup =>
+
+        -- The last cycle of the setup time may already see that TXE# allows it.
+        if over = '1' and txe_seen = '1' then
+          next_state <= writing;
+          length     <= wr_low;
+        elsif over = '1' then
+          next_state <= offering;
+          length     <= patience;
+        end if;
+
+      when offering =>
+
+        if txe_seen = '1' then
+          next_state <= writing;
+          length     <= wr_low;
+        elsif may_read = '1' or over = '1' then
+          next_state <= idle;
+        end if;
+
+      when writing =>
+
+        if over = '1' then
+          next_state <= holding;
+          length     <= wr_hold;
+        end if;
+
+      when holding =>
+
+        if over = '1' then
+          next_state <= after_write;
+          length     <= wr_rest;
+        end if;
+
+    end case;
+
+    if rst = '1' then
+      next_state <= idle;
+    end if;
+
+  end process decide;
+
+  read_next  <= '1' when next_state = reading else
+                '0';
+  write_next <= '1' when next_state = writing else
+                '0';
+  drive_next <= '1' when next_state = setup or next_state = offering or next_state = writing or next_state = holding else
+                '0';
+
+  bus_cycles : process (clk) is
+  begin
+
+    if rising_edge(clk) then
+      state <= next_state;
+      if next_state /= state then
+        wait_cycles <= length - 1;
+      elsif over = '0' then
+        wait_cycles <= wait_cycles - 1;
+      end if;
+
+      if received = '1' and rx_ready = '1' then
+        received <= '0';
+      end if;
+      if tx_valid = '1' and accept = '1' then
+        tx_byte <= tx_data;
+        tx_held <= '1';
+      end if;
+
+      -- At the edge at which RD# rises the pads take the byte.
+      take <= '0';
+      if state = reading and over = '1' then
+        take       <= '1';
+        wrote_last <= '0';
+      end if;
+      if take = '1' then
+        rx_data  <= data_seen;
+        received <= '1';
+      end if;
+      if state = offering and over = '1' then
+        offered <= '1';
+      end if;
+      if state = holding and over = '1' then
+        offered    <= '0';
+        tx_held    <= '0';
+        wrote_last <= '1';
+      end if;
+
+      if rst = '1' then
+        wait_cycles <= 0;
+        take        <= '0';
+        offered     <= '0';
+        rx_data     <= (others => '0');
+        received    <= '0';
+        tx_byte     <= (others => '0');
+        tx_held     <= '0';
+        wrote_last  <= '0';
+      end if;
+    end if;
+
+  end process bus_cycles;
+
+  -- It goes low from rest, and rests as long before it goes low again.
+  siwu_next <= '0' when rst = '1' else
+               siwu_low when siwu_cycles /= 0 else
+               not siwu_low and flush_wanted and not tx_held;
+
+  send_immediate : process (clk) is
+  begin
+
+    if rising_edge(clk) then
+      if siwu_cycles /= 0 then
+        siwu_cycles <= siwu_cycles - 1;
+      elsif siwu_low = '1' then
+        siwu_cycles <= siwu_time;
+      elsif siwu_next = '1' then
+        flush_wanted <= '0';
+        siwu_cycles  <= siwu_time - 1;
+      end if;
+      siwu_low <= siwu_next;
+
+      if tx_valid = '1' and accept = '1' then
+        unflushed <= '1';
+      end if;
+      if flush = '1' and (unflushed = '1' or (tx_valid = '1' and accept = '1')) then
+        unflushed    <= '0';
+        flush_wanted <= '1';
+      end if;
+
+      if rst = '1' then
+        unflushed    <= '0';
+        flush_wanted <= '0';
+        siwu_low     <= '0';
+        siwu_cycles  <= 0;
+      end if;
+    end if;
+
+  end process send_immediate;
+
+end architecture rtl;

@@ -1,0 +1,35 @@
+-- SPDX-License-Identifier: BSD-3-Clause
+--
+-- The first register behind a pin, which takes what the pin shows at every edge; nothing else looks at the pin.
+--
+-- This one is portable, as `ul_pad_output` is; gateware/pads has files that take its place.
+
+library ieee;
+  use ieee.std_logic_1164.all;
+
+entity ul_pad_input is
+  port (
+    clk : in    std_logic;
+    -- At once, as in the output of the same pin.
+    quiet : in    std_logic;
+    d     : in    std_logic;
+    q     : out   std_logic
+  );
+end entity ul_pad_input;
+
+architecture rtl of ul_pad_input is
+
+begin
+
+  take : process (clk, quiet) is
+  begin
+
+    if quiet = '1' then
+      q <= '1';
+    elsif rising_edge(clk) then
+      q <= d;
+    end if;
+
+  end process take;
+
+end architecture rtl;
