@@ -383,6 +383,30 @@ def test_a_time_out_that_comes_too_early_is_nothing() -> None:
     assert repeated(window) == ""
 
 
+# A reset of the gateway
+
+
+def never_executed(window: Window[Named], refused: int) -> str:
+    """Return the names of the requests that are not executed for sure if the gateway had no session for one."""
+    return "".join(part.run.name for part in window.unanswered(refused) if part.outcome is Outcome.NOT_EXECUTED)
+
+
+def test_of_requests_sent_once_that_which_a_reset_gateway_refuses_and_those_behind_it_were_not_executed() -> None:
+    window: Window[Named] = Window(RING)
+    sent(window, *"abcd")
+    assert never_executed(window, 1) == "bcd"
+
+
+def test_what_was_sent_before_a_repetition_that_a_reset_gateway_refuses_may_have_been_executed() -> None:
+    window: Window[Named] = Window(RING)
+    sent(window, *"abc")
+    window.answered(1, 1, now=0.001)
+    assert repeated(window) == "a@0"
+    sent(window, *"de")
+    assert never_executed(window, 0) == "de"
+    assert never_executed(window, 2) == "cde"
+
+
 # Runs of many
 
 

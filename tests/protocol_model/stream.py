@@ -52,6 +52,8 @@ class Rules(NamedTuple):
     """A posted request is sent only where the window has room for the fence behind it."""
     minds_repetitions: bool = True
     """After a reset, what was sent more than once is not told as not executed."""
+    minds_order: bool = True
+    """Nor is what was first sent before the last repetition of the request that the gateway refused."""
 
 
 class Host(NamedTuple):
@@ -67,8 +69,8 @@ class Host(NamedTuple):
     """A letter for each request in flight, `DONE` for those that were told."""
     confirmed: int
     """How many of them are known to be executed."""
-    repeated: int
-    """How many of them were sent more than once, or may have been."""
+    again: tuple[int, ...]
+    """For each of them, how many requests there had been when it was sent again last; 0 if it was sent once."""
 
 
 class Gateway(NamedTuple):
@@ -95,7 +97,7 @@ class State(NamedTuple):
 
 def explored(rules: Rules, sought: str = "") -> Exploration:
     """Return what happens under the rules; where a fault is sought, others are passed over."""
-    start = State(Host(0, False, 0, 0, "", 0, 0), Gateway(False, 0, False, 0, 0), (), (), 0, 0)
+    start = State(Host(0, False, 0, 0, "", 0, ()), Gateway(False, 0, False, 0, 0), (), (), 0, 0)
     return explore(start, lambda state: _moves(rules, state), lambda state: _all_told(rules, state), sought=sought)
 
 
@@ -211,16 +213,9 @@ def _host_moves(rules: Rules, state: State) -> Iterator[tuple[str, State]]:
     if room and len(host.window) < WINDOW:
         for kind in _kinds(rules, host, number):
             frame = (kind, _id(host, number), number)
-            issued = host._replace(window=host.window + kind)
+            issued = host._replace(window=host.window + kind, again=(*host.again, 0))
             yield f"the host sends {_show(frame)}", state._replace(host=issued, out=(*state.out, frame))
-    again = tuple(
-        (kind, _id(host, host.first + place), host.first + place)
-        for place, kind in enumerate(host.window)
-        if kind != DONE
-    )
-    if again and len(again) <= room:
-        all_repeated = host._replace(repeated=len(host.window))
-        yield "the host goes back", state._replace(host=all_repeated, out=state.out + again)
+    yield from _repetition_moves(state, room)
     if rules.cancels:
         for place in range(host.confirmed, len(host.window)):
             if host.window[place] not in ("h", DONE):
@@ -229,6 +224,24 @@ def _host_moves(rules: Rules, state: State) -> Iterator[tuple[str, State]]:
                     f"the host gives request {host.first + place} up",
                     state._replace(host=host._replace(window=window)),
                 )
+
+
+def _repetition_moves(state: State, room: int) -> Iterator[tuple[str, State]]:
+    host = state.host
+    open_places = [place for place, kind in enumerate(host.window) if kind != DONE]
+    if open_places and len(open_places) <= room:
+        yield "the host goes back", _send_again(state, open_places)
+    if len(open_places) > 1 and room:
+        for place in open_places:
+            yield f"the host sends request {host.first + place} again alone", _send_again(state, [place])
+
+
+def _send_again(state: State, places: list[int]) -> State:
+    host = state.host
+    frames = tuple((host.window[place], _id(host, host.first + place), host.first + place) for place in places)
+    there_were = host.first + len(host.window)
+    again = tuple(there_were if place in places else before for place, before in enumerate(host.again))
+    return state._replace(host=host._replace(again=again), out=state.out + frames)
 
 
 def _kinds(rules: Rules, host: Host, number: int) -> Iterator[str]:
@@ -252,7 +265,7 @@ def _new_session(rules: Rules, host: Host) -> Host:
     """Return the host with nothing in flight: of each request it has said what it knows."""
     session, first = host.session + 1, host.first + len(host.window)
     start = session % RING if rules.starts_anew else 0
-    return Host(session, False, (start - first) % RING, first, "", 0, 0)
+    return Host(session, False, (start - first) % RING, first, "", 0, ())
 
 
 def _hear(rules: Rules, state: State, frame: Frame) -> State | Fault:
@@ -272,13 +285,22 @@ def _lose_session(rules: Rules, state: State, ident: int) -> State | Fault:
     host, gateway = state.host, state.gateway
     place = (ident - _id(host, host.first)) % RING
     never = 0
-    sent_once = max(place, host.repeated) if rules.minds_repetitions else place
-    for number in range(host.first + sent_once, host.first + len(host.window)):
+    for number in range(_never_executed_from(rules, host, place), host.first + len(host.window)):
         never |= 1 << number
     if never & gateway.executed:
         return Fault("a request is told as not executed, and was")
     after = gateway._replace(never=gateway.never | never)
     return state._replace(host=_new_session(rules, host), gateway=after)
+
+
+def _never_executed_from(rules: Rules, host: Host, place: int) -> int:
+    """Return the first request that was not executed if the gateway refused the one at `place`."""
+    refused, behind = host.first + place, host.first + len(host.window)
+    if not rules.minds_repetitions:
+        return refused
+    if not rules.minds_order:
+        return max(refused, *(host.first + at + 1 for at, before in enumerate(host.again) if before), 0)
+    return max(refused, host.again[place] if refused < behind else behind)
 
 
 def _heard(host: Host, frame: Frame, executed: int) -> Host | Fault:
@@ -315,5 +337,5 @@ def _confirm(host: Host, count: int, executed: int) -> Host | Fault:
             window = _put(window, place, DONE)
     confirmed = max(host.confirmed, count)
     told = len(window) - len(window.lstrip(DONE))
-    repeated = max(host.repeated - told, 0)
-    return Host(host.session, host.ready, host.offset, host.first + told, window[told:], confirmed - told, repeated)
+    again = host.again[told:]
+    return Host(host.session, host.ready, host.offset, host.first + told, window[told:], confirmed - told, again)

@@ -78,6 +78,11 @@ def test_a_repeated_request_that_a_reset_gateway_refuses_may_have_been_executed_
     assert_fails(found, "a request is told as not executed, and was", 10)
 
 
+def test_what_was_sent_before_a_repetition_that_a_reset_gateway_refuses_may_have_been_executed() -> None:
+    found = stream.explored(stream.Rules(minds_order=False))
+    assert_fails(found, "a request is told as not executed, and was", 13)
+
+
 # The same over datagrams
 
 

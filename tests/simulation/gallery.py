@@ -187,7 +187,7 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
 
 @bug("a request that was sent again before a reset is said not to be executed")
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(window.Window, "_sent_once", property(lambda self: self.oldest))
+    monkeypatch.setattr(window.Window, "_never_executed_from", lambda self, refused: refused)
 
 
 @bug("a reset is told as an error of one request")

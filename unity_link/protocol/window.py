@@ -286,17 +286,25 @@ class Window(Generic[R]):
         """Return all that is not done, in order.
 
         Args:
-            refused: the ID of a request that met a gateway without a session: it and those behind it are known not to
-                be executed, as far as they were sent only once (docs/protocol.md, "The host").
+            refused: the ID of a request that met a gateway without a session (docs/protocol.md, "The host").
         """
-        never = self.next
-        if refused is not None and self._distance(refused) < self.in_flight:
-            never = max(refused, self._sent_once, key=self._distance)
+        never = self.next if refused is None else self._never_executed_from(refused)
         executed = self._outcomes(self.oldest, self.executed, Outcome.EXECUTED)
         if self._distance(never) < self._distance(self.executed):
             never = self.executed
         unknown = self._outcomes(self.executed, never, Outcome.UNKNOWN)
         return chain(executed, unknown, self._outcomes(never, self.next, Outcome.NOT_EXECUTED))
+
+    def _never_executed_from(self, refused: int) -> int:
+        """Return the first ID in flight that was first sent when the refused request was sent last, or later."""
+        run, number = self._slots[refused], refused
+        if run is None or self._distance(refused) >= self.in_flight:
+            return self.next
+        last = self._sending(run, refused)
+        while number != self.next and (run is None or self._first_sending(run, number) < last):
+            number = number + 1 & self._mask
+            run = self._slots[number]
+        return number
 
     def _outcomes(self, position: int, last: int, outcome: Outcome) -> Iterator[Unanswered[R]]:
         for run, offset, count in self._parts(position, last):
