@@ -25,6 +25,7 @@ if TYPE_CHECKING:
 
     from unity_link.spec import Interface
     from unity_link.transport import DriverUrl
+    from unity_link.virtual.rtl.configurations import Configuration
     from unity_link.virtual.simulated import SimulatedRobot
 
 ROBOTS: dict[str, Callable[[BareGateway], object]] = {
@@ -244,16 +245,31 @@ async def compile_gateway(wanted: Wanted) -> None:
         ArgumentError: for a configuration that there is not.
         ConnectError: where the gateware can't be compiled here.
     """
-    from unity_link.virtual.rtl import choose
     from unity_link.virtual.rtl.compiling import compile_beside
+    from unity_link.virtual.rtl.specs import make_beside
 
-    await compile_beside(choose(wanted.configuration, wanted.node))
+    await compile_beside(await make_beside(_build_of(wanted)))
 
 
 def _compiled(wanted: Wanted) -> BareGateway:
-    from unity_link.virtual.rtl import RtlGateway, choose
+    from unity_link.virtual.rtl import RtlGateway
+    from unity_link.virtual.rtl.specs import made
 
-    return RtlGateway(choose(wanted.configuration, wanted.node).name)
+    return RtlGateway(made(_build_of(wanted)))
+
+
+def _build_of(wanted: Wanted) -> Configuration:
+    """Return which build of the gateware is wanted: that of a spec, that of a robot's name, or one by its fields."""
+    from unity_link.virtual.rtl.configurations import choose, configurations
+
+    if wanted.has_spec:
+        from unity_link.virtual.rtl.specs import configuration_of
+
+        return configuration_of(find_interface(wanted.robot, wanted.interface), dict(wanted.configuration), wanted.node)
+    own = configurations().get(wanted.robot)
+    if own is not None and not wanted.configuration and wanted.node is None:
+        return own
+    return choose(wanted.configuration, wanted.node)
 
 
 def _info(configuration: Mapping[str, int], default: GatewayInfo | None = None) -> GatewayInfo:

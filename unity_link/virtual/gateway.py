@@ -69,6 +69,11 @@ class Gateway(Protocol):
     def waiting(self) -> int:
         """Bytes that were received and not looked at yet. A medium with flow control stops while this is large."""
 
+    @property
+    def leaves_time_out(self) -> bool:
+        """Whether `advance` leaves out what it is too late for: it need not be told to lose samples then."""
+        return False
+
     def receive(self, data: bytes, now: float) -> bytes:
         """Take bytes at the time `now`, in seconds of any origin, and return the bytes sent at once."""
 

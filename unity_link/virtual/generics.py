@@ -36,7 +36,7 @@ def generics_of(interface: Interface) -> dict[str, int]:
     from unity_link.generate.vhdl import gateway_generics
 
     given = {name: value for name, value in gateway_generics(interface).items() if isinstance(value, int)}
-    return {**given, "build_id": interface.fingerprint, "fingerprint": 1}
+    return {**given, "build_id": interface.fingerprint, "fingerprint": True}
 
 
 def info_of(given: Mapping[str, int]) -> GatewayInfo:

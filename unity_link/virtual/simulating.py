@@ -103,6 +103,11 @@ class SimulatedGateway(BareGateway):
         return self._gateway.waiting
 
     @property
+    def leaves_time_out(self) -> bool:
+        """Whether the gateway leaves out what it is too late for."""
+        return self._gateway.leaves_time_out
+
+    @property
     def next_due(self) -> float | None:
         """When the gateway has something to do, a trigger fires, or the robot's time is to pass."""
         times = [self._gateway.next_due, None if self.robot is None else self.robot.next_step]

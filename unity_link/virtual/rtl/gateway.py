@@ -20,7 +20,7 @@ from unity_link.protocol.configuration import GatewayInfo
 from unity_link.protocol.messages import ErrorCode
 from unity_link.virtual.bus import AccessError, Device, Devices, DevicesEverywhere
 from unity_link.virtual.gateway import BareGateway
-from unity_link.virtual.rtl.configurations import find
+from unity_link.virtual.rtl.configurations import Configuration, find
 from unity_link.virtual.rtl.library import DeviceFunction, load
 
 if TYPE_CHECKING:
@@ -88,16 +88,16 @@ class RtlGateway(BareGateway):
     """The gateware with plain memory at every address.
 
     Args:
-        configuration: which build of it, one of `configurations()`.
+        configuration: which build of it; or its name, one of `configurations()`.
 
     Raises:
         ArgumentError: for a configuration that there is not.
         ConnectError: where no C++ compiler is installed.
     """
 
-    def __init__(self, configuration: str = "default") -> None:
-        build = find(configuration)
-        self._library = load(configuration)
+    def __init__(self, configuration: str | Configuration = "default") -> None:
+        build = find(configuration) if isinstance(configuration, str) else configuration
+        self._library = load(build)
         self._handle = int(self._library.ul_create())
         self._free = weakref.finalize(self, self._library.ul_destroy, self._handle)
         self.wake: Callable[[], None] = _do_nothing
@@ -166,6 +166,11 @@ class RtlGateway(BareGateway):
     def waiting(self) -> int:
         """Bytes that wait for room in the receive FIFO."""
         return int(self._library.ul_waiting(self._handle))
+
+    @property
+    def leaves_time_out(self) -> bool:
+        """Whether it leaves out what it is too late for: its own clock falls behind then, and no sample is lost."""
+        return True
 
     @property
     def next_due(self) -> float | None:
