@@ -74,7 +74,7 @@ async def _record(
     overwrite: bool,
     timeout: float,  # noqa: ASYNC109  (an option of the command)
 ) -> None:
-    from unity_link.bridges.recording import Recorder
+    from unity_link.bridges.recording import Recorder, RecordingError
     from unity_link.data import load
     from unity_link.link.link import connect
 
@@ -93,8 +93,10 @@ async def _record(
         except TimeoutError:
             if duration is None:
                 raise
+            if not recorder.samples:
+                raise RecordingError(f"not one sample has come in {duration:g} s: {output} was not written") from None
         finally:
-            print_note(f"{output}: {_state(recorder, began)}")
+            print_note(f"{output if recorder.samples else 'nothing written'}: {_state(recorder, began)}")
 
 
 def _state(recorder: Recorder, began: float) -> str:
