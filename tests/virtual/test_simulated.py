@@ -17,6 +17,7 @@ import unity_link
 from bridge_programs import PROGRAM, wait_for
 from simulated_time import on_simulated_time, run_simulated
 from unity_link.bridges.recording import Recording
+from unity_link.bridges.serve import serve
 from unity_link.errors import ArgumentError, BusError, BusTimeoutError, UnsupportedError
 from unity_link.generate.vhdl.bank import Bank
 from unity_link.spec import compile_file, compile_text
@@ -534,3 +535,19 @@ def test_a_model_with_a_bug_never_has_a_command_wait(tmp_path: Path) -> None:
     assert done.returncode == 1
     assert f'File "{model}", line 5, in step' in done.stderr
     assert done.stderr.splitlines()[-1] == "error: read at 0x10: the bus refused the access"
+
+
+def test_a_trigger_reaches_its_group_through_a_shared_link(tmp_path: Path) -> None:
+    async def use() -> None:
+        path = f"{tmp_path}/shared"
+        async with (
+            serve(f"sim:{ROVER}?trigger=bump:50", unix=path),
+            unity_link.connect(f"unix:{path}") as first,
+            unity_link.connect(f"unix:{path}") as second,
+            first.subscribe([0x10], rate_hz=10),
+            Rover(second).groups["bump"].subscribe() as samples,
+        ):
+            for _ in range(2):
+                await samples.take()
+
+    asyncio.run(asyncio.wait_for(use(), 60))
