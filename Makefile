@@ -22,7 +22,7 @@ PYTEST_ARGS ?=
 # Tests run in so many processes side by side; 0 for none beside pytest's own.
 PYTEST_PROCESSES ?= auto
 
-.PHONY: help venv demo test coverage campaign lint format bench bench-peers bench-beside bench-noise bench-ros bench-live table1 docs lock upgrade clean
+.PHONY: help venv demo test coverage campaign lint format bench bench-peers bench-beside bench-noise bench-ros bench-live table1 release docs lock upgrade clean
 
 help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z0-9-]+:.*## / { printf "  make %-12s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
@@ -78,6 +78,9 @@ bench-noise: $(ALL) ## measure what noise leaves of a link's rate, and write ben
 
 bench-live: $(ALL) ## measure the live page in Chromium, and write benchmarks/LIVE.md
 	@$(BIN)/python -m benchmarks.live_page
+
+release: $(ALL) ## the wheel and the source archive in dist, tried in an empty environment
+	@$(BIN)/python tests/release.py
 
 docs: $(ALL) ## the documentation as HTML, warnings are errors
 	@$(BIN)/sphinx-build --fail-on-warning --keep-going --quiet docs docs/_build/html

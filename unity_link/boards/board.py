@@ -43,9 +43,9 @@ class Board(msgspec.Struct, frozen=True, forbid_unknown_fields=True, kw_only=Tru
     """A board, as its file says it."""
 
     title: str
-    family: Literal["ice40", "ecp5", "gowin"]
+    family: Literal["ice40", "ecp5", "gowin", "artix7", "cyclonev"]
     device: str
-    """As the family's nextpnr calls it."""
+    """As the family's nextpnr calls it; the whole part number where the vendor's tool places."""
     package: str
     """As the family's nextpnr calls it; for Gowin the whole part number."""
     speed: int = 6
@@ -54,7 +54,7 @@ class Board(msgspec.Struct, frozen=True, forbid_unknown_fields=True, kw_only=Tru
     baud: int | None = None
     """Of a UART."""
     io_type: str = "LVCMOS33"
-    programmer: tuple[str, ...]
+    programmer: tuple[str, ...] = ()
     """Options of openFPGALoader."""
     clock: Clock
     pins: dict[str, str]

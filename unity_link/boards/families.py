@@ -46,7 +46,7 @@ def _lpf(board: Board) -> str:
     lines += [f'FREQUENCY PORT "{pin}" {hz / 1e6:g} MHZ;' for pin, hz in board.clocks.items()]
     for pin, site in board.pins.items():
         lines.append(f'LOCATE COMP "{pin}" SITE "{site}";')
-        lines.append(f'IOBUF PORT "{pin}" PULLMODE={_pull(pin)} IO_TYPE={board.io_type};')
+        lines.append(f'IOBUF PORT "{pin}" PULLMODE={pull_of(pin)} IO_TYPE={board.io_type};')
     return "\n".join(lines) + "\n"
 
 
@@ -54,7 +54,7 @@ def _cst(board: Board) -> str:
     lines = []
     for pin, site in board.pins.items():
         lines.append(f'IO_LOC "{pin}" {site};')
-        lines.append(f'IO_PORT "{pin}" PULL_MODE={_pull(pin)} IO_TYPE={board.io_type};')
+        lines.append(f'IO_PORT "{pin}" PULL_MODE={pull_of(pin)} IO_TYPE={board.io_type};')
     return "\n".join(lines) + "\n"
 
 
@@ -63,7 +63,8 @@ def _ice40_kind(board: Board) -> str:
     return "u" if board.device.startswith("u") else board.device[:2]
 
 
-def _pull(pin: str) -> str:
+def pull_of(pin: str) -> str:
+    """Return which way a pin is pulled: UP, DOWN, NONE."""
     return "UP" if pin in _IDLE_HIGH else "DOWN" if pin == "chain_in" else "NONE"
 
 

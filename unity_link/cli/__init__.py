@@ -8,6 +8,7 @@ One file for each family of commands. They parse, show and explain; what they do
 - `arguments` and `words` read and write addresses and values
 - `info`, `access` (read, write), `watch`, `simulate`, `terminal`, `demo` with `demo_view` are commands
 - `spec` has the commands about specs: check, fmt, show, import; `generate` writes code from one
+- `build` makes bitstreams of boards, `gateware` gives the VHDL away
 - `recording` has record and replay; `export` is about recordings and specs; `ros` has the bridges to ROS
 - `zenoh` has the bridge to Zenoh
 - `snoop` has explain and retrace, for files of what passed on a connection

@@ -9,6 +9,7 @@ import typer
 
 from unity_link.cli.output import print_line, print_note
 from unity_link.cli.spec import Name, SpecFile, compile_or_exit
+from unity_link.errors import ArgumentError
 
 
 def add_to(app: typer.Typer) -> None:
@@ -32,14 +33,24 @@ def build(
     """Build a bitstream from a spec: gateway, registers and a chain of shift registers at the pins of a board.
 
     Prints the bitstream and its report of size, speed and pins. Takes a minute or two. Needs pip install
-    "unity-link[build]", and GHDL 4 or later.
+    "unity-link[build]", and GHDL 4 or later. For a board that only Vivado or Quartus places it writes a project, and
+    prints the file to open.
     """
     from unity_link.boards.board import load_board
     from unity_link.boards.build import build as make
     from unity_link.boards.build import loader
     from unity_link.boards.build import program as put
+    from unity_link.boards.projects import VENDORS, make_project
 
     name, chosen = load_board(board)
+    vendor = VENDORS.get(chosen.family)
+    if vendor is not None:
+        if program:
+            raise ArgumentError(f"--program needs a bitstream, and that of {name} is made by {vendor.tool}")
+        opened = make_project(compile_or_exit(spec), name, chosen, output, interface)
+        print_line(str(opened))
+        print_note(f"for {vendor.tool}: {vendor.opens} {opened}")
+        return
     if program:
         loader()
     built = make(compile_or_exit(spec), name, chosen, output, interface)

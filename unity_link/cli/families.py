@@ -36,6 +36,7 @@ FAMILIES = {
     "show": "spec",
     "generate": "generate",
     "build": "build",
+    "gateware": "gateware",
     "record": "recording",
     "replay": "recording",
     "ros1": "ros",

@@ -9,6 +9,7 @@ import typer
 
 from unity_link.cli.output import print_line
 from unity_link.cli.spec import Name, SpecFile, compile_or_exit
+from unity_link.errors import ArgumentError
 from unity_link.generate import TargetName  # noqa: TC001  (typer reads the annotations)
 
 
@@ -25,10 +26,23 @@ def generate(
         Path, typer.Option("--output", "-o", metavar="DIR", help="Where to write; made where it is not there.")
     ] = Path(),
     interface: Name = None,
+    with_gateware: Annotated[
+        bool,
+        typer.Option(
+            "--with-gateware", help="For vhdl: add the gateware and a script for each tool, so the folder is whole."
+        ),
+    ] = False,
 ) -> None:
     """Generate code from a spec: typed proxies, clients in C, C++ and MATLAB, VHDL, packages of ROS, documents."""
     from unity_link.generate import generate as make
     from unity_link.generate import write
 
-    for path in write(make(target, compile_or_exit(spec), interface), output):
+    if with_gateware and target != "vhdl":
+        raise ArgumentError(f"--with-gateware belongs to vhdl, and {target} was asked for")
+    files = make(target, compile_or_exit(spec), interface)
+    if with_gateware:
+        from unity_link.generate.vhdl.folder import with_gateware as complete
+
+        files = list(complete(files))
+    for path in write(files, output):
         print_line(str(path))

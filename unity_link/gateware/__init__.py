@@ -1,6 +1,7 @@
 """What is made of the gateware's VHDL by a tool that reads it: GHDL, of version 4 or later.
 
 - `cache`: where the VHDL is, where made things are kept, and under which name
+- `sources`: the VHDL and all that belongs to it, for a design of a user's own
 - `ghdl`: a GHDL that converts correctly, found or fetched
 - `convert`: an entity as Verilog
 - `release`: the same as a file for those who have no VHDL

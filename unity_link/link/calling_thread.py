@@ -11,7 +11,6 @@ from __future__ import annotations
 import asyncio
 import logging
 import math
-import select
 import socket
 import threading
 import time
@@ -21,6 +20,7 @@ from typing import TYPE_CHECKING, Any, TypeVar
 
 from unity_link.errors import ArgumentError
 from unity_link.link.channel_transport import ChannelTransport
+from unity_link.link.polling import POLLIN, new_poll
 from unity_link.link.relay import Relay, run_in_loop
 from unity_link.link.running import CALLING
 from unity_link.link.timers import Timers
@@ -117,7 +117,7 @@ class CallingThread:
         self._lock = threading.RLock()
         self._polling = False
         """Whether a thread polls, for all."""
-        self._poll = select.poll()
+        self._poll = new_poll()
         self._parked: list[threading.Lock] = []
         """One for each thread that waits for another; to release it wakes the thread."""
         self._ready: deque[Callable[[], object]] = deque()
@@ -133,7 +133,7 @@ class CallingThread:
         self._waking, self._woken = socket.socketpair()
         for end in (self._waking, self._woken):
             end.setblocking(False)  # noqa: FBT003  (it has no name)
-        self.watch(self._woken.fileno(), select.POLLIN, self._empty)
+        self.watch(self._woken.fileno(), POLLIN, self._empty)
         CALLING.add(self)
 
     # Calls
@@ -322,7 +322,7 @@ class CallingThread:
     # Media
 
     def watch(self, descriptor: int, events: int, handler: Callable[[int], None]) -> None:
-        """Call a handler where a file descriptor is ready for some of ``select.POLLIN`` and ``select.POLLOUT``."""
+        """Call a handler where a file descriptor is ready for some of `POLLIN` and `POLLOUT`."""
         self._handlers[descriptor] = handler
         self._poll.register(descriptor, events)
         self._stir()

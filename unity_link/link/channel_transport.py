@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import asyncio
-import select
 from typing import TYPE_CHECKING, Protocol
 
 from unity_link.errors import ConnectError
+from unity_link.link.polling import POLLIN, POLLOUT
 from unity_link.transport.buffered import HIGH_WATER, LOW_WATER
 
 if TYPE_CHECKING:
@@ -46,7 +46,7 @@ class ChannelTransport(asyncio.Transport):
         self._descriptor = channel.fileno()
         self._unwritten = bytearray()
         self._paused = self._closing = False
-        watcher.watch(self._descriptor, select.POLLIN, self._on_ready)
+        watcher.watch(self._descriptor, POLLIN, self._on_ready)
         protocol.connection_made(self)
 
     def write(self, data: bytes | bytearray | memoryview) -> None:
@@ -58,7 +58,7 @@ class ChannelTransport(asyncio.Transport):
             if written == len(data):
                 return
             data = data[written:]
-            self._watcher.watch(self._descriptor, select.POLLIN | select.POLLOUT, self._on_ready)
+            self._watcher.watch(self._descriptor, POLLIN | POLLOUT, self._on_ready)
         self._unwritten += data
         if not self._paused and len(self._unwritten) > HIGH_WATER:
             self._paused = True
@@ -84,9 +84,9 @@ class ChannelTransport(asyncio.Transport):
             return len(data)
 
     def _on_ready(self, event: int) -> None:
-        if event & select.POLLOUT:
+        if event & POLLOUT:
             self._write_more()
-        if event & ~select.POLLOUT and not self._closing:
+        if event & ~POLLOUT and not self._closing:
             self._read()
 
     def _write_more(self) -> None:
@@ -94,7 +94,7 @@ class ChannelTransport(asyncio.Transport):
         if self._closing:
             return
         if not self._unwritten:
-            self._watcher.watch(self._descriptor, select.POLLIN, self._on_ready)
+            self._watcher.watch(self._descriptor, POLLIN, self._on_ready)
         if self._paused and len(self._unwritten) <= LOW_WATER:
             self._paused = False
             self._protocol.resume_writing()

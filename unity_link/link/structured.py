@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import logging
 import math
-import select
 from collections import deque
 from contextlib import AsyncExitStack, asynccontextmanager, suppress
 from typing import TYPE_CHECKING, Any, Self
@@ -17,6 +16,7 @@ import anyio
 from anyio.from_thread import BlockingPortal
 
 from unity_link.link.channel_transport import ChannelTransport
+from unity_link.link.polling import POLLIN, POLLOUT
 from unity_link.link.relay import Relay, run_in_loop
 from unity_link.link.running import STRUCTURED
 from unity_link.link.timers import Timers
@@ -167,7 +167,7 @@ class Structured:
     # Media
 
     def watch(self, descriptor: int, events: int, handler: Callable[[int], None]) -> None:
-        """Call a handler where a file descriptor is ready for some of ``select.POLLIN`` and ``select.POLLOUT``."""
+        """Call a handler where a file descriptor is ready for some of `POLLIN` and `POLLOUT`."""
         self._cancel_watch(descriptor)
         scope = self._watches[descriptor] = anyio.CancelScope()
         self._tasks.start_soon(self._watch, scope, descriptor, events, handler)
@@ -187,7 +187,7 @@ class Structured:
     ) -> None:
         with scope:
             async with anyio.create_task_group() as both:
-                for event, wait in ((select.POLLIN, anyio.wait_readable), (select.POLLOUT, anyio.wait_writable)):
+                for event, wait in ((POLLIN, anyio.wait_readable), (POLLOUT, anyio.wait_writable)):
                     if events & event:
                         both.start_soon(_call_when_ready, scope, wait, descriptor, handler, event)
 

@@ -19,6 +19,7 @@ import errno
 import functools
 import importlib
 import os
+import sys
 from typing import TYPE_CHECKING, Any
 
 import serial
@@ -62,6 +63,11 @@ def open_channel(url: DriverUrl, timeout: float | None) -> Channel:  # noqa: ARG
     """Open a serial port for this program alone, without an event loop."""
     _library(url)
     return PortChannel(_open(url))
+
+
+if sys.platform == "win32":
+    # A port is nothing there that a thread can wait for beside others: an event loop has it.
+    del open_channel
 
 
 def _library(url: DriverUrl) -> str:

@@ -6,7 +6,6 @@ file. A file is of one program at a time, and may hold many connections of it; a
 
 from __future__ import annotations
 
-import fcntl
 import logging
 import mmap
 import os
@@ -18,6 +17,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from unity_link.errors import ArgumentError
 from unity_link.transport import pcapng
+from unity_link.transport.locking import lock_file
 from unity_link.transport.pcapng import DamagedFileError, Packet
 
 if TYPE_CHECKING:
@@ -45,7 +45,7 @@ class Snoop:
         self._lock = threading.Lock()
         try:
             # Nonblocking, for a pipe without a reader would wait for one.
-            flags = os.O_RDWR | os.O_CREAT | os.O_APPEND | os.O_CLOEXEC | os.O_NONBLOCK
+            flags = os.O_RDWR | os.O_CREAT | os.O_APPEND | getattr(os, "O_CLOEXEC", 0) | getattr(os, "O_NONBLOCK", 0)
             self._file: int | None = os.open(path, flags, 0o666)
         except OSError as error:
             raise ArgumentError(f"the snoop {path} can't be made ({error.strerror or error})") from error
@@ -107,7 +107,7 @@ class Snoop:
         if not stat.S_ISREG(state.st_mode):
             raise ArgumentError(f"the snoop {self._path} is no file: choose another name")
         try:
-            fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+            lock_file(file)
         except OSError:
             raise ArgumentError(f"another program writes the snoop {self._path}: choose another name") from None
         if state.st_size:

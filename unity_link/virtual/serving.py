@@ -16,7 +16,6 @@ import asyncio
 import contextlib
 import io
 import os
-import tty
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, cast
 
@@ -285,6 +284,9 @@ async def serve_pty(gateway: Gateway, link: str | os.PathLike[str] | None = None
             raise ConnectError(f"no pseudo terminal can be opened ({error.strerror or error})") from error
         # As long as the port's side is open here, a client may come and go.
         stack.callback(os.close, port)
+        # Not there on Windows, where nothing above is either.
+        import tty
+
         tty.setraw(port)
         name = os.ttyname(port)
         reading = stack.enter_context(io.FileIO(master, "r"))

@@ -4,15 +4,17 @@
 #
 # FT232H: outputs from 0 to 9 ns after CLKOUT, setup 7.5 ns, hold 0. FT2232H: outputs from 1 to 7.15 ns, setup 8 ns.
 
-create_clock -name ft_clkout -period 16.667 [get_ports ft_clkout]
+if {[get_collection_size [get_ports -nowarn ft_clkout]]} {
+    create_clock -name ft_clkout -period 16.667 [get_ports ft_clkout]
 
-set from_chip [get_ports {ft_rxf_n ft_txe_n ft_data[*]}]
-set to_chip   [get_ports {ft_rd_n ft_wr_n ft_oe_n ft_siwu_n ft_data[*]}]
+    set from_chip [get_ports {ft_rxf_n ft_txe_n ft_data[*]}]
+    set to_chip   [get_ports {ft_rd_n ft_wr_n ft_oe_n ft_siwu_n ft_data[*]}]
 
-set_input_delay  -clock ft_clkout -max 9 $from_chip
-set_input_delay  -clock ft_clkout -min 0 $from_chip
-set_output_delay -clock ft_clkout -max 7.5 $to_chip
-set_output_delay -clock ft_clkout -min 0 $to_chip
+    set_input_delay  -clock ft_clkout -max 9 $from_chip
+    set_input_delay  -clock ft_clkout -min 0 $from_chip
+    set_output_delay -clock ft_clkout -max 7.5 $to_chip
+    set_output_delay -clock ft_clkout -min 0 $to_chip
+}
 
 # Gray pointers: within a cycle of the clock that takes them, and by less than one of the clock that makes them apart.
 foreach way {write read} {

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import contextlib
 import datetime as dt
-import fcntl
 import io
 import os
 from typing import TYPE_CHECKING
@@ -19,6 +18,7 @@ import numpy as np
 
 from unity_link.bridges.messages import Encoder
 from unity_link.errors import ArgumentError, UnityLinkError
+from unity_link.transport.locking import lock_file
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
@@ -199,14 +199,14 @@ def _open(path: Path, *, overwrite: bool) -> io.FileIO:
         file = io.FileIO(
             path,
             "wb" if overwrite else "xb",
-            opener=lambda name, flags: os.open(name, flags & ~os.O_TRUNC | os.O_NONBLOCK, 0o666),
+            opener=lambda name, flags: os.open(name, flags & ~os.O_TRUNC | getattr(os, "O_NONBLOCK", 0), 0o666),
         )
     except FileExistsError:
         raise ArgumentError(f"{path} is there already: choose another name, or --overwrite") from None
     except OSError as error:
         raise ArgumentError(f"{path} cannot be written: {error.strerror or error}") from None
     try:
-        fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        lock_file(file.fileno())
     except BlockingIOError:
         file.close()
         raise ArgumentError(f"{path} is being written by another recorder: choose another name") from None

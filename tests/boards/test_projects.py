@@ -1,0 +1,153 @@
+"""Projects of vendors' tools: all files are there, in an order in which GHDL takes them, and every pin has a site."""
+
+from __future__ import annotations
+
+import functools
+import re
+import subprocess
+import tkinter as tk
+from typing import TYPE_CHECKING
+
+import msgspec
+import pytest
+
+from unity_link.boards.board import PINS, Board, board_names, load_board
+from unity_link.boards.projects import VENDORS, make_project
+from unity_link.cli import main
+from unity_link.errors import ArgumentError
+from unity_link.spec import compile_text
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+LAMP_TEXT = "public lamp() { @on = 0[7:0]: unsigned READWRITE(); @current = 1: signed 16 READ(PUBLISH(1, 100)); }\n"
+LAMP = compile_text(LAMP_TEXT)
+PROJECTS = [name for name in board_names() if load_board(name)[1].family in VENDORS]
+_VIVADO = (
+    *("create_project", "read_vhdl", "read_xdc", "set_property", "current_fileset", "launch_runs", "wait_on_run"),
+    *("get_runs", "create_clock", "get_ports", "set_false_path"),
+)
+_QUARTUS = (
+    *("set_global_assignment", "set_parameter", "set_location_assignment", "set_instance_assignment", "create_clock"),
+    *("get_ports", "derive_clock_uncertainty", "set_false_path"),
+)
+
+
+def changed(board: Board, **changes: object) -> Board:
+    return msgspec.convert(msgspec.to_builtins(board) | changes, Board)
+
+
+def evaluated(path: Path, commands: tuple[str, ...], arguments: str = "") -> list[tuple[str, ...]]:
+    """Return what a script says to a tool, of which nothing is here but the names of its commands."""
+    said: list[tuple[str, ...]] = []
+    tcl = tk.Tcl()
+
+    def note(*words: str) -> str:
+        said.append(words)
+        return words[0]
+
+    for command in commands:
+        tcl.createcommand(command, functools.partial(note, command))
+    tcl.createcommand("get_property", lambda *_: "-0.1")
+    tcl.setvar("argv", arguments)
+    # A .qsf is sourced by Quartus in its folder.
+    tcl.eval(f"cd {path.parent}; source {path}")
+    return said
+
+
+def sources(said: list[tuple[str, ...]], folder: Path) -> dict[str, list[str]]:
+    """Return the VHDL files of each library, in order."""
+    found: dict[str, list[str]] = {}
+    for words in said:
+        (path,) = [word for word in words if word.endswith(".vhd")] or [""]
+        if path:
+            library = words[words.index("-library") + 1] if "-library" in words else "work"
+            assert any("2008" in word for word in words)
+            found.setdefault(library, []).append(str(folder / path))
+    return found
+
+
+def ghdl(folder: Path, *arguments: str) -> None:
+    done = subprocess.run(["ghdl", *arguments], cwd=folder, check=False, capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr
+
+
+@pytest.mark.parametrize("name", PROJECTS)
+def test_a_project_has_the_whole_design_in_order_and_ghdl_elaborates_its_top(name: str, tmp_path: Path) -> None:
+    _, board = load_board(name)
+    opened = make_project(LAMP, name, board, tmp_path)
+    assert opened.is_file()
+    path = opened.with_suffix(".qsf") if board.family == "cyclonev" else opened
+    said = evaluated(path, _QUARTUS if board.family == "cyclonev" else _VIVADO)
+    libraries = sources(said, opened.parent)
+    assert libraries.keys() == {"unity_link", "work"}
+    built = tmp_path / "built"
+    built.mkdir()
+    for library, files in libraries.items():
+        ghdl(built, "-a", "--std=08", f"--work={library}", *files)
+    generics = [f"-gclock_hz={board.core_hz}", f"-gbaud={board.baud}"]
+    ghdl(built, "--elab-run", "--std=08", "lamp_on_uart", *generics, "--no-run")
+
+
+@pytest.mark.parametrize("name", PROJECTS)
+def test_every_pin_has_its_site_and_the_clock_its_period(name: str, tmp_path: Path) -> None:
+    _, board = load_board(name)
+    opened = make_project(LAMP, name, board, tmp_path)
+    if board.family == "cyclonev":
+        said = evaluated(opened.with_suffix(".qsf"), _QUARTUS)
+        sites = {words[3]: words[1].removeprefix("PIN_") for words in said if words[0] == "set_location_assignment"}
+        parameters = {words[2]: words[3] for words in said if words[0] == "set_parameter"}
+        clocks = evaluated(opened.with_suffix(".sdc"), _QUARTUS)
+    else:
+        said = evaluated(opened, _VIVADO)
+        text = opened.with_suffix(".xdc").read_text()
+        sites = {pin: site for site, pin in re.findall(r"PACKAGE_PIN (\w+) .*\[get_ports \{(\S+)\}\]", text)}
+        generics = next(words[2] for words in said if words[:2] == ("set_property", "generic"))
+        parameters = dict(pair.split("=") for pair in generics.split())
+        clocks = evaluated(opened.with_suffix(".xdc"), _VIVADO)
+    assert sites == board.pins
+    assert parameters == {"clock_hz": str(board.core_hz), "baud": str(board.baud)}
+    period = next(words[words.index("-period") + 1] for words in clocks if words[0] == "create_clock")
+    assert float(period) == pytest.approx(1e9 / board.clock.hz)
+
+
+def test_a_bitstream_of_vivado_that_misses_its_clock_is_an_error(tmp_path: Path) -> None:
+    opened = make_project(LAMP, *load_board("arty_a7"), tmp_path)
+    with pytest.raises(tk.TclError, match="lamp_on_uart is too slow on Digilent Arty A7-35T"):
+        evaluated(opened, _VIVADO, "bitstream")
+
+
+def test_an_ft245_on_a_xilinx_gets_its_pads_and_the_constraints_of_its_pins(tmp_path: Path) -> None:
+    pins = {pin: f"A{place}" for place, pin in enumerate(PINS["ft245_sync"])}
+    board = changed(load_board("arty_a7")[1], medium="ft245_sync", baud=None, pins=pins)
+    said = evaluated(make_project(LAMP, "mine", board, tmp_path), _VIVADO)
+    files = sources(said, tmp_path)["unity_link"]
+    assert any("pads/xilinx/ul_pad_output.vhd" in file for file in files)
+    assert not any("rtl/physical/ul_pad_output.vhd" in file for file in files)
+    read = [words[-1] for words in said if words[0] == "read_xdc"]
+    assert any(path.endswith("ul_ft245_sync_pins.xdc") for path in read)
+
+
+def test_a_pll_is_not_promised(tmp_path: Path) -> None:
+    board = changed(load_board("arty_a7")[1], clock={"hz": 100_000_000, "core_hz": 50_000_000})
+    with pytest.raises(ArgumentError, match=r"^no PLL is made in a project of Vivado, and core_hz = 50000000 asks"):
+        make_project(LAMP, "mine", board, tmp_path / "out")
+    assert not (tmp_path / "out").exists()
+
+
+def test_the_command_prints_the_file_to_open_and_does_not_program(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    spec = tmp_path / "lamp.ul"
+    spec.write_text(LAMP_TEXT)
+    command = ["unity-link", "build", str(spec), "--board", "de10_nano", "-o", str(tmp_path / "out")]
+    for more, code in (["--program"], 2), ([], 0):
+        monkeypatch.setattr("sys.argv", [*command, *more])
+        with pytest.raises(SystemExit) as ended:
+            main()
+        assert ended.value.code == code
+    said = capsys.readouterr()
+    opened = tmp_path / "out" / "lamp_de10_nano" / "lamp_de10_nano.qpf"
+    assert said.out.split() == [str(opened)]
+    assert "error: --program needs a bitstream, and that of de10_nano is made by Quartus" in said.err
+    assert f"quartus {opened}" in said.err

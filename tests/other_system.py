@@ -1,0 +1,101 @@
+"""Import all of the package as on Windows, or macOS, and read and write there: run by test_platforms.py.
+
+What these systems have not is taken away before the first import. This shows that nothing is asked of a system when
+a module is imported, and which parts do without; it is no Windows.
+"""
+
+import asyncio
+import importlib
+import json
+import os
+import pkgutil
+import select
+import socket
+import sys
+import threading
+
+OTHERS = ("anyio._backends._asyncio", "numpy", "serial", "serial_asyncio_fast", "typer")
+"""What looks at the system when it is imported, and is none of ours."""
+MODULES = {
+    "win32": ("fcntl", "termios", "pty", "tty", "resource", "grp", "pwd", "syslog"),
+    "darwin": (),
+}
+NAMES = {
+    "win32": [
+        *((os, name) for name in ("openpty", "fork", "O_NONBLOCK", "O_CLOEXEC", "ttyname", "getuid", "geteuid")),
+        *((select, name) for name in ("poll", "epoll", "POLLIN", "POLLOUT")),
+        (socket, "AF_UNIX"),
+    ],
+    "darwin": [(select, "epoll")],
+}
+
+
+def pair_by_tcp() -> tuple[socket.socket, socket.socket]:
+    """Return what ``socket.socketpair`` returns on Windows."""
+    with socket.create_server(("127.0.0.1", 0)) as server:
+        one = socket.create_connection(server.getsockname())
+        return one, server.accept()[0]
+
+
+async def answers(urls: list[str]) -> list[int]:
+    import unity_link
+
+    found: list[int] = []
+    for url in urls:
+        async with unity_link.connect(url) as link:
+            await link.write(0x20, 7)
+            found += (await link.read_many([0x20])).tolist()
+    return found
+
+
+def blocking_answers(urls: list[str]) -> list[int]:
+    from unity_link import blocking
+
+    found: list[int] = []
+    for url in urls:
+        with blocking.connect(url) as link:
+            link.write(0x20, 8)
+            found.append(link.read(0x20))
+            with link.subscribe([0x20], rate_hz=1000) as samples:
+                found.append(int(next(iter(samples)).values[0]))
+    return found
+
+
+def faults() -> dict[str, str]:
+    """Return which modules cannot be imported, and why."""
+    import unity_link
+
+    found = {}
+    for module in pkgutil.walk_packages(unity_link.__path__, "unity_link."):
+        try:
+            importlib.import_module(module.name)
+        except Exception as error:  # noqa: BLE001  (it is told)
+            found[module.name] = f"{type(error).__name__}: {error}"
+    return found
+
+
+def main() -> None:
+    """Print as JSON what came of it."""
+    system, *urls = sys.argv[1:]
+    for other in OTHERS:
+        importlib.import_module(other)
+    loop = asyncio.new_event_loop()
+    sys.platform = system
+    for module in MODULES[system]:
+        sys.modules[module] = None  # type: ignore[assignment]
+    for holder, name in NAMES[system]:
+        if hasattr(holder, name):
+            delattr(holder, name)
+    if system == "win32":
+        socket.socketpair = pair_by_tcp  # type: ignore[assignment]
+    result = {
+        "asyncio": loop.run_until_complete(answers(urls)),
+        "blocking": blocking_answers(urls),
+        "faults": faults(),
+        "threads": threading.active_count(),
+    }
+    sys.stdout.write(json.dumps(result))
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,213 @@
+"""Boards whose FPGA only its vendor's tool places: a project that the tool opens, with pins, clocks and crossings.
+
+No vendor's tool was at hand, so none has read one: what can be checked without is (`tests/boards/test_projects.py`).
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, NamedTuple
+
+from unity_link.boards.families import pull_of
+from unity_link.errors import ArgumentError
+from unity_link.gateware import LICENCE
+from unity_link.gateware.cache import LIBRARY
+from unity_link.gateware.sources import in_compile_order
+from unity_link.generate import GeneratedFile, Templates, vhdl, write
+from unity_link.generate.vhdl.folder import GATEWARE_FOLDER, design_files, with_gateware
+from unity_link.generate.vhdl.names import identifier
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterator
+    from pathlib import Path
+
+    from unity_link.boards.board import Board
+    from unity_link.spec import Spec
+
+_SCOPED = {
+    "uart": ("ul_subscription_manager", "ul_uart"),
+    "ft245": ("ul_ft245_async", "ul_subscription_manager"),
+    "ft245_sync": ("ul_fifo_async", "ul_ft245_sync", "ul_subscription_manager"),
+}
+"""Entities of a medium whose crossings Vivado is told of."""
+_ATTENTION = "No tool of a vendor has read this file yet: see gateware/constraints/README.md."
+
+
+class Design(NamedTuple):
+    """What a project is of."""
+
+    name: str
+    """Of the project."""
+    top: str
+    generics: dict[str, int]
+    sources: list[tuple[str, str | None]]
+    """Files in compile order, with their library; None for the tool's usual one."""
+    board: Board
+
+
+class Vendor(NamedTuple):
+    """The tool of a vendor."""
+
+    tool: str
+    opened: str
+    """The suffix of the file that is opened."""
+    opens: str
+    """How, on a command line."""
+    files: Callable[[Design], Iterator[GeneratedFile]]
+    pads: str | None
+    """Whose registers an FT245 has at its pins, a folder of `gateware/pads`; None: portable ones."""
+
+
+def make_project(spec: Spec, board_name: str, board: Board, output: Path, interface: str | None = None) -> Path:
+    """Write a project into a folder below `output`, and return the file that the vendor's tool opens.
+
+    Args:
+        spec: a compiled spec.
+        board_name: what the project is named after, beside the interface.
+        board: what it is.
+        output: the directory, which is made.
+        interface: which public interface, where there are several.
+
+    Raises:
+        ArgumentError: where the directory cannot be written, or the board asks for a PLL.
+    """
+    vendor = VENDORS[board.family]
+    if board.core_hz != board.clock.hz:
+        wanted = f"core_hz = {board.core_hz} asks for one"
+        raise ArgumentError(f"no PLL is made in a project of {vendor.tool}, and {wanted}: leave it out of [clock]")
+    chosen = spec.interface(interface)
+    generated = list(vhdl.files(chosen, Templates("vhdl", spec, vhdl.FILTERS)))
+    prefix = identifier(chosen.name)
+    generics = {"clock_hz": board.core_hz} | ({"baud": board.baud} if board.baud is not None else {})
+    pads = None if board.medium == "uart" else vendor.pads
+    sources: list[tuple[str, str | None]] = [(f"{GATEWARE_FOLDER}/{path}", LIBRARY) for path in in_compile_order(pads)]
+    sources += [(path, None) for path in design_files(generated)]
+    design = Design(f"{prefix}_{board_name}", f"{prefix}_on_{board.medium}", generics, sources, board)
+    write([*with_gateware(generated), *vendor.files(design)], output / design.name)
+    return output / design.name / f"{design.name}.{vendor.opened}"
+
+
+def _lines(*lines: str) -> str:
+    return "".join(f"{line}\n" for line in (f"# {LICENCE}", *lines))
+
+
+def _period_ns(hz: int) -> str:
+    return f"{1e9 / hz:.3f}"
+
+
+# Vivado
+
+
+def _vivado(design: Design) -> Iterator[GeneratedFile]:
+    name, board = design.name, design.board
+    generics = " ".join(f"{generic}={value}" for generic, value in design.generics.items())
+    constraints = f"[file join $here {GATEWARE_FOLDER} constraints vivado"
+    yield GeneratedFile(
+        f"{name}.tcl",
+        _lines(
+            f"# Makes the project and opens it: vivado -source {name}.tcl",
+            f"# Makes the bitstream, too:       vivado -mode batch -source {name}.tcl -tclargs bitstream",
+            f"# {_ATTENTION}",
+            "set here [file dirname [file normalize [info script]]]",
+            f"create_project -force {name} [file join $here vivado] -part {board.device}",
+            *(
+                f"read_vhdl -vhdl2008 {'' if library is None else f'-library {library} '}[file join $here {path}]"
+                for path, library in design.sources
+            ),
+            f"read_xdc [file join $here {name}.xdc]",
+            *(f"read_xdc -ref {entity} {constraints} {entity}.xdc]" for entity in _SCOPED[board.medium]),
+            *([f"read_xdc {constraints} ul_ft245_sync_pins.xdc]"] if board.medium == "ft245_sync" else ()),
+            f"set_property top {design.top} [current_fileset]",
+            f"set_property generic {{{generics}}} [current_fileset]",
+            'if {[lindex $argv 0] eq "bitstream"} {',
+            "    launch_runs impl_1 -to_step write_bitstream",
+            "    wait_on_run impl_1",
+            "    if {[get_property STATS.WNS [get_runs impl_1]] < 0} {",
+            f'        error "{design.top} is too slow on {board.title}: see the timing report of impl_1"',
+            "    }",
+            "}",
+        ),
+    )
+    yield GeneratedFile(
+        f"{name}.xdc",
+        _lines(
+            f"# The pins of {board.title}. {_ATTENTION}",
+            f"create_clock -name clk -period {_period_ns(board.clock.hz)} [get_ports clk]",
+            *(
+                f"set_property -dict {{PACKAGE_PIN {site} IOSTANDARD {board.io_type}{_vivado_pull(pin)}}} "
+                f"[get_ports {{{pin}}}]"
+                for pin, site in board.pins.items()
+            ),
+            # Pins without a clock: what is at their other side is in none.
+            *(
+                f"set_false_path {way} [get_ports {{{' '.join(pins)}}}]"
+                for way, pins in (("-from", _slow_inputs(board)), ("-to", _slow_outputs(board)))
+            ),
+        ),
+    )
+
+
+def _vivado_pull(pin: str) -> str:
+    return {"UP": " PULLUP TRUE", "DOWN": " PULLDOWN TRUE", "NONE": ""}[pull_of(pin)]
+
+
+def _slow_inputs(board: Board) -> list[str]:
+    return [pin for pin in board.pins if pin in ("uart_rxd", "chain_in")]
+
+
+def _slow_outputs(board: Board) -> list[str]:
+    return [pin for pin in board.pins if pin in ("uart_txd", "chain_clk", "chain_load_n", "chain_out")]
+
+
+# Quartus
+
+
+def _quartus(design: Design) -> Iterator[GeneratedFile]:
+    name, board = design.name, design.board
+    yield GeneratedFile(f"{name}.qpf", _lines(f'PROJECT_REVISION = "{name}"'))
+    yield GeneratedFile(
+        f"{name}.qsf",
+        _lines(
+            f"# Opened by {name}.qpf; quartus_sh --flow compile {name} makes the bitstream.",
+            f"# {_ATTENTION}",
+            'set_global_assignment -name FAMILY "Cyclone V"',
+            f"set_global_assignment -name DEVICE {board.device}",
+            f"set_global_assignment -name TOP_LEVEL_ENTITY {design.top}",
+            *(f"set_parameter -name {generic} {value}" for generic, value in design.generics.items()),
+            *(
+                f"set_global_assignment -name VHDL_FILE {path}{'' if library is None else f' -library {library}'} "
+                "-hdl_version VHDL_2008"
+                for path, library in design.sources
+            ),
+            f"set_global_assignment -name SDC_FILE {name}.sdc",
+            f"set_global_assignment -name SDC_FILE {GATEWARE_FOLDER}/constraints/quartus/unity_link.sdc",
+            *(
+                line
+                for pin, site in board.pins.items()
+                for line in (
+                    f"set_location_assignment PIN_{site} -to {pin}",
+                    f'set_instance_assignment -name IO_STANDARD "{board.io_type}" -to {pin}',
+                    # A Cyclone V has none that pull down.
+                    *([f"set_instance_assignment -name WEAK_PULL_UP_RESISTOR ON -to {pin}"] * (pull_of(pin) == "UP")),
+                )
+            ),
+        ),
+    )
+    yield GeneratedFile(
+        f"{name}.sdc",
+        _lines(
+            f"# The clock of {board.title}. {_ATTENTION}",
+            f"create_clock -name clk -period {_period_ns(board.clock.hz)} [get_ports clk]",
+            "derive_clock_uncertainty",
+            *(
+                f"set_false_path {way} [get_ports {{{' '.join(pins)}}}]"
+                for way, pins in (("-from", _slow_inputs(board)), ("-to", _slow_outputs(board)))
+            ),
+        ),
+    )
+
+
+VENDORS = {
+    "artix7": Vendor("Vivado", "tcl", "vivado -source", _vivado, pads="xilinx"),
+    "cyclonev": Vendor("Quartus", "qpf", "quartus", _quartus, pads=None),
+}
+"""The tool of each family of FPGAs that no open tool of PyPI places."""

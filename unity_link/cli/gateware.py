@@ -1,0 +1,30 @@
+"""`unity-link gateware`: the VHDL that this package brings."""
+
+from __future__ import annotations
+
+from pathlib import Path  # noqa: TC003  (typer reads it)
+from typing import Annotated
+
+import typer
+
+from unity_link.cli.output import print_line
+
+
+def add_to(app: typer.Typer) -> None:
+    """Add the commands of this file."""
+    commands = typer.Typer(help="Take the gateware's VHDL into a design of your own.", no_args_is_help=True)
+    # With one command alone, typer would leave out its name.
+    commands.callback()(lambda: None)
+    commands.command()(copy)
+    app.add_typer(commands, name="gateware")
+
+
+def copy(
+    folder: Annotated[
+        Path, typer.Argument(metavar="DIR", help="Where to write; must not be there, or empty.", show_default=False)
+    ],
+) -> None:
+    """Copy the gateware: VHDL in the library unity_link, pads and constraints of vendors, a script for each tool."""
+    from unity_link.gateware.sources import copy_gateware
+
+    print_line(str(copy_gateware(folder)))
