@@ -18,10 +18,16 @@ Scara = unity_link.load(Path(__file__).with_name("scara.ul"))
 POSES = ((40, 60, 0, 0), (40, 60, 120, 90), (-40, 30, 20, -90), (0, 0, 0, 0))
 """Shoulder, elbow and wrist in degrees, height in mm: shoulder, elbow, height, wrist."""
 CLOSE = 0.01
+PATIENCE = 10_000
+"""Samples in which a pose is reached, or never."""
 
 
 async def main(url: str) -> None:
-    """Move through the poses."""
+    """Move through the poses.
+
+    Raises:
+        UnityLinkError: where the gateway is not that of a SCARA, or is lost.
+    """
     async with unity_link.connect(url) as link:
         robot = Scara(link)
         joints = (robot.j1, robot.j2, robot.j3, robot.j4)
@@ -40,6 +46,8 @@ async def main(url: str) -> None:
                         print(f"{sample.time:8.3f} {first:16.2f}", *(f"{other:11.2f}" for other in others))
                     if there:
                         break
+                    if samples.received > PATIENCE:
+                        raise unity_link.UnityLinkError(f"{url}: the pose {pose} is not reached: is it a SCARA?")
 
 
 if __name__ == "__main__":

@@ -1,20 +1,26 @@
 """A walking robot of 18 joints takes steps, three legs at a time, and reports how well its joints follow.
 
 python examples/walker.py             # the virtual robot: no hardware
+python examples/walker.py rtl:walker  # the same behind the gateware itself, compiled
 python examples/walker.py tcp://robot.local:7000
 """
 
 from __future__ import annotations
 
 import asyncio
+import contextlib
 import math
 import sys
 from pathlib import Path
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 import unity_link
-from unity_link.data import Batch, Group
+from unity_link.data import Batch, Group, GroupSubscription
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
 
 Walker = unity_link.load(Path(__file__).with_name("walker.ul"))
 
@@ -37,26 +43,42 @@ def gait(time: float) -> list[float]:
     return angles
 
 
-async def main(url: str) -> None:
-    """Walk."""
+class Watcher:
+    """Keeps what the samples of the robot's group say."""
+
+    def __init__(self, joints: Sequence[Any]) -> None:
+        self.batches: list[Batch] = []
+        self.fastest = np.zeros(len(joints))
+        self._joints = joints
+
+    async def watch(self, samples: GroupSubscription) -> None:
+        """Take samples as they come."""
+        # They end with the block of the subscription.
+        with contextlib.suppress(StopAsyncIteration):
+            while True:
+                batch = await samples.take()
+                self.batches.append(batch)
+                speeds = [np.abs(batch[joint.spd]).max() for joint in self._joints]
+                self.fastest = np.maximum(self.fastest, speeds)
+
+
+async def walk(url: str) -> Watcher:
+    """Walk, and return what was seen.
+
+    Raises:
+        UnityLinkError: where the gateway is not that of a walker, or is lost.
+    """
     async with unity_link.connect(url) as link:
         robot = Walker(link)
         joints = [joint for leg in robot.legs for joint in (leg.coxa, leg.femur, leg.tibia)]
         targets = Group(*(joint.pos_sp for joint in joints))
         await Group(*(joint.spd_sp for joint in joints)).set(np.full(len(joints), 8.0))
 
-        fastest = np.zeros(len(joints))
-        samples = 0
-
-        def watch(batch: Batch) -> None:
-            nonlocal samples
-            samples += len(batch)
-            for number, joint in enumerate(joints):
-                fastest[number] = max(fastest[number], np.abs(batch[joint.spd]).max())
-
         loop = asyncio.get_running_loop()
-        began = loop.time()
-        with robot.groups["state"].on_batch(watch):
+        watcher = Watcher(joints)
+        async with robot.groups["state"].subscribe() as samples:
+            watching = asyncio.create_task(watcher.watch(samples))
+            began = loop.time()
             for turn in range(int(STEPS * STEP_TIME * RATE)):
                 await targets.set(gait(turn / RATE))
                 await asyncio.sleep(began + (turn + 1) / RATE - loop.time())
@@ -65,14 +87,19 @@ async def main(url: str) -> None:
                         abs(joint.cpos.value - joint.pos_sp.value) for joint in joints if joint.cpos.value is not None
                     ]
                     print(f"{turn / RATE:4.1f} s: joints are up to {max(errors, default=0):.3f} rad behind")
-
-        print(f"{samples} samples of {len(robot.groups['state'])} values, {link.statistics.samples_lost} lost")
-        print(f"the fastest joint made {fastest.max():.1f} rad/s")
+        await watching
+        if not watcher.fastest.any():
+            raise unity_link.UnityLinkError(
+                f"{url}: not one joint has moved in {samples.received} samples: is it a walker?"
+            )
+        print(f"{samples.received} samples of {len(robot.groups['state'])} values, {samples.lost} lost")
+        print(f"the fastest joint made {watcher.fastest.max():.1f} rad/s")
+        return watcher
 
 
 if __name__ == "__main__":
     try:
-        asyncio.run(main(sys.argv[1] if len(sys.argv) > 1 else "sim:walker"))
+        asyncio.run(walk(sys.argv[1] if len(sys.argv) > 1 else "sim:walker"))
     except unity_link.UnityLinkError as error:
         sys.exit(f"error: {error}")
     except KeyboardInterrupt:

@@ -291,7 +291,7 @@ def test_a_damaged_index_is_named(text: str, tmp_path: Path) -> None:
 
 def fresh_load(name: str = "minimal") -> None:
     """Load a library as a new process does."""
-    library.load.__wrapped__(name)
+    library.load.__wrapped__(configurations()[name])
 
 
 @pytest.mark.parametrize("cxx", [None, ""])

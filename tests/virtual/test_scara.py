@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+import math
 
 import pytest
 from hypothesis import given
@@ -123,6 +124,15 @@ def test_a_plan_ends_at_rest_at_its_target(distance: float, speed: float, most: 
     scale = abs(distance) + speed**2 / acceleration + 1
     assert position == pytest.approx(distance, abs=1e-6 * scale)
     assert velocity == pytest.approx(0, abs=1e-6 * (abs(speed) + most))
+
+
+@given(speed=st.floats(-2e5, 2e5), acceleration=st.floats(1e3, 1e6), way=st.sampled_from([-1.0, 1.0]))
+def test_a_target_that_braking_all_but_reaches_is_no_division_by_zero(
+    speed: float, acceleration: float, way: float
+) -> None:
+    braking = speed * abs(speed) / (2 * acceleration)
+    segments = plan(math.nextafter(braking, way * math.inf), speed, 1e5, acceleration)
+    assert all(segment.duration >= 0 for segment in segments)
 
 
 @given(commands=COMMANDS, looks=st.lists(st.floats(0, 20), max_size=20))

@@ -19,6 +19,7 @@ from unity_link.errors import ArgumentError, UnityLinkError
 from unity_link.gateware.cache import ToolMissingError, board_sources
 from unity_link.gateware.convert import to_verilog
 from unity_link.gateware.ghdl import converting_ghdl
+from unity_link.gateware.limits import check_generics
 from unity_link.gateware.yowasp import RefusedError, run, script, version
 from unity_link.generate import Templates, vhdl, write
 from unity_link.generate.vhdl.names import identifier
@@ -67,13 +68,15 @@ def build(spec: Spec, board_name: str, board: Board, output: Path, interface: st
         interface: which public interface, where there are several.
 
     Raises:
-        ArgumentError: where the board's clock cannot be made, or the directory cannot be written.
+        ArgumentError: where the board's clock cannot be made, or is too slow for the groups; or the directory cannot
+            be written.
         BuildError: where the design does not fit, or not in time, or a site is none.
         ConversionError: where a tool refuses the design for another reason.
         ToolMissingError: where a tool is not there.
     """
     family = FAMILIES[board.family]
     chosen = spec.interface(interface)
+    check_generics({**vhdl.gateway_generics(chosen), "clock_hz": board.core_hz})
     wrapper = top_text(identifier(chosen.name), board)
     # What is missing is said at once, not after a minute.
     for tool in (YOSYS, family.nextpnr, family.packer):

@@ -88,7 +88,7 @@ async def _record(  # noqa: PLR0913  (as `record`)
     json: bool,
     timeout: float,  # noqa: ASYNC109  (an option of the command)
 ) -> None:
-    from unity_link.bridges.recording import Recorder
+    from unity_link.bridges.recording import Recorder, RecordingError
     from unity_link.data import load
     from unity_link.link.link import connect
 
@@ -107,15 +107,17 @@ async def _record(  # noqa: PLR0913  (as `record`)
         except TimeoutError:
             if duration is None:
                 raise
+            if not recorder.samples:
+                raise RecordingError(f"not one sample has come in {duration:g} s: {output} was not written") from None
         finally:
-            print_note(f"{output}: {_state(recorder, began)}")
+            print_note(f"{output if recorder.samples else 'nothing written'}: {_state(recorder, began)}")
             if json:
                 print_json(
                     {
-                        "file": str(output),
+                        "file": str(output) if recorder.samples else None,
                         "samples": recorder.samples,
                         "lost": recorder.lost,
-                        "bytes": recorder.size,
+                        "bytes": recorder.size if recorder.samples else 0,
                         "interruptions": recorder.interruptions,
                         "away_s": recorder.away,
                     }

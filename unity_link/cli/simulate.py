@@ -1,26 +1,34 @@
-"""`unity-link simulate`: a virtual gateway for other programs."""
+"""`unity-link simulate`: a virtual gateway for other programs, with a robot behind it.
+
+While it serves, lines of its standard input switch faults on and off and fire triggers (`Console`).
+"""
 
 from __future__ import annotations
 
 import asyncio
+import contextlib
+import os
+import stat
+import sys
 from pathlib import Path  # noqa: TC003  (typer reads it)
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
 from unity_link.cli.arguments import Json, number
-from unity_link.cli.completion import complete_robot
-from unity_link.cli.output import print_result
+from unity_link.cli.output import print_error, print_note, print_result
 from unity_link.cli.running import run
 from unity_link.errors import ArgumentError
 from unity_link.transport.listening import LOOPBACK
 
 if TYPE_CHECKING:
+    from collections.abc import Iterator
     from contextlib import AbstractAsyncContextManager
 
-    from unity_link.virtual import Gateway
+    from unity_link.virtual import BareGateway, Gateway
 
-_PANEL = "Where it is served (one of them)"
+_PANEL = "Where it is served (one of them; a free TCP port without)"
+_ROBOT_PANEL = "What the robot of a spec does"
 _NOISE_PANEL = "What the line does to bytes of both directions"
 
 
@@ -46,7 +54,44 @@ def add_to(app: typer.Typer) -> None:
 
 
 def simulate(  # noqa: PLR0913  (each is an option)
+    robot: Annotated[
+        str,
+        typer.Argument(
+            metavar="[ROBOT]",
+            help="What stands behind the bus: a spec, such as robot.ul, or scara or walker; or plain memory.",
+            show_default=False,
+        ),
+    ] = "",
     *,
+    model: Annotated[
+        str | None,
+        typer.Option(
+            metavar="FILE:CLASS", help="How it moves: my.py:Rover. Memory without.", rich_help_panel=_ROBOT_PANEL
+        ),
+    ] = None,
+    interface: Annotated[
+        str | None,
+        typer.Option(help="Which public interface, where there are several.", rich_help_panel=_ROBOT_PANEL),
+    ] = None,
+    faults: Annotated[
+        list[str] | None,
+        typer.Option(
+            "--fault",
+            metavar="FAULT",
+            help="What is wrong from the beginning: a fault of the model, or left.speed:timeout (:error, :frozen). "
+            "May be repeated.",
+            rich_help_panel=_ROBOT_PANEL,
+        ),
+    ] = None,
+    triggers: Annotated[
+        list[str] | None,
+        typer.Option(
+            "--trigger",
+            metavar="GROUP:HZ",
+            help="Fire the trigger of a group so often. May be repeated.",
+            rich_help_panel=_ROBOT_PANEL,
+        ),
+    ] = None,
     pty: Annotated[
         bool, typer.Option("--pty", help="A pseudo-terminal: looks like a serial port.", rich_help_panel=_PANEL)
     ] = False,
@@ -71,14 +116,7 @@ def simulate(  # noqa: PLR0913  (each is an option)
     link: Annotated[
         Path | None, typer.Option(metavar="PATH", help="Of --pty: a symbolic link to the port, removed at the end.")
     ] = None,
-    robot: Annotated[
-        str,
-        typer.Option(
-            metavar="NAME",
-            help="What stands behind the bus: scara or walker; or plain memory.",
-            autocompletion=complete_robot,
-        ),
-    ] = "",
+    robot_option: Annotated[str, typer.Option("--robot", hidden=True)] = "",
     rtl: Annotated[
         bool,
         typer.Option("--rtl", help="The gateware itself, compiled, instead of a model: needs a C++ compiler once."),
@@ -99,32 +137,41 @@ def simulate(  # noqa: PLR0913  (each is an option)
 
     Prints one line, its URL, when it is ready: give that to a program or to another command. For --usbip it is the
     command that attaches it, for root. Ctrl-C ends it.
+
+    Meanwhile it takes lines: trigger GROUP, fault NAME and mend NAME.
     """
-    from unity_link.virtual.build import build_gateway, compile_gateway
+    from unity_link.virtual.build import Wanted, build_bare, compile_gateway, parse_trigger, put_behind_line
 
     chances = {name: chance for name, chance in (("loss", loss), ("flip", flip), ("double", double)) if chance}
-    configuration = _configuration(settings or [])
+    wanted = Wanted(
+        robot=robot or robot_option,
+        model=model,
+        interface=interface,
+        configuration=_configuration(settings or []),
+        rtl=rtl,
+        faults=tuple(faults or ()),
+        triggers=dict(map(parse_trigger, triggers or ())),
+    )
     if rtl:
-        run(compile_gateway(configuration))
-    gateway = build_gateway(robot, configuration, rtl=rtl, chances=chances, seed=seed)
+        run(compile_gateway(wanted))
+    bare = build_bare(wanted)
+    gateway = put_behind_line(bare, chances=chances, seed=seed)
     if link is not None and not pty:
         raise ArgumentError("--link goes with --pty alone")
     ways: list[AbstractAsyncContextManager[str]] = []
     if pty:
         ways.append(_serving("pty", gateway, link))
-    if tcp is not None:
-        ways.append(_serving("tcp", gateway, tcp, host))
     if unix is not None:
         ways.append(_serving("unix", gateway, unix))
     if udp is not None:
         ways.append(_serving("udp", gateway, udp, host))
     if usbip is not None:
         ways.append(_serving_chip(gateway, usbip, host))
+    if tcp is not None or not ways:
+        ways.append(_serving("tcp", gateway, tcp or 0, host))
     if len(ways) != 1:
-        raise ArgumentError(
-            f"one of --pty, --tcp, --unix, --udp and --usbip was expected, not {len(ways) or 'none'} of them"
-        )
-    run(_simulate(ways[0], json=json))
+        raise ArgumentError(f"one of --pty, --tcp, --unix, --udp and --usbip was expected, not {len(ways)} of them")
+    run(_simulate(ways[0], Console(bare), json=json))
 
 
 def _serving(way: str, gateway: Gateway, *place: Any) -> AbstractAsyncContextManager[str]:
@@ -154,7 +201,84 @@ def _configuration(settings: list[str]) -> dict[str, int]:
     return values
 
 
-async def _simulate(way: AbstractAsyncContextManager[str], *, json: bool) -> None:
+async def _simulate(way: AbstractAsyncContextManager[str], console: Console, *, json: bool) -> None:
     async with way as url:
         print_result("url", url, json=json)
-        await asyncio.get_running_loop().create_future()
+        with console.reading():
+            await asyncio.get_running_loop().create_future()
+
+
+class Console:
+    """What a person, or a program, tells a robot while it is simulated, in lines of the standard input."""
+
+    def __init__(self, gateway: BareGateway) -> None:
+        self._gateway = gateway
+        self._rest = b""
+
+    @contextlib.contextmanager
+    def reading(self) -> Iterator[None]:
+        """Take lines while the block runs, from a terminal or a pipe; from anything else nothing."""
+        loop = asyncio.get_running_loop()
+        descriptor = _console_descriptor()
+        if descriptor is None:
+            yield
+            return
+        loop.add_reader(descriptor, self._read, descriptor)
+        try:
+            yield
+        finally:
+            loop.remove_reader(descriptor)
+
+    def _read(self, descriptor: int) -> None:
+        in_background = os.isatty(descriptor) and os.tcgetpgrp(descriptor) != os.getpgrp()
+        data = b"" if in_background else os.read(descriptor, 4096)
+        if not data:
+            asyncio.get_running_loop().remove_reader(descriptor)
+            return
+        *lines, self._rest = (self._rest + data).split(b"\n")
+        for line in lines:
+            words = line.decode(errors="replace").split()
+            if not words:
+                continue
+            try:
+                print_note(self.take(words))
+            except ArgumentError as error:
+                print_error(str(error))
+
+    def take(self, words: list[str]) -> str:
+        """Do what a line says; return what was done.
+
+        Raises:
+            ArgumentError: for a line that says nothing.
+        """
+        from unity_link.virtual.simulated import parse_fault
+        from unity_link.virtual.simulating import SimulatedGateway
+
+        gateway = self._gateway
+        match words:
+            case ["trigger", group]:
+                number = int(group) if group.isdecimal() else None
+                if isinstance(gateway, SimulatedGateway):
+                    gateway.fire(group)
+                elif number is not None and number < gateway.info.groups:
+                    gateway.trigger(asyncio.get_running_loop().time(), number)
+                else:
+                    raise ArgumentError(f"there is no group {group!r} here: a number was expected")
+                return f"the trigger of {group} was fired"
+            case [("fault" | "mend") as word, fault]:
+                if not isinstance(gateway, SimulatedGateway) or gateway.robot is None:
+                    raise ArgumentError("faults are of the robot of a spec, such as robot.ul")
+                name, how = parse_fault(fault)
+                gateway.robot.set_fault(name, how, on=word == "fault")
+                return f"{name} {'is broken' if word == 'fault' else 'is mended'}"
+        raise ArgumentError("trigger GROUP, fault NAME or mend NAME was expected")
+
+
+def _console_descriptor() -> int | None:
+    """Return the standard input, where an event loop can wait for it: a terminal, or a pipe."""
+    try:
+        descriptor = sys.stdin.fileno()
+        is_console = os.isatty(descriptor) or stat.S_ISFIFO(os.fstat(descriptor).st_mode)
+    except (OSError, ValueError, AttributeError):
+        return None
+    return descriptor if is_console and os.name == "posix" else None

@@ -44,6 +44,8 @@ class Plan(msgspec.Struct, frozen=True, kw_only=True):
     on_change: bool = False
     immediate: bool = False
     timestamps: bool | None = None
+    group: int | None = None
+    """The number in the gateway, where its own trigger counts."""
     polled: bool = False
     """Whether the host is to read by itself, though the gateway may have groups."""
     nearest: bool = False
@@ -104,6 +106,7 @@ class Group:
             on_change=group.on_change,
             immediate=group.immediate,
             timestamps=True if group.timestamps else None,
+            group=group.number if group.trigger else None,
             nearest=True,
         )
         return made
@@ -321,6 +324,7 @@ def _source(layout: GroupLayout, plan: Plan, buffer: int, overflow: Overflow) ->
         on_change=plan.on_change,
         immediate=immediate,
         timestamps=plan.timestamps,
+        group=plan.group,
         buffer=buffer,
         overflow=overflow,
     )

@@ -348,6 +348,7 @@ class Link(Connection):
         on_change: bool = False,
         immediate: bool = False,
         timestamps: bool | None = None,
+        group: int | None = None,
         buffer: int = 16_384,
         overflow: Overflow = "drop_oldest",
         callback: Callable[[Sample], object] | None = None,
@@ -358,10 +359,11 @@ class Link(Connection):
             addresses: one address, or up to ``gateway.group_words``.
             rate_hz: samples a second; the nearest rate that the gateway has is `Subscription.rate_hz`.
             divisor: the same as a division of ``gateway.base_frequency_hz``, 1 to 65535.
-            trigger: sample on the group's external trigger.
+            trigger: sample on the group's external trigger; ``group`` says which.
             on_change: publish only samples in which a word has changed.
             immediate: have the gateway send each sample at once instead of filling packets.
             timestamps: have the instant of sampling sent along; None: where the gateway can.
+            group: number of the group, for each has a trigger of its own; None: one that is free.
             buffer: most samples that wait for the reader. The default holds all that one read of a socket can bring.
             overflow: what happens when they are more: ``"drop_oldest"`` and count, or ``"fail"``.
             callback: is called with each sample as it arrives, in place of iteration.
@@ -370,7 +372,7 @@ class Link(Connection):
 
         Raises:
             ArgumentError: for rates, addresses or sizes that the gateway does not have.
-            UnsupportedError: where the gateway was built without what is asked for, or all groups are in use.
+            UnsupportedError: where the gateway was built without what is asked for, or the group, or all, are in use.
         """
         self._require(Feature.GROUPS, "groups")
         if timestamps is None:
@@ -396,7 +398,7 @@ class Link(Connection):
         given: object = addresses
         several: ArrayLike = [int(given)] if isinstance(given, Integral) else addresses
         where = check_addresses(self._addresses(several), self.gateway.group_words)
-        schedule = Schedule(where, self._divisor(rate_hz, divisor), flags)
+        schedule = Schedule(where, self._divisor(rate_hz, divisor), flags, group)
         return Subscription(self._publishing, schedule, buffer=buffer, overflow=overflow, callback=callback)
 
     async def send_immediate(self, mode: SendImmediate) -> None:

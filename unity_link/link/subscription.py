@@ -127,6 +127,8 @@ class Schedule(msgspec.Struct, frozen=True):
     addresses: tuple[int, ...]
     divisor: int
     flags: GroupFlag
+    group: int | None = None
+    """Number of the group, where it must be that one."""
 
 
 class Publishing:
@@ -227,7 +229,9 @@ class Publishing:
         session, schedule = self._session, subscription.schedule
         if session.closed is not None:
             raise session.closed.about(Outcome.NOT_EXECUTED)
-        group = session.hold(schedule.flags, schedule.divisor, schedule.addresses, subscription.length, subscription)
+        group = session.hold(
+            schedule.flags, schedule.divisor, schedule.addresses, subscription.length, subscription, schedule.group
+        )
         try:
             self._go_on(session.start(group, self.runtime.time()))
             await started

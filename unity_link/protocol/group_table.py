@@ -83,20 +83,36 @@ class GroupTable:
         self._submit = submit
         self._restoring: set[int] | None = None
 
-    def hold(self, settings: bytes, length: int, owner: Any) -> HeldGroup:
-        """Return a group that is free; the one that was given back longest ago is taken first.
+    def hold(self, settings: bytes, length: int, owner: Any, number: int | None = None) -> HeldGroup:
+        """Return a group that is free: that of a number, or the one that was given back longest ago.
 
         Raises:
-            UnsupportedError: where none is.
+            UnsupportedError: where none is, or that one is not.
         """
-        if not self._free:
+        if number is not None:
+            self._take_out(number)
+        elif not self._free:
             raise UnsupportedError(
                 f"all {self._count} groups of the gateway are in use: end a subscription first, "
                 "or put its addresses into one"
             )
-        group = HeldGroup(self._free.popleft(), settings, length, owner)
+        chosen = self._free.popleft() if number is None else number
+        group = HeldGroup(chosen, settings, length, owner)
         self._held[group.number] = group
         return group
+
+    def _take_out(self, number: int) -> None:
+        if not 0 <= number < self._count:
+            raise UnsupportedError(
+                f"group {number} was asked for, and the gateway has those from 0 to {self._count - 1}"
+            )
+        try:
+            self._free.remove(number)
+        except ValueError:
+            raise UnsupportedError(
+                f"group {number} of the gateway, whose trigger was asked for, is in use by another subscription: begin "
+                "this one first, or end that one"
+            ) from None
 
     def release(self, group: HeldGroup) -> bool:
         """Release a group; return whether it was held."""

@@ -256,7 +256,15 @@ class Session:
 
     # Groups
 
-    def hold(self, flags: GroupFlag, divisor: int, addresses: Sequence[int], length: int, owner: Any) -> HeldGroup:
+    def hold(
+        self,
+        flags: GroupFlag,
+        divisor: int,
+        addresses: Sequence[int],
+        length: int,
+        owner: Any,
+        number: int | None = None,
+    ) -> HeldGroup:
         """Take a free group, to be set up in this session and in each later one; `start` does it the first time.
 
         Args:
@@ -265,12 +273,13 @@ class Session:
             addresses: what is sampled.
             length: characters of the body of a sample.
             owner: what its samples are told to be for.
+            number: of the group, where it must be that one.
 
         Raises:
-            UnsupportedError: where no group is free.
+            UnsupportedError: where no group is free, or that one is not.
         """
         layout = self.codec.fields("GS", 0, int(flags), divisor, len(addresses), addresses)
-        return self.groups.hold(layout[2:], length, owner)
+        return self.groups.hold(layout[2:], length, owner, number)
 
     def start(self, group: HeldGroup, now: float) -> Events:
         """Set up a group that is held; while the session is not open, the next one does."""

@@ -1,8 +1,15 @@
-"""Builds a virtual gateway from what a user says, in a URL or on the command line: robot, widths, faults."""
+"""Builds a virtual gateway from what a user says, in a URL or on the command line: robot, widths, faults.
+
+What stands behind the bus is named by one text: nothing for plain memory, a name of `ROBOTS`, or the path of a spec,
+whose registers are memory or the values of a model. A URL says the rest by options, the same ones for each scheme.
+"""
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import TYPE_CHECKING
+
+import msgspec
 
 from unity_link.errors import ArgumentError, UnsupportedError
 from unity_link.protocol.configuration import Feature, GatewayInfo
@@ -10,10 +17,16 @@ from unity_link.virtual.faults import Noise, NoisyLine
 from unity_link.virtual.gateway import BareGateway, Gateway, VirtualGateway
 from unity_link.virtual.line import SlowLine
 from unity_link.virtual.scara import Scara
+from unity_link.virtual.simulating import SimulatedGateway, load_model, make_robot
 from unity_link.virtual.walker import Walker
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Mapping
+
+    from unity_link.spec import Interface
+    from unity_link.transport import DriverUrl
+    from unity_link.virtual.rtl.configurations import Configuration
+    from unity_link.virtual.simulated import SimulatedRobot
 
 ROBOTS: dict[str, Callable[[BareGateway], object]] = {
     "": lambda _: None,
@@ -25,26 +38,83 @@ CHANCES = ("loss", "flip", "double")
 """Probabilities of `Noise` that a user can choose."""
 CONFIGURATION = tuple(name for name in GatewayInfo.__struct_fields__ if name != "protocol_version")
 """Fields of `GatewayInfo` that a user can choose."""
+ROBOT_OPTIONS = frozenset({"model", "interface", "fault", "trigger"})
+"""Options of a URL that say something of the robot."""
 _POLYNOMIALS = {8: 0x07, 16: 0x1021, 32: 0x04C11DB7}
 
 
+class Wanted(msgspec.Struct, frozen=True, kw_only=True):
+    """What is wanted: a gateway, and what stands behind it."""
+
+    robot: str = ""
+    """Nothing for plain memory, a name of `ROBOTS`, or the path of a spec."""
+    model: str | None = None
+    """The model of the robot of a spec, as ``my.py:Rover``; None: its registers are memory."""
+    interface: str | None = None
+    """Which public interface of the spec, where there are several."""
+    configuration: dict[str, int] = {}
+    """Fields of `GatewayInfo` that are not as in the gateware's default build, or as the spec has them."""
+    rtl: bool = False
+    """Take the compiled gateware instead of the model of it."""
+    node: int | None = None
+    """Its number on a shared medium."""
+    faults: tuple[str, ...] = ()
+    """What is wrong with the robot from the beginning: ``stuck``, ``left.speed:timeout``."""
+    triggers: dict[str, float] = {}
+    """Groups by name or number whose triggers fire by themselves, and how often a second."""
+
+    @classmethod
+    def of_url(cls, url: DriverUrl, robot: str, *, rtl: bool = False) -> Wanted:
+        """Return what a URL says.
+
+        Raises:
+            ArgumentError: for an option that is none.
+        """
+        return cls(
+            robot=robot,
+            model=url.options.get("model"),
+            interface=url.options.get("interface"),
+            configuration={name: url.integer(name, 0) for name in CONFIGURATION if name in url.options},
+            rtl=rtl,
+            node=url.node,
+            faults=tuple(filter(None, url.options.get("fault", "").split(","))),
+            triggers=dict(parse_trigger(text) for text in filter(None, url.options.get("trigger", "").split(","))),
+        )
+
+    @property
+    def has_spec(self) -> bool:
+        """Whether the robot is that of a spec."""
+        return self.robot not in ROBOTS
+
+
+def parse_trigger(text: str) -> tuple[str, float]:
+    """Take ``state:10`` apart: the trigger of a group, and how often it fires in a second.
+
+    Raises:
+        ArgumentError: for what is no such text.
+    """
+    group, _, rate = text.rpartition(":")
+    try:
+        return group, float(rate)
+    except ValueError:
+        raise ArgumentError(f"trigger {text!r}: a group and a rate in Hz were expected, as in state:10") from None
+
+
 def build_gateway(
-    robot: str = "",
+    wanted: Wanted | str = "",
     configuration: Mapping[str, int] | None = None,
     *,
-    rtl: bool = False,
     node: int | None = None,
     chances: Mapping[str, float] | None = None,
     seed: int = 0,
     bytes_per_second: float | None = None,
 ) -> Gateway:
-    """Build a gateway.
+    """Build a gateway, behind a line.
 
     Args:
-        robot: a name from `ROBOTS`.
-        configuration: fields of `GatewayInfo` that are not as in the gateware's default build.
-        rtl: take the compiled gateware, of the configurations that there are, instead of the model.
-        node: its number on a shared medium.
+        wanted: what is wanted, or the robot alone.
+        configuration: of a gateway of which the robot alone was said.
+        node: likewise.
         chances: probabilities of `CHANCES`, for each byte in both directions.
         seed: chooses the course of the noise; both directions have their own.
         bytes_per_second: rate of a line with the FIFOs of the configuration, None for one without limit.
@@ -52,12 +122,25 @@ def build_gateway(
     Raises:
         ArgumentError: for an unknown robot, a value that no gateway can have, or one that was not compiled.
         ConnectError: where the gateware can't be compiled here.
+        SpecError: with everything that is wrong with a spec.
     """
-    if robot not in ROBOTS:
-        known = ", ".join(name for name in ROBOTS if name)
-        raise ArgumentError(f"no robot {robot!r} is known: one of {known} was expected, or none for plain memory")
-    bare = _compiled(configuration or {}, node) if rtl else VirtualGateway(_info(configuration or {}), node=node)
-    ROBOTS[robot](bare)
+    if isinstance(wanted, str):
+        wanted = Wanted(robot=wanted, configuration=dict(configuration or {}), node=node)
+    return put_behind_line(build_bare(wanted), chances=chances, seed=seed, bytes_per_second=bytes_per_second)
+
+
+def put_behind_line(
+    bare: BareGateway,
+    *,
+    chances: Mapping[str, float] | None = None,
+    seed: int = 0,
+    bytes_per_second: float | None = None,
+) -> Gateway:
+    """Put a gateway behind a line that is slow or spoils bytes, as `build_gateway`; else return it as it is.
+
+    Raises:
+        ArgumentError: for a value that no line can have.
+    """
     gateway: Gateway = bare
     if bytes_per_second is not None:
         gateway = SlowLine(bare, bytes_per_second)
@@ -66,32 +149,136 @@ def build_gateway(
     return gateway
 
 
-async def compile_gateway(configuration: Mapping[str, int], node: int | None = None) -> None:
+def build_bare(wanted: Wanted) -> BareGateway:
+    """Build a gateway without a line, as `build_gateway`; with a spec, and with triggers, a `SimulatedGateway`."""
+    if wanted.has_spec:
+        model = None if wanted.model is None else load_model(wanted.model)
+        made: BareGateway = simulated(find_interface(wanted.robot, wanted.interface), model, wanted)
+    else:
+        for option in ("model", "interface", "faults"):
+            if getattr(wanted, option):
+                raise ArgumentError(
+                    f"{option.removesuffix('s')} is for the robot of a spec, not for {wanted.robot or 'plain memory'}: "
+                    "the path of a spec was expected, such as robot.ul"
+                )
+        bare = _compiled(wanted) if wanted.rtl else VirtualGateway(_info(wanted.configuration), node=wanted.node)
+        ROBOTS[wanted.robot](bare)
+        made = SimulatedGateway(bare) if wanted.triggers else bare
+    if isinstance(made, SimulatedGateway):
+        for group, rate in wanted.triggers.items():
+            made.fire_at(group, rate)
+    return made
+
+
+def simulated(
+    interface: Interface, model: type[SimulatedRobot] | None = None, wanted: Wanted | None = None
+) -> SimulatedGateway:
+    """Build the gateway of an interface with its robot behind it.
+
+    Raises:
+        ArgumentError: where the model is none of this spec.
+    """
+    from unity_link.virtual.generics import generics_of, info_of
+    from unity_link.virtual.simulated import parse_fault
+
+    wanted = Wanted() if wanted is None else wanted
+    robot = make_robot(interface, model)
+    if wanted.rtl:
+        bare = _compiled(wanted)
+    else:
+        bare = VirtualGateway(_info(wanted.configuration, info_of(generics_of(interface))), node=wanted.node)
+    gateway = SimulatedGateway(bare, robot)
+    for fault in wanted.faults:
+        robot.set_fault(*parse_fault(fault))
+    return gateway
+
+
+def simulate(
+    spec: str | Path,
+    model: type[SimulatedRobot] | None = None,
+    *,
+    interface: str | None = None,
+    rtl: bool = False,
+) -> SimulatedGateway:
+    """Return a virtual gateway with the robot of a spec behind it, which `unity_link.connect` opens.
+
+    Args:
+        spec: its path.
+        model: a subclass of `SimulatedRobot`; None: the registers are memory.
+        interface: which public interface, where there are several.
+        rtl: take the compiled gateware instead of a model of it.
+
+    Raises:
+        ArgumentError: where the model is none of this spec.
+        ConnectError: where the gateware can't be compiled here.
+        SpecError: with everything that is wrong with the spec.
+    """
+    wanted = Wanted(robot=str(spec), interface=interface, rtl=rtl)
+    return simulated(find_interface(wanted.robot, interface), model, wanted)
+
+
+def find_interface(robot: str, name: str | None) -> Interface:
+    """Return the interface of a spec.
+
+    Raises:
+        ArgumentError: where there is no such file or interface.
+        SpecError: with everything that is wrong with the spec.
+    """
+    from unity_link.spec import compile_file
+
+    path = Path(robot)
+    if path.suffix != ".ul" and not path.is_file():
+        known = ", ".join(known for known in ROBOTS if known)
+        hint = f": did you mean {robot}.ul?" if Path(f"{robot}.ul").is_file() else ""
+        raise ArgumentError(
+            f"no robot {robot!r} is known{hint or f': one of {known} was expected, or the path of a spec (robot.ul)'}"
+        )
+    if not path.is_file():
+        raise ArgumentError(f"there is no spec {robot} in {Path.cwd()}")
+    return compile_file(path).interface(name)
+
+
+async def compile_gateway(wanted: Wanted) -> None:
     """Compile what `build_gateway` will take for `rtl`, if it is wanted for the first time, while the loop goes on.
 
     Raises:
         ArgumentError: for a configuration that there is not.
         ConnectError: where the gateware can't be compiled here.
     """
-    from unity_link.virtual.rtl import choose
     from unity_link.virtual.rtl.compiling import compile_beside
+    from unity_link.virtual.rtl.specs import make_beside
 
-    await compile_beside(choose(configuration, node))
-
-
-def _compiled(configuration: Mapping[str, int], node: int | None) -> BareGateway:
-    from unity_link.virtual.rtl import RtlGateway, choose
-
-    return RtlGateway(choose(configuration, node).name)
+    await compile_beside(await make_beside(_build_of(wanted)))
 
 
-def _info(configuration: Mapping[str, int]) -> GatewayInfo:
+def _compiled(wanted: Wanted) -> BareGateway:
+    from unity_link.virtual.rtl import RtlGateway
+    from unity_link.virtual.rtl.specs import made
+
+    return RtlGateway(made(_build_of(wanted)))
+
+
+def _build_of(wanted: Wanted) -> Configuration:
+    """Return which build of the gateware is wanted: that of a spec, that of a robot's name, or one by its fields."""
+    from unity_link.virtual.rtl.configurations import choose, configurations
+
+    if wanted.has_spec:
+        from unity_link.virtual.rtl.specs import configuration_of
+
+        return configuration_of(find_interface(wanted.robot, wanted.interface), dict(wanted.configuration), wanted.node)
+    own = configurations().get(wanted.robot)
+    if own is not None and not wanted.configuration and wanted.node is None:
+        return own
+    return choose(wanted.configuration, wanted.node)
+
+
+def _info(configuration: Mapping[str, int], default: GatewayInfo | None = None) -> GatewayInfo:
     values = dict(configuration)
     if "crc_bits" in values and values["crc_bits"] in _POLYNOMIALS:
         values.setdefault("crc_polynomial", _POLYNOMIALS[values["crc_bits"]])
     if "features" in values:
         values["features"] = Feature(values["features"])
-    info = GatewayInfo(**values)  # type: ignore[arg-type]
+    info = msgspec.structs.replace(default or GatewayInfo(), **values)
     try:
         info.check()
     except UnsupportedError as error:

@@ -80,14 +80,12 @@ class Devices(dict[int, tuple[Device, int]]):
         Raises:
             ArgumentError: for an address that does not fit or has a device, or an object that is no device.
         """
-        for method in ("read", "write"):
-            if not callable(getattr(device, method, None)):
-                raise ArgumentError(f"{device!r} has no method {method!r}: a device with read and write was expected")
+        _check(device)
         places = list(addresses)
         for address in places:
             if not 0 <= address < 1 << self._address_bits:
                 raise ArgumentError(f"address {address:#x} does not fit in {self._address_bits} bits")
-            if address in self:
+            if dict.__contains__(self, address):
                 raise ArgumentError(f"address {address:#x} has a device, {self[address][0]!r}: detach that first")
         self.update((address, (device, offset)) for offset, address in enumerate(places))
         return places
@@ -128,6 +126,40 @@ class Devices(dict[int, tuple[Device, int]]):
         return AccessError(ErrorCode.BUS_ERROR)
 
 
+class DevicesEverywhere(Devices):
+    """Devices by address, and one behind all other addresses, which are its offsets.
+
+    Args:
+        devices: those of addresses of their own.
+        elsewhere: the one behind all others.
+        address_bits: width of addresses.
+
+    Raises:
+        ArgumentError: for an object that is no device.
+    """
+
+    def __init__(self, devices: Devices, elsewhere: Device, address_bits: int) -> None:
+        super().__init__(address_bits)
+        _check(elsewhere)
+        self.update(devices)
+        self._elsewhere = elsewhere
+
+    def __contains__(self, address: object) -> bool:
+        return True
+
+    def __bool__(self) -> bool:
+        return True
+
+    def __missing__(self, address: int) -> tuple[Device, int]:
+        return self._elsewhere, address
+
+
+def _check(device: Device) -> None:
+    for method in ("read", "write"):
+        if not callable(getattr(device, method, None)):
+            raise ArgumentError(f"{device!r} has no method {method!r}: a device with read and write was expected")
+
+
 class ModelBus:
     """Memory and devices of one gateway. Addresses and words given to its methods are in range."""
 
@@ -135,12 +167,17 @@ class ModelBus:
         self.memory = PlainMemory(info)
         self.devices = Devices(info.address_bits)
         """Every other address is memory."""
+        self._address_bits = info.address_bits
         self._word_mask = (1 << info.data_bits) - 1
         self._address_mask = (1 << info.address_bits) - 1
 
     def attach(self, device: Device, addresses: Iterable[int]) -> None:
         """Put a device behind addresses, as `Devices.attach`."""
         self.devices.attach(device, addresses)
+
+    def attach_elsewhere(self, device: Device) -> None:
+        """Put a device behind every address that has none, in place of memory; its offsets are the addresses."""
+        self.devices = DevicesEverywhere(self.devices, device, self._address_bits)
 
     def detach(self, addresses: Iterable[int]) -> None:
         """Make addresses plain memory again."""

@@ -223,6 +223,11 @@ class NoisyLine(Gateway):
         return self._towards.held_bytes + self._gateway.waiting
 
     @property
+    def leaves_time_out(self) -> bool:
+        """Whether the gateway leaves out what it is too late for."""
+        return self._gateway.leaves_time_out
+
+    @property
     def next_due(self) -> float | None:
         """When the gateway has something to do, or a stall ends."""
         times = (self._towards.next_due, self._gateway.next_due, self._back.next_due)

@@ -69,6 +69,11 @@ class Gateway(Protocol):
     def waiting(self) -> int:
         """Bytes that were received and not looked at yet. A medium with flow control stops while this is large."""
 
+    @property
+    def leaves_time_out(self) -> bool:
+        """Whether `advance` leaves out what it is too late for: it need not be told to lose samples then."""
+        return False
+
     def receive(self, data: bytes, now: float) -> bytes:
         """Take bytes at the time `now`, in seconds of any origin, and return the bytes sent at once."""
 
@@ -97,14 +102,22 @@ class BareGateway(Gateway, Protocol):
     def attach(self, device: Device, addresses: Iterable[int]) -> None:
         """Put a device behind addresses, which have none; the first is its offset 0."""
 
+    def attach_elsewhere(self, device: Device) -> None:
+        """Put a device behind every address that has none, in place of memory; its offsets are the addresses."""
+
     def detach(self, addresses: Iterable[int]) -> None:
-        """Make addresses plain memory again."""
+        """Take the devices of addresses away again."""
 
     def overflow(self) -> None:
         """Lose bytes before the next one received: the frame that they belong to is answered by error 09."""
 
-    def trigger(self, now: float) -> None:
-        """Apply a rising edge to all external triggers; the publishes come out of the next call."""
+    def trigger(self, now: float, group: int | None = None) -> None:
+        """Apply a rising edge to the external trigger of a group; the publish comes out of the next call.
+
+        Args:
+            now: the time in seconds.
+            group: number of the group; None for the triggers of all.
+        """
 
 
 class VirtualGateway(BareGateway):
@@ -170,8 +183,16 @@ class VirtualGateway(BareGateway):
         """
         self.bus.attach(device, addresses)
 
+    def attach_elsewhere(self, device: Device) -> None:
+        """Put a device behind every address that has none, in place of memory; its offsets are the addresses.
+
+        Raises:
+            ArgumentError: for an object that is no device.
+        """
+        self.bus.attach_elsewhere(device)
+
     def detach(self, addresses: Iterable[int]) -> None:
-        """Make addresses plain memory again."""
+        """Take the devices of addresses away again."""
         self.bus.detach(addresses)
 
     # Time
@@ -205,10 +226,10 @@ class VirtualGateway(BareGateway):
         self.groups.clock.start(now)
         return self.groups.advance(now, math.inf if room is None else room)
 
-    def trigger(self, now: float) -> None:
-        """Apply a rising edge to the external trigger; the publishes come out of the next call."""
+    def trigger(self, now: float, group: int | None = None) -> None:
+        """Apply a rising edge to the external trigger of a group, or of all; the publish comes out of the next call."""
         self.groups.clock.start(now)
-        self.groups.trigger(now)
+        self.groups.trigger(now, group)
         self.wake()
 
     # Frames

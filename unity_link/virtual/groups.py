@@ -113,7 +113,8 @@ class PublishGroups:
         self._groups: dict[int, PublishGroup] = {}
         self._schedule: list[tuple[int, int]] = []
         """Heap of next tick and number of every periodic group that runs."""
-        self._triggers: deque[float] = deque()
+        self._triggers: deque[tuple[float, int | None]] = deque()
+        """When, and of which group; None of all."""
         self._advanced_to = 0.0
 
     def reset(self) -> None:
@@ -162,16 +163,16 @@ class PublishGroups:
         ]
         heapify(self._schedule)
 
-    def trigger(self, now: float) -> None:
-        """Record a rising edge of the external trigger."""
-        self._triggers.append(now)
+    def trigger(self, now: float, number: int | None = None) -> None:
+        """Record a rising edge of the external trigger of a group, or of all groups."""
+        self._triggers.append((now, number))
 
     @property
     def next_due(self) -> float | None:
         """When `advance` has something to do next; while samples wait, also every `_PAUSE`."""
         due = self.clock.time_of(self._schedule[0][0]) if self._schedule else math.inf
         if self._triggers:
-            due = min(due, self._triggers[0])
+            due = min(due, self._triggers[0][0])
         if self.ring.waiting:
             due = min(due, self._advanced_to + _PAUSE)
         return None if due == math.inf else due
@@ -193,10 +194,10 @@ class PublishGroups:
         """
         self._advanced_to = now
         self.ring.open(room)
-        while self._triggers and self._triggers[0] <= now:
-            edge = self._triggers.popleft()
+        while self._triggers and self._triggers[0][0] <= now:
+            edge, number = self._triggers.popleft()
             self._advance_periodic(edge)
-            self._advance_triggered(edge)
+            self._advance_triggered(edge, number)
         self._advance_periodic(now)
         return self.ring.take()
 
@@ -215,10 +216,10 @@ class PublishGroups:
             if not missed:
                 self._publish(group, instant, stamp_of(tick))
 
-    def _advance_triggered(self, edge: float) -> None:
+    def _advance_triggered(self, edge: float, triggered: int | None) -> None:
         stamp = self.clock.stamp_at(edge)
-        for _, group in sorted(self._groups.items()):
-            if not (group.running and group.flags & GroupFlag.TRIGGER):
+        for number, group in sorted(self._groups.items()):
+            if not (group.running and group.flags & GroupFlag.TRIGGER and triggered in (None, number)):
                 continue
             if self.ring.takes(group.words):
                 self._publish(group, edge, stamp)

@@ -67,6 +67,11 @@ class SlowLine(Gateway):
         return len(self._fifo)
 
     @property
+    def leaves_time_out(self) -> bool:
+        """Whether the gateway leaves out what it is too late for."""
+        return self._gateway.leaves_time_out
+
+    @property
     def next_due(self) -> float | None:
         """When a sample is due, a request can be looked at, or a frame arrives."""
         arrival = self._under_way[0][0] if self._under_way else None

@@ -86,7 +86,8 @@ class Pump:
         reached, began = now, self._loop.time()
         while not self._closed and (due := gateway.next_due) is not None and due <= now:
             if self.blocked or now - due > MOST_LAG:
-                frames = gateway.advance(now, room=0)
+                has_room = gateway.leaves_time_out and not self.blocked
+                frames = gateway.advance(now, None if has_room else 0)
                 due = now
             elif published >= MOST_BYTES or steps >= MOST_STEPS or self._loop.time() - began >= MOST_TURN:
                 return reached

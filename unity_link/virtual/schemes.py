@@ -1,7 +1,8 @@
 """``sim:`` and ``rtl:``: a virtual gateway in this process, for tests and demonstrations without hardware.
 
 ``sim:`` is a model of the gateware, ``rtl:`` the gateware itself, compiled; ``sim:scara`` and ``rtl:scara`` have the
-robot behind their bus.
+robot behind their bus, ``sim:robot.ul`` and ``rtl:robot.ul`` that of a spec, with a model of it by
+``?model=my.py:Rover``, faults (``fault=``) and triggers (``trigger=state:10``).
 
 Options choose its configuration, by the names of `GatewayInfo` (``sim:?data_bits=16&id_digits=3``), and what the line
 does to the bytes of both directions: ``loss``, ``flip``, ``double`` (probabilities for each byte, a ``seed`` chooses
@@ -13,14 +14,14 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from unity_link.errors import ArgumentError
-from unity_link.virtual.build import CHANCES, CONFIGURATION, build_gateway, compile_gateway
+from unity_link.virtual.build import CHANCES, CONFIGURATION, ROBOT_OPTIONS, Wanted, build_gateway, compile_gateway
 
 if TYPE_CHECKING:
     import asyncio
 
     from unity_link.transport import DriverUrl
 
-OPTIONS = frozenset({*CONFIGURATION, *CHANCES, "seed", "bytes_per_second"})
+OPTIONS = frozenset({*CONFIGURATION, *CHANCES, *ROBOT_OPTIONS, "seed", "bytes_per_second"})
 RTL = "rtl"
 
 
@@ -32,7 +33,7 @@ async def prepare(url: DriverUrl) -> None:
         ConnectError: where it can't be compiled here.
     """
     if url.scheme == RTL:
-        await compile_gateway(_configuration(url), url.node)
+        await compile_gateway(_wanted(url))
 
 
 async def connect(url: DriverUrl, protocol: asyncio.Protocol) -> asyncio.Transport:
@@ -40,14 +41,10 @@ async def connect(url: DriverUrl, protocol: asyncio.Protocol) -> asyncio.Transpo
 
     Raises:
         ArgumentError: for a robot or an option that does not exist, or a value that no gateway can have.
+        SpecError: with everything that is wrong with a spec.
     """
-    if url.host:
-        raise ArgumentError(f"{url.text} has a host: {url.scheme}: or {url.scheme}:NAME was expected")
     gateway = build_gateway(
-        url.path,
-        _configuration(url),
-        rtl=url.scheme == RTL,
-        node=url.node,
+        _wanted(url),
         chances={name: url.number(name) for name in CHANCES if name in url.options},
         seed=url.integer("seed", 0),
         bytes_per_second=url.number("bytes_per_second") if "bytes_per_second" in url.options else None,
@@ -55,5 +52,9 @@ async def connect(url: DriverUrl, protocol: asyncio.Protocol) -> asyncio.Transpo
     return await gateway.open(protocol)
 
 
-def _configuration(url: DriverUrl) -> dict[str, int]:
-    return {name: url.integer(name, 0) for name in CONFIGURATION if name in url.options}
+def _wanted(url: DriverUrl) -> Wanted:
+    if url.host:
+        raise ArgumentError(
+            f"{url.text} has a host: {url.scheme}:, {url.scheme}:NAME or {url.scheme}:robot.ul was expected"
+        )
+    return Wanted.of_url(url, url.path, rtl=url.scheme == RTL)

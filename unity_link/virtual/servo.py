@@ -46,6 +46,9 @@ def plan(distance: float, speed: float, most_speed: float, acceleration: float) 
     sign = math.copysign(1.0, overshoot)
     towards, ahead = sign * speed, sign * distance
     peak = min(math.sqrt(acceleration * ahead + towards**2 / 2), most_speed)
+    if peak == 0:
+        # It ends so close to the target that the difference of its squares is lost.
+        return [braking]
     to_peak = math.copysign(acceleration, peak - towards)
     cruise = ahead - (peak**2 - towards**2) / (2 * to_peak) - peak**2 / (2 * acceleration)
     return [

@@ -140,6 +140,7 @@ class Echo:
         self.info = GatewayInfo()
         self.wake: Callable[[], None] = lambda: None
         self.next_due: float | None = None
+        self.leaves_time_out = False
         self.waiting = 0
 
     @property

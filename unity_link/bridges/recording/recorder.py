@@ -89,7 +89,7 @@ class Recorder:
         return self._away + (0.0 if self._away_since is None else self._clock.now() - self._away_since)
 
     async def run(self) -> None:
-        """Record until it is cancelled; the file is finished whatever ends it.
+        """Record until it is cancelled; the file is finished whatever ends it, and removed where it has no samples.
 
         Raises:
             RecordingError: where the disk takes no more.
@@ -103,6 +103,8 @@ class Recorder:
             # The thread does one thing after another: all that it was given comes first.
             await asyncio.shield(loop.run_in_executor(writer, self._file.close))
             writer.shutdown()
+            if not self.samples:
+                self._file.path.unlink(missing_ok=True)
 
     def _write(self, group: int, batch: Batch) -> None:
         self._file.write(group, batch, self._time.instants(group, batch))

@@ -45,7 +45,7 @@ class Settings:
     The gateway publishes checked frames in any case; a plain one would reach the server without protection.
     """
 
-    __slots__ = ("fields", "frame", "seconds_each", "size")
+    __slots__ = ("fields", "frame", "has_trigger", "seconds_each", "size")
 
     def __init__(self, codec: Codec, flags: int, divisor: int, addresses: list[int]) -> None:
         layout = codec.fields("GS", 0, flags & ~GroupFlag.PLAIN, divisor, len(addresses), addresses)
@@ -54,6 +54,7 @@ class Settings:
         self.frame: Callable[[bytes], bytes] = (
             codec.framing.plain_reply if flags & GroupFlag.PLAIN else codec.framing.checked
         )
+        self.has_trigger = bool(flags & GroupFlag.TRIGGER)
         stamp = TIMESTAMP_DIGITS if flags & GroupFlag.TIMESTAMP else 0
         self.size = _HEAD + stamp + codec.info.data_digits * len(addresses)
         """Characters of the body of a sample."""
@@ -70,6 +71,7 @@ class ClientGroup:
     """
 
     def __init__(self, number: int, taker: Taker, settings: Settings) -> None:
+        self.number = number
         self.settings = settings
         """What the client has asked for last."""
         self.slot: Slot | None = None
@@ -111,9 +113,10 @@ class Slot:
     session has to set up again is known at any time.
     """
 
-    __slots__ = ("busy", "group", "lost_at", "running", "settings", "stopping", "text")
+    __slots__ = ("busy", "group", "lost_at", "number", "running", "settings", "stopping", "text")
 
     def __init__(self, number: int) -> None:
+        self.number = number
         self.text = b"%02X" % number
         self.group: ClientGroup | None = None
         """The group that holds it; None also where its client has left and it may still publish."""
@@ -152,13 +155,18 @@ class Slots:
         """Slots that are not free."""
 
     def take(self, group: ClientGroup) -> Slot | None:
-        """Return a slot to a group, if there is one left that does not publish for another."""
-        if not self._free:
-            idle = next((slot for slot in self.held if slot.idle()), None)
-            if idle is None:
+        """Return a slot to a group, if there is one left that does not publish for another.
+
+        A trigger is that of one group of the gateway, so a group that has one gets the slot of its own number.
+        """
+        wanted = group.number if group.settings.has_trigger else None
+        slot = next((slot for slot in self._free if wanted in (None, slot.number)), None)
+        if slot is None:
+            slot = next((slot for slot in self.held if slot.idle() and wanted in (None, slot.number)), None)
+            if slot is None:
                 return None
-            self.let_go(idle)
-        slot = self._free.popleft()
+            self.let_go(slot)
+        self._free.remove(slot)
         slot.group, group.slot = group, slot
         self.held.append(slot)
         return slot

@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Protocol, runtime_checkable
 
 from unity_link.virtual.ft232h.chip import Mode
 from unity_link.virtual.gateway import VirtualGateway
+from unity_link.virtual.simulating import SimulatedGateway
 
 if TYPE_CHECKING:
     from unity_link.virtual.ft232h.chip import Chip
@@ -208,7 +209,7 @@ class GatewayBoard:
         surplus = -self._room
         if surplus > 0:
             del self._received[-surplus:]
-            if isinstance(self.gateway, VirtualGateway):
+            if isinstance(self.gateway, (VirtualGateway, SimulatedGateway)):
                 self.gateway.overflow()
 
     def _end_write(self, chip: Chip) -> None:

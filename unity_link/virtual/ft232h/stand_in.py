@@ -1,6 +1,7 @@
 """``ftdi://virtual`` and ``ftdi-async://virtual``: a virtual FT232H with a virtual gateway behind it.
 
-The path names the robot, as in ``ftdi://virtual/scara``; the options are those of ``sim:``.
+The path names the robot, as in ``ftdi://virtual/scara`` or ``ftdi://virtual/robot.ul`` (with one more slash for a path
+from the root on); the options are those of ``sim:``.
 """
 
 from __future__ import annotations
@@ -9,13 +10,13 @@ from typing import TYPE_CHECKING, Any
 
 from unity_link.protocol.configuration import Feature, GatewayInfo
 from unity_link.transport.ft232h.eeprom_image import build_eeprom
-from unity_link.virtual.build import CHANCES, CONFIGURATION, build_gateway
+from unity_link.virtual.build import CHANCES, CONFIGURATION, ROBOT_OPTIONS, Wanted, build_gateway
 
 if TYPE_CHECKING:
     from unity_link.transport import DriverUrl
     from unity_link.transport.ft232h.chip import ChipMode
 
-OPTIONS = frozenset({*CONFIGURATION, *CHANCES, "seed"})
+OPTIONS = frozenset({*CONFIGURATION, *CHANCES, *ROBOT_OPTIONS, "seed"})
 
 
 def open_ftdi(url: DriverUrl, mode: ChipMode) -> Any:
@@ -31,13 +32,11 @@ def open_ftdi(url: DriverUrl, mode: ChipMode) -> Any:
     from unity_link.virtual.ft232h.chip import Mode
     from unity_link.virtual.ft232h.pyusb_backend import find
 
-    configuration = {name: url.integer(name, 0) for name in CONFIGURATION if name in url.options}
+    wanted = Wanted.of_url(url, url.path.removeprefix("/").rstrip("/"))
     if mode == "uart":
-        configuration.setdefault("features", GatewayInfo().features & ~Feature.FLOW_CONTROL)
+        wanted.configuration.setdefault("features", GatewayInfo().features & ~Feature.FLOW_CONTROL)
     gateway = build_gateway(
-        url.path.strip("/"),
-        configuration,
-        node=url.node,
+        wanted,
         chances={name: url.number(name) for name in CHANCES if name in url.options},
         seed=url.integer("seed", 0),
     )

@@ -25,7 +25,7 @@ import msgspec
 from unity_link.errors import ConnectError
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Iterator, Mapping
 
     from unity_link.virtual.rtl.configurations import Configuration
 
@@ -47,7 +47,7 @@ def compiled(configuration: Configuration) -> Path:
     """
     plan = _Plan.of(configuration)
     if not plan.library.exists():
-        with plan.compiling() as command, _running(command) as process:
+        with plan.compiling() as command, running(command) as process:
             plan.check(process.communicate()[1], process.returncode)
     return plan.library
 
@@ -61,7 +61,7 @@ async def compile_beside(configuration: Configuration) -> None:
     plan = _Plan.of(configuration)
     if plan.library.exists():
         return
-    with plan.compiling() as command, _running(command) as process:
+    with plan.compiling() as command, running(command) as process:
         # A thread waits, for processes of asyncio need a loop that watches children.
         errors = (await asyncio.to_thread(process.communicate))[1]
         plan.check(errors, process.returncode)
@@ -76,13 +76,13 @@ class _Plan(msgspec.Struct, frozen=True):
 
     @classmethod
     def of(cls, configuration: Configuration) -> _Plan:
-        compiler = _compiler()
-        version = subprocess.run([*compiler, "--version"], check=False, capture_output=True).stdout  # noqa: S603
+        chosen = compiler()
+        version = subprocess.run([*chosen, "--version"], check=False, capture_output=True).stdout  # noqa: S603
         named = (version, *(option.encode() for option in _OPTIONS), configuration.digest.encode())
         digest = hashlib.sha256(b"\0".join(named))
         for part in (_SHIM, *sorted(_RUNTIME.rglob("*.h"))):
             digest.update(part.read_bytes())
-        return cls(compiler, configuration, _cache_folder() / f"{configuration.name}-{digest.hexdigest()[:16]}.so")
+        return cls(chosen, configuration, cache_folder() / f"{configuration.name}-{digest.hexdigest()[:16]}.so")
 
     @contextlib.contextmanager
     def compiling(self) -> Iterator[list[str]]:
@@ -112,10 +112,15 @@ class _Plan(msgspec.Struct, frozen=True):
 
 
 @contextlib.contextmanager
-def _running(command: list[str]) -> Iterator[subprocess.Popen[bytes]]:
+def running(command: list[str], environment: Mapping[str, str] | None = None) -> Iterator[subprocess.Popen[bytes]]:
     """Run a command that does not outlive the block, nor do the processes that it starts."""
     process = subprocess.Popen(  # noqa: S603
-        command, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, process_group=0
+        command,
+        stdin=subprocess.DEVNULL,
+        stdout=subprocess.DEVNULL,
+        stderr=subprocess.PIPE,
+        process_group=0,
+        env=environment,
     )
     try:
         yield process
@@ -126,7 +131,12 @@ def _running(command: list[str]) -> Iterator[subprocess.Popen[bytes]]:
             process.wait()
 
 
-def _compiler() -> list[str]:
+def compiler() -> list[str]:
+    """Return the command of the C++ compiler.
+
+    Raises:
+        ConnectError: where none is installed.
+    """
     chosen = shlex.split(os.environ.get("CXX", ""))
     for candidate in [chosen] if chosen else [[name] for name in _COMPILERS]:
         if shutil.which(candidate[0]):
@@ -136,6 +146,7 @@ def _compiler() -> list[str]:
     raise ConnectError("the gateware is compiled at its first use, and no C++ compiler is there: apt install g++")
 
 
-def _cache_folder() -> Path:
+def cache_folder() -> Path:
+    """Return the folder in which libraries, and what they are compiled from, are kept."""
     base = os.environ.get("XDG_CACHE_HOME")
     return (Path(base) if base else Path.home() / ".cache") / "unity-link" / "rtl"

@@ -7,6 +7,7 @@ one.
 from __future__ import annotations
 
 import functools
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 import msgspec
@@ -30,6 +31,14 @@ class Configuration(msgspec.Struct, frozen=True):
     """Names its C++."""
     node: int | None
     """Its number on a medium that several share."""
+    generics: str = ""
+    """Of one that an installation does not have, as JSON: it is made of these."""
+    path: str = ""
+    """Where its C++ is then."""
+
+    def made(self, path: Path) -> Configuration:
+        """Return the configuration with its C++, which is in a file."""
+        return msgspec.structs.replace(self, path=str(path), digest=path.stem.rpartition("-")[2])
 
     def text(self) -> bytes:
         """Return its C++.
@@ -37,6 +46,8 @@ class Configuration(msgspec.Struct, frozen=True):
         Raises:
             ArgumentError: where this installation does not have it.
         """
+        if self.path:
+            return Path(self.path).read_bytes()
         return archive.text_of(self.name, self.digest)
 
     def has(self, fields: Mapping[str, int], node: int | None) -> bool:

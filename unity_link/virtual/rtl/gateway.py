@@ -18,9 +18,9 @@ from typing import TYPE_CHECKING, NamedTuple
 from unity_link.errors import ArgumentError, ConnectError
 from unity_link.protocol.configuration import GatewayInfo
 from unity_link.protocol.messages import ErrorCode
-from unity_link.virtual.bus import AccessError, Device, Devices
+from unity_link.virtual.bus import AccessError, Device, Devices, DevicesEverywhere
 from unity_link.virtual.gateway import BareGateway
-from unity_link.virtual.rtl.configurations import find
+from unity_link.virtual.rtl.configurations import Configuration, find
 from unity_link.virtual.rtl.library import DeviceFunction, load
 
 if TYPE_CHECKING:
@@ -88,21 +88,23 @@ class RtlGateway(BareGateway):
     """The gateware with plain memory at every address.
 
     Args:
-        configuration: which build of it, one of `configurations()`.
+        configuration: which build of it; or its name, one of `configurations()`.
 
     Raises:
         ArgumentError: for a configuration that there is not.
         ConnectError: where no C++ compiler is installed.
     """
 
-    def __init__(self, configuration: str = "default") -> None:
-        build = find(configuration)
-        self._library = load(configuration)
+    def __init__(self, configuration: str | Configuration = "default") -> None:
+        build = find(configuration) if isinstance(configuration, str) else configuration
+        self._library = load(build)
         self._handle = int(self._library.ul_create())
         self._free = weakref.finalize(self, self._library.ul_destroy, self._handle)
         self.wake: Callable[[], None] = _do_nothing
         self._origin: float | None = None
         self._fault: BaseException | None = None
+        self._sampled_at = 0.0
+        """When the first word of the last sample was read."""
         # The library keeps the address alone: the function must live as long as the gateway.
         self._device_function = DeviceFunction(_device_of(weakref.ref(self)))
         self._library.ul_set_device(self._handle, self._device_function, None)
@@ -133,8 +135,17 @@ class RtlGateway(BareGateway):
         for address in self._devices.attach(device, addresses):
             self._library.ul_set_behind(self._handle, address, _BEHIND_DEVICE)
 
+    def attach_elsewhere(self, device: Device) -> None:
+        """Put a device behind every address that has none, in place of memory; its offsets are the addresses.
+
+        Raises:
+            ArgumentError: for an object that is no device.
+        """
+        self._devices = DevicesEverywhere(self._devices, device, self.info.address_bits)
+        self._library.ul_set_only_device(self._handle)
+
     def detach(self, addresses: Iterable[int]) -> None:
-        """Make addresses plain memory again."""
+        """Take the devices of addresses away again."""
         for address in addresses:
             self._devices.pop(address, None)
             self._library.ul_set_behind(self._handle, address, _BEHIND_MEMORY)
@@ -155,6 +166,11 @@ class RtlGateway(BareGateway):
     def waiting(self) -> int:
         """Bytes that wait for room in the receive FIFO."""
         return int(self._library.ul_waiting(self._handle))
+
+    @property
+    def leaves_time_out(self) -> bool:
+        """Whether it leaves out what it is too late for: its own clock falls behind then, and no sample is lost."""
+        return True
 
     @property
     def next_due(self) -> float | None:
@@ -188,9 +204,10 @@ class RtlGateway(BareGateway):
         """Lose bytes before the next one received: the frame that they belong to is answered by error 09."""
         self._library.ul_lose(self._handle)
 
-    def trigger(self, now: float) -> None:
-        """Apply a rising edge to all external triggers; the publishes come out of the next call."""
+    def trigger(self, now: float, group: int | None = None) -> None:
+        """Apply a rising edge to the external trigger of a group, or of all; the publish comes out of the next call."""
         self._pass_time(now)
+        self._library.ul_choose_trigger(self._handle, -1 if group is None else group)
         for level in (1, 0):
             self._library.ul_set_trigger(self._handle, level)
             self._run(_TRIGGER_CYCLES)
@@ -287,11 +304,21 @@ class RtlGateway(BareGateway):
 
     def _access(self, address: int, word: int | None) -> int:
         """Let a device answer one access; return the word read."""
-        now = self._time() if self._origin is not None else 0.0
+        now = self._instant()
         if word is None:
             return self._devices.read(address, now) & (1 << self.info.data_bits) - 1
         self._devices.write(address, word, now)
         return 0
+
+    def _instant(self) -> float:
+        """Return the time of an access; all words of a sample are of the instant of its first."""
+        now = self._time() if self._origin is not None else 0.0
+        word_of_sample = int(self._library.ul_sample_word(self._handle))
+        if word_of_sample < 0:
+            return now
+        if word_of_sample & 0xFF == 0:
+            self._sampled_at = now
+        return self._sampled_at
 
     def _raise_fault(self) -> None:
         """Raise what a device raised while cycles passed: no exception gets through the C++ in between."""

@@ -8,7 +8,7 @@ from ctypes import POINTER, c_double, c_int, c_size_t, c_uint8, c_uint32, c_uint
 
 from unity_link.errors import ConnectError
 from unity_link.virtual.rtl.compiling import compiled
-from unity_link.virtual.rtl.configurations import find
+from unity_link.virtual.rtl.configurations import Configuration  # noqa: TC001  (the cache is of calls with it)
 
 DeviceFunction = ctypes.CFUNCTYPE(c_int, c_void_p, c_uint64, c_int, POINTER(c_uint64))
 """`Device` of shim.cc: context, address, whether it is a write, the word; gives an Answer."""
@@ -44,6 +44,7 @@ _PROTOTYPES: dict[str, tuple[type | None, tuple[type, ...]]] = {
     "ul_available": (c_size_t, (c_void_p,)),
     "ul_pull": (c_size_t, (c_void_p, ctypes.c_char_p, c_size_t)),
     "ul_set_trigger": (None, (c_void_p, c_int)),
+    "ul_choose_trigger": (None, (c_void_p, c_int)),
     "ul_read_memory": (c_uint64, (c_void_p, c_uint64)),
     "ul_write_memory": (None, (c_void_p, c_uint64, c_uint64)),
     "ul_used_memory": (c_size_t, (c_void_p, POINTER(c_uint64), c_size_t)),
@@ -61,14 +62,14 @@ _PROTOTYPES: dict[str, tuple[type | None, tuple[type, ...]]] = {
 
 
 @functools.cache
-def load(name: str) -> ctypes.CDLL:
+def load(configuration: Configuration) -> ctypes.CDLL:
     """Return the library of one configuration, compiled if need be.
 
     Raises:
-        ArgumentError: for a configuration that there is not.
+        ArgumentError: where this installation does not have its C++.
         ConnectError: where no C++ compiler is installed, or it fails, or what it made cannot be kept or loaded.
     """
-    path = compiled(find(name))
+    path = compiled(configuration)
     try:
         library = ctypes.CDLL(str(path))
     except OSError as error:

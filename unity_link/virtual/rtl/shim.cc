@@ -89,6 +89,12 @@ void fill(cxxrtl::value<Bits> &signal, bool level) {
 }
 
 template<size_t Bits>
+void set_bit(cxxrtl::value<Bits> &signal, size_t bit) {
+	if (bit < Bits)
+		signal.data[bit / 32] |= cxxrtl::chunk_t{1} << bit % 32;
+}
+
+template<size_t Bits>
 const cxxrtl::chunk_t *chunks(const cxxrtl::value<Bits> &signal) { return signal.data; }
 
 template<size_t Bits>
@@ -362,6 +368,8 @@ public:
 	size_t room = std::numeric_limits<size_t>::max();
 	bool lost_before_next = false;
 	bool trigger = false;
+	// Whose trigger that is; negative: those of all groups.
+	int triggered_group = -1;
 	// Whether a byte to send found no room in the last cycle.
 	bool stalled = false;
 	// Whether every address is the device's.
@@ -406,7 +414,9 @@ private:
 		set(top_.p_wb__rty, rty_);
 		set(top_.p_wb__stall, stalls >> cycles % 64 & 1);
 		set(top_.p_wb__dat__i, read_data_);
-		fill(top_.p_trigger, trigger);
+		fill(top_.p_trigger, trigger && triggered_group < 0);
+		if (trigger && triggered_group >= 0)
+			set_bit(top_.p_trigger, triggered_group);
 		set(top_.prev_p_clk, 0);
 		set(top_.p_clk, 1);
 		top_.eval();
@@ -563,8 +573,9 @@ size_t ul_pull(Gateway *gateway, uint8_t *data, size_t size) {
 	return count;
 }
 
-// The level of all external triggers.
+// The level of the external trigger of a group, or of those of all; all others are low.
 void ul_set_trigger(Gateway *gateway, int level) { gateway->trigger = level != 0; }
+void ul_choose_trigger(Gateway *gateway, int group) { gateway->triggered_group = group; }
 
 uint64_t ul_read_memory(const Gateway *gateway, uint64_t address) { return gateway->memory.read(address); }
 void ul_write_memory(Gateway *gateway, uint64_t address, uint64_t value) { gateway->memory.write(address, value); }

@@ -1,0 +1,72 @@
+"""What is refused before any tool is started is what the gateware refuses at its elaboration, and nothing else is."""
+
+from __future__ import annotations
+
+import subprocess
+from typing import TYPE_CHECKING
+
+import pytest
+
+from unity_link.errors import ArgumentError
+from unity_link.gateware.cache import LIBRARY, vhdl_sources
+from unity_link.gateware.ghdl import Ghdl, converting_ghdl
+from unity_link.gateware.limits import check_generics
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+    from pathlib import Path
+
+TOP = "unity_link_fifo"
+AT_THE_LIMIT = [
+    {},
+    {"group_words": 255, "sample_depth": 512},
+    {"group_words": 62, "sample_depth": 64},
+    {"groups": 256, "clock_hz": 26_400_000},
+    {"groups": 0, "group_words": 0, "sample_depth": 2},
+    {"data_bits": 8, "address_bits": 32, "id_digits": 2, "crc_bits": 8, "block_words": 1},
+]
+BEYOND = [
+    ({"group_words": 256}, "group_words is 256: 1 to 255 was expected"),
+    ({"group_words": 0}, "group_words is 0: 1 to 255 was expected"),
+    ({"group_words": 63, "sample_depth": 64}, "of a group of 63 words takes 65: at least 128 was expected"),
+    ({"group_words": 255}, "sample_depth is 256, and one sample of a group of 255 words takes 257"),
+    ({"groups": 256, "clock_hz": 26_300_000}, "256 groups take 264: at most 99621 Hz, or a clock of at least 26400000"),
+    ({"groups": 257}, "groups is 257: 0 to 256 was expected"),
+    ({"data_bits": 7}, "data_bits is 7: 8 to 64 was expected"),
+    ({"address_bits": 33}, "address_bits is 33: 8 to 32 was expected"),
+    ({"id_digits": 4}, "id_digits is 4: 2 to 3 was expected"),
+    ({"crc_bits": 12}, "crc_bits is 12: 8, 16 or 32 was expected"),
+    ({"block_words": 256}, "block_words is 256: 1 to 255 was expected"),
+    ({"node": 255}, "node is 255: -1 to 254 was expected"),
+]
+
+
+@pytest.fixture(scope="module")
+def elaborate(tmp_path_factory: pytest.TempPathFactory) -> Callable[[dict[str, int]], None]:
+    """Return what elaborates the gateway with generics, and raises where GHDL refuses."""
+    work, ghdl = tmp_path_factory.mktemp("work"), converting_ghdl()
+    options = ["--std=08", f"--work={LIBRARY}", f"--workdir={work}"]
+    ghdl.run("import", *options, *map(str, vhdl_sources()), cwd=work)
+    ghdl.run("make", *options, TOP, cwd=work)
+    return lambda generics: _run(ghdl, work, options, generics)
+
+
+def _run(ghdl: Ghdl, work: Path, options: list[str], generics: dict[str, int]) -> None:
+    given = [f"-g{name}={value}" for name, value in generics.items()]
+    ghdl.run("elab-run", *options, TOP, *given, "--stop-time=0ns", cwd=work)
+
+
+@pytest.mark.parametrize("generics", AT_THE_LIMIT, ids=str)
+def test_what_is_allowed_is_elaborated(generics: dict[str, int], elaborate: Callable[[dict[str, int]], None]) -> None:
+    check_generics(generics)
+    elaborate(generics)
+
+
+@pytest.mark.parametrize(("generics", "words"), BEYOND, ids=str)
+def test_what_is_refused_is_not_elaborated(
+    generics: dict[str, int], words: str, elaborate: Callable[[dict[str, int]], None]
+) -> None:
+    with pytest.raises(ArgumentError, match=words):
+        check_generics(generics)
+    with pytest.raises(subprocess.CalledProcessError):
+        elaborate(generics)

@@ -1,0 +1,53 @@
+"""The walking robot walks behind the gateware as behind the model of it, on simulated time."""
+
+from __future__ import annotations
+
+import importlib.util
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+import pytest
+
+from simulated_time import run_simulated
+
+if TYPE_CHECKING:
+    from types import ModuleType
+
+PATH = Path(__file__).parents[2] / "examples" / "walker.py"
+CLOSE = 0.05
+"""Rad."""
+
+
+@pytest.fixture
+def example(monkeypatch: pytest.MonkeyPatch) -> ModuleType:
+    spec = importlib.util.spec_from_file_location("walker_example", PATH)
+    assert spec is not None
+    assert spec.loader is not None
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    monkeypatch.setattr(module, "STEPS", 1)
+    return module
+
+
+def gait(example: ModuleType, url: str) -> tuple[Any, Any]:
+    """Walk; return the instants of the samples from the first one on, and the positions of all joints."""
+    batches = run_simulated(example.walk(url)).batches
+    positions = [signal for signal in batches[0].proxies if signal.path.endswith(".cpos")]
+    times = np.concatenate([batch.time for batch in batches])
+    lost = sum(int(batch.lost.sum()) for batch in batches)
+    assert lost == 0
+    return times - times[0], np.concatenate([np.stack([batch[one] for one in positions], 1) for batch in batches])
+
+
+@pytest.mark.rtl
+def test_the_gait_on_the_gateware_is_that_on_the_model_and_no_sample_is_lost(example: ModuleType) -> None:
+    times, angles = gait(example, "sim:walker")
+    rtl_times, rtl_angles = gait(example, "rtl:walker")
+    assert angles.shape[1] == rtl_angles.shape[1] == 18
+    # A thousand times a second for 0.8 s, but for the beginning.
+    assert min(len(times), len(rtl_times)) > 780
+    assert np.diff(rtl_times) == pytest.approx(0.001)
+    expected = np.stack([np.interp(rtl_times, times, column) for column in angles.T], 1)
+    assert np.abs(expected - rtl_angles).max() < CLOSE
+    assert np.ptp(rtl_angles, 0).max() > 0.5

@@ -1,0 +1,63 @@
+"""The configuration of a gateway by the names of the gateware's generics, and what it then says of itself."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from unity_link.protocol.configuration import Feature, GatewayInfo
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+    from unity_link.spec import Interface
+
+FEATURES = {
+    "triggers": Feature.EXTERNAL_TRIGGERS,
+    "timestamps": Feature.TIMESTAMPS,
+    "send_immediate": Feature.SEND_IMMEDIATE,
+    "masked_write": Feature.MASKED_WRITE,
+    "queue_commands": Feature.QUEUE_COMMANDS,
+}
+"""What can be left out, and is in by default."""
+# As in gateware/rtl/unity_link_fifo.vhd.
+_DEFAULTS: dict[str, Any] = {
+    **dict.fromkeys([*FEATURES, "flow_control"], True),
+    "fingerprint": False,
+    "groups": 16,
+    "group_words": 32,
+    "rx_fifo_depth": 256,
+    "tx_fifo_depth": 256,
+    "node": -1,
+}
+
+
+def generics_of(interface: Interface) -> dict[str, int]:
+    """Return the generics that follow from an interface, as in the gateway that is generated from it."""
+    from unity_link.generate.vhdl import gateway_generics
+
+    given = {name: value for name, value in gateway_generics(interface).items() if isinstance(value, int)}
+    return {**given, "build_id": interface.fingerprint, "fingerprint": True}
+
+
+def info_of(given: Mapping[str, int]) -> GatewayInfo:
+    """Return what the gateware says of itself; what is not given is as the gateware has it by itself."""
+    generics = {**_DEFAULTS, **given}
+    features = Feature(0)
+    for generic, feature in FEATURES.items():
+        features |= feature if generics[generic] else Feature(0)
+    if generics["groups"]:
+        features |= Feature.GROUPS
+    else:
+        features &= ~(Feature.EXTERNAL_TRIGGERS | Feature.TIMESTAMPS)
+    features |= Feature.FLOW_CONTROL if generics["flow_control"] else Feature(0)
+    features |= Feature.ADDRESSED if generics["node"] >= 0 else Feature(0)
+    features |= Feature.FINGERPRINT if generics["fingerprint"] else Feature(0)
+    fields = {field: generics[field] for field in GatewayInfo.__struct_fields__ if field in generics}
+    return GatewayInfo(
+        **{
+            **fields,
+            "features": features,
+            "receive_fifo_bytes": generics["rx_fifo_depth"],
+            "transmit_fifo_bytes": generics["tx_fifo_depth"],
+        }
+    )

@@ -1,0 +1,269 @@
+"""The registers of a spec, as a bus sees them: what stands at each address, what may be done with it, and its limits.
+
+They do what the register bank does that `unity-link generate vhdl` makes: reads of what is only written, writes of what
+is only read, and accesses to addresses without a signal are bus errors; a value of several words is read from the
+instant of its first one, and is written with its last. Beyond that, a write outside of MIN and MAX is a bus error too,
+which the log explains. Addresses of hardware modules are memory, those of FIFO ports are queues.
+"""
+
+from __future__ import annotations
+
+import logging
+from collections import deque
+from typing import TYPE_CHECKING, Literal, get_args
+
+from unity_link.errors import ArgumentError
+from unity_link.protocol.messages import ErrorCode
+from unity_link.virtual.bus import AccessError
+
+if TYPE_CHECKING:
+    from unity_link.spec import Interface, Module, Signal, Value
+
+SignalFault = Literal["error", "timeout", "frozen"]
+"""What can be wrong with a signal: accesses are bus errors, are never answered, or read what they read first."""
+SIGNAL_FAULTS: tuple[str, ...] = get_args(SignalFault)
+DEFAULT_DEPTH = 1024
+"""Words of a queue whose depth the spec does not tell."""
+_LOG = logging.getLogger("unity_link.virtual")
+
+
+class Queue:
+    """A FIFO port: words that wait for the program, and words of the program that wait for the model.
+
+    Args:
+        signal: the port.
+        loops_back: whether a program reads what it has written, as no model takes it.
+    """
+
+    def __init__(self, signal: Signal, *, loops_back: bool) -> None:
+        self._signal = signal
+        self.depth = signal.fifo_words or DEFAULT_DEPTH
+        self.to_program: deque[int] = deque()
+        self.from_program = self.to_program if loops_back else deque[int]()
+
+    def __len__(self) -> int:
+        """Return how many values of the program wait."""
+        return len(self.from_program)
+
+    def put(self, value: Value | str) -> bool:
+        """Append a value for the program; return whether there was room."""
+        word = _encoded(self._signal, value)
+        if len(self.to_program) >= self.depth:
+            return False
+        self.to_program.append(word)
+        return True
+
+    def take(self) -> Value | None:
+        """Take the oldest value that the program has written; None where there is none."""
+        return self._signal.kind.decode(self.from_program.popleft()) if self.from_program else None
+
+
+class Cell:
+    """A signal: its value, as a model sees it, and the bits that stand on the bus."""
+
+    __slots__ = ("_bounds", "_gathered", "_kept", "_next_part", "fault", "frozen", "queue", "raw", "signal", "value")
+
+    def __init__(self, signal: Signal, *, loops_back: bool) -> None:
+        self.signal = signal
+        self.raw = 0
+        self.value = signal.kind.decode(0)
+        self.queue = Queue(signal, loops_back=loops_back and signal.access.reads) if signal.fifo else None
+        self.fault: SignalFault | None = None
+        self.frozen = 0
+        self._gathered = [0] * signal.words
+        self._kept, self._next_part = 0, 0
+        # What a program may write goes to the nearest value that there is, and so do the limits.
+        kind, limits = signal.kind, (signal.minimum, signal.maximum)
+        self._bounds = [None if limit is None else kind.decode(kind.encode(limit)) for limit in limits]
+
+    def set(self, value: Value | str) -> None:
+        """Give it a value; what a float is between two values of the register is kept.
+
+        Raises:
+            ArgumentError: for a value that its kind cannot say.
+        """
+        self.raw = _encoded(self.signal, value)
+        kind = self.signal.kind
+        self.value = float(value) if kind.is_float else kind.decode(self.raw)
+
+    def read(self, part: int) -> int:
+        """Return what one of its words has of it, at its place in the word.
+
+        Raises:
+            AccessError: of a fault, and where its queue is empty.
+        """
+        self._check_fault()
+        if self.queue is not None:
+            if not self.queue.to_program:
+                raise AccessError(ErrorCode.BUS_ERROR)
+            return self.queue.to_program.popleft()
+        raw = self.frozen if self.fault == "frozen" else self.raw
+        if self.signal.words > 1:
+            # The other words follow the first in the same transaction.
+            self._kept = self._kept if part and part == self._next_part else raw
+            self._next_part = part + 1
+            raw = self._kept
+        return raw << self.signal.lowest_bit >> part * self.signal.word_bits & self.signal.mask_at(
+            self.signal.address + part
+        )
+
+    def check_write(self, part: int, word: int) -> None:
+        """Refuse a write that is not possible.
+
+        Raises:
+            AccessError: of a fault, for a value outside of the limits, and where its queue is full.
+        """
+        self._check_fault()
+        if self.queue is not None and len(self.queue.from_program) >= self.queue.depth:
+            raise AccessError(ErrorCode.BUS_ERROR)
+        if part == self.signal.words - 1:
+            value = self.signal.kind.decode(self._raw_with(part, word))
+            low, high = self._bounds
+            if not ((low is None or low <= value) and (high is None or value <= high)):
+                _LOG.warning("a write of %s to %s was refused: %s", value, self.signal.path, _limits(self.signal))
+                raise AccessError(ErrorCode.BUS_ERROR)
+
+    def write(self, part: int, word: int) -> bool:
+        """Take a word; return whether the signal has a new value."""
+        if self.queue is not None:
+            self.queue.from_program.append(word & self.signal.mask)
+            return True
+        if part < self.signal.words - 1:
+            self._gathered[part] = word
+            return False
+        self.raw = self._raw_with(part, word)
+        self.value = self.signal.kind.decode(self.raw)
+        return True
+
+    def _raw_with(self, part: int, word: int) -> int:
+        words = [*self._gathered[:part], word]
+        whole = sum(one << index * self.signal.word_bits for index, one in enumerate(words))
+        return (whole & self.signal.mask) >> self.signal.lowest_bit
+
+    def _check_fault(self) -> None:
+        if self.fault == "error":
+            raise AccessError(ErrorCode.BUS_ERROR)
+        if self.fault == "timeout":
+            raise AccessError(ErrorCode.BUS_TIMEOUT)
+
+
+class Registers:
+    """All registers of an interface.
+
+    Args:
+        interface: of a spec.
+        loops_back: whether what is written to a FIFO port can be read from it, as no model takes it.
+    """
+
+    def __init__(self, interface: Interface, *, loops_back: bool) -> None:
+        self.cells = {path: Cell(signal, loops_back=loops_back) for path, signal in interface.signals.items()}
+        self._modules = [module for module in interface.modules if _is_hardware(module)]
+        self._module_words: dict[int, int] = {}
+        self._module_queues: dict[int, deque[int]] = {
+            module.base: deque(maxlen=int(module.arguments.get("WORDS", DEFAULT_DEPTH)))  # type: ignore[arg-type]
+            for module in self._modules
+            if module.type == "FIFO"
+        }
+        self._read: dict[int, list[tuple[Cell, int]]] = {}
+        self._written: dict[int, list[tuple[Cell, int]]] = {}
+        for cell in self.cells.values():
+            signal = cell.signal
+            reads_back = signal.is_field and signal.access.writes and not signal.fifo
+            for part, address in enumerate(signal.addresses):
+                if signal.access.reads or reads_back:
+                    self._read.setdefault(address, []).append((cell, part))
+                if signal.access.writes:
+                    self._written.setdefault(address, []).append((cell, part))
+
+    def set_fault(self, path: str, fault: SignalFault | None) -> None:
+        """Have something be wrong with a signal, or nothing any more.
+
+        Raises:
+            ArgumentError: for a signal or a fault that there is not.
+        """
+        if path not in self.cells:
+            from unity_link.spec.diagnostics import did_you_mean
+
+            hint = did_you_mean(path, self.cells)
+            raise ArgumentError(f"there is no signal {path!r}" + (f": {hint}" if hint else ""))
+        if fault is not None and fault not in SIGNAL_FAULTS:
+            raise ArgumentError(f"{fault!r} is no fault of a signal: one of {', '.join(SIGNAL_FAULTS)} was expected")
+        cell = self.cells[path]
+        cell.fault, cell.frozen = fault, cell.raw
+
+    def read(self, address: int) -> int:
+        """Read the word at an address.
+
+        Raises:
+            AccessError: where it can't be read.
+        """
+        cells = self._read.get(address)
+        if cells is None:
+            return self._read_module(address)
+        word = 0
+        for cell, part in cells:
+            word |= cell.read(part)
+        return word
+
+    def write(self, address: int, word: int) -> list[Cell]:
+        """Write the word at an address; return the signals that have got a value.
+
+        Raises:
+            AccessError: where it can't be written; nothing has changed then.
+        """
+        cells = self._written.get(address)
+        if cells is None:
+            self._write_module(address, word)
+            return []
+        for cell, part in cells:
+            cell.check_write(part, word)
+        return [cell for cell, part in cells if cell.write(part, word)]
+
+    # Hardware modules, which are memory here
+
+    def _read_module(self, address: int) -> int:
+        self._check_in_module(address, self._written)
+        queue = self._module_queues.get(address)
+        if queue is None:
+            return self._module_words.get(address, 0)
+        if not queue:
+            raise AccessError(ErrorCode.BUS_ERROR)
+        return queue.popleft()
+
+    def _write_module(self, address: int, word: int) -> None:
+        self._check_in_module(address, self._read)
+        queue = self._module_queues.get(address)
+        if queue is None:
+            self._module_words[address] = word
+        elif len(queue) == queue.maxlen:
+            raise AccessError(ErrorCode.BUS_ERROR)
+        else:
+            queue.append(word)
+
+    def _check_in_module(self, address: int, other_way: dict[int, list[tuple[Cell, int]]]) -> None:
+        """Refuse an address of no module, or of a signal that goes the other way."""
+        if address in other_way or not any(_has(module, address) for module in self._modules):
+            raise AccessError(ErrorCode.BUS_ERROR)
+
+
+def _encoded(signal: Signal, value: Value | str) -> int:
+    try:
+        return signal.kind.encode(value)
+    except ArgumentError as error:
+        raise ArgumentError(f"{signal.path}: {error}") from None
+
+
+def _limits(signal: Signal) -> str:
+    low, high = signal.limits
+    unit = f" {signal.unit}" if signal.unit else ""
+    return f"its limits are {low:.12g} to {high:.12g}{unit}"
+
+
+def _is_hardware(module: Module) -> bool:
+    """Whether a module takes addresses: a MEMORY without a name is only a base for what stands in it."""
+    return module.type != "MEMORY" or module.name is not None
+
+
+def _has(module: Module, address: int) -> bool:
+    words = 1 if module.type == "FIFO" and module.words is None else module.words
+    return address >= module.base and (words is None or address < module.base + words)

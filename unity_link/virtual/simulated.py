@@ -1,0 +1,393 @@
+"""A robot of a spec, simulated: a class that says how its values change, behind a virtual gateway.
+
+::
+
+    class Rover(SimulatedRobot):
+        def step(self, dt):
+            self.left.speed += (6 * self.left.duty - self.left.speed) * dt / 0.1
+            self.left.position += self.left.speed * dt
+
+    gateway = simulate("rover.ul", Rover)
+    async with unity_link.connect(gateway) as link:
+        ...
+
+Without a class the registers of the spec are memory. `registers` says what a bus sees of them.
+"""
+
+from __future__ import annotations
+
+import keyword
+import logging
+import math
+import time
+from collections import deque
+from typing import TYPE_CHECKING, Any, ClassVar, Self
+
+from unity_link.errors import ArgumentError
+from unity_link.protocol.messages import ErrorCode
+from unity_link.spec import ComponentArray
+from unity_link.spec.diagnostics import did_you_mean
+from unity_link.virtual.bus import AccessError
+from unity_link.virtual.registers import SIGNAL_FAULTS, Registers
+
+if TYPE_CHECKING:
+    from unity_link.spec import Component, Interface, Value
+    from unity_link.virtual.registers import Cell, SignalFault
+
+_LOG = logging.getLogger("unity_link.virtual")
+MOST_AT_ONCE = 10.0
+"""Seconds of the robot's time that pass in one access at most; what is more is left out."""
+LONGEST_TURN = 0.25
+"""Seconds that a robot which is slower than time may take for one access."""
+_SLACK = 1e-9
+
+
+class Fault:
+    """Something that can go wrong with a robot, as an attribute of its class; it is True while it is switched on.
+
+    Args:
+        doc: what it is, for those who switch it on.
+    """
+
+    def __init__(self, doc: str) -> None:
+        self.doc = doc
+        self._name = ""
+
+    def __set_name__(self, owner: type, name: str) -> None:
+        self._name = name
+
+    def __get__(self, robot: SimulatedRobot | None, owner: type) -> Any:
+        return self if robot is None else self._name in robot.faults
+
+    def __set__(self, robot: SimulatedRobot, on: bool) -> None:  # noqa: FBT001  (it is assigned)
+        robot.set_fault(self._name, on=on)
+
+
+class Part:
+    """A part of a simulated robot. Its signals are attributes, which are values; so are its parts."""
+
+    _name: str
+    _cells: dict[str, Cell]
+    _started: bool
+
+    def __getattr__(self, name: str) -> Any:
+        """Return the value of a signal; of a FIFO port, its `Queue`.
+
+        Raises:
+            AttributeError: for a signal that there is not.
+        """
+        cells = self.__dict__.get("_cells", {})
+        if name not in cells:
+            raise self._unknown(name)
+        cell = cells[name]
+        return cell.value if cell.queue is None else cell.queue
+
+    def __setattr__(self, name: str, value: Any) -> None:
+        """Give a signal a value; before the first step also make an attribute of the model's own.
+
+        Raises:
+            ArgumentError: for a value that the signal cannot have.
+            AttributeError: for a signal that there is not.
+        """
+        cell = self.__dict__.get("_cells", {}).get(name)
+        if cell is None:
+            if self.__dict__.get("_started") and name not in self.__dict__ and not hasattr(type(self), name):
+                raise self._unknown(name)
+            object.__setattr__(self, name, value)
+        elif cell.queue is None:
+            cell.set(value)
+        else:
+            raise ArgumentError(f"{cell.signal.path} is a FIFO port, which is not assigned to: put(value) appends one")
+
+    def __repr__(self) -> str:
+        """Return its name and its values."""
+        values = ", ".join(f"{name}={cell.value!r}" for name, cell in self._cells.items() if cell.queue is None)
+        return f"<{self._name}: {values}>"
+
+    def _unknown(self, name: str) -> AttributeError:
+        known = self.__dict__
+        hint = did_you_mean(name, [*known.get("_cells", ()), *(key for key in known if not key.startswith("_"))])
+        return AttributeError(
+            f"{known.get('_name', type(self).__name__)} has nothing called {name!r}"
+            + (f": {hint}" if hint else ", and a model's own attributes are made in start()")
+        )
+
+
+class SimulatedRobot(Part):
+    """The base of models, and itself the one of a robot whose registers are memory.
+
+    A subclass overrides `start`, `step` and `written`. In all of them signals are attributes with the names of the spec
+    (one that Python or this class has taken gets ``_`` behind it), and have values in their units.
+
+    Args:
+        interface: of a spec.
+
+    Raises:
+        ArgumentError: where the class hides a signal of the spec.
+    """
+
+    step_seconds: ClassVar[float | None] = 0.001
+    """The robot's time passes in steps of so much; None: in one step up to each instant at which it is looked at."""
+
+    interface: Interface
+    """What the spec says of it."""
+    now: float
+    """Seconds since the robot began."""
+    faults: set[str]
+    """The names of the faults that are switched on."""
+    fired: deque[tuple[float, int]]
+    """When triggers of groups were fired that the gateway has not seen yet, and whose."""
+    _registers: Registers
+    _parts: list[Part]
+    _began: float | None
+    """When the robot began, in the seconds of those who look at it."""
+    _last: float
+    """When somebody looked last, likewise."""
+    _steps: int
+    _failed: bool
+    _told_late: bool
+
+    def __new__(cls, interface: Interface, *_: Any) -> Self:
+        """Put the signals of a spec in their places, so that `__init__` finds them there."""
+        robot = super().__new__(cls)
+        robot.interface = interface
+        robot.now = robot._last = 0.0
+        robot.faults = set()
+        robot.fired = deque()
+        robot._registers = Registers(interface, loops_back=cls is SimulatedRobot)
+        robot._parts = []
+        robot._began = None
+        robot._steps = 0
+        robot._failed = robot._told_late = False
+        robot._fill(robot, interface.root)
+        return robot
+
+    def __init__(self, interface: Interface) -> None:
+        """Do nothing: a model's own attributes are made in `start`."""
+
+    def __repr__(self) -> str:
+        """Return the name of the class."""
+        return f"<{type(self).__name__} of {self.interface.name}>"
+
+    # What a model overrides
+
+    def start(self) -> None:
+        """Give signals their first values, which are 0 otherwise, and make attributes of the model's own."""
+
+    def step(self, dt: float) -> None:
+        """Let time pass.
+
+        Args:
+            dt: seconds; always `step_seconds`, if that is not None.
+        """
+
+    def written(self, path: str, value: Value) -> None:
+        """Do what a write of a program does beside changing the value of a signal, which it has done already.
+
+        Args:
+            path: of the signal in the spec, such as ``left.duty``.
+            value: what was written.
+        """
+
+    # What a model, or who tries it, calls
+
+    def trigger(self, group: str) -> None:
+        """Give a group that is declared with TRIGGER its edge, so that the gateway publishes it.
+
+        Raises:
+            ArgumentError: for a group that there is not, or that has no trigger.
+        """
+        self.fired.append(((self._began or 0.0) + self.now, self.triggered_group(group)))
+
+    def triggered_group(self, name: str) -> int:
+        """Return the number of a group with a trigger.
+
+        Raises:
+            ArgumentError: for a group that there is not, or that has no trigger.
+        """
+        groups = {group.name: group for group in self.interface.groups}
+        triggered = [group.name for group in groups.values() if group.trigger]
+        group = groups.get(name)
+        if group is None or not group.trigger or group.number is None:
+            what = f"no group {name!r}" if group is None else f"no trigger in the group {name!r}"
+            having = f"those with one are {', '.join(triggered)}" if triggered else "no group is declared with TRIGGER"
+            raise ArgumentError(f"{self.interface.name} has {what}: {having}")
+        return group.number
+
+    def set_fault(self, name: str, how: SignalFault = "error", *, on: bool = True) -> None:
+        """Switch a fault on or off.
+
+        Args:
+            name: of a `Fault` of the class, or the path of a signal.
+            how: what is wrong with a signal: ``"error"``, ``"timeout"`` (accesses end so), or ``"frozen"`` (it reads
+                what it read first).
+            on: whether it is wrong from now on.
+
+        Raises:
+            ArgumentError: for a fault or a signal that there is not.
+        """
+        if name in self.known_faults():
+            (self.faults.add if on else self.faults.discard)(name)
+            return
+        if name not in self._registers.cells:
+            known = [*self.known_faults(), *self._registers.cells]
+            hint = did_you_mean(name, known)
+            raise ArgumentError(
+                f"{type(self).__name__} has no fault and no signal {name!r}: "
+                + (hint or f"its faults are {', '.join(self.known_faults()) or 'none'}")
+            )
+        self._registers.set_fault(name, how if on else None)
+
+    @classmethod
+    def known_faults(cls) -> dict[str, str]:
+        """Return what its class says of each fault, by name."""
+        return {
+            name: fault.doc
+            for base in reversed(cls.__mro__)
+            for name, fault in vars(base).items()
+            if isinstance(fault, Fault)
+        }
+
+    # Called by the bus and by who lets time pass
+
+    @property
+    def next_step(self) -> float | None:
+        """When time should have passed, whoever looks; None where that makes no difference."""
+        if self._failed or self._began is None or self.step_seconds is None or not self._moves:
+            return None
+        return self._last + max(self.step_seconds, 0.01)
+
+    def read(self, offset: int, now: float) -> int:
+        """Read the word at an address."""
+        self.pass_time(now)
+        return self._registers.read(offset)
+
+    def write(self, offset: int, value: int, now: float) -> None:
+        """Write the word at an address."""
+        self.pass_time(now)
+        for cell in self._registers.write(offset, value):
+            queue = cell.queue
+            self.written(cell.signal.path, cell.value if queue is None else self._last_of(cell))
+
+    def prepare(self) -> None:
+        """Call `start`; from now on no attributes can be made."""
+        self.start()
+        for part in (self, *self._parts):
+            part._started = True  # noqa: SLF001  (it is made here)
+
+    def begin(self, now: float) -> None:
+        """Have the robot's time begin at an instant, if it has not begun."""
+        if self._began is None:
+            self._began = self._last = now
+
+    def pass_time(self, now: float, *, until_fired: bool = False) -> None:
+        """Step up to an instant.
+
+        Args:
+            now: the instant, in seconds of any origin.
+            until_fired: whether to stop behind a step that fires a trigger.
+
+        Raises:
+            AccessError: where `step` has failed, now or before.
+        """
+        if self._failed:
+            raise AccessError(ErrorCode.BUS_ERROR)
+        self.begin(now)
+        assert self._began is not None
+        # It goes back where the clock is that of another event loop.
+        self._began -= max(0.0, self._last - now)
+        self._last = now
+        if not self._moves:
+            self.now = now - self._began
+        elif self.step_seconds is None:
+            passed = now - self._began - self.now
+            if passed > 0:
+                self.now += passed
+                self._step(passed)
+        else:
+            self._step_up_to(now - self._began, self.step_seconds, until_fired=until_fired)
+
+    @property
+    def _moves(self) -> bool:
+        return type(self).step is not SimulatedRobot.step
+
+    def _step_up_to(self, until: float, size: float, *, until_fired: bool) -> None:
+        wanted, first, started = math.floor(until / size + _SLACK), self._steps, time.perf_counter()
+        most = first + max(1, round(MOST_AT_ONCE / size))
+        while self._steps < wanted and not (until_fired and self.fired):
+            taken = time.perf_counter() - started
+            if self._steps >= most or (taken > LONGEST_TURN and taken > (self._steps - first) * size):
+                self._leave_out((wanted - self._steps) * size)
+                return
+            self._steps += 1
+            self.now = self._steps * size
+            self._step(size)
+
+    def _step(self, dt: float) -> None:
+        try:
+            self.step(dt)
+        except Exception as error:
+            self._failed = True
+            _LOG.exception("%r failed %.3f s after its start: all accesses are bus errors from now on", self, self.now)
+            raise AccessError(ErrorCode.BUS_ERROR) from error
+
+    def _leave_out(self, seconds: float) -> None:
+        """Let the robot's time fall behind."""
+        assert self._began is not None
+        self._began += seconds
+        if not self._told_late:
+            self._told_late = True
+            _LOG.warning("%r is slower than time: %.3g s were left out (told once)", self, seconds)
+
+    @staticmethod
+    def _last_of(cell: Cell) -> Value:
+        assert cell.queue is not None
+        return cell.signal.kind.decode(cell.queue.from_program[-1])
+
+    # The tree
+
+    def _fill(self, part: Part, described: Component) -> None:
+        cells = self._registers.cells
+        name = described.path or self.interface.name
+        part.__dict__.update(
+            _name=name,
+            _cells={_free_name(signal.name): cells[signal.path] for signal in described.signals},
+            _started=False,
+        )
+        for below in described.parts:
+            items = below.items if isinstance(below, ComponentArray) else (below,)
+            made = tuple(self._make(item) for item in items)
+            part.__dict__[_free_name(below.name)] = made if isinstance(below, ComponentArray) else made[0]
+        if part is not self:
+            self._parts.append(part)
+            return
+        for attribute in (*part._cells, *(_free_name(below.name) for below in described.parts)):  # noqa: SLF001
+            if hasattr(type(self), attribute):
+                raise ArgumentError(f"{type(self).__name__}.{attribute} hides {attribute} of {name}: call it otherwise")
+
+    def _make(self, described: Component) -> Part:
+        part = Part()
+        self._fill(part, described)
+        return part
+
+
+_TAKEN = frozenset({*dir(SimulatedRobot), *SimulatedRobot.__annotations__, *Part.__annotations__})
+
+
+def _free_name(name: str) -> str:
+    """Return the attribute for a name of a spec."""
+    while keyword.iskeyword(name) or name in _TAKEN:
+        name += "_"
+    return name
+
+
+def parse_fault(text: str) -> tuple[str, SignalFault]:
+    """Take ``left.speed:timeout`` or ``stuck`` apart: what is wrong, and how.
+
+    Raises:
+        ArgumentError: for a way that there is not.
+    """
+    name, _, how = text.partition(":")
+    if how and how not in SIGNAL_FAULTS:
+        raise ArgumentError(f"fault {text!r}: one of {', '.join(SIGNAL_FAULTS)} was expected behind the colon")
+    return name, how or "error"  # type: ignore[return-value]
