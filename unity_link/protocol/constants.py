@@ -30,6 +30,9 @@ SHORTEST_TIMEOUT = 0.025
 QUICK_TIMEOUT = 0.003
 """The same for media that hand everything on at once: sockets, pseudo-terminals, gateways of this process."""
 LONGEST_TIMEOUT = 2.0
+ANSWER_PATIENCE = 0.1
+"""Where nodes share a line: how long an answer can be on its way, beyond what its bytes need. It is the shortest time
+out there, too, and what each try of a node that does not answer costs the others."""
 FENCE_DELAY = 0.001
 """Posted writes are confirmed by an ``h`` after this time, if nothing else with an answer follows them."""
 MEASUREMENT_PAUSE = 0.001
