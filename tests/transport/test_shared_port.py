@@ -75,9 +75,8 @@ def serving(way: Callable[[SharedLine], AbstractAsyncContextManager[str]]) -> It
 
 @asynccontextmanager
 async def all_nodes(url: str) -> AsyncIterator[list[unity_link.Link]]:
-    async with unity_link.connect(url + "1") as a, unity_link.connect(url + "2") as b:
-        async with unity_link.connect(url + "3") as c, unity_link.connect(url + "4") as d:
-            yield [a, b, c, d]
+    async with AsyncExitStack() as stack:
+        yield [await stack.enter_async_context(unity_link.connect(f"{url}{node}")) for node in NODES]
 
 
 def test_in_one_event_loop(served: tuple[SharedLine, str]) -> None:
