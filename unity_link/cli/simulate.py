@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from unity_link.cli.arguments import number
-from unity_link.cli.output import print_line
+from unity_link.cli.output import print_line, print_note
 from unity_link.cli.running import run
 from unity_link.errors import ArgumentError
 from unity_link.transport.listening import LOOPBACK
@@ -81,6 +81,20 @@ def simulate(  # noqa: PLR0913  (each is an option)
         list[str] | None,
         typer.Option("--set", metavar="NAME=NUMBER", help="Build it otherwise: --set data_bits=16. May be repeated."),
     ] = None,
+    nodes: Annotated[
+        list[int] | None,
+        typer.Option(
+            "--node",
+            metavar="N",
+            min=0,
+            max=254,
+            help="A node on an RS-485 line, for each that there is: half-duplex gateways of plain memory. May be "
+            "repeated; two that send at the same time are reported.",
+        ),
+    ] = None,
+    baud: Annotated[
+        int, typer.Option(metavar="N", min=1, help="Of --node: the rate of the line, in bits per second.")
+    ] = 115_200,
     loss: Annotated[float, _chance("lost")] = 0.0,
     flip: Annotated[float, _chance("damaged")] = 0.0,
     double: Annotated[float, _chance("doubled")] = 0.0,
@@ -99,7 +113,10 @@ def simulate(  # noqa: PLR0913  (each is an option)
     configuration = _configuration(settings or [])
     if rtl:
         run(compile_gateway(configuration))
-    gateway = build_gateway(robot, configuration, rtl=rtl, chances=chances, seed=seed)
+    if nodes:
+        gateway = _line(nodes, baud, configuration, chances, seed, alone=not (rtl or robot))
+    else:
+        gateway = build_gateway(robot, configuration, rtl=rtl, chances=chances, seed=seed)
     if link is not None and not pty:
         raise ArgumentError("--link goes with --pty alone")
     ways: list[AbstractAsyncContextManager[str]] = []
@@ -118,6 +135,16 @@ def simulate(  # noqa: PLR0913  (each is an option)
             f"one of --pty, --tcp, --unix, --udp and --usbip was expected, not {len(ways) or 'none'} of them"
         )
     run(_simulate(ways[0]))
+
+
+def _line(
+    nodes: list[int], baud: int, configuration: dict[str, int], chances: dict[str, float], seed: int, *, alone: bool
+) -> Gateway:
+    from unity_link.virtual.build import build_nodes
+
+    if not alone:
+        raise ArgumentError("--node goes with gateways of plain memory: leave out --rtl and --robot")
+    return build_nodes(nodes, baud, configuration, chances=chances, seed=seed, on_collision=print_note)
 
 
 def _serving(way: str, gateway: Gateway, *place: Any) -> AbstractAsyncContextManager[str]:

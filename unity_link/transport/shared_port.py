@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import contextlib
 import os
+import select
 import threading
 from typing import TYPE_CHECKING, Any
 
@@ -124,9 +125,18 @@ class SharedChannel:
     def read(self) -> bytes:
         """Return what has come in this link's turn."""
         data = os.read(self._descriptor, LARGEST_READ)
-        if not data:
+        if not data and self._has_ended:
             raise EOFError
         return data if self.seat.has_turn else b""
+
+    @property
+    def _has_ended(self) -> bool:
+        """Whether nothing was read for the other side has closed: of a serial port, another link may have read it."""
+        if not os.isatty(self._descriptor):
+            return True
+        poll = select.poll()
+        poll.register(self._descriptor, select.POLLHUP)
+        return bool(poll.poll(0))
 
     def write(self, data: bytes | bytearray | memoryview) -> int:
         """Write what fits; where the turn is over, nothing is, as if the line had lost it."""
