@@ -30,13 +30,14 @@ SHORTEST_TIMEOUT = 0.025
 QUICK_TIMEOUT = 0.003
 """The same for media that hand everything on at once: sockets, pseudo-terminals, gateways of this process."""
 LONGEST_TIMEOUT = 2.0
-ANSWER_PATIENCE = 0.1
-"""Where nodes share a line: how long an answer can be on its way, beyond what its bytes need. It is the shortest time
-out there, too, and what each try of a node that does not answer costs the others."""
 FENCE_DELAY = 0.001
 """Posted writes are confirmed by an ``h`` after this time, if nothing else with an answer follows them."""
 MEASUREMENT_PAUSE = 0.001
 """Between two measurements of the round trip: one a window is enough, and fast reads are left alone."""
 
 TABLE: dict[str, float] = {name: value for name, value in globals().items() if isinstance(value, int | float)}
-"""All of them by name."""
+"""All of them by name, for clients that have a line for themselves."""
+
+ANSWER_PATIENCE = 0.1
+"""Where nodes share a line: how long an answer can be on its way, beyond what its bytes need. It is the shortest time
+out there, too, and what each try of a node that does not answer costs the others."""

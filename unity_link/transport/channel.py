@@ -24,8 +24,6 @@ class Channel(Protocol):
 
     shortest_timeout: float
     """Seconds that the medium may hold an answer back, and some more."""
-    byte_time: float | None
-    """Seconds that a byte needs on the wire, None where that is not known."""
 
     def fileno(self) -> int:
         """Return the file descriptor."""
@@ -53,7 +51,6 @@ class SocketChannel:
     """
 
     shortest_timeout = QUICK_TIMEOUT
-    byte_time: float | None = None
 
     def __init__(self, connected: socket.socket) -> None:
         connected.setblocking(False)  # noqa: FBT003  (it has no name)

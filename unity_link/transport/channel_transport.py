@@ -65,9 +65,8 @@ class ChannelTransport(asyncio.Transport):
     """
 
     def __init__(self, watcher: Watcher, channel: Channel, protocol: asyncio.Protocol) -> None:
-        seat = channel.seat if isinstance(channel, SharedChannel) else None
-        told = {"shortest_timeout": channel.shortest_timeout, "byte_time": channel.byte_time, "seat": seat}
-        super().__init__(told)
+        names = ("shortest_timeout", "byte_time", "seat")
+        super().__init__({name: getattr(channel, name) for name in names if hasattr(channel, name)})
         self._watcher = watcher
         self._channel = channel
         self._put = channel.write

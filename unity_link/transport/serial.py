@@ -187,7 +187,7 @@ class PortChannel:
 
     def __init__(self, port: SerialPort) -> None:
         self.shortest_timeout = QUICK_TIMEOUT if port.is_pseudo_terminal else SHORTEST_TIMEOUT
-        self.byte_time: float | None = _BITS / port.baudrate
+        self.byte_time = _BITS / port.baudrate
         self.close = port.close
         self._descriptor: int = port.fileno()
 

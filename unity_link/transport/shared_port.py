@@ -110,7 +110,7 @@ class SharedChannel:
         assert port.channel is not None
         self.seat = seat
         self.shortest_timeout = port.channel.shortest_timeout
-        self.byte_time = port.channel.byte_time
+        self.byte_time: float | None = getattr(port.channel, "byte_time", None)
         self.on_lost: Callable[[], object] = lambda: None
         """Is called, in any thread, when another link has found that the port is lost."""
         self._port = port

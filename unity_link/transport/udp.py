@@ -64,7 +64,6 @@ class DatagramChannel:
     """
 
     shortest_timeout = QUICK_TIMEOUT
-    byte_time: float | None = None
 
     def __init__(self, opened: socket.socket, datagrams: HostDatagrams) -> None:
         _prepare(opened)
