@@ -166,9 +166,11 @@ class SharedTransport(ChannelTransport):
 
     def write(self, data: bytes | bytearray | memoryview) -> None:
         """Send a frame, in the turn of the link."""
-        if self._closing or not self._shared.seat.has_turn:
+        seat = self._shared.seat
+        if self._closing or not seat.has_turn:
             return
-        if not self._unwritten:
+        if not self._unwritten and not seat.is_kept:
+            # A turn begins with this.
             self._shared.drop_input()
         if not self._listening:
             self._listening = True
