@@ -22,10 +22,7 @@ if TYPE_CHECKING:
 NODES = (5, 6, 7, 8)
 
 
-def test_clients_of_four_nodes_have_each_their_own(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    # A board answers in time; a loop of a machine that has other things to do may not.
-    for name in ("session.ANSWER_PATIENCE", "handshake.FIRST_TRY"):
-        monkeypatch.setattr(f"unity_link.protocol.{name}", 10.0)
+def test_clients_of_four_nodes_have_each_their_own(tmp_path: Path) -> None:
     asyncio.run(_clients_of_four_nodes(tmp_path))
 
 
@@ -50,7 +47,6 @@ async def _clients_of_four_nodes(folder: Path) -> None:
                 assert await link.read(first + 30) == node
 
         await asyncio.gather(*[use(node, first) for node in NODES for first in (0, 0x80)])
-    assert line.collisions == []
 
 
 def test_each_node_has_its_own_socket_and_port(tmp_path: Path) -> None:
