@@ -15,6 +15,7 @@ from hypothesis import given, settings
 
 from gateware.bench.runner import GATEWARE, rtl_sources, run_bench, simulator_available
 from generate.bench_boards import ECHO, WALKER
+from generate.bench_nodes import LAMP, PAIR
 from generate.every_kind import WORD_BITS, every_kind, good_values
 from spec_examples import FIGURE_1, specs
 from unity_link.errors import UnsupportedError
@@ -257,6 +258,24 @@ def test_a_generated_board_works_by_its_pins(spec: Spec, case: str) -> None:
         generics={"clock_hz": 25_000_000, "baud": 6_250_000},
         extra_sources=[*paths, *sorted(BOARDS.glob("*.vhd"))],
         # There is no reset pin: until the board has reset itself, everything is undefined.
+        warnings_allowed=True,
+    )
+
+
+@rtl
+@pytest.mark.campaign
+def test_four_generated_gateways_take_turns_on_one_pair_of_wires() -> None:
+    folder = GATEWARE / "build" / "generated" / "lamp"
+    paths = write(generate("vhdl", LAMP), folder)
+    (folder / "pair.vhd").write_text(PAIR)
+    run_bench(
+        "pair",
+        "tests.generate.bench_nodes",
+        extra_sources=[
+            *(path for path in paths if "_on_" not in path.stem and "bench" not in path.stem),
+            folder / "pair.vhd",
+        ],
+        # What is before the reset is undefined.
         warnings_allowed=True,
     )
 

@@ -3,18 +3,24 @@
 from __future__ import annotations
 
 import asyncio
+import contextlib
 import ipaddress
 import os
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from unity_link.cli.arguments import Json, Url  # noqa: TC001  (typer reads them)
-from unity_link.cli.output import print_note, print_result
+from unity_link.cli.output import print_json, print_line, print_note, print_result
 from unity_link.cli.running import run
 from unity_link.errors import ArgumentError
 from unity_link.transport.listening import LOOPBACK
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from unity_link.bridges import serve as bridge
 
 _PANEL = "Where it is served (a Unix socket if nothing is said)"
 _DEFAULT_NAME = "unity-link.sock"
@@ -28,6 +34,17 @@ def add_to(app: typer.Typer) -> None:
 def serve(
     url: Url,
     *,
+    nodes: Annotated[
+        list[int] | None,
+        typer.Option(
+            "--node",
+            metavar="N",
+            min=0,
+            max=254,
+            help="A node on a port that several share (RS-485), for each that is served. May be repeated: each has a "
+            "socket of its own, NAME-N.sock, or a TCP port, from --tcp on.",
+        ),
+    ] = None,
     unix: Annotated[
         Path | None,
         typer.Option(
@@ -73,7 +90,7 @@ def serve(
         )
     if tcp is None and unix is None:
         unix = _default_path()
-    run(_serve(url, unix, tcp, host, token, json=json))
+    run(_serve(url, nodes or [], unix, tcp, host, token, json=json))
 
 
 def _token(file: Path | None) -> str | None:
@@ -102,29 +119,84 @@ def _default_path() -> Path:
     return Path(directory) / _DEFAULT_NAME
 
 
-async def _serve(url: str, unix: Path | None, tcp: int | None, host: str, token: str | None, *, json: bool) -> None:
+def _places(
+    url: str, nodes: list[int], unix: Path | None, tcp: int | None
+) -> list[tuple[int | None, str, Path | None, int | None]]:
+    """Return what is served: node, URL, Unix socket and TCP port; each node has its own."""
+    if not nodes:
+        return [(None, url, unix, tcp)]
+    from unity_link.transport import parse_url
+
+    if parse_url(url).node is not None:
+        raise ArgumentError(f"{url} names a node, and so does --node: leave node= out of the URL")
+    if len(set(nodes)) < len(nodes):
+        raise ArgumentError("a node is named twice: --node wants each once")
+    joint = "&" if "?" in url else "?"
+    return [
+        (
+            node,
+            f"{url}{joint}node={node}",
+            None if unix is None else unix.with_name(f"{unix.stem}-{node}{unix.suffix}"),
+            tcp and tcp + place,
+        )
+        for place, node in enumerate(nodes)
+    ]
+
+
+async def _serve(
+    url: str, nodes: list[int], unix: Path | None, tcp: int | None, host: str, token: str | None, *, json: bool
+) -> None:
     from unity_link.bridges import serve as bridge
     from unity_link.cli.service import Service
 
     service = Service()
-    gateway = "waiting for the gateway"
+    places = _places(url, nodes, unix, tcp)
+    gateways = {node: "waiting for the gateway" for node, *_ in places}
+    servers: list[bridge.Server] = []
 
-    def report(text: str) -> None:
-        nonlocal gateway
-        gateway = text
-        print_note(text)
-        service.status(status())
+    def name(node: int | None, text: str) -> str:
+        return text if node is None else f"node {node}: {text}"
+
+    def reporter(node: int | None) -> Callable[[str], None]:
+        def report(text: str) -> None:
+            gateways[node] = text
+            print_note(name(node, text))
+            service.status(status())
+
+        return report
 
     def status() -> str:
-        return f"{server.clients} clients; {gateway}"
+        clients = sum(server.clients for server in servers)
+        return "; ".join([f"{clients} clients", *(name(node, text) for node, text in gateways.items())])
 
-    async with bridge.serve(url, unix=unix, tcp=tcp, host=host, token=token, report=report) as server:
-        for place in server.urls:
-            print_result("url", place, json=json)
+    async with contextlib.AsyncExitStack() as stack:
+        for node, target, socket, port in places:
+            serving = bridge.serve(target, unix=socket, tcp=port, host=host, token=token, report=reporter(node))
+            servers.append(await stack.enter_async_context(serving))
+        for (node, *_), server in zip(places, servers, strict=True):
+            for place in server.urls:
+                if node is None:
+                    print_result("url", place, json=json)
+                elif json:
+                    print_json({"url": place, "node": node})
+                else:
+                    print_line(f"{place}\tnode {node}")
         service.tell("READY=1")
         signs = asyncio.create_task(service.live(status))
         try:
-            await server.wait()
+            await _first_end(servers)
         finally:
             signs.cancel()
             service.tell("STOPPING=1")
+
+
+async def _first_end(servers: list[bridge.Server]) -> None:
+    """Wait until a link has ended for good; raise why."""
+    waiting = [asyncio.ensure_future(server.wait()) for server in servers]
+    try:
+        done, _ = await asyncio.wait(waiting, return_when=asyncio.FIRST_COMPLETED)
+        for ended in done:
+            ended.result()
+    finally:
+        for each in waiting:
+            each.cancel()

@@ -26,6 +26,7 @@ if TYPE_CHECKING:
     from contextlib import AbstractAsyncContextManager
 
     from unity_link.virtual import BareGateway, Gateway
+    from unity_link.virtual.build import Wanted
 
 _PANEL = "Where it is served (one of them; a free TCP port without)"
 _ROBOT_PANEL = "What the robot of a spec does"
@@ -125,6 +126,20 @@ def simulate(  # noqa: PLR0913  (each is an option)
         list[str] | None,
         typer.Option("--set", metavar="NAME=NUMBER", help="Build it otherwise: --set data_bits=16. May be repeated."),
     ] = None,
+    nodes: Annotated[
+        list[int] | None,
+        typer.Option(
+            "--node",
+            metavar="N",
+            min=0,
+            max=254,
+            help="A node on an RS-485 line, for each that there is: half-duplex gateways of plain memory. May be "
+            "repeated; two that send at the same time are reported.",
+        ),
+    ] = None,
+    baud: Annotated[
+        int, typer.Option(metavar="N", min=1, help="Of --node: the rate of the line, in bits per second.")
+    ] = 115_200,
     loss: Annotated[float, _chance("lost")] = 0.0,
     flip: Annotated[float, _chance("damaged")] = 0.0,
     double: Annotated[float, _chance("doubled")] = 0.0,
@@ -154,8 +169,13 @@ def simulate(  # noqa: PLR0913  (each is an option)
     )
     if rtl:
         run(compile_gateway(wanted))
-    bare = build_bare(wanted)
-    gateway = put_behind_line(bare, chances=chances, seed=seed)
+    console = None
+    if nodes:
+        gateway = _line(nodes, baud, wanted, chances, seed)
+    else:
+        bare = build_bare(wanted)
+        console = Console(bare)
+        gateway = put_behind_line(bare, chances=chances, seed=seed)
     if link is not None and not pty:
         raise ArgumentError("--link goes with --pty alone")
     ways: list[AbstractAsyncContextManager[str]] = []
@@ -171,7 +191,17 @@ def simulate(  # noqa: PLR0913  (each is an option)
         ways.append(_serving("tcp", gateway, tcp or 0, host))
     if len(ways) != 1:
         raise ArgumentError(f"one of --pty, --tcp, --unix, --udp and --usbip was expected, not {len(ways)} of them")
-    run(_simulate(ways[0], Console(bare), json=json))
+    run(_simulate(ways[0], console, json=json))
+
+
+def _line(nodes: list[int], baud: int, wanted: Wanted, chances: dict[str, float], seed: int) -> Gateway:
+    from unity_link.virtual.build import build_nodes
+
+    if wanted.rtl or wanted.robot or wanted.faults or wanted.triggers:
+        raise ArgumentError(
+            "--node goes with gateways of plain memory: leave out --rtl, the robot and what is about it"
+        )
+    return build_nodes(nodes, baud, wanted.configuration, chances=chances, seed=seed, on_collision=print_note)
 
 
 def _serving(way: str, gateway: Gateway, *place: Any) -> AbstractAsyncContextManager[str]:
@@ -201,10 +231,10 @@ def _configuration(settings: list[str]) -> dict[str, int]:
     return values
 
 
-async def _simulate(way: AbstractAsyncContextManager[str], console: Console, *, json: bool) -> None:
+async def _simulate(way: AbstractAsyncContextManager[str], console: Console | None, *, json: bool) -> None:
     async with way as url:
         print_result("url", url, json=json)
-        with console.reading():
+        with contextlib.nullcontext() if console is None else console.reading():
             await asyncio.get_running_loop().create_future()
 
 

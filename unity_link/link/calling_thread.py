@@ -19,14 +19,14 @@ from contextlib import asynccontextmanager, suppress
 from typing import TYPE_CHECKING, Any, TypeVar
 
 from unity_link.errors import ArgumentError
-from unity_link.link.channel_transport import ChannelTransport
-from unity_link.link.polling import POLLIN, new_poll
 from unity_link.link.relay import Relay, run_in_loop
 from unity_link.link.running import CALLING
 from unity_link.link.timers import Timers
 from unity_link.link.waiter import Result
 from unity_link.transport import DriverUrl, has_channel, load_driver, observed, open_channel
 from unity_link.transport import prepare as prepare_medium
+from unity_link.transport.channel_transport import make_transport
+from unity_link.transport.polling import POLLIN, new_poll
 
 if TYPE_CHECKING:
     from collections.abc import AsyncIterator, Callable, Coroutine, Generator
@@ -344,7 +344,7 @@ class CallingThread:
             protocol, left = observed(target, stream), self._run.deadline
             patience = None if left is None else max(0.001, left - self.time())
             channel = self._outside(lambda: open_channel(target, patience))
-            ChannelTransport(self, channel, protocol)
+            make_transport(self, channel, protocol)
             return
         relay = Relay(self, target, stream)
         self._relays = [other for other in self._relays if not other.has_ended] + [relay]

@@ -7,7 +7,9 @@ opened again. What else the events of the session are for is the matter of those
 
 from __future__ import annotations
 
+import contextlib
 import logging
+import math
 import random
 from typing import TYPE_CHECKING, Any
 
@@ -21,13 +23,15 @@ from unity_link.errors import (
     Outcome,
     UnansweredError,
     UnityLinkError,
+    UnsupportedError,
     reason_of,
 )
 from unity_link.link.runtime import AsyncioRuntime
+from unity_link.protocol.configuration import Feature
 from unity_link.protocol.group_table import GroupsRestored
 from unity_link.protocol.requests import Batch, Fence, Request
 from unity_link.protocol.session import Interrupted, Opened, Session, Unusable
-from unity_link.transport import DriverUrl, name_of
+from unity_link.transport import DriverUrl, name_of, node_of
 from unity_link.transport.stream import Stream
 
 if TYPE_CHECKING:
@@ -38,6 +42,7 @@ if TYPE_CHECKING:
     from unity_link.protocol.messages import Codec
     from unity_link.protocol.requests import Events, Source
     from unity_link.transport import Medium
+    from unity_link.transport.turns import Seat
 
 log = logging.getLogger("unity_link.link")
 _SEED_BITS = 16
@@ -90,11 +95,13 @@ class Connection:
         self._new_waiter = self._runtime.create_future
         self.any_map = isinstance(target, DriverUrl) and target.any_map
         """Whether robots of another map than the gateway's are taken."""
-        node = target.node if isinstance(target, DriverUrl) else None
-        self._session = Session(node, choose_seed, resumes=resumes or reconnect is not None)
+        self._session = Session(node_of(target), choose_seed, resumes=resumes or reconnect is not None)
         self._stream: Stream | None = None
         self._timer: Timer | None = None
         self._timer_at = 0.0
+        self._seat: Seat | None = None
+        """Where nodes share the medium: the link's place, whose turn is waited for."""
+        self._turn_timer: Timer | None = None
         self._flushing = False
         """Whether what the session has to send is sent when what runs now waits."""
         self._opened: Waiter = self._new_waiter()
@@ -153,6 +160,8 @@ class Connection:
         events = session.submit(source, self._now())
         if events:
             self._handle(events)
+        if self._seat is not None:
+            self._take_turns()
         if session.output and not self._flushing:
             self._send()
         # Of posted writes, the first sets a time for their confirmation, and one of the next brings it.
@@ -173,6 +182,8 @@ class Connection:
         """Do what follows from a call of the session."""
         if events:
             self._handle(events)
+        if self._seat is not None:
+            self._take_turns()
         if self._session.output and not self._flushing:
             self._send()
         self._set_timer()
@@ -195,6 +206,35 @@ class Connection:
         data = self._session.take_output()
         if data and self._stream is not None:
             self._stream.send(data)
+
+    # Turns, where nodes share the medium
+
+    def _take_turns(self) -> None:
+        """Give the turn back where nothing is owed any more, and ask for the next where there is something to send."""
+        session = self._session
+        if self._turn_timer is not None:
+            self._turn_timer.cancel()
+            self._turn_timer = None
+        seat = self._seat
+        if seat is None or seat.is_kept:
+            return
+        if not session.is_owed_an_answer and (seat.has_begun or not session.wants_turn):
+            seat.give_back()
+        if not session.wants_turn:
+            return
+        if seat.ask():
+            events = session.take_turn(self._now())
+            seat.begin(session.longest_turn)
+            self._go_on(events)
+        else:
+            patience = seat.patience
+            if patience < math.inf:
+                self._turn_timer = self._runtime.call_at(self._now() + patience, self._take_turns)
+
+    def _turn_has_come(self) -> None:
+        """Take the turn, where this link runs; its loop may be gone."""
+        with contextlib.suppress(RuntimeError):
+            self._runtime.call_soon_threadsafe(self._take_turns)
 
     def _set_timer(self) -> None:
         """Have `_tick` called by the session's deadline; a timer that comes too early sets itself again."""
@@ -223,6 +263,9 @@ class Connection:
         events = session.receive(data, now)
         if events:
             self._handle(events)
+        if self._seat is not None:
+            self._take_turns()
+            self._set_timer()
         if session.output and not self._flushing:
             self._send()
         if self._timer is None or self._timer_at - now > _LATE or session.loses:
@@ -246,6 +289,12 @@ class Connection:
 
     def _session_opened(self, event: Opened) -> None:
         self.gateway = event.info
+        if self._seat is not None and Feature.HALF_DUPLEX not in event.info.features:
+            try:
+                self._seat.keep()
+            except ConnectError as error:
+                self._connection_failed(Unusable(UnsupportedError(str(error))))
+                return
         self._codec = self._session.codec
         self._sessions += 1
         log.info("%s: session %d has begun", self._name, self._sessions)
@@ -327,7 +376,12 @@ class Connection:
         self._opened = self._new_waiter()
         self._stream = stream
         stream.receiver, stream.on_pause = self, self._pause
-        self._session.connect(self._now(), stream.shortest_timeout)
+        seat = self._seat = stream.seat
+        if seat is not None:
+            seat.on_turn = self._turn_has_come
+        self._session.connect(
+            self._now(), stream.shortest_timeout, takes_turns=seat is not None, byte_time=stream.byte_time
+        )
         if not stream.closed:
             self._go_on([])
             await self._opened
@@ -364,6 +418,10 @@ class Connection:
 
     def _drop_stream(self) -> None:
         stream, self._stream = self._stream, None
+        self._seat = None
+        if self._turn_timer is not None:
+            self._turn_timer.cancel()
+            self._turn_timer = None
         if stream is not None:
             sent, received = self._bytes_before
             self._bytes_before = (sent + stream.bytes_sent, received + stream.bytes_received)

@@ -70,6 +70,9 @@ class Runtime(Protocol):
     def call_soon(self, function: Callable[[], object], /) -> Any:
         """Call a function when what runs now waits."""
 
+    def call_soon_threadsafe(self, function: Callable[[], object], /) -> Any:
+        """Call a function soon; may be called by other threads."""
+
     def call_at(self, when: float, function: Callable[[], object], /) -> Timer:
         """Call a function at a time of `time`."""
 
@@ -111,6 +114,7 @@ class AsyncioRuntime:
         self.time = loop.time
         self.create_future = loop.create_future
         self.call_soon = loop.call_soon
+        self.call_soon_threadsafe = loop.call_soon_threadsafe
         self.call_at = loop.call_at
         self.create_task = loop.create_task
         self.timeout = asyncio.timeout

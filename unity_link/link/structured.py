@@ -15,14 +15,14 @@ from typing import TYPE_CHECKING, Any, Self
 import anyio
 from anyio.from_thread import BlockingPortal
 
-from unity_link.link.channel_transport import ChannelTransport
-from unity_link.link.polling import POLLIN, POLLOUT
 from unity_link.link.relay import Relay, run_in_loop
 from unity_link.link.running import STRUCTURED
 from unity_link.link.timers import Timers
 from unity_link.link.waiter import Result
 from unity_link.transport import DriverUrl, has_channel, load_driver, observed, open_channel
 from unity_link.transport import prepare as prepare_medium
+from unity_link.transport.channel_transport import make_transport
+from unity_link.transport.polling import POLLIN, POLLOUT
 
 if TYPE_CHECKING:
     from collections.abc import AsyncIterator, Awaitable, Callable, Coroutine, Generator
@@ -202,7 +202,7 @@ class Structured:
             protocol = observed(target, stream)
             patience = anyio.current_effective_deadline() - self.time()
             timeout = None if patience == math.inf else max(0.001, patience)
-            ChannelTransport(self, await anyio.to_thread.run_sync(open_channel, target, timeout), protocol)
+            make_transport(self, await anyio.to_thread.run_sync(open_channel, target, timeout), protocol)
             return
         relay = Relay(self, target, stream)
         self._relays = [other for other in self._relays if not other.has_ended] + [relay]

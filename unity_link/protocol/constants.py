@@ -36,4 +36,8 @@ MEASUREMENT_PAUSE = 0.001
 """Between two measurements of the round trip: one a window is enough, and fast reads are left alone."""
 
 TABLE: dict[str, float] = {name: value for name, value in globals().items() if isinstance(value, int | float)}
-"""All of them by name."""
+"""All of them by name, for clients that have a line for themselves."""
+
+ANSWER_PATIENCE = 0.1
+"""Where nodes share a line: how long an answer can be on its way, beyond what its bytes need. It is the shortest time
+out there, too, and what each try of a node that does not answer costs the others."""

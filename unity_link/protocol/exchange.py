@@ -90,6 +90,7 @@ class Exchange:
         counters: of the link.
         out: takes the bytes to send.
         blocked: whether the medium takes no bytes at this time.
+        takes_turns: whether a turn is waited for before each frame, on a medium that nodes share.
     """
 
     def __init__(
@@ -102,11 +103,14 @@ class Exchange:
         out: list[bytes],
         *,
         blocked: bool,
+        takes_turns: bool = False,
     ) -> None:
         self.codec = codec
         self.window = window
         self.blocked = blocked
         """Whether the medium takes no bytes: what was sent is still held back, so a repetition would be behind it."""
+        self._takes_turns = takes_turns
+        self._may_send = not takes_turns
         self.refused: int | None = None
         """The ID of a request that the gateway did not take for it is in no session: it was reset."""
         self._waiting = waiting
@@ -134,7 +138,8 @@ class Exchange:
         """Send what `source` has as soon as there is room."""
         window = self.window
         if (
-            not self._waiting
+            self._may_send
+            and not self._waiting
             and isinstance(source, Request)
             and (window.oldest == window.next or window.room(source.size, posted=source.posted))
         ):
@@ -161,7 +166,7 @@ class Exchange:
     def admit(self, now: float, events: Events) -> None:
         """Let sources into the window, in turn, as far as there is room."""
         waiting, window = self._waiting, self.window
-        while waiting:
+        while waiting and self._may_send:
             source = waiting[0]
             if source.unwanted():
                 waiting.popleft()
@@ -187,6 +192,30 @@ class Exchange:
         if self.window.needs_fence(now):
             self._confirm(now)
 
+    # Turns, where nodes share a medium
+
+    @property
+    def wants_turn(self) -> bool:
+        """Whether there is something to send that waits for a turn."""
+        window = self.window
+        if not self._takes_turns:
+            return False
+        while self._waiting and self._waiting[0].unwanted():
+            self._waiting.popleft()
+        if window.wants_repetition:
+            return not self.blocked
+        return bool(self._waiting) and (window.oldest == window.next)
+
+    def take_turn(self, now: float, events: Events) -> None:
+        """Send one frame; with it the turn is used up."""
+        self._may_send = True
+        if self.window.wants_repetition:
+            self.window.resume(now)
+            self._repeat()
+        else:
+            self.admit(now, events)
+        self._may_send = False
+
     def _confirm(self, now: float) -> None:
         self._number(Request(self.codec, "H", b"", 0), now)
 
@@ -199,7 +228,7 @@ class Exchange:
 
     def _repeat(self) -> None:
         """Send unanswered requests again; an ``h`` in place of those that are not wanted any more."""
-        if self.blocked:
+        if self.blocked or not self._may_send:
             return
         codec, repeated = self.codec, False
         for number, run, offset, count in self.window.repetition():
@@ -406,7 +435,9 @@ class Exchange:
         # What is as short as an error is one of which the X was damaged: one bit makes a P of it.
         if len(frame) < self._error_size or not frame.startswith(self._sample):
             self.window.heard = True
-            self.window.answer_damaged(now)
+            if not self._takes_turns:
+                # Where others wait for their turn, what belongs to it may still follow: the time shows its end.
+                self.window.answer_damaged(now)
 
     def _size_of(self, frame: bytes) -> int | None:
         """Return how many characters a frame has, LF included, as its beginning says; None where that does not."""
@@ -514,7 +545,8 @@ class Exchange:
         self._fence(now)
         keep_alive_due = self._keep_alive_due
         if keep_alive_due is not None and now >= keep_alive_due:
-            self._confirm(now)
+            self._waiting.append(Request(self.codec, "H", b"", 0, of_session=True))
+            self.admit(now, events)
 
     def _place(self, run: Message) -> int:
         """Return the place in its run of the oldest message that waits for an answer."""

@@ -64,9 +64,13 @@ class Handshake:
         seed: by which the first ID of the session is chosen, any number from 0 on.
         now: the time in seconds.
         again: whether to ask if the gateway was reset since an earlier session.
+        wire_time: where nodes share the medium, seconds that question and answer are on the wire, at most, 0 where that
+            is not known; None where there is no other node.
     """
 
-    def __init__(self, node: int | None, seed: int, now: float, *, again: bool) -> None:
+    def __init__(self, node: int | None, seed: int, now: float, *, again: bool, wire_time: float | None = None) -> None:
+        self._takes_turns = wire_time is not None
+        self._wire_time = wire_time or 0.0
         self._node = node
         self._seed = seed
         self._again = again
@@ -101,6 +105,19 @@ class Handshake:
     def first(self) -> int:
         """The first ID of the session."""
         return self._seed & self.codec.ring - 1
+
+    @property
+    def asks(self) -> bool:
+        """Whether there is a question to send."""
+        return bool(self._out)
+
+    def take_turn(self, now: float) -> bytes:
+        """Return the bytes to send, the time for whose answer begins now."""
+        self._asked_at = now
+        if self._asked == 1:
+            self._began = now
+        self.deadline = now + self._patience + self._wire_time
+        return self.take_output()
 
     def take_output(self) -> bytes:
         """Return the bytes to send."""
@@ -162,7 +179,7 @@ class Handshake:
         self._asked += 1
         self._asked_at = now
         self._damaged = False
-        self.deadline = now + self._patience
+        self.deadline = now + self._patience + self._wire_time
 
     def expire(self, now: float) -> None:
         """Ask again, if the time has come."""
@@ -209,7 +226,7 @@ class Handshake:
             return
         text = line[:_LONGEST_TEXT].decode("ascii", "replace").strip()
         self._text = text if text.isprintable() else ""
-        if not self._damaged:
+        if not self._damaged and not self._takes_turns:
             # Perhaps a damaged answer; what answers so soon will not take much longer for the next one.
             self._damaged = True
             self._patience = min(max(DAMAGE_PATIENCE * (now - self._asked_at), SHORTEST_TRY), LONGEST_TRY)

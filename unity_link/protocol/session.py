@@ -33,7 +33,7 @@ from unity_link.errors import (
     UnsupportedError,
 )
 from unity_link.protocol.configuration import Feature, GatewayInfo
-from unity_link.protocol.constants import LONGEST_SILENCE
+from unity_link.protocol.constants import ANSWER_PATIENCE, LONGEST_SILENCE
 from unity_link.protocol.exchange import Counters, Exchange
 from unity_link.protocol.frames import LONGEST_FRAME
 from unity_link.protocol.group_table import GroupTable, HeldGroup
@@ -46,6 +46,10 @@ if TYPE_CHECKING:
 
     from unity_link.protocol.messages import Codec, GroupFlag
 
+_FIRST_TURN = 256
+"""Bytes of a question of the handshake and its answer, at most; gateways of later versions say more of themselves."""
+_UNKNOWN_PATIENCE = 0.25
+"""Seconds that an answer to the handshake can be on its way where nothing is known of the line."""
 SILENT = "the gateway does not answer any more"
 RESET = "the gateway was reset"
 
@@ -98,6 +102,9 @@ class Session:
         """When a gateway that was reset must have answered."""
         self._shortest_timeout = 0.0
         self._blocked = False
+        self._takes_turns = False
+        """Whether a turn is waited for before each frame: `take_turn` gives it."""
+        self._byte_time: float | None = None
         self._exchange: Exchange | None = None
 
     # State
@@ -142,9 +149,51 @@ class Session:
     @property
     def deadline(self) -> float | None:
         """When `expire` must be called; None while there is nothing to wait for."""
+        if self.wants_turn:
+            # Then the time begins.
+            return self._give_up_at
         if self._exchange is not None:
             return self._exchange.deadline
         return None if self._handshake is None else self._handshake.deadline
+
+    # Turns, where nodes share a medium
+
+    @property
+    def wants_turn(self) -> bool:
+        """Whether a turn is waited for, to send something."""
+        if not self._takes_turns:
+            return False
+        if self._exchange is not None:
+            return self._exchange.wants_turn
+        return self._handshake is not None and self._handshake.asks
+
+    @property
+    def is_owed_an_answer(self) -> bool:
+        """Whether an answer can be on its way."""
+        if self._exchange is not None:
+            return self._exchange.window.in_flight > 0 and not self._exchange.window.wants_repetition
+        return self._handshake is not None and not self._handshake.asks
+
+    def take_turn(self, now: float) -> Events:
+        """Send one frame."""
+        events: Events = []
+        self._now = now
+        if self._exchange is not None:
+            self._exchange.take_turn(now, events)
+        elif self._handshake is not None and self._handshake.asks:
+            self.output.append(self._handshake.take_turn(now))
+        # What came between two turns is no part of an answer.
+        self._rest = b""
+        return events
+
+    @property
+    def longest_turn(self) -> float:
+        """Seconds after which no answer can come any more to what was just sent."""
+        if self._exchange is not None:
+            return self._exchange.window.longest_answer
+        if self._byte_time is None:
+            return _UNKNOWN_PATIENCE
+        return ANSWER_PATIENCE + self._byte_time * _FIRST_TURN
 
     def take_output(self) -> bytes:
         """Return the bytes to send, which are forgotten here."""
@@ -161,22 +210,29 @@ class Session:
 
     # Connections
 
-    def connect(self, now: float, shortest_timeout: float) -> None:
+    def connect(
+        self, now: float, shortest_timeout: float, *, takes_turns: bool = False, byte_time: float | None = None
+    ) -> None:
         """Begin on a new connection.
 
         Args:
             now: the time.
             shortest_timeout: seconds that the medium may hold an answer back, and some more.
+            takes_turns: whether other nodes share the medium, so that a turn is waited for before each frame.
+            byte_time: seconds that a byte needs on the wire, None where that is not known.
         """
-        self._shortest_timeout = shortest_timeout
+        self._shortest_timeout = max(shortest_timeout, ANSWER_PATIENCE) if takes_turns else shortest_timeout
+        self._takes_turns, self._byte_time = takes_turns, byte_time
         self._blocked = False
         self._rest = b""
         self.output.clear()
         self._begin(now, again=self.epoch >= 0)
 
     def _begin(self, now: float, *, again: bool) -> None:
-        self._handshake = Handshake(self._node, self._choose(), now, again=again)
-        self.output.append(self._handshake.take_output())
+        wire_time = (self._byte_time or 0.0) * _FIRST_TURN if self._takes_turns else None
+        self._handshake = Handshake(self._node, self._choose(), now, again=again, wire_time=wire_time)
+        if not self._takes_turns:
+            self.output.append(self._handshake.take_output())
 
     def disconnect(self, reason: str) -> Events:
         """End what the connection carried: it is closed, or about to be.
@@ -367,15 +423,18 @@ class Session:
         events: Events = []
         self._now = now
         exchange = self._exchange
-        if exchange is not None:
+        if self.wants_turn:
+            # Not before it was sent can an answer to it be late.
+            pass
+        elif exchange is not None:
             exchange.expire(now, events)
             if exchange.window.lost:
                 events.append(Unusable(LinkLostError(SILENT)))
         elif self._handshake is not None:
             self._handshake.expire(now)
             self._advance_handshake(now, events)
-            if self._give_up_at is not None and now >= self._give_up_at and self._handshake is not None:
-                events.append(Unusable(LinkLostError(f"{RESET}, and has not answered since")))
+        if self._give_up_at is not None and now >= self._give_up_at and self._handshake is not None:
+            events.append(Unusable(LinkLostError(f"{RESET}, and has not answered since")))
         return events
 
     def _gateway_was_reset(self, now: float, events: Events) -> None:
@@ -391,9 +450,8 @@ class Session:
         """Send what the handshake has to ask, and open the session when it is complete."""
         handshake = self._handshake
         assert handshake is not None
-        question = handshake.take_output()
-        if question:
-            self.output.append(question)
+        if handshake.asks and not self._takes_turns:
+            self.output.append(handshake.take_output())
         if handshake.found_reset:
             handshake.found_reset = False
             events.append(Interrupted(GatewayResetError(RESET)))
@@ -423,8 +481,17 @@ class Session:
             1 if Feature.HALF_DUPLEX in info.features else None,
         )
         self.epoch += 1
+        # A node that is not half-duplex has its line alone.
+        self._takes_turns = self._takes_turns and Feature.HALF_DUPLEX in info.features
         self._exchange = Exchange(
-            self._codec, window, self._waiting, self._groups, self.counters, self.output, blocked=self._blocked
+            self._codec,
+            window,
+            self._waiting,
+            self._groups,
+            self.counters,
+            self.output,
+            blocked=self._blocked,
+            takes_turns=self._takes_turns,
         )
         events.append(Opened(info))
         self._exchange.admit(now, events)

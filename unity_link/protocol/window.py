@@ -169,7 +169,7 @@ class Window(Generic[R]):
         self.smoothed_round_trip: float | None = None
         """Smoothed round trip in seconds (SRTT of RFC 6298), None before the first."""
         self._variation = 0.0
-        self._shortest_timeout = shortest_timeout if byte_limit is None else SHORTEST_TIMEOUT
+        self._shortest_timeout = shortest_timeout if byte_limit is None else max(shortest_timeout, SHORTEST_TIMEOUT)
         self._least_round_trip = 0.0 if round_trip is None else round_trip
         self._measured_timeout = self._timeout = FIRST_TIMEOUT
         # The first IDs: behind all that were sent again, behind the last that was sent again for a damaged answer, and
@@ -492,6 +492,20 @@ class Window(Generic[R]):
         if self._early_sign is not None:
             expiry = min(expiry, self._early_sign[1])
         return expiry if self._fence_due is None or repeating else min(expiry, self._fence_due)
+
+    @property
+    def longest_answer(self) -> float:
+        """Seconds after which no answer can come any more to the oldest request, if it was sent just now."""
+        run = self._slots[self.oldest]
+        return (
+            self._measured_timeout
+            + self._byte_time * self._bytes
+            + self._reply_byte_time * (0 if run is None else run.reply_size)
+        )
+
+    def resume(self, now: float) -> None:
+        """Record that the turn has come in which something is sent again: the time for its answer begins."""
+        self._since = now
 
     def expire(self, now: float) -> R | None:
         """Record the time: give the run whose request is given up, if this was once too often.

@@ -17,6 +17,7 @@ import importlib
 import logging
 import os
 import re
+import select
 from typing import TYPE_CHECKING, Any, Protocol, TypeGuard, cast
 from urllib.parse import parse_qsl, urlsplit
 
@@ -49,6 +50,8 @@ SNOOP_VARIABLE = "UNITY_LINK_SNOOP"
 """In the environment: the snoop of all connections whose URL names none."""
 SENT, RECEIVED, SAMPLES = (logging.getLogger(f"unity_link.frames.{name}") for name in ("sent", "received", "samples"))
 """Who takes the frames of connections that are opened while they are at debug level."""
+_OPENING_TIMEOUT = 5.0
+"""Seconds that the thread which opens a shared port waits, whoever has given it up meanwhile."""
 _TOKEN = re.compile(r"(?<=[?&]token=)[^&]*")
 """The value of an option that is a secret."""
 
@@ -278,7 +281,34 @@ async def open_medium(target: DriverUrl | Medium, protocol: asyncio.Protocol) ->
     if not isinstance(target, DriverUrl):
         return await target.open(protocol)
     with refused_as("it cannot be opened"):
+        if _is_shared(target):
+            return await _open_shared(target, protocol)
         return await load_driver(target.scheme).connect(target, protocol)
+
+
+def _is_shared(url: DriverUrl) -> bool:
+    """Return whether links to other nodes may share what a URL names; waiting for it wants what Windows has not."""
+    return url.node is not None and getattr(load_driver(url.scheme), "NODES_SHARE", False) and hasattr(select, "poll")
+
+
+async def _open_shared(url: DriverUrl, protocol: asyncio.Protocol) -> asyncio.Transport:
+    """Open a link's part of a port; where that waits, a thread does."""
+    import asyncio
+
+    from unity_link.transport.channel_transport import LoopWatcher, make_transport
+
+    opening = asyncio.get_running_loop().run_in_executor(None, open_channel, url, _OPENING_TIMEOUT)
+    try:
+        channel = await asyncio.shield(opening)
+    except asyncio.CancelledError:
+        opening.add_done_callback(_close_opened)
+        raise
+    return make_transport(LoopWatcher(), channel, protocol)
+
+
+def _close_opened(opening: asyncio.Future[Channel]) -> None:
+    if not opening.cancelled() and opening.exception() is None:
+        opening.result().close()
 
 
 def has_channel(target: DriverUrl | Medium) -> TypeGuard[DriverUrl]:
@@ -287,7 +317,7 @@ def has_channel(target: DriverUrl | Medium) -> TypeGuard[DriverUrl]:
 
 
 def open_channel(url: DriverUrl, timeout: float | None) -> Channel:
-    """Open a medium whose driver has `open_channel`, without an event loop.
+    """Open a medium whose driver has `open_channel`, without an event loop; of a shared port, the part of a node.
 
     Args:
         url: names it.
@@ -297,7 +327,12 @@ def open_channel(url: DriverUrl, timeout: float | None) -> Channel:
         ConnectError: where the medium can't be opened.
     """
     with refused_as("it cannot be opened"):
-        channel: Channel = cast("Any", load_driver(url.scheme)).open_channel(url, timeout)
+        driver = cast("Any", load_driver(url.scheme))
+        if _is_shared(url):
+            from unity_link.transport.shared_port import open_shared
+
+            return open_shared(url, lambda: driver.open_channel(url, timeout))
+        channel: Channel = driver.open_channel(url, timeout)
         return channel
 
 
@@ -320,6 +355,12 @@ def observed(target: DriverUrl | Medium, protocol: asyncio.Protocol) -> asyncio.
 def name_of(target: DriverUrl | Medium) -> str:
     """Return what messages call a medium."""
     return target.text if isinstance(target, DriverUrl) else "the given gateway"
+
+
+def node_of(target: DriverUrl | Medium) -> int | None:
+    """Return the number of the node on a medium that several share, None on one of our own."""
+    node: int | None = getattr(target, "node", None)
+    return node
 
 
 async def prepare(url: DriverUrl) -> None:

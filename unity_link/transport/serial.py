@@ -36,6 +36,11 @@ if TYPE_CHECKING:
 
 OPTIONS = frozenset({"baud", "rtscts", "library"})
 DEFAULT_BAUD = 115_200
+NODES_SHARE = True
+DEFAULTS = {"baud": str(DEFAULT_BAUD), "rtscts": "0"}
+"""What the options of the port are where they are not given."""
+_BITS = 10
+"""Of a byte, with start and stop bit."""
 DEFAULT_LIBRARY = "pyserial-asyncio-fast"
 LIBRARIES = {DEFAULT_LIBRARY: "serial_asyncio_fast", "pyserial-asyncio": "serial_asyncio"}
 """The module of each package that joins pyserial to asyncio."""
@@ -188,6 +193,7 @@ class PortChannel:
 
     def __init__(self, port: SerialPort) -> None:
         self.shortest_timeout = QUICK_TIMEOUT if port.is_pseudo_terminal else SHORTEST_TIMEOUT
+        self.byte_time = _BITS / port.baudrate
         self.close = port.close
         self._descriptor: int = port.fileno()
 

@@ -16,6 +16,8 @@ from unity_link.protocol.frames import LONGEST_FRAME
 if TYPE_CHECKING:
     from collections.abc import Callable
 
+    from unity_link.transport.turns import Seat
+
 
 class Receiver(Protocol):
     """The reader of a stream."""
@@ -80,6 +82,16 @@ class Stream(asyncio.Protocol):
         is_socket = self._transport.get_extra_info("socket") is not None
         known = self._transport.get_extra_info("shortest_timeout", QUICK_TIMEOUT if is_socket else SHORTEST_TIMEOUT)
         return float(known)
+
+    @property
+    def byte_time(self) -> float | None:
+        """Seconds that a byte needs on the wire, None where that is not known."""
+        return None if self._transport is None else self._transport.get_extra_info("byte_time")
+
+    @property
+    def seat(self) -> Seat | None:
+        """The link's place on a line on which nodes take turns, None where it is alone."""
+        return None if self._transport is None else self._transport.get_extra_info("seat")
 
     async def close(self) -> None:
         """End the connection and wait until it has ended."""

@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from unity_link.transport.channel import Channel
 
 OPTIONS = frozenset({"token"})
+NODES_SHARE = True
 
 
 def address(url: DriverUrl) -> tuple[str, int]:

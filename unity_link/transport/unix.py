@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from unity_link.transport.channel import Channel
 
 OPTIONS: frozenset[str] = frozenset()
+NODES_SHARE = True
 
 
 async def connect(url: DriverUrl, protocol: asyncio.Protocol) -> asyncio.Transport:

@@ -17,6 +17,7 @@ from unity_link.virtual.faults import Noise, NoisyLine
 from unity_link.virtual.gateway import BareGateway, Gateway, VirtualGateway
 from unity_link.virtual.line import SlowLine
 from unity_link.virtual.scara import Scara
+from unity_link.virtual.shared_line import build_shared_line
 from unity_link.virtual.simulating import SimulatedGateway, load_model, make_robot
 from unity_link.virtual.walker import Walker
 
@@ -144,9 +145,40 @@ def put_behind_line(
     gateway: Gateway = bare
     if bytes_per_second is not None:
         gateway = SlowLine(bare, bytes_per_second)
-    if chances:
-        gateway = NoisyLine(gateway, Noise(2 * seed, **chances), Noise(2 * seed + 1, **chances))
-    return gateway
+    return _noisy(gateway, chances or {}, seed)
+
+
+def _noisy(gateway: Gateway, chances: Mapping[str, float], seed: int) -> Gateway:
+    if not chances:
+        return gateway
+    return NoisyLine(gateway, Noise(2 * seed, **chances), Noise(2 * seed + 1, **chances))
+
+
+def build_nodes(
+    nodes: list[int],
+    baud: int,
+    configuration: Mapping[str, int],
+    *,
+    chances: Mapping[str, float],
+    seed: int,
+    on_collision: Callable[[str], object],
+) -> Gateway:
+    """Build an RS-485 line with a gateway for each node.
+
+    Args:
+        nodes: their numbers.
+        baud: of the line.
+        configuration: as of `build_gateway`, of each node.
+        chances: as of `build_gateway`, of the line.
+        seed: as of `build_gateway`.
+        on_collision: is told in a sentence when two send at the same time.
+
+    Raises:
+        ArgumentError: for a value that no gateway can have.
+    """
+    line = build_shared_line(nodes, baud, _info(configuration))
+    line.on_collision = on_collision
+    return _noisy(line, chances, seed)
 
 
 def build_bare(wanted: Wanted) -> BareGateway:

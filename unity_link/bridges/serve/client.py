@@ -227,7 +227,8 @@ class Client(asyncio.Protocol):
         """Take the answer to a request that was handed on."""
         if request.reply is not None:
             return
-        framing = request.codec.framing
+        assert self._shared.codec is not None
+        framing = self._shared.codec.framing
         if not body or request.silent:
             request.reply = b""
         else:

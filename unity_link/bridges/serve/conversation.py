@@ -43,7 +43,7 @@ class Conversation:
     Args:
         client: sends the requests, and is answered.
         shared: the link that it shares with others.
-        codec: the messages of the gateway.
+        codec: the messages of the client.
     """
 
     def __init__(self, client: Client, shared: SharedLink, codec: Codec) -> None:
@@ -154,7 +154,7 @@ class Conversation:
         if command == "WS" and self._takes_turns:
             # The gateway answers, so that the next request cannot meet an error of this one; the client hears errors.
             command, head, digits = "W", b"", 0
-        relayed = Relayed(codec, command, fields, digits, self._client, head, request.id, plain=plain)
+        relayed = Relayed(self._shared.to_gateway, command, fields, digits, self._client, head, request.id, plain=plain)
         relayed.after = after
         relayed.stored = stored
         self._client.hand_on(relayed, self._session.awaited)
@@ -162,7 +162,7 @@ class Conversation:
     def _relay_silently(self, command: str, slot: Slot, settings: Settings | None = None) -> None:
         """Have something done with a slot that the client did not ask for; its next requests are answered behind it."""
         fields = slot.text + (b"" if settings is None else settings.fields)
-        relayed = Relayed(self._codec, command, fields, 0, self._client, b"")
+        relayed = Relayed(self._shared.to_gateway, command, fields, 0, self._client, b"")
         relayed.silent = True
         relayed.after = self._shared.naming(slot, command, settings)
         relayed.stored = None if settings is None else self._shared.slots.storing(slot)
@@ -206,7 +206,7 @@ class Conversation:
         if not count:
             return start
         self._sequence.advance(count)
-        rows = RelayedRows(codec, command, fields[:count], self._client, expected)
+        rows = RelayedRows(self._shared.to_gateway, codec, command, fields[:count], self._client, expected)
         self._client.hand_on_rows(rows, self._session.awaited)
         return start + count * size
 
@@ -233,7 +233,8 @@ class Conversation:
             return False
         sequence.advance()
         self._client.hand_on(
-            Relayed(self._codec, command, fields, digits, self._client, line[:after], number), self._session.awaited
+            Relayed(self._shared.to_gateway, command, fields, digits, self._client, line[:after], number),
+            self._session.awaited,
         )
         return True
 
@@ -301,7 +302,7 @@ class Conversation:
         """
         framing = self._codec.framing
         if self._session.begun and self._client.posts_unconfirmed and body[:1].islower():
-            fence = Relayed(self._codec, "H", b"", 0, self._client, body, number, plain=plain)
+            fence = Relayed(self._shared.to_gateway, "H", b"", 0, self._client, body, number, plain=plain)
             self._client.hand_on(fence, self._session.awaited)
         else:
             self._client.say(framing.plain_reply(body) if plain else framing.checked(body))

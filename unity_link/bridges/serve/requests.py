@@ -50,7 +50,7 @@ class Relayed(Request):
     """One request of a client.
 
     Args:
-        codec: the messages of the gateway, and of the client.
+        codec: the messages of the gateway.
         command: in upper case.
         fields: hex digits, as the gateway is to see them.
         digits: hex digits of the answer's data, None where nothing answers.
@@ -161,7 +161,8 @@ class RelayedRows(Batch):
     """Many requests of one client for single words: a source of runs, and one place in the order of the answers.
 
     Args:
-        codec: the messages of the gateway, and of the client.
+        codec: the messages of the gateway.
+        to_client: the messages of the client.
         command: ``R`` or ``W``.
         fields: hex digits, shape (n, width).
         asker: who is answered.
@@ -171,8 +172,11 @@ class RelayedRows(Batch):
     smallest_turn = 64
     of_no_session = False
 
-    def __init__(self, codec: Codec, command: str, fields: NDArray[np.uint8], asker: RowsAsker, number: int) -> None:
+    def __init__(
+        self, codec: Codec, to_client: Codec, command: str, fields: NDArray[np.uint8], asker: RowsAsker, number: int
+    ) -> None:
         super().__init__(codec, command, [(fields, fields.shape[1])])
+        self._to_client = to_client
         self.number = number
         self.cost = self.size + codec.head_sizes[command] + (self.reply_digits or 0)
         """Bytes that each takes of the gateway's line."""
@@ -223,16 +227,16 @@ class RelayedRows(Batch):
 
     def error_frame(self, offset: int, code: ErrorCode) -> bytes:
         """Return the frame of an error for the client."""
-        return self.codec.framing.checked(self.codec.error(code, self._number(offset)))
+        return self._to_client.framing.checked(self.codec.error(code, self._number(offset)))
 
     def reply(self, offset: int, data: bytes) -> bytes:
         """Return the frame of an answer for the client."""
-        codec = self.codec
+        codec = self._to_client
         return codec.framing.checked(codec.lower[self.command] + codec.id_text[self._number(offset)] + data)
 
     def replies(self, offset: int, data: NDArray[np.uint8]) -> bytes:
         """Return the frames of many answers for the client."""
-        return request_rows(self.codec, self.command, self._number(offset), data)
+        return request_rows(self._to_client, self.command, self._number(offset), data)
 
     def _number(self, offset: int) -> int:
         return self.number + offset & self.codec.ring - 1

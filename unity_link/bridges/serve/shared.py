@@ -74,6 +74,11 @@ class SharedLink(Connection):
             Sampled: lambda sample: sample.owner.receive(sample.body),
         }
 
+    @property
+    def to_gateway(self) -> Codec:
+        """The messages towards the gateway, which may be one node of several."""
+        return self._codec
+
     # Clients
 
     def join(self, client: Client) -> None:

@@ -1,13 +1,15 @@
-"""A transport of a medium with a file descriptor, where no event loop is."""
+"""Transports of media with a file descriptor, by what waits for it: a thread, a task group or an event loop."""
 
 from __future__ import annotations
 
 import asyncio
+from contextlib import suppress
 from typing import TYPE_CHECKING, Protocol
 
 from unity_link.errors import ConnectError
-from unity_link.link.polling import POLLIN, POLLOUT
 from unity_link.transport.buffered import HIGH_WATER, LOW_WATER
+from unity_link.transport.polling import POLLIN, POLLOUT
+from unity_link.transport.shared_port import SharedChannel
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -21,11 +23,36 @@ class Watcher(Protocol):
     def call_soon(self, function: Callable[[], object], /) -> object:
         """Call a function when what runs now waits."""
 
+    def call_soon_threadsafe(self, function: Callable[[], object], /) -> object:
+        """Call a function soon; may be called by other threads."""
+
     def watch(self, descriptor: int, events: int, handler: Callable[[int], None]) -> None:
         """Call a handler where a file descriptor is ready."""
 
     def unwatch(self, descriptor: int) -> None:
         """Call no handler any more."""
+
+
+class LoopWatcher:
+    """The event loop that is running."""
+
+    def __init__(self) -> None:
+        self._loop = loop = asyncio.get_running_loop()
+        self.call_soon = loop.call_soon
+        self.call_soon_threadsafe = loop.call_soon_threadsafe
+
+    def watch(self, descriptor: int, events: int, handler: Callable[[int], None]) -> None:
+        """Call a handler where a file descriptor is ready."""
+        self._loop.add_reader(descriptor, handler, POLLIN)
+        if events & POLLOUT:
+            self._loop.add_writer(descriptor, handler, POLLOUT)
+        else:
+            self._loop.remove_writer(descriptor)
+
+    def unwatch(self, descriptor: int) -> None:
+        """Call no handler any more."""
+        self._loop.remove_reader(descriptor)
+        self._loop.remove_writer(descriptor)
 
 
 class ChannelTransport(asyncio.Transport):
@@ -38,7 +65,8 @@ class ChannelTransport(asyncio.Transport):
     """
 
     def __init__(self, watcher: Watcher, channel: Channel, protocol: asyncio.Protocol) -> None:
-        super().__init__({"shortest_timeout": channel.shortest_timeout})
+        names = ("shortest_timeout", "byte_time", "seat")
+        super().__init__({name: getattr(channel, name) for name in names if hasattr(channel, name)})
         self._watcher = watcher
         self._channel = channel
         self._put = channel.write
@@ -46,6 +74,7 @@ class ChannelTransport(asyncio.Transport):
         self._descriptor = channel.fileno()
         self._unwritten = bytearray()
         self._paused = self._closing = False
+        self._listening = True
         watcher.watch(self._descriptor, POLLIN, self._on_ready)
         protocol.connection_made(self)
 
@@ -70,7 +99,7 @@ class ChannelTransport(asyncio.Transport):
 
     def abort(self) -> None:
         """End the connection at once."""
-        self._lose(None)
+        self._end(None)
 
     close = abort
 
@@ -113,10 +142,62 @@ class ChannelTransport(asyncio.Transport):
                 self._protocol.data_received(data)
 
     def _lose(self, reason: Exception | None) -> None:
+        """Record that the medium is gone."""
+        self._end(reason)
+
+    def _end(self, reason: Exception | None) -> None:
         if self._closing:
             return
         self._closing = True
         self._unwritten.clear()
-        self._watcher.unwatch(self._descriptor)
+        if self._listening:
+            self._watcher.unwatch(self._descriptor)
         self._channel.close()
         self._watcher.call_soon(lambda: self._protocol.connection_lost(reason))
+
+
+class SharedTransport(ChannelTransport):
+    """A transport of a link's part of a shared port, which is listened to in the turns of the link."""
+
+    def __init__(self, watcher: Watcher, channel: SharedChannel, protocol: asyncio.Protocol) -> None:
+        self._shared = channel
+        channel.on_lost = self._lost_elsewhere
+        super().__init__(watcher, channel, protocol)
+
+    def write(self, data: bytes | bytearray | memoryview) -> None:
+        """Send a frame, in the turn of the link."""
+        seat = self._shared.seat
+        if self._closing or not seat.has_turn:
+            return
+        if not self._unwritten and not seat.is_kept:
+            # A turn begins with this.
+            self._shared.drop_input()
+        if not self._listening:
+            self._listening = True
+            self._watcher.watch(self._descriptor, POLLIN, self._on_ready)
+        super().write(data)
+
+    def _on_ready(self, event: int) -> None:
+        if self._shared.seat.listens:
+            super()._on_ready(event)
+        elif self._listening:
+            self._listening = False
+            self._unwritten.clear()
+            self._watcher.unwatch(self._descriptor)
+
+    def _lost_elsewhere(self) -> None:
+        # The loop of a link that was not closed may be gone.
+        with suppress(RuntimeError):
+            self._watcher.call_soon_threadsafe(lambda: self._end(ConnectError("the port is lost")))
+
+    def _lose(self, reason: Exception | None) -> None:
+        if not self._closing:
+            self._shared.lose()
+        super()._lose(reason)
+
+
+def make_transport(watcher: Watcher, channel: Channel, protocol: asyncio.Protocol) -> ChannelTransport:
+    """Return a transport of a channel."""
+    if isinstance(channel, SharedChannel):
+        return SharedTransport(watcher, channel, protocol)
+    return ChannelTransport(watcher, channel, protocol)

@@ -1,0 +1,261 @@
+"""Several nodes on one line, a link for each: nobody sends while an answer of any of them is owed."""
+
+from __future__ import annotations
+
+import asyncio
+import random
+from typing import TYPE_CHECKING
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+import unity_link
+from recorded_bus import RecordedBus
+from simulated_time import on_simulated_time
+from unity_link import BusError, ConnectError, LinkLostError, Reconnect, UnsupportedError
+from unity_link.protocol.constants import ANSWER_PATIENCE
+from unity_link.virtual import VirtualGateway
+from unity_link.virtual.shared_line import SharedLine, build_shared_line
+
+if TYPE_CHECKING:
+    from unity_link import Link
+
+NODES = (1, 2, 5, 0xFE)
+FAILING = 0x44
+
+
+def buses(line: SharedLine) -> dict[int, RecordedBus]:
+    return {
+        node: RecordedBus(gateway, failing=frozenset({FAILING}))
+        for node, gateway in line.gateways.items()
+        if isinstance(gateway, VirtualGateway)
+    }
+
+
+async def work(link: Link, values: range = range(12)) -> None:
+    """Do a bit of everything."""
+    await asyncio.gather(
+        *[link.write(1, value) for value in values],
+        *[link.post(2, value) for value in values],
+        link.write_many([3] * len(values), values),
+        link.write_block(0x10, values),
+        link.read_many([1] * 12),
+    )
+    assert list(await link.read_block(0x10, len(values))) == list(values)
+    with pytest.raises(BusError):
+        await link.read(FAILING)
+    async with link.subscribe([0x10, 0x11]) as samples:
+        for number in (7, 8):
+            await link.write(0x11, number)
+            await samples.publish()
+            assert (await anext(samples)).values[1] == number
+    await link.fence()
+
+
+def in_order(bus: RecordedBus, values: range = range(12)) -> bool:
+    return all([value for where, value in bus.writes if where == address] == list(values) for address in (1, 2, 3))
+
+
+@on_simulated_time
+async def test_four_links_share_a_line_and_nobody_sends_while_an_answer_is_owed() -> None:
+    line = build_shared_line(NODES, delay=0.002)
+    seen = buses(line)
+    async with asyncio.TaskGroup() as tasks:
+
+        async def one(node: int) -> None:
+            async with unity_link.connect(line.at(node)) as link:
+                await work(link)
+                assert (link.statistics.repetitions, link.statistics.stray_frames) == (0, 0)
+
+        for node in NODES:
+            tasks.create_task(one(node))
+    assert line.collisions == []
+    assert all(in_order(bus) for bus in seen.values())
+
+
+def test_two_who_send_at_a_time_are_found_out() -> None:
+    line = build_shared_line(NODES)
+    assert line.receive(b"Z01Q\rZ02Q\r", 0.0) == b""
+    assert set(line.advance(1.0)) == {0xFF}
+    assert line.collisions == ["node 2 sends while node 1 does"]
+    line.receive(b"Z01Q\r", 2.0)
+    line.receive(b"\n", 2.002)
+    assert line.collisions[1:] == ["the host sends while node 1 does"]
+
+
+def test_a_host_that_does_not_wait_for_a_slow_answer_is_found_out() -> None:
+    line = build_shared_line(NODES, delay=0.01)
+    line.receive(b"Z01Q\r", 0.0)
+    line.advance(0.005)
+    line.receive(b"Z02Q\r", 0.005)
+    assert line.collisions == ["the host sends while node 1 does"]
+
+
+@on_simulated_time
+async def test_a_node_that_is_gone_costs_the_others_a_bounded_time() -> None:
+    line = build_shared_line(NODES, baud=1_000_000)
+    clock = asyncio.get_running_loop().time
+    async with unity_link.connect(line.at(1)) as gone, unity_link.connect(line.at(2)) as other:
+        line.gone.add(1)
+        lost = asyncio.ensure_future(gone.read(0))
+        waits = []
+        while not lost.done():
+            began = clock()
+            await other.read(0)
+            waits.append(clock() - began)
+            await asyncio.sleep(0.001)
+        with pytest.raises(LinkLostError):
+            await lost
+        assert max(waits) < ANSWER_PATIENCE + 0.02
+        # A try now and then, and no more: the other has the line for itself nearly all the time.
+        assert sum(wait > 0.01 for wait in waits) <= 8
+    assert line.collisions == []
+
+
+@on_simulated_time
+async def test_a_link_that_is_being_opened_to_a_node_that_is_not_there_does_not_hold_up_the_others() -> None:
+    line = build_shared_line(NODES)
+    line.gone.add(5)
+    clock = asyncio.get_running_loop().time
+    async with unity_link.connect(line.at(1)) as link:
+        opening = asyncio.ensure_future(unity_link.connect(line.at(5), timeout=5).__aenter__())
+        waits = []
+        while not opening.done():
+            began = clock()
+            await link.read(0)
+            waits.append(clock() - began)
+        with pytest.raises(ConnectError, match="nothing arrived"):
+            await opening
+        assert max(waits) < ANSWER_PATIENCE + 256 * 10 / 115_200 + 0.02
+        assert len(waits) > 1000
+    assert line.collisions == []
+
+
+@on_simulated_time
+async def test_a_busy_node_does_not_starve_another() -> None:
+    line = build_shared_line(NODES)
+    async with unity_link.connect(line.at(1)) as busy, unity_link.connect(line.at(2)) as other:
+        batch = asyncio.ensure_future(busy.read_many([0] * 500))
+        for _ in range(100):
+            await other.read(0)
+        # One request of each in turn.
+        assert 95 <= busy.statistics.responses <= 110
+        await batch
+
+
+@on_simulated_time
+async def test_a_reset_of_one_node_is_no_matter_of_the_others() -> None:
+    line = build_shared_line(NODES)
+    seen = buses(line)
+    async with (
+        unity_link.connect(line.at(1), reconnect=True) as reset,
+        unity_link.connect(line.at(2)) as other,
+        reset.subscribe([0x10]) as samples,
+    ):
+        working = asyncio.ensure_future(work(other))
+        for _ in range(3):
+            await asyncio.sleep(0.05)
+            gateway = line.gateways[1]
+            assert isinstance(gateway, VirtualGateway)
+            gateway.reset()
+            await reset.read(1)
+            await samples.publish()
+            await anext(samples)
+        await working
+        assert other.statistics.repetitions == 0
+    assert line.collisions == []
+    assert in_order(seen[2])
+
+
+@on_simulated_time
+async def test_a_link_that_is_closed_or_cancelled_in_its_turn_leaves_the_line_to_the_others_when_it_is_quiet() -> None:
+    line = build_shared_line(NODES, delay=0.01)
+    async with unity_link.connect(line.at(2)) as other:
+        for pause in (0.0, 0.001, 0.002, 0.005, 0.011, 0.013):
+            async with unity_link.connect(line.at(1)) as link:
+                reading = asyncio.ensure_future(link.read(0))
+                await asyncio.sleep(pause)
+                reading.cancel()
+                await other.read(0)
+                await link.read(0)
+                reading = asyncio.ensure_future(link.read(0))
+                await asyncio.sleep(pause)
+            await other.read(0)
+            assert isinstance((await asyncio.gather(reading, return_exceptions=True))[0], (int, Exception))
+    assert line.collisions == []
+
+
+@on_simulated_time
+async def test_a_node_has_one_link() -> None:
+    line = build_shared_line(NODES)
+    async with unity_link.connect(line.at(1)) as link:
+        with pytest.raises(ConnectError, match="has a link to node 1 already"):
+            await unity_link.connect(line.at(1)).__aenter__()
+        await link.read(0)
+    async with unity_link.connect(line.at(1)) as link:
+        await link.read(0)
+
+
+@on_simulated_time
+async def test_a_node_that_sends_without_being_asked_shares_its_line_with_nobody() -> None:
+    line = SharedLine({1: build_shared_line([1]).gateways[1], 2: VirtualGateway(node=2)})
+    async with unity_link.connect(line.at(1)):
+        with pytest.raises(UnsupportedError, match="was not built half-duplex"):
+            await unity_link.connect(line.at(2)).__aenter__()
+    async with unity_link.connect(line.at(2)) as alone:
+        with pytest.raises(ConnectError, match="was not built half-duplex"):
+            await unity_link.connect(line.at(1)).__aenter__()
+        assert list(await alone.read_many([0] * 100)) == [0] * 100
+
+
+class _BadLine(SharedLine):
+    """Damages characters of both directions, and makes no line end of one: that would be a second frame."""
+
+    def __init__(self, line: SharedLine, chance: float, seed: int) -> None:
+        super().__init__(line.gateways)
+        self.chance, self.random = 0.0, random.Random(seed)
+        self.intended = chance
+
+    def receive(self, data: bytes, now: float) -> bytes:
+        return super().receive(self._damage(data), now)
+
+    def advance(self, now: float, room: int | None = None) -> bytes:
+        return self._damage(super().advance(now, room))
+
+    def _damage(self, data: bytes) -> bytes:
+        return bytes(ord("?") if self.random.random() < self.chance and byte not in b"\r\n" else byte for byte in data)
+
+
+@given(st.integers(0, 2**32), st.sampled_from([0.0005, 0.003]), st.lists(st.sampled_from(NODES), max_size=4))
+@on_simulated_time
+async def test_on_a_bad_line_everything_is_executed_once_and_in_order(
+    seed: int, chance: float, gone: list[int]
+) -> None:
+    line = _BadLine(build_shared_line(NODES), chance, seed)
+    seen = buses(line)
+    rng = random.Random(seed)
+    async with asyncio.TaskGroup() as tasks:
+
+        async def one(node: int) -> None:
+            async with unity_link.connect(line.at(node), reconnect=Reconnect(), timeout=60) as link:
+                line.chance = line.intended
+                for value in range(12):
+                    await asyncio.sleep(rng.random() * 0.01)
+                    await asyncio.gather(link.write(1, value), link.post(2, value), link.write_many([3], [value]))
+                await link.read_block(0, 20)
+                await link.fence()
+
+        async def power(node: int) -> None:
+            # Away for less than a link waits in silence: what is heard late or never is told from what was executed.
+            await asyncio.sleep(rng.random())
+            line.gone.add(node)
+            await asyncio.sleep(rng.random())
+            line.gone.discard(node)
+
+        for node in NODES:
+            tasks.create_task(one(node))
+        for node in set(gone):
+            tasks.create_task(power(node))
+    assert line.collisions == []
+    assert all(in_order(bus) for bus in seen.values())

@@ -1,0 +1,196 @@
+"""One port of the system that the links of a program share, in whatever thread or loop they are."""
+
+from __future__ import annotations
+
+import asyncio
+import functools
+import threading
+from contextlib import AsyncExitStack, ExitStack, asynccontextmanager, contextmanager
+from typing import TYPE_CHECKING, Any, ParamSpec
+
+import pytest
+import trio
+
+import unity_link
+from unity_link import ArgumentError, ConnectError, LinkLostError, blocking
+from unity_link.transport import shared_port
+from unity_link.virtual import VirtualGateway
+from unity_link.virtual.serving import serve_pty, serve_tcp
+from unity_link.virtual.shared_line import SharedLine, build_shared_line
+
+if TYPE_CHECKING:
+    from collections.abc import AsyncIterator, Callable, Coroutine, Iterator
+    from contextlib import AbstractAsyncContextManager
+    from pathlib import Path
+
+P = ParamSpec("P")
+NODES = (1, 2, 3, 4)
+BAUD = 2_000_000
+
+
+def in_a_loop(test: Callable[P, Coroutine[Any, Any, None]]) -> Callable[P, None]:
+    """Run an asynchronous test."""
+
+    @functools.wraps(test)
+    def run(*args: P.args, **kwargs: P.kwargs) -> None:
+        asyncio.run(test(*args, **kwargs))
+
+    return run
+
+
+@pytest.fixture(params=[serve_pty, serve_tcp], ids=["pty", "tcp"])
+def served(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> Iterator[tuple[SharedLine, str]]:
+    """Serve a line of four nodes from a thread, and see that nobody sent while an answer was owed."""
+    # A board answers in time; a thread of a machine that has other things to do may not.
+    for name in ("session.ANSWER_PATIENCE", "session._UNKNOWN_PATIENCE", "handshake.FIRST_TRY"):
+        monkeypatch.setattr(f"unity_link.protocol.{name}", 10.0)
+    with serving(request.param) as (line, url):
+        yield line, url
+    assert line.collisions == []
+    assert not shared_port._PORTS
+
+
+@contextmanager
+def serving(way: Callable[[SharedLine], AbstractAsyncContextManager[str]]) -> Iterator[tuple[SharedLine, str]]:
+    line = build_shared_line(NODES, BAUD)
+    urls: list[str] = []
+    ready, over = threading.Event(), asyncio.Event()
+    loop = asyncio.new_event_loop()
+
+    async def serve() -> None:
+        async with way(line) as url:
+            urls.append(url)
+            ready.set()
+            await over.wait()
+
+    def run() -> None:
+        with asyncio.Runner(loop_factory=lambda: loop) as runner:
+            runner.run(serve())
+
+    thread = threading.Thread(target=run)
+    thread.start()
+    ready.wait()
+    try:
+        yield line, f"{urls[0]}?baud={BAUD}&node=" if way is serve_pty else f"{urls[0]}?node="
+    finally:
+        loop.call_soon_threadsafe(over.set)
+        thread.join()
+
+
+@asynccontextmanager
+async def all_nodes(url: str) -> AsyncIterator[list[unity_link.Link]]:
+    async with AsyncExitStack() as stack:
+        yield [await stack.enter_async_context(unity_link.connect(f"{url}{node}")) for node in NODES]
+
+
+def test_in_one_event_loop(served: tuple[SharedLine, str]) -> None:
+    asyncio.run(_in_one_event_loop(served[1]))
+
+
+async def _in_one_event_loop(url: str) -> None:
+    async with all_nodes(url) as links:
+        await asyncio.gather(*[link.write(number, number) for number, link in enumerate(links) for _ in range(20)])
+        words = await asyncio.gather(*[link.read_many([number] * 30) for number, link in enumerate(links)])
+        assert [set(some) for some in words] == [{0}, {1}, {2}, {3}]
+
+
+def test_in_blocking_code_of_one_thread_and_of_several(served: tuple[SharedLine, str]) -> None:
+    with ExitStack() as stack:
+        links = [stack.enter_context(blocking.connect(f"{served[1]}{node}")) for node in NODES]
+        for _ in range(10):
+            for number, link in enumerate(links):
+                link.write(1, number)
+        assert [link.read(1) for link in links] == [0, 1, 2, 3]
+
+        def count(link: blocking.BlockingLink) -> None:
+            for value in range(50):
+                link.write(2, value)
+                assert link.read(2) == value
+
+        threads = [threading.Thread(target=count, args=[link]) for link in links]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+        assert [link.read(2) for link in links] == [49] * 4
+
+
+def test_under_trio_and_in_blocking_code_at_a_time(served: tuple[SharedLine, str]) -> None:
+    async def main() -> None:
+        async with unity_link.connect(served[1] + "1") as link:
+            for value in range(50):
+                await link.write(1, value)
+                assert await link.read(1) == value
+
+    with blocking.connect(served[1] + "2") as link:
+        thread = threading.Thread(target=trio.run, args=[main])
+        thread.start()
+        for value in range(50):
+            link.write(1, value)
+            assert link.read(1) == value
+        thread.join()
+
+
+def test_a_blocking_link_that_nobody_calls_does_not_hold_up_the_others() -> None:
+    with (
+        serving(serve_pty) as (line, url),
+        blocking.connect(url + "1") as link,
+        blocking.connect(url + "2") as other,
+    ):
+        line.gone.add(1)
+        with pytest.raises(TimeoutError):
+            link._call(_impatient, link._link)
+        line.gone.discard(1)
+        assert [other.read(0) for _ in range(20)] == [0] * 20
+        assert link.read(0) == 0
+
+
+async def _impatient(link: unity_link.Link) -> None:
+    async with link._runtime.timeout(0.02):
+        await link.read(0)
+
+
+@in_a_loop
+async def test_with_other_settings_it_is_refused_in_a_sentence() -> None:
+    line = build_shared_line(NODES)
+    async with serve_pty(line) as url, unity_link.connect(f"{url}?node=1"):
+        async with unity_link.connect(f"{url}?node=2&baud=115200&rtscts=0"):
+            pass
+        with pytest.raises(ArgumentError, match=r"node=2&baud=9600: this program has opened the port as .*node=1"):
+            await unity_link.connect(f"{url}?node=2&baud=9600").__aenter__()
+        with pytest.raises(ConnectError, match="has a link to node 1 already"):
+            await unity_link.connect(f"{url}?node=1").__aenter__()
+        with pytest.raises(ConnectError, match="in use"):
+            await unity_link.connect(url).__aenter__()
+
+
+@in_a_loop
+async def test_a_gateway_with_a_number_that_is_alone_and_not_half_duplex_has_all_in_flight_that_it_can() -> None:
+    async with serve_pty(VirtualGateway(node=5)) as url, unity_link.connect(f"{url}?node=5") as link:
+        for _ in range(5):
+            await asyncio.gather(*[link.write(number % 256, number) for number in range(500)])
+            assert len(await link.read_many([1] * 500)) == 500
+        async with link.subscribe([1], rate_hz=1000) as samples:
+            for _ in range(20):
+                await anext(samples)
+            assert await link.read(0) == 256
+        assert link.statistics.repetitions == 0
+        with pytest.raises(ConnectError, match="was not built half-duplex"):
+            await unity_link.connect(f"{url}?node=6").__aenter__()
+
+
+@in_a_loop
+async def test_a_port_that_is_lost_is_lost_to_all_and_opened_anew(tmp_path: Path) -> None:
+    path = tmp_path / "port"
+    async with AsyncExitStack() as stack:
+        async with serve_pty(build_shared_line(NODES), path):
+            again = await stack.enter_async_context(unity_link.connect(f"serial:{path}?node=1", reconnect=True))
+            once = await stack.enter_async_context(unity_link.connect(f"serial:{path}?node=2"))
+            # One that says nothing: only another link can tell it.
+        with pytest.raises(LinkLostError):
+            await once.read(0)
+        async with serve_pty(build_shared_line(NODES), path):
+            assert await again.read(0) == 0
+            async with unity_link.connect(f"serial:{path}?node=2") as new:
+                assert await new.read(0) == 0
+    assert not shared_port._PORTS

@@ -1,0 +1,172 @@
+"""One port, a link for each node: what `connect` opens for a URL with ``node=`` on a medium with a file descriptor.
+
+The links of a program that name the same port share it by themselves. Who has the turn has the port: it alone writes
+and reads, in its own thread or event loop, so that sharing costs no change of threads. What arrives between two turns
+is nobody's, and is dropped. The port is closed with the last link, and lost to all where it is lost to one.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import select
+import threading
+from typing import TYPE_CHECKING, Any
+
+from unity_link.errors import ArgumentError
+from unity_link.transport.channel import LARGEST_READ
+from unity_link.transport.turns import Line
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from unity_link.transport import DriverUrl
+    from unity_link.transport.channel import Channel
+    from unity_link.transport.turns import Seat
+
+_OWN_OPTIONS = frozenset({"node", "snoop", "library"})
+"""Options that are no matter of the port."""
+_PORTS: dict[tuple[Any, ...], Port] = {}
+_OWED: dict[tuple[Any, ...], float] = {}
+"""Until when an answer may come on a port that was closed."""
+_LOCK = threading.Lock()
+
+
+class Port:
+    """A medium that is open once, for all links of this process."""
+
+    def __init__(self, key: tuple[Any, ...], url: DriverUrl) -> None:
+        self.key = key
+        self.text = url.text
+        self.settings = _settings(url)
+        self.opening = threading.Lock()
+        """Held while it is being opened, which may take its time."""
+        self.channel: Channel | None = None
+        self.over = False
+        """Whether it was closed, or could not be opened."""
+        self.line = Line(_without_node(url), free_at=_OWED.pop(key, float("-inf")))
+        self.users: set[SharedChannel] = set()
+
+    def end(self) -> None:
+        """Close it; the next link opens it anew."""
+        self.over = True
+        if _PORTS.get(self.key) is self:
+            del _PORTS[self.key]
+        if self.line.free_at > self.line.clock():
+            _OWED[self.key] = self.line.free_at
+        if self.channel is not None:
+            self.channel.close()
+
+
+def open_shared(url: DriverUrl, open_alone: Callable[[], Channel]) -> SharedChannel:
+    """Return a link's part of a port, which is opened if it is not open.
+
+    Args:
+        url: names port and node.
+        open_alone: opens the port.
+
+    Raises:
+        ArgumentError: where the port is open with other settings.
+        ConnectError: where it can't be opened, or the node has a link already.
+    """
+    assert url.node is not None
+    key = (url.scheme, url.host, url.port, os.path.realpath(url.path) if url.path else "")
+    while True:
+        with _LOCK:
+            port = _PORTS.get(key) or _PORTS.setdefault(key, Port(key, url))
+        with port.opening:
+            if port.channel is None and not port.over:
+                try:
+                    port.channel = open_alone()
+                except BaseException:
+                    with _LOCK:
+                        port.end()
+                    raise
+        with _LOCK:
+            if port.over:
+                continue
+            if port.settings != _settings(url):
+                raise ArgumentError(
+                    f"{url.text}: this program has opened the port as {port.text}, so with other options"
+                )
+            return SharedChannel(port, port.line.join(url.node))
+
+
+def _settings(url: DriverUrl) -> dict[str, str]:
+    from unity_link.transport import load_driver
+
+    defaults: dict[str, str] = getattr(load_driver(url.scheme), "DEFAULTS", {})
+    return defaults | {name: value for name, value in url.options.items() if name not in _OWN_OPTIONS}
+
+
+def _without_node(url: DriverUrl) -> str:
+    return url.text.partition("?")[0]
+
+
+class SharedChannel:
+    """A link's part of a port: a channel that is written to and read in the link's turn."""
+
+    def __init__(self, port: Port, seat: Seat) -> None:
+        assert port.channel is not None
+        self.seat = seat
+        self.shortest_timeout = port.channel.shortest_timeout
+        self.byte_time: float | None = getattr(port.channel, "byte_time", None)
+        self.on_lost: Callable[[], object] = lambda: None
+        """Is called, in any thread, when another link has found that the port is lost."""
+        self._port = port
+        # A number of its own: each thread and event loop waits for it apart from the others.
+        self._descriptor = os.dup(port.channel.fileno())
+        port.users.add(self)
+
+    def fileno(self) -> int:
+        """Return the file descriptor."""
+        return self._descriptor
+
+    def read(self) -> bytes:
+        """Return what has come in this link's turn."""
+        data = os.read(self._descriptor, LARGEST_READ)
+        if not data and self._has_ended:
+            raise EOFError
+        return data if self.seat.has_turn else b""
+
+    @property
+    def _has_ended(self) -> bool:
+        """Whether nothing was read for the other side has closed: of a serial port, another link may have read it."""
+        if not os.isatty(self._descriptor):
+            return True
+        poll = select.poll()
+        poll.register(self._descriptor, select.POLLHUP)
+        return bool(poll.poll(0))
+
+    def write(self, data: bytes | bytearray | memoryview) -> int:
+        """Write what fits; where the turn is over, nothing is, as if the line had lost it."""
+        if not self.seat.has_turn:
+            return len(data)
+        return os.write(self._descriptor, data)
+
+    def drop_input(self) -> None:
+        """Drop what has come between two turns."""
+        with contextlib.suppress(OSError):
+            while len(os.read(self._descriptor, LARGEST_READ)) == LARGEST_READ:
+                pass
+
+    def lose(self) -> None:
+        """Record that the port is lost, to all links."""
+        with _LOCK:
+            if self not in self._port.users:
+                return
+            others = [user for user in self._port.users if user is not self]
+            self._port.end()
+        for user in others:
+            user.on_lost()
+
+    def close(self) -> None:
+        """Give up this part; the last one closes the port."""
+        with _LOCK:
+            if self not in self._port.users:
+                return
+            self._port.users.remove(self)
+            os.close(self._descriptor)
+            self.seat.leave()
+            if not self._port.users and not self._port.over:
+                self._port.end()
