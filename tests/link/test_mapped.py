@@ -242,7 +242,7 @@ async def test_a_robot_of_another_process_moves(robot: str) -> None:
         await scara.j2.pos_sp.post(-20)
         async with Group(scara.j1.cpos, scara.j2.cpos).subscribe(rate_hz=100) as samples:
             async for sample in samples:
-                if sample.values[0] == pytest.approx(30, abs=0.1):
+                if sample.values[scara.j1.cpos] == pytest.approx(30, abs=0.1):
                     break
         assert await scara.j2.cpos.get() == pytest.approx(-20, abs=0.1)
 
