@@ -34,12 +34,19 @@ def _options(description: str) -> argparse.Namespace:
     parser.add_argument("--link", required=True, metavar="URL", help="where the gateway is, such as sim:scara")
     parser.add_argument("--namespace", help="before all topics; the interface's name without")
     parser.add_argument("--poll", type=float, metavar="HZ", help="also publish what nothing samples, read so often")
+    parser.add_argument("--frame-id", default="", metavar="NAME", help="of the states of joints")
     return parser.parse_args(rospy.myargv()[1:])
 
 
 async def _run(robot: type[Robot], options: argparse.Namespace) -> None:
     async with connect_when_there(options.link, _tell) as link:
-        bridge = Ros1Bridge(robot(link), namespace=options.namespace, poll_hz=options.poll, report=_tell)
+        bridge = Ros1Bridge(
+            robot(link),
+            namespace=options.namespace,
+            poll_hz=options.poll,
+            frame_id=options.frame_id,
+            report=_tell,
+        )
         await bridge.run()
 
 
