@@ -17,6 +17,7 @@ import numpy as np
 from unity_link.bridges.sampled import sampled_groups
 from unity_link.data import Writable
 from unity_link.errors import ArgumentError
+from unity_link.generate.ros.topics import SI, message_type, topic_name
 from unity_link.spec.diagnostics import did_you_mean
 
 if TYPE_CHECKING:
@@ -26,18 +27,7 @@ if TYPE_CHECKING:
 
     from unity_link.bridges.commands import Command
     from unity_link.data import Batch, Group, Proxy, Robot
-    from unity_link.spec import Joint, Kind
-
-_TYPES = {
-    "b1": "Bool",
-    **{f"u{size}": f"UInt{8 * size}" for size in (1, 2, 4, 8)},
-    **{f"i{size}": f"Int{8 * size}" for size in (1, 2, 4, 8)},
-    "f2": "Float32",
-    "f4": "Float32",
-    "f8": "Float64",
-}
-_SI = {"deg": math.pi / 180, "deg/s": math.pi / 180, "mm": 1e-3, "mm/s": 1e-3, "cm": 1e-2, "cm/s": 1e-2, "Nmm": 1e-3}
-"""Factors to what REP 103 asks for; every other unit is taken as it is."""
+    from unity_link.spec import Joint
 
 _NAMESPACE = re.compile(r"([A-Za-z_]\w*(/[A-Za-z_]\w*)*)?", re.ASCII)
 
@@ -200,7 +190,7 @@ def _command(proxy: Writable[Any] | None, value: float, refusal: str) -> Command
         raise ArgumentError(refusal)
     if not math.isfinite(value):
         raise ArgumentError(f"{proxy.path}: {value} is no finite number")
-    in_unit = value / _SI.get(proxy.unit, 1.0)
+    in_unit = value / SI.get(proxy.unit, 1.0)
     return proxy, round(in_unit) if proxy.signal.kind.dtype.kind in "iu" else in_unit
 
 
@@ -218,16 +208,6 @@ def read_namespace(text: str) -> str:
     return f"/{name}" if name else ""
 
 
-def topic_name(path: str) -> str:
-    """Write a path as ROS writes names: ``legs[2].coxa`` as ``legs_2/coxa``."""
-    return re.sub(r"\[(\d+)\]", r"_\1", path).replace(".", "/")
-
-
-def message_type(kind: Kind) -> str:
-    """Return the type of ``std_msgs`` that holds every value of a kind; enumerations are their numbers."""
-    return _TYPES[f"{kind.dtype.kind}{kind.dtype.itemsize}"]
-
-
 def _joint_topic(name: str, joints: tuple[Joint, ...], robot: Robot) -> JointTopic:
     def proxies(part: str) -> list[Any]:
         paths = [getattr(joint, part) for joint in joints]
@@ -239,5 +219,5 @@ def _joint_topic(name: str, joints: tuple[Joint, ...], robot: Robot) -> JointTop
 
 def _in_si(proxies: list[Any], batch: Batch) -> NDArray[np.float64]:
     missing = np.full(len(batch), np.nan)
-    columns = [missing if proxy is None else batch[proxy] * _SI.get(proxy.unit, 1.0) for proxy in proxies]
+    columns = [missing if proxy is None else batch[proxy] * SI.get(proxy.unit, 1.0) for proxy in proxies]
     return np.stack(columns, axis=1).astype(np.float64) if columns else np.empty((len(batch), 0))

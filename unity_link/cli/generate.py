@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 from typing import Annotated
 
@@ -9,6 +10,7 @@ import typer
 
 from unity_link.cli.output import print_line
 from unity_link.cli.spec import Name, SpecFile, compile_or_exit
+from unity_link.errors import ArgumentError
 from unity_link.generate import TargetName  # noqa: TC001  (typer reads the annotations)
 
 
@@ -25,10 +27,24 @@ def generate(
         Path, typer.Option("--output", "-o", metavar="DIR", help="Where to write; made where it is not there.")
     ] = Path(),
     interface: Name = None,
+    maintainer: Annotated[
+        str | None, typer.Option(metavar="'NAME <EMAIL>'", help="Of a package of ROS.", show_default=False)
+    ] = None,
+    licence: Annotated[
+        str | None, typer.Option(metavar="NAME", help="Of a package of ROS.", show_default=False)
+    ] = None,
 ) -> None:
     """Generate code from a spec: typed proxies, clients in C, C++ and MATLAB, VHDL, packages of ROS, documents."""
     from unity_link.generate import generate as make
     from unity_link.generate import write
 
-    for path in write(make(target, compile_or_exit(spec), interface), output):
+    package = {} if licence is None else {"licence": licence}
+    if maintainer is not None:
+        found = re.fullmatch(r"\s*([^<>]*[^<>\s])\s*<([^<>@\s]+@[^<>@\s]+)>\s*", maintainer)
+        if found is None:
+            raise ArgumentError(
+                f"--maintainer {maintainer!r}: a name and an address were expected, as 'Ada <ada@lab.org>'"
+            )
+        package |= {"maintainer": found[1], "email": found[2]}
+    for path in write(make(target, compile_or_exit(spec), interface, **package), output):
         print_line(str(path))

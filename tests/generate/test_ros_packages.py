@@ -1,0 +1,218 @@
+"""What is in a generated package of ROS, on the Pythons of its distributions: `make ros-packages` names them.
+
+Without ROS_PYTHONS, it is tried on this one and on those that are found.
+"""
+
+from __future__ import annotations
+
+import ast
+import functools
+import importlib.util
+import json
+import math
+import os
+import shutil
+import subprocess
+import sys
+from contextlib import contextmanager
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from bridge_programs import PROGRAM
+from generate.every_kind import WORD_BITS, every_kind
+from spec_examples import FIGURE_1
+from unity_link import ArgumentError, blocking
+from unity_link.bridges.topics import joint_command_topics, published_groups
+from unity_link.generate import generate, write
+from unity_link.generate.ros import OLDEST_PYTHON
+from unity_link.spec import compile_file, compile_text
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+    from types import ModuleType
+
+EXAMPLES = Path(__file__).parents[2] / "examples"
+ON_PAPER = Path(__file__).with_name("ros_on_paper.py")
+PATIENCE = 120
+NAMED = os.environ.get("ROS_PYTHONS", "").split()
+PACKAGES = {"ros1": ("scripts", ""), "ros2": ("", "scara_unity_link.")}
+"""Where a package has its modules, and what stands before their names."""
+
+
+def runs(python: str) -> bool:
+    """Return whether a Python is there; a name may be that of a program that only looks for one."""
+    found = shutil.which(python)
+    return found is not None and subprocess.run([found, "-c", ""], check=False, capture_output=True).returncode == 0
+
+
+def pythons() -> list[str]:
+    return NAMED or [sys.executable, *filter(runs, ("python3.8", "python3.10", "python3.12"))]
+
+
+def packages(folder: Path, target: str, spec: Any) -> Path:
+    write(generate(target, spec), folder)
+    (package,) = folder.iterdir()
+    return package
+
+
+@contextmanager
+def served(folder: Path, gateway: str) -> Iterator[str]:
+    with subprocess.Popen(
+        [PROGRAM, "serve", gateway, "--unix", str(folder / "gateway")],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.DEVNULL,
+        text=True,
+    ) as server:
+        assert server.stdout is not None
+        yield server.stdout.readline().strip()
+        server.terminate()
+
+
+# On each Python
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("python", pythons())
+@pytest.mark.parametrize("target", PACKAGES)
+def test_a_package_runs_on_the_python_of_its_distribution(target: str, python: str, tmp_path: Path) -> None:
+    place, prefix = PACKAGES[target]
+    folder = packages(tmp_path / "package", target, compile_file(EXAMPLES / "scara.ul")) / place
+    environment = {name: value for name, value in os.environ.items() if name != "PYTHONPATH"}
+    with served(tmp_path, "sim:scara") as url:
+        done = subprocess.run(
+            [python, "-W", "error", str(ON_PAPER), str(folder), prefix, url],
+            env=environment,
+            capture_output=True,
+            check=False,
+            text=True,
+            timeout=PATIENCE,
+        )
+    assert done.returncode == 0, done.stderr
+    told = json.loads(done.stdout)
+    warnings = [text.partition(" (told once)")[0] for text in told["warnings"]]
+    assert warnings == [
+        f"the gateway answers at {url}",
+        "j1.pos_sp: 500.0 is outside of its limits, -130 to 130 deg",
+        "j2.pos_sp: inf is no finite number",
+    ]
+    assert told["written"] == 1 + 2 + 3
+    assert told["subscribed"]["/arm/joint_commands"] == "sensor_msgs/JointState"
+    assert told["subscribed"]["/arm/position_commands"] == "std_msgs/Float64MultiArray"
+    assert told["subscribed"]["/arm/j1/pos_sp/set"] == "std_msgs/Float64"
+    kind, (_, frame_id, names, columns) = told["last"]["/arm/joint_states"]
+    assert (kind, frame_id, names) == ("sensor_msgs/JointState", "base", ["j1", "j2", "j3", "j4"])
+    assert [len(column) for column in columns] == [4, 4, 0]
+    _, (_, level, name, message, hardware, values) = told["last"]["/diagnostics"]
+    assert (level, name, message, hardware) == (0, "unity_link_arm: link", "connected", url)
+    assert float(dict(values)["round trip (ms)"]) > 0
+
+
+@pytest.mark.parametrize("target", PACKAGES)
+@pytest.mark.parametrize("spec", ["scara", "walker", "figure_1"])
+def test_a_package_has_nothing_that_the_oldest_python_does_not_know(target: str, spec: str, tmp_path: Path) -> None:
+    compiled = compile_text(FIGURE_1) if spec == "figure_1" else compile_file(EXAMPLES / f"{spec}.ul")
+    folder = packages(tmp_path, target, compiled)
+    programs = [path for path in folder.rglob("*") if path.suffix == ".py" or path.name == "bridge"]
+    assert len(programs) >= 5
+    for path in programs:
+        tree = ast.parse(path.read_text(), str(path), feature_version=OLDEST_PYTHON)
+        imported = {node.module or "" for node in ast.walk(tree) if isinstance(node, ast.ImportFrom)}
+        imported |= {name.name for node in ast.walk(tree) if isinstance(node, ast.Import) for name in node.names}
+        assert not any(name.startswith(("unity_link", "numpy", "msgspec")) for name in imported)
+
+
+def test_the_modules_that_a_test_runs_are_those_that_the_oldest_python_knows() -> None:
+    ast.parse(ON_PAPER.read_text(), str(ON_PAPER), feature_version=OLDEST_PYTHON)
+
+
+# Values
+
+
+@functools.cache
+def tables(word_bits: int, folder: Path) -> dict[str, Any]:
+    """Return the signals of a package by their paths."""
+    scripts = packages(folder / str(word_bits), "ros1", every_kind(word_bits)) / "scripts"
+    modules: dict[str, ModuleType] = {}
+    for name in ("values", "robot"):
+        spec = importlib.util.spec_from_file_location(name, scripts / f"{name}.py")
+        assert spec is not None
+        assert spec.loader is not None
+        modules[name] = sys.modules[name] = importlib.util.module_from_spec(spec)
+        spec.loader.exec_module(modules[name])
+    for name in modules:
+        del sys.modules[name]
+    signals = {signal.path: signal for signal in (*modules["robot"].REST, *modules["robot"].WRITABLE)}
+    return {**signals, "refused": modules["values"].ValueRefused}
+
+
+@settings(max_examples=100)
+@given(data=st.data(), word_bits=st.sampled_from(WORD_BITS))
+def test_values_stand_in_words_as_unity_link_itself_has_them(
+    tmp_path_factory: pytest.TempPathFactory, data: st.DataObject, word_bits: int
+) -> None:
+    theirs = every_kind(word_bits).interface().signals
+    ours = tables(word_bits, tmp_path_factory.getbasetemp() / "ros_values")
+    signal = theirs[data.draw(st.sampled_from([path for path in theirs if path in ours]))]
+    words = data.draw(st.lists(st.integers(0, (1 << word_bits) - 1), min_size=signal.words, max_size=signal.words))
+    expected, seen = signal.decode(words), ours[signal.path].decode(words)
+    assert seen == expected or (math.isnan(seen) and math.isnan(expected))
+
+    value = data.draw(st.floats() | st.integers(-(1 << 70), 1 << 70) | st.booleans() | st.just(seen))
+    try:
+        right: list[int] | None = list(signal.encode(value))
+    except ArgumentError:
+        right = None
+    try:
+        assert ours[signal.path].encode(value) == right
+    except ours["refused"]:
+        assert right is None
+
+
+# What the packages and the bridges agree on
+
+
+@pytest.mark.parametrize("name", ["scara", "walker"])
+def test_a_package_has_the_topics_of_the_bridge(name: str, tmp_path: Path) -> None:
+    from unity_link.data import load
+
+    spec = compile_file(EXAMPLES / f"{name}.ul")
+    folder = packages(tmp_path, "ros1", spec) / "scripts"
+    program = "import json, robot; print(json.dumps([[[s.topic, s.message] for s in g.signals] for g in robot.GROUPS]))"
+    done = subprocess.run([sys.executable, "-c", program], cwd=folder, capture_output=True, text=True, check=True)
+    with blocking.connect(f"sim:{name}") as link:
+        robot = load(spec)(link._link)
+        groups = published_groups(robot)
+        topics = [[[topic.name, topic.type] for topic in group.topics] for group in groups]
+        joints = joint_command_topics(robot, groups)[0].joints
+    assert json.loads(done.stdout) == topics
+    assert repr(joints.names) in (folder / "robot.py").read_text()
+
+
+@pytest.mark.parametrize("target", PACKAGES)
+def test_maintainer_and_licence_are_the_users(target: str, tmp_path: Path) -> None:
+    spec = str(EXAMPLES / "scara.ul")
+    options = ["--maintainer", "Ada & Co <ada@lab.org>", "--licence", "MIT"]
+    subprocess.run([PROGRAM, "generate", target, spec, "-o", str(tmp_path), *options], check=True, capture_output=True)
+    text = (tmp_path / "scara_unity_link" / "package.xml").read_text()
+    assert '<maintainer email="ada@lab.org">Ada &amp; Co</maintainer>' in text
+    assert "<license>MIT</license>" in text
+
+
+@pytest.mark.parametrize(
+    ("arguments", "what"),
+    [
+        (["ros1", "--maintainer", "Ada"], "--maintainer 'Ada': a name and an address were expected"),
+        (["c", "--licence", "MIT"], "c is no package: a maintainer and a licence are for ros1 and ros2"),
+    ],
+)
+def test_wrong_options_are_one_sentence(arguments: list[str], what: str, tmp_path: Path) -> None:
+    target, *options = arguments
+    command = [PROGRAM, "generate", target, str(EXAMPLES / "scara.ul"), "-o", str(tmp_path), *options]
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    assert done.returncode == 2
+    assert what in done.stderr
+    assert list(tmp_path.iterdir()) == []
