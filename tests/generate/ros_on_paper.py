@@ -16,9 +16,7 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
-FOLDER, PREFIX, LINK = sys.argv[1:4]
 PARAMETERS = {
-    "link": LINK,
     "namespace": "arm",
     "poll_hz": 20.0,
     "frame_id": "base",
@@ -33,14 +31,15 @@ PATIENCE = 60.0
 class Paper:
     """What a bridge needs of ROS, on paper."""
 
-    def __init__(self) -> None:
+    def __init__(self, link: str, **parameters: Any) -> None:
+        self._parameters = dict(PARAMETERS, link=link, **parameters)
         self.last: dict[str, Any] = {}
         self.taking: dict[str, Any] = {}
         self.warnings: list[str] = []
 
     def parameter(self, name: str) -> Any:
         """Return a parameter."""
-        return PARAMETERS[name]
+        return self._parameters[name]
 
     def warn(self, text: str) -> None:
         """Note a sentence."""
@@ -91,9 +90,10 @@ def is_near(values: Sequence[float], wanted: Sequence[float]) -> bool:
 
 def main() -> None:
     """Be the program."""
-    sys.path.insert(0, FOLDER)
-    robot, bridge = (importlib.import_module(PREFIX + name) for name in ("robot", "bridge"))
-    paper = Paper()
+    folder, prefix, link = sys.argv[1:]
+    sys.path.insert(0, folder)
+    robot, bridge = (importlib.import_module(prefix + name) for name in ("robot", "bridge"))
+    paper = Paper(link)
     one = bridge.Bridge(paper, robot)
     one.start()
     wait_until(lambda: "/arm/joint_states" in paper.last)

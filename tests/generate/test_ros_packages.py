@@ -6,12 +6,14 @@ Without ROS_PYTHONS, it is tried on this one and on those that are found.
 from __future__ import annotations
 
 import ast
+import asyncio
 import functools
-import importlib.util
+import importlib
 import json
 import math
 import os
 import shutil
+import socket
 import subprocess
 import sys
 from contextlib import contextmanager
@@ -22,14 +24,17 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from bridge_programs import PROGRAM
+from bridge_programs import PROGRAM, Noted, wait_until
 from generate.every_kind import WORD_BITS, every_kind
+from generate.ros_on_paper import Paper
 from spec_examples import FIGURE_1
-from unity_link import ArgumentError, blocking
+from unity_link import ArgumentError, GatewayInfo, blocking
 from unity_link.bridges.topics import joint_command_topics, published_groups
 from unity_link.generate import generate, write
 from unity_link.generate.ros import OLDEST_PYTHON
 from unity_link.spec import compile_file, compile_text
+from unity_link.virtual import VirtualGateway
+from unity_link.virtual.serving import serve_unix
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -39,8 +44,10 @@ EXAMPLES = Path(__file__).parents[2] / "examples"
 ON_PAPER = Path(__file__).with_name("ros_on_paper.py")
 PATIENCE = 120
 NAMED = os.environ.get("ROS_PYTHONS", "").split()
+BASE, CTRL = 0x400, 0x7F0
 PACKAGES = {"ros1": ("scripts", ""), "ros2": ("", "scara_unity_link.")}
 """Where a package has its modules, and what stands before their names."""
+MODULES = ("client", "values", "bridge", "robot")
 
 
 def runs(python: str) -> bool:
@@ -70,6 +77,17 @@ def served(folder: Path, gateway: str) -> Iterator[str]:
         assert server.stdout is not None
         yield server.stdout.readline().strip()
         server.terminate()
+
+
+def loaded(package: Path) -> dict[str, ModuleType]:
+    """Return the modules of a package of ROS 1, which are nobody else's of these names."""
+    sys.path.insert(0, str(package / "scripts"))
+    try:
+        return {name: importlib.import_module(name) for name in MODULES}
+    finally:
+        sys.path.pop(0)
+        for name in MODULES:
+            sys.modules.pop(name, None)
 
 
 # On each Python
@@ -129,24 +147,125 @@ def test_the_modules_that_a_test_runs_are_those_that_the_oldest_python_knows() -
     ast.parse(ON_PAPER.read_text(), str(ON_PAPER), feature_version=OLDEST_PYTHON)
 
 
+# The link
+
+
+class Buffers:
+    """A double-buffered memory, of which a commit sends one buffer and gives the user the other."""
+
+    def __init__(self) -> None:
+        self._own: dict[int, int] = {}
+        self._other: dict[int, int] = {}
+        self.sent: list[dict[int, int]] = []
+
+    def read(self, offset: int, now: float) -> int:
+        return 0 if offset == CTRL - BASE else self._own.get(offset, 0)
+
+    def write(self, offset: int, value: int, now: float) -> None:
+        if offset == CTRL - BASE:
+            self.sent.append(dict(self._own))
+            self._own, self._other = self._other, self._own
+        else:
+            self._own[offset] = value
+
+
+@pytest.mark.asyncio
+async def test_what_is_written_to_a_tosnet_is_committed_with_all_that_was_written_before(tmp_path: Path) -> None:
+    spec = compile_text(
+        FIGURE_1.replace("TOSNET(", "GATEWAY(ADDRESS_BITS=12); TOSNET(").replace("BASE=0", f"BASE={BASE}")
+    )
+    package = loaded(packages(tmp_path / "package", "ros1", spec))
+    gateway, buffers = VirtualGateway(GatewayInfo(address_bits=12)), Buffers()
+    gateway.attach(buffers, range(BASE, CTRL + 1))
+    async with serve_unix(gateway, tmp_path / "gateway") as url:
+        bridge = package["bridge"].Bridge(Paper(url, given_ctrl=hex(CTRL)), package["robot"])
+        await asyncio.to_thread(set_joints, bridge, package["robot"])
+    wanted = [
+        {"j1.pos_sp": 30, "j2.pos_sp": 40},
+        {"j1.pos_sp": 31, "j2.pos_sp": 40},
+        {"j1.pos_sp": 31, "j2.pos_sp": -5},
+    ]
+    signals = spec.interface().signals
+    assert buffers.sent == [
+        {signals[path].address - BASE: signals[path].encode(value)[0] for path, value in sent.items()}
+        for sent in wanted
+    ]
+
+
+def set_joints(bridge: Any, robot: Any) -> None:
+    bridge.start()
+    signals = {signal.path: signal for signal in robot.WRITABLE}
+    assert bridge._link.connected.wait(PATIENCE)
+    for values in ({"j1.pos_sp": 30, "j2.pos_sp": 40}, {"j1.pos_sp": 31}, {"j2.pos_sp": -5}):
+        bridge.write([(signals[path], value) for path, value in values.items()])
+    bridge.close()
+
+
+@pytest.mark.slow
+def test_a_gateway_may_go_and_come_back_and_nothing_is_kept_for_it(tmp_path: Path) -> None:
+    noted = Noted(tmp_path)
+    package = loaded(packages(tmp_path / "package", "ros1", compile_file(noted.spec)))
+    target, *_ = package["robot"].WRITABLE
+    paper = Paper(noted.url)
+    bridge = package["bridge"].Bridge(paper, package["robot"])
+    with noted.running():
+        bridge.start()
+        assert bridge._link.connected.wait(PATIENCE)
+        bridge.write([(target, 1)])
+        paper.say("/arm/refused", data=1)
+        wait_until(lambda: noted.values == [1] and bridge.published)
+    wait_until(lambda: not bridge._link.connected.is_set())
+    with pytest.raises(package["client"].LinkError, match="the gateway is away"):
+        bridge.write([(target, 2)])
+    wait_until(lambda: paper.last["/diagnostics"][1][1:4:2] == (2, "the gateway is away"))
+    with noted.running():
+        assert bridge._link.connected.wait(PATIENCE)
+        before = bridge.published
+        bridge.write([(target, 3)])
+        wait_until(lambda: noted.values == [1, 3] and bridge.published > before)
+        wait_until(lambda: dict(paper.last["/diagnostics"][1][5])["reconnections"] == "1")
+    bridge.close()
+    assert any("W21" in text and "the bus refused the access" in text for text in paper.warnings)
+    assert any("waiting for the gateway" in text for text in paper.warnings)
+
+
+@pytest.mark.parametrize("url", ["", "sim:scara", "tcp://localhost", "unix:", "serial:/dev/ttyUSB0"])
+def test_another_link_than_a_shared_one_is_refused_with_what_to_do(url: str, tmp_path: Path) -> None:
+    package = loaded(packages(tmp_path, "ros1", compile_file(EXAMPLES / "scara.ul")))
+    with pytest.raises(package["client"].LinkError, match=r"is no shared link: .* `unity-link serve"):
+        package["bridge"].Bridge(Paper(url), package["robot"])
+
+
+@pytest.mark.slow
+def test_a_token_lets_in(tmp_path: Path) -> None:
+    package = loaded(packages(tmp_path / "package", "ros1", compile_file(EXAMPLES / "scara.ul")))
+    with socket.create_server(("127.0.0.1", 0)) as free:
+        port = free.getsockname()[1]
+    environment = {**os.environ, "UNITY_LINK_TOKEN": "sesame"}
+    with subprocess.Popen(
+        [PROGRAM, "serve", "sim:scara", "--tcp", str(port)], env=environment, stdout=subprocess.PIPE, text=True
+    ) as server:
+        assert server.stdout is not None
+        server.stdout.readline()
+        paper = Paper(f"tcp://127.0.0.1:{port}?token=sesame")
+        bridge = package["bridge"].Bridge(paper, package["robot"])
+        bridge.start()
+        wait_until(lambda: "/arm/joint_states" in paper.last)
+        wait_until(lambda: "/diagnostics" in paper.last)
+        bridge.close()
+        server.terminate()
+    assert not any("sesame" in text for text in [*paper.warnings, str(paper.last["/diagnostics"])])
+
+
 # Values
 
 
 @functools.cache
 def tables(word_bits: int, folder: Path) -> dict[str, Any]:
     """Return the signals of a package by their paths."""
-    scripts = packages(folder / str(word_bits), "ros1", every_kind(word_bits)) / "scripts"
-    modules: dict[str, ModuleType] = {}
-    for name in ("values", "robot"):
-        spec = importlib.util.spec_from_file_location(name, scripts / f"{name}.py")
-        assert spec is not None
-        assert spec.loader is not None
-        modules[name] = sys.modules[name] = importlib.util.module_from_spec(spec)
-        spec.loader.exec_module(modules[name])
-    for name in modules:
-        del sys.modules[name]
-    signals = {signal.path: signal for signal in (*modules["robot"].REST, *modules["robot"].WRITABLE)}
-    return {**signals, "refused": modules["values"].ValueRefused}
+    package = loaded(packages(folder / str(word_bits), "ros1", every_kind(word_bits)))
+    signals = {signal.path: signal for signal in (*package["robot"].REST, *package["robot"].WRITABLE)}
+    return {**signals, "refused": package["values"].ValueRefused}
 
 
 @settings(max_examples=100)
