@@ -229,6 +229,24 @@ def test_a_gateway_may_go_and_come_back_and_nothing_is_kept_for_it(tmp_path: Pat
     assert any("waiting for the gateway" in text for text in paper.warnings)
 
 
+def test_velocities_of_which_the_gateway_gives_the_magnitude_have_the_sign_of_the_last_move(tmp_path: Path) -> None:
+    package = loaded(packages(tmp_path, "ros1", compile_file(EXAMPLES / "scara.ul")))
+    paper = Paper("unix:/nowhere", poll_hz=0.0)
+    bridge = package["bridge"].Bridge(paper, package["robot"])
+    (group,) = package["robot"].GROUPS
+    for topic in ["joint_states", *(signal.topic for signal in group.signals)]:
+        bridge._publish_on(topic, "some_msgs", "Message")
+    seen = []
+    for position in (0, 10, 10, -10, -10, 5):
+        words = [0] * len(group.addresses)
+        words[group.places["j2.cpos"][0]], words[group.places["j2.spd"][0]] = position % (1 << 32), 1000
+        bridge._publish(group, 1.0, words)
+        velocities = paper.last["/arm/joint_states"][1][3][1]
+        seen.append(velocities[1] > 0)
+        assert abs(velocities[1]) == pytest.approx(1.8 * math.pi / 180)
+    assert seen == [True, True, True, False, False, True]
+
+
 @pytest.mark.parametrize("url", ["", "sim:scara", "tcp://localhost", "unix:", "serial:/dev/ttyUSB0"])
 def test_another_link_than_a_shared_one_is_refused_with_what_to_do(url: str, tmp_path: Path) -> None:
     package = loaded(packages(tmp_path, "ros1", compile_file(EXAMPLES / "scara.ul")))
