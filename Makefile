@@ -24,7 +24,7 @@ PYTEST_ARGS ?=
 # Tests run in so many processes side by side; 0 for none beside pytest's own.
 PYTEST_PROCESSES ?= auto
 
-.PHONY: help venv demo test coverage campaign fuzz lint format bench bench-peers bench-beside bench-noise bench-ros bench-live table1 release docs lock upgrade clean
+.PHONY: help venv demo test coverage campaign fuzz lint format bench bench-peers bench-beside bench-noise bench-ros bench-live ros-packages table1 release docs lock upgrade clean
 
 help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z0-9-]+:.*## / { printf "  make %-12s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
@@ -67,6 +67,11 @@ lint: $(ALL) ## formatting, ruff, types, direction of the imports
 format: $(ALL) ## put the Python sources into the project's form
 	@$(BIN)/ruff format .
 	@$(BIN)/ruff check --fix .
+
+# The Pythons of ROS 1 Noetic, ROS 2 Humble and Jazzy; give paths where they are elsewhere.
+ROS_PYTHONS ?= python3.8 python3.10 python3.12
+ros-packages: $(ALL) ## run the generated packages of ROS on the Pythons of its distributions
+	@ROS_PYTHONS="$(ROS_PYTHONS)" $(BIN)/python -m pytest tests/generate/test_ros_packages.py $(PYTEST_ARGS)
 
 bench: $(ALL) bench-peers ## measure, beside peers too, and write benchmarks/RESULTS.md
 	@$(BIN)/python -m benchmarks

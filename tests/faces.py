@@ -201,6 +201,9 @@ async def use(connect: Callable[[str], Any], url: str) -> None:
             await link.read(1 << 40)
         async with link.subscribe([1, 2], rate_hz=200) as samples:
             taken = [await anext(samples) for _ in range(20)]
-        assert [sample.sequence for sample in taken] == list(range(20))
+        lost = list(itertools.accumulate(sample.lost for sample in taken))
+        assert [sample.sequence for sample in taken] == [number + before for number, before in enumerate(lost)]
+        # Only a timer of the host may be late.
+        assert not lost[-1] or url.startswith("mmio:")
         assert [sample.values.tolist() for sample in taken] == [[0xF2, 3]] * 20
         assert await link.read(2) == 3

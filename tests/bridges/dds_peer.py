@@ -62,6 +62,21 @@ def plain(value: Any) -> Any:
     return [plain(item) for item in value] if isinstance(value, list) else value
 
 
+def made(name: str, given: dict[str, Any]) -> Any:
+    """Make a message of what is given of it; numbers are 0 and sequences empty where nothing is."""
+    _, fields = DEFINITIONS[name]
+    return struct_of(name)(**{field: value_of(described, given.get(field)) for field, described in fields})
+
+
+def value_of(described: Any, given: Any) -> Any:
+    node, detail = described
+    if node.name == "NAME":
+        return made(detail, given or {})
+    if given is not None:
+        return given
+    return [] if node.name == "SEQUENCE" else "" if detail[0] == "string" else 0
+
+
 def listen(participant: DomainParticipant, topic: str, name: str, count: int) -> None:
     reader = DataReader(participant, Topic(participant, topic, struct_of(name)), qos=RELIABLE)
     seen: list[Any] = []
@@ -78,7 +93,8 @@ def talk(participant: DomainParticipant, topic: str, name: str, values: list[str
     while not writer.get_matched_subscriptions():
         time.sleep(0.01)
     for value in values:
-        writer.write(struct(data=json.loads(value)))
+        given = json.loads(value)
+        writer.write(made(name, given if isinstance(given, dict) else {"data": given}))
     time.sleep(1)
 
 

@@ -7,6 +7,7 @@ import importlib
 import io
 import itertools
 import json
+import math
 import shutil
 import signal
 import socket
@@ -74,6 +75,40 @@ for value in map(float, sys.argv[1:]):
 time.sleep(0.5)
 """
 
+JOINT_TALKER = """
+import json, sys, time, rospy
+from sensor_msgs.msg import JointState
+from std_msgs.msg import Float64MultiArray
+rospy.init_node("talker", anonymous=True, disable_signals=True)
+states = rospy.Publisher("/scara/joint_commands", JointState, tcp_nodelay=True, queue_size=None)
+arrays = rospy.Publisher("/scara/position_commands", Float64MultiArray, tcp_nodelay=True, queue_size=None)
+while not (states.get_num_connections() and arrays.get_num_connections()):
+    time.sleep(0.01)
+for state in json.loads(sys.argv[1]):
+    states.publish(JointState(**state))
+time.sleep(0.5)
+arrays.publish(Float64MultiArray(data=json.loads(sys.argv[2])))
+time.sleep(0.5)
+"""
+DIAGNOSTICS_LISTENER = """
+import json, threading, rospy
+from genpy.dynamic import generate_dynamic
+seen, enough = [], threading.Event()
+def take(message):
+    seen.append(message)
+    enough.set()
+rospy.init_node("listener", anonymous=True, disable_signals=True)
+rospy.Subscriber("/diagnostics", rospy.AnyMsg, take)
+enough.wait(60)
+told = seen[0]._connection_header
+kind = generate_dynamic(told["type"], told["message_definition"])[told["type"]]
+(status,) = kind().deserialize(seen[0]._buff).status
+values = {one.key: one.value for one in status.values}
+fields = [status.level, status.name, status.message, status.hardware_id]
+print(json.dumps({"sum": told["md5sum"], "status": fields, "values": values}))
+"""
+SCALES = [360 / 200_000, 360 / 200_000, 10 / 4000, 360 / 80_000]
+"""Degrees and millimetres a count, of the joints of the SCARA."""
 
 COUNTING_LISTENER = """
 import sys, threading, rospy
@@ -172,8 +207,11 @@ def test_a_standard_message_is_the_bytes_that_rospy_gives_it(name: str, value: f
 @given(
     names=st.lists(st.text(max_size=9), max_size=4),
     there=st.tuples(st.booleans(), st.booleans(), st.booleans()),
+    frame_id=st.sampled_from(["", "base", "base_link"]),
 )
-def test_the_states_of_joints_are_the_bytes_that_rospy_gives_them(names: list[str], there: tuple[bool, ...]) -> None:
+def test_the_states_of_joints_are_the_bytes_that_rospy_gives_them(
+    names: list[str], there: tuple[bool, ...], frame_id: str
+) -> None:
     environment.find_rospy()
     genpy, messages = importlib.import_module("genpy"), importlib.import_module("sensor_msgs.msg")
     parts = {
@@ -184,9 +222,10 @@ def test_the_states_of_joints_are_the_bytes_that_rospy_gives_them(names: list[st
     for number, at in enumerate((12.5, 12.75)):
         message = messages.JointState(name=names, **{part: column[number].tolist() for part, column in parts.items()})
         message.header.seq, message.header.stamp = 7 + number, genpy.Time.from_sec(at)
+        message.header.frame_id = frame_id
         theirs += with_length(message)
 
-    assert joint_rows(names, np.array([12.5, 12.75]), parts, 7).tobytes() == theirs
+    assert joint_rows(names, np.array([12.5, 12.75]), parts, 7, frame_id).tobytes() == theirs
 
 
 def test_signals_are_topics_of_their_types_and_commands_are_subscribed_to(ros: int, tmp_path: Path) -> None:
@@ -196,7 +235,7 @@ def test_signals_are_topics_of_their_types_and_commands_are_subscribed_to(ros: i
         topics = rostopic("list").split()
         types = [rostopic("type", topic).strip() for topic in ("/scara/j1/cpos", "/scara/j4/pos_sp")]
 
-        assert "8 topics published, 8 subscribed to at /scara" in said
+        assert "8 topics published, 11 subscribed to at /scara" in said
         assert {"/scara/j1/cpos", "/scara/j4/spd", "/scara/j2/pos_sp", "/scara/joint_states"} <= set(topics)
         assert types == ["std_msgs/Float64", "std_msgs/Float64"]
         assert rostopic("echo", "-n1", "/scara/j1/cpos").split()[:2] == ["data:", "0.0"]
@@ -231,6 +270,41 @@ def test_values_on_a_topic_are_written_in_order_and_one_beyond_the_limits_is_tol
         assert process.wait(PATIENCE) == 130
     assert "j1.pos_sp: 500.0 is outside of its limits, -130 to 130 deg" in said
     assert "201 values written" in summary
+
+
+def test_one_message_sets_all_joints_and_one_that_is_wrong_sets_none(ros: int, tmp_path: Path) -> None:
+    options = ("--frame-id", "arm_base")
+    with master(ros), bridge_on_shared("ros1", SPEC, GATEWAY, tmp_path, *options) as (process, url):
+        wait_for(process, "node /unity_link_scara")
+        wrong = {"name": ["j1", "j3"], "position": [0.1, 5.0]}
+        right = {"name": ["j2", "j3"], "position": [-0.5, 0.1], "velocity": [1.0, 0.2]}
+
+        peer(JOINT_TALKER, json.dumps([wrong, right]), "[0.25, NaN, 0.05, 1.0]")
+
+        assert "j3.pos_sp: 5000.0 is outside of its limits, 0 to 150 mm" in wait_for(process, "outside")
+        with blocking.connect(url) as link:
+            wanted = [0.25 * 180 / math.pi, -0.5 * 180 / math.pi, 50, 180 / math.pi]
+            counts = [round(value / scale) for value, scale in zip(wanted, SCALES, strict=True)]
+            wait_until(lambda: link.read_block(0x8C, 4).tolist() == [count % (1 << 32) for count in counts])
+            assert link.read(0x95) == round(180 / math.pi / SCALES[1])
+        assert 'frame_id: "arm_base"' in rostopic("echo", "-n1", "/scara/joint_states")
+
+
+def test_diagnostics_tell_of_the_link(ros: int, tmp_path: Path) -> None:
+    with master(ros), bridge_on_shared("ros1", SPEC, GATEWAY, tmp_path) as (process, url):
+        wait_for(process, "node /unity_link_scara")
+
+        assert rostopic("type", "/diagnostics").strip() == "diagnostic_msgs/DiagnosticArray"
+        seen = json.loads(peer(DIAGNOSTICS_LISTENER))
+
+    assert seen["sum"] == "60810da900de1dd6ddd437c3503511da"
+    level, name, message, hardware = seen["status"]
+    # A busy machine may have lost samples by then, or sent a request again.
+    assert (level, message.partition(" ")[0]) in ((0, "connected"), (1, "samples"))
+    assert (name, hardware) == ("unity_link_scara: link", url)
+    assert seen["values"]["connected"] == "True"
+    assert int(seen["values"]["samples lost"]) >= 0
+    assert float(seen["values"]["round trip (ms)"]) > 0
 
 
 def test_the_master_may_come_late_and_go_in_between(ros: int, tmp_path: Path) -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import contextlib
 import itertools
 import json
+import math
 import os
 import signal
 import socket
@@ -35,7 +36,7 @@ from bridge_programs import (
 from unity_link import ArgumentError, blocking
 from unity_link.bridges.ros2 import Quality, Settings, read_settings
 from unity_link.bridges.ros2.domain import open_participant
-from unity_link.bridges.ros2.messages import JOINT_STATE, STANDARD
+from unity_link.bridges.ros2.messages import DIAGNOSTICS, FLOAT_ARRAY, JOINT_STATE, STANDARD
 from unity_link.bridges.ros2.rows import joint_rows, number_rows
 
 if TYPE_CHECKING:
@@ -48,6 +49,8 @@ ROS = get_typestore(Stores.ROS2_JAZZY)
 DOMAINS = itertools.count(60 + os.getpid() % 100)
 """Tests that run side by side must not hear each other."""
 
+SCALES = [360 / 200_000, 360 / 200_000, 10 / 4000, 360 / 80_000]
+"""Degrees and millimetres a count, of the joints of the SCARA."""
 VALUES: dict[str, Any] = {
     "Bool": True,
     **{f"{sign}Int{bits}": (1 << (bits - 1)) - 1 for sign in ("", "U") for bits in (8, 16, 32, 64)},
@@ -83,8 +86,11 @@ def test_a_standard_message_of_either_byte_order_is_read_and_one_that_is_too_sho
 @given(
     names=st.lists(st.text(max_size=9).filter(lambda text: "\0" not in text), max_size=4),
     there=st.tuples(st.booleans(), st.booleans(), st.booleans()),
+    frame_id=st.sampled_from(["", "base", "base_link"]),
 )
-def test_the_states_of_joints_are_the_bytes_that_ros_2_gives_them(names: list[str], there: tuple[bool, ...]) -> None:
+def test_the_states_of_joints_are_the_bytes_that_ros_2_gives_them(
+    names: list[str], there: tuple[bool, ...], frame_id: str
+) -> None:
     name = "sensor_msgs/msg/JointState"
     parts = {
         part: np.arange(2 * len(names) * given, dtype=float).reshape(2, -1)
@@ -93,10 +99,10 @@ def test_the_states_of_joints_are_the_bytes_that_ros_2_gives_them(names: list[st
     types = ROS.types
     stamps = [types["builtin_interfaces/msg/Time"](sec=12, nanosec=nanosec) for nanosec in (500_000_000, 750_000_000)]
 
-    ours = joint_rows(names, np.array([12.5, 12.75]), parts)
+    ours = joint_rows(names, np.array([12.5, 12.75]), parts, frame_id)
 
     for number, (row, stamp) in enumerate(zip(ours, stamps, strict=True)):
-        header = types["std_msgs/msg/Header"](stamp=stamp, frame_id="")
+        header = types["std_msgs/msg/Header"](stamp=stamp, frame_id=frame_id)
         message = types[name](header=header, name=names, **{part: column[number] for part, column in parts.items()})
         assert row == bytes(ROS.serialize_cdr(message, name))
     assert JOINT_STATE.hash == ROS.hash_rihs01(name)
@@ -126,7 +132,7 @@ def listen(domain: int, topic: str, name: str, count: int) -> list[Any]:
 def test_every_sample_arrives_once_and_in_order(tmp_path: Path) -> None:
     domain = next(DOMAINS)
     with bridge_on_shared("ros2", SPEC, GATEWAY, tmp_path, "--domain", str(domain)) as (process, url):
-        assert "8 topics published, 8 subscribed to at /scara" in wait_for(process, "topics published")
+        assert "8 topics published, 11 subscribed to at /scara" in wait_for(process, "topics published")
 
         seen = listen(domain, "rt/scara/joint_states", "sensor_msgs/msg/JointState", 400)
         with blocking.connect(url) as link:
@@ -164,6 +170,53 @@ def test_values_on_a_topic_are_written_in_order_and_one_beyond_the_limits_is_tol
         summary = wait_for(process, "values written")
     assert "j1.pos_sp: 500.0 is outside of its limits, -130 to 130 deg" in said
     assert "201 values written" in summary
+
+
+@pytest.mark.slow
+def test_one_message_sets_all_joints_and_one_that_is_wrong_sets_none(tmp_path: Path) -> None:
+    domain = next(DOMAINS)
+    options = ("--domain", str(domain), "--frame-id", "arm_base")
+    with bridge_on_shared("ros2", SPEC, GATEWAY, tmp_path, *options) as (process, url):
+        wait_for(process, "at /scara")
+        state, array = "sensor_msgs/msg/JointState", "std_msgs/msg/Float64MultiArray"
+        wrong = {"name": ["j1", "j3"], "position": [0.1, 5.0]}
+        right = {"name": ["j2", "j3"], "position": [-0.5, 0.1], "velocity": [1.0, 0.2]}
+
+        peer(domain, "talk", "rt/scara/joint_commands", state, json.dumps(wrong), json.dumps(right))
+        peer(domain, "talk", "rt/scara/position_commands", array, '{"data": [0.25, NaN, 0.05, 1.0]}')
+
+        assert "j3.pos_sp: 5000.0 is outside of its limits, 0 to 150 mm" in wait_for(process, "outside")
+        with blocking.connect(url) as link:
+            wanted = [0.25 * 180 / math.pi, -0.5 * 180 / math.pi, 50, 180 / math.pi]
+            counts = [round(value / scale) for value, scale in zip(wanted, SCALES, strict=True)]
+            wait_until(lambda: link.read_block(0x8C, 4).tolist() == [count % (1 << 32) for count in counts])
+            assert link.read(0x95) == round(180 / math.pi / SCALES[1])
+        (seen, *_) = listen(domain, "rt/scara/joint_states", state, 1)
+        assert seen["header"]["frame_id"] == "arm_base"
+
+
+@pytest.mark.slow
+def test_diagnostics_tell_of_the_link(tmp_path: Path) -> None:
+    domain = next(DOMAINS)
+    with bridge_on_shared("ros2", SPEC, GATEWAY, tmp_path, "--domain", str(domain)) as (process, url):
+        wait_for(process, "at /scara")
+
+        (first, *_) = listen(domain, "rt/diagnostics", "diagnostic_msgs/msg/DiagnosticArray", 1)
+
+    (status,) = first["status"]
+    values = {one["key"]: one["value"] for one in status["values"]}
+    # A busy machine may have lost samples by then, or sent a request again.
+    assert (status["level"], status["message"].partition(" ")[0]) in ((0, "connected"), (1, "samples"))
+    assert (status["name"], status["hardware_id"]) == ("unity_link_scara: link", url)
+    assert values["connected"] == "True"
+    assert int(values["samples lost"]) >= 0
+    assert int(values["samples published"]) >= 0
+    assert float(values["round trip (ms)"]) > 0
+
+
+def test_the_types_of_ros_2_have_its_hashes() -> None:
+    assert FLOAT_ARRAY.hash == ROS.hash_rihs01("std_msgs/msg/Float64MultiArray")
+    assert DIAGNOSTICS.hash == ROS.hash_rihs01("diagnostic_msgs/msg/DiagnosticArray")
 
 
 @pytest.mark.slow

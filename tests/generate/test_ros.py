@@ -1,8 +1,12 @@
-"""Generated packages of ROS: roslaunch starts that of ROS 1; of that of ROS 2, what needs no ROS 2 is checked."""
+"""Generated packages of ROS: roslaunch starts that of ROS 1; of that of ROS 2, what needs no ROS 2 is checked.
+
+`test_ros_packages` runs what both have in common.
+"""
 
 from __future__ import annotations
 
 import ast
+import math
 import os
 import shutil
 import signal
@@ -10,14 +14,18 @@ import socket
 import subprocess
 import sys
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 from xml.etree import ElementTree as ET
 
 import pytest
 import yaml
 
+from unity_link import blocking
 from unity_link.generate import generate, write
 from unity_link.spec import compile_file, compile_text
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 PROGRAM = str(Path(sys.executable).parent / "unity-link")
@@ -39,7 +47,7 @@ def packages(tmp_path: Path) -> dict[str, Path]:
 
 @pytest.fixture
 def environment(tmp_path: Path, packages: dict[str, Path]) -> dict[str, str]:
-    """Have ROS find the package, and programs our Python."""
+    """Have ROS find the package, and the package the Python that ROS is installed for: not ours."""
     with socket.create_server(("127.0.0.1", 0)) as free:
         port = free.getsockname()[1]
     return {
@@ -48,15 +56,33 @@ def environment(tmp_path: Path, packages: dict[str, Path]) -> dict[str, str]:
         "ROS_IP": "127.0.0.1",
         "ROS_HOME": str(tmp_path / "ros"),
         "ROS_PACKAGE_PATH": f"{packages['ros1'].parent}:/usr/share",
-        "PATH": f"{Path(sys.executable).parent}:{os.environ['PATH']}",
+        "PATH": "/usr/bin:/bin",
+        "PYTHONPATH": "",
     }
+
+
+@pytest.fixture
+def shared(tmp_path: Path) -> Iterator[str]:
+    with subprocess.Popen(
+        [PROGRAM, "serve", "sim:scara", "--unix", str(tmp_path / "gateway")], stdout=subprocess.PIPE, text=True
+    ) as server:
+        assert server.stdout is not None
+        yield server.stdout.readline().strip()
+        server.terminate()
+
+
+def rostopic(environment: dict[str, str], *arguments: str) -> str:
+    command = ["rostopic", *arguments]
+    done = subprocess.run(command, env=environment, capture_output=True, text=True, timeout=PATIENCE, check=True)
+    return done.stdout
 
 
 @needs_ros
 @pytest.mark.slow
-def test_roslaunch_starts_the_node_of_a_generated_package(environment: dict[str, str]) -> None:
+def test_roslaunch_starts_the_node_of_a_generated_package(environment: dict[str, str], shared: str) -> None:
+    arguments = ["scara_unity_link", "scara.launch", f"link:={shared}", "frame_id:=base", "poll_hz:=10"]
     with subprocess.Popen(
-        ["/usr/bin/python3", shutil.which("roslaunch") or "", "scara_unity_link", "scara.launch", "link:=sim:scara"],
+        ["/usr/bin/python3", "-u", shutil.which("roslaunch") or "", *arguments],
         env=environment,
         stdout=subprocess.DEVNULL,
         stderr=subprocess.PIPE,
@@ -64,19 +90,20 @@ def test_roslaunch_starts_the_node_of_a_generated_package(environment: dict[str,
     ) as launched:
         try:
             assert launched.stderr is not None
-            assert any("8 topics published, 8 subscribed to at /scara" in line for line in launched.stderr)
-            said = subprocess.run(
-                ["rostopic", "echo", "-n1", "/scara/joint_states"],
-                env=environment,
-                capture_output=True,
-                text=True,
-                timeout=PATIENCE,
-                check=True,
-            ).stdout
+            assert any("the gateway answers at unix:" in line for line in launched.stderr)
+            wanted = "{name: [j2], position: [0.5]}"
+            told = rostopic(environment, "pub", "-1", "/scara/joint_commands", "sensor_msgs/JointState", wanted)
+            with blocking.connect(shared) as link:
+                while link.read(0x8D) != round(0.5 * 180 / math.pi / (360 / 200_000)):
+                    pass
+            said = rostopic(environment, "echo", "-n1", "/scara/joint_states")
+            polled = rostopic(environment, "echo", "-n1", "/scara/j2/pos_sp")
         finally:
             launched.send_signal(signal.SIGINT)
             launched.communicate(timeout=PATIENCE)
-    assert "position: [0.0, 0.0, 0.0, 0.0]" in said
+    assert "publishing" in told
+    assert 'frame_id: "base"' in said
+    assert polled.split()[1].startswith("28.6")
 
 
 def test_a_package_of_ros_1_says_what_catkin_must_know(packages: dict[str, Path]) -> None:
@@ -86,7 +113,9 @@ def test_a_package_of_ros_1_says_what_catkin_must_know(packages: dict[str, Path]
     assert package.findtext("name") == "scara_unity_link"
     assert launch.find("node").get("type") == "bridge"
     assert os.access(folder / "scripts" / "bridge", os.X_OK)
-    assert "scripts/scara.py" in (folder / "CMakeLists.txt").read_text()
+    assert "scripts/client.py scripts/values.py scripts/bridge.py scripts/robot.py" in (
+        (folder / "CMakeLists.txt").read_text()
+    )
 
 
 def test_a_package_of_ros_2_says_what_colcon_must_know(packages: dict[str, Path]) -> None:

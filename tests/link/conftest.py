@@ -2,7 +2,8 @@
 
 `make_gateway` has every kind: `sim`, the model; `rtl`, the compiled gateware; and the model behind a virtual FT232H,
 reached by the driver of a scheme in `SCHEMES`; `serve`, the model through a server that shares it; `zenoh`, the
-same over a network; `pipes`, the model over a medium of the user's own; and the faces, the model as blocking code and
+same over a network; `pipes`, the model over a medium of the user's own; `mmio`, a bus that is mapped from a file, with
+no gateway at all; and the faces, the model as blocking code and
 code under trio see it. `make_bare` has those that can live on
 simulated time, on which neither a thread of a driver can nor another process.
 """
@@ -15,6 +16,7 @@ from typing import TYPE_CHECKING
 import pytest
 import pytest_asyncio
 
+import mapped_bus
 import unity_link
 from faces import EMPTY, FACES, face
 from makers import RTL, Maker, compiled, simulated, with_failing
@@ -50,6 +52,7 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
         for item in items
         if not (item.path.name == "test_life.py" and {"serve", "zenoh"} & {*_kinds(item)})
         and not any((kind, item.name.partition("[")[0]) in EMPTY for kind in _kinds(item) if isinstance(kind, str))
+        and not ("mmio" in _kinds(item) and item.name.partition("[")[0] in mapped_bus.EMPTY)
     ]
 
 
@@ -81,7 +84,7 @@ def make_direct(request: pytest.FixtureRequest) -> Maker:
     return MAKERS[request.param]
 
 
-@pytest.fixture(params=["sim", "serve", "zenoh", "pipes", RTL, *SCHEMES, *FACES])
+@pytest.fixture(params=["sim", "serve", "zenoh", "pipes", "mmio", RTL, *SCHEMES, *FACES])
 def make_gateway(
     request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch, tmp_path_factory: pytest.TempPathFactory
 ) -> Iterator[Maker]:
@@ -106,6 +109,11 @@ def make_gateway(
             monkeypatch.setattr(WAY, connect_through_pipes)
         if request.param == "zenoh":
             monkeypatch.setattr(WAY, stack.enter_context(zenoh_network()))
+        if request.param == "mmio":
+            make, connect = stack.enter_context(mapped_bus.mapped_files(tmp_path_factory.mktemp("mapped")))
+            monkeypatch.setattr(unity_link, "connect", connect)
+            yield make
+            return
         yield MAKERS.get(request.param, simulated)
 
 

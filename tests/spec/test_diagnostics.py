@@ -147,6 +147,7 @@ CASES = [
     ("public x() { @a = 1: READ(PUBLISH(g)); @b = 2: READ(PUBLISH(h)); }\ngroup g(1, 1);\ngroup h(1, 2);", "group-number", "the groups g and h both have number 1", "h", ""),
     ("public x() { GATEWAY(ADDRESS_BITS=9); a[256]: c() @(i); }\nc(): @(v) { @v: READ(PUBLISH(1, 1)); }", "group-size", "the group group_1 has 256 words, and a gateway publishes at most 255", "v", "divide it"),
     ("public x() { @a = 1: READ(PUBLISH(g)); }\ngroup g(1, 1, JOINTS(POSITION=b));", "joints", "no signal of the group g is called 'b'", "g", ""),
+    ("public x() { @a = 1: READ(PUBLISH(g)); @b = 2: READ(); }\ngroup g(1, 1, JOINTS(POSITION=a, SET_POSITION=b));", "joints", "no signal of its joints that can be written is called 'b'", "g", ""),
     ("public x() { @a = 1: READ(PUBLISH(g)); }\ngroup g(1, 1, JOINTS);", "joints", "JOINTS needs the name of a signal", "g", "JOINTS(POSITION=cpos"),
     # The whole.
     ('public x() { @a = 1: READ(ID="b"); @b = 2: READ(); }', "id-twice", "the ID 'b' is that of a and of b", "b", ""),

@@ -85,7 +85,11 @@ def test_the_walker_has_18_joints_and_72_values_in_23_lines() -> None:
     (state,) = walker.groups
     assert len(state.joints) == 18
     assert state.joints[0] == Joint(
-        name="legs[0].coxa", position="legs[0].coxa.cpos", velocity="legs[0].coxa.spd", effort=None
+        name="legs[0].coxa",
+        position="legs[0].coxa.cpos",
+        velocity="legs[0].coxa.spd",
+        set_position="legs[0].coxa.pos_sp",
+        set_velocity="legs[0].coxa.spd_sp",
     )
     assert sorted(addresses(walker).values()) == list(range(0x10, 0x10 + 72))
 
@@ -320,6 +324,18 @@ def test_the_joints_of_a_group_are_the_components_that_have_the_named_signals() 
     )  # fmt: skip
     assert interface.groups[0].joints == (
         Joint(name="j[0]", position="j[0].p", effort="j[0].e"), Joint(name="j[1]", position="j[1].p", effort="j[1].e"),
+    )  # fmt: skip
+
+
+def test_the_set_points_of_joints_are_the_signals_beside_them_that_can_be_written() -> None:
+    interface = interface_of(
+        "a: j() @(0);", "b: fixed() @(4);",
+        outside="group s(1, 2, JOINTS(POSITION=p, SET_POSITION=p, SET_EFFORT=e));\n"
+        "j(): @(p) { @p: READWRITE(PUBLISH(s)); @e = p + 1: WRITE(); }\n"
+        "fixed(): @(p) { @p: READ(PUBLISH(s)); }",
+    )  # fmt: skip
+    assert interface.groups[0].joints == (
+        Joint(name="a", position="a.p", set_position="a.p", set_effort="a.e"), Joint(name="b", position="b.p"),
     )  # fmt: skip
 
 

@@ -32,7 +32,7 @@ SERVER = Path(__file__).with_name("serve.py")
 ON_PIPES = Path(__file__).parents[2] / "examples" / "gateway_on_pipes.py"
 FACES = ("asyncio", "uvloop", "trio", "blocking")
 OF_A_PROCESS = ("serial", "serial?library=pyserial-asyncio", "tcp", "unix", "udp")
-MEDIA = (*OF_A_PROCESS, "ftdi", "ftdi-async", "zenoh", "served", "pipes", "sim")
+MEDIA = (*OF_A_PROCESS, "ftdi", "ftdi-async", "zenoh", "served", "pipes", "mmio", "sim")
 
 
 @pytest.fixture(params=MEDIA)
@@ -45,6 +45,9 @@ def url(request: pytest.FixtureRequest, tmp_path: Path) -> Iterator[str]:
             portal = stack.enter_context(start_blocking_portal())
             making = _over_zenoh() if request.param == "zenoh" else _served(tmp_path)
             yield stack.enter_context(portal.wrap_async_context_manager(making))
+        elif request.param == "mmio":
+            (tmp_path / "bus").write_bytes(bytes(1024))
+            yield f"mmio:{tmp_path / 'bus'}"
         else:
             pipes = f"pipes:{shlex.join([sys.executable, str(ON_PIPES)])}"
             yield {"pipes": pipes, "sim": "sim:"}.get(request.param, f"{request.param}://virtual")

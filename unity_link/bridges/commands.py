@@ -1,6 +1,7 @@
 """Values that come from other threads, as those of ROS do, on their way to the robot: in order, each once.
 
-All that have come together are checked one by one and posted together. While the gateway is away nothing is kept for
+All that have come together are checked one by one and posted together; values that belong together, as those of all
+joints, are written together or, where one is wrong, not at all. While the gateway is away nothing is kept for
 it: a value that was meant for now must not move the robot a minute later.
 """
 
@@ -10,13 +11,13 @@ import asyncio
 import contextlib
 from typing import TYPE_CHECKING, Any
 
-from unity_link.bridges.ordered import Value, write_in_order
+from unity_link.bridges.ordered import Objects, Value, write_in_order
 from unity_link.bridges.telling import Faults
 from unity_link.errors import ArgumentError, UnityLinkError
 from unity_link.transport.inbox import Inbox
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Sequence
 
     from unity_link.data import Writable
     from unity_link.link.link import Link
@@ -45,8 +46,8 @@ class SignalCommands:
         self._link = link
         self._report = report
         self._faults = Faults(report)
-        self._inbox: Inbox[Command] = Inbox(self._take, MOST_WAITING)
-        self._taken: list[Command] = []
+        self._inbox: Inbox[Sequence[Command]] = Inbox(self._take, MOST_WAITING)
+        self._taken: list[Sequence[Command]] = []
         self._woken = asyncio.Event()
         self._ended = False
         self._away = self._posted = False
@@ -54,7 +55,12 @@ class SignalCommands:
 
     def give(self, *commands: Command) -> None:
         """Have values written; to be called from another thread, which waits while too many do."""
-        self._inbox.give(*commands)
+        self._inbox.give(*((command,) for command in commands))
+
+    def give_together(self, commands: Sequence[Command]) -> None:
+        """Have values written together; as `give`."""
+        if commands:
+            self._inbox.give(commands)
 
     async def run(self) -> None:
         """Write what is given, until it is cancelled; what was given before is written then, too."""
@@ -70,7 +76,7 @@ class SignalCommands:
             while self._posted and self._link.connected:
                 await self._learn()
 
-    def _take(self, commands: list[Command]) -> None:
+    def _take(self, commands: list[Sequence[Command]]) -> None:
         # The next ones come together when these are written; so a sender that is too fast blocks in the end.
         self._inbox.hold()
         self._taken = commands
@@ -84,25 +90,26 @@ class SignalCommands:
             await self._write(commands)
             self._inbox.release()
 
-    async def _write(self, commands: list[Command]) -> None:
-        values = [] if self._away else self._check(commands)
-        if values:
+    async def _write(self, commands: list[Sequence[Command]]) -> None:
+        objects = [] if self._away else self._check(commands)
+        if objects:
             with contextlib.suppress(TimeoutError):
                 async with asyncio.timeout(None) as self._limit:
-                    await self._post(values)
+                    await self._post(objects)
             self._limit = None
 
-    def _check(self, commands: list[Command]) -> list[Value]:
-        values = []
-        for proxy, value in commands:
+    def _check(self, commands: list[Sequence[Command]]) -> Objects:
+        objects = []
+        for together in commands:
             try:
-                values.append(Value.of(proxy, value))
+                objects.append([Value.of(proxy, value) for proxy, value in together])
             except ArgumentError as error:
                 self._faults.tell(str(error))
-        return values
+        return objects
 
-    async def _post(self, values: list[Value]) -> None:
-        errors = await write_in_order([[value] for value in values], posted=True)
+    async def _post(self, objects: Objects) -> None:
+        errors = await write_in_order(objects, posted=True)
+        values = [value for together in objects for value in together]
         self.written += len(values) - len(errors)
         self._posted = True
         for error in errors:

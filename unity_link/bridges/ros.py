@@ -3,22 +3,27 @@
 from __future__ import annotations
 
 import abc
+import asyncio
 import time
 from typing import TYPE_CHECKING, Any, Generic, Protocol, TypeVar
 
 from unity_link.bridges.carrying import Carrier
 from unity_link.bridges.commands import SignalCommands
+from unity_link.bridges.diagnostics import EVERY, Diagnostics
 from unity_link.bridges.gateway_time import GatewayTime
 from unity_link.bridges.telling import Faults
-from unity_link.bridges.topics import command_topics, published_groups, read_namespace
+from unity_link.bridges.topics import command_topics, joint_command_topics, published_groups, read_namespace
+from unity_link.errors import ArgumentError
 
 if TYPE_CHECKING:
     from collections.abc import Callable
+    from concurrent.futures import Executor
 
     import numpy as np
     from numpy.typing import NDArray
 
-    from unity_link.bridges.topics import JointTopic
+    from unity_link.bridges.diagnostics import Status
+    from unity_link.bridges.topics import JointCommandTopic, JointTopic
     from unity_link.data import Batch, Robot
 
 BUFFER = 1 << 16
@@ -56,16 +61,22 @@ class RosBridge(abc.ABC, Generic[AnyOutlet]):
     """
 
     def __init__(
-        self, robot: Robot, namespace: str | None, poll_hz: float | None, report: Callable[[str], None]
+        self, robot: Robot, namespace: str | None, poll_hz: float | None, frame_id: str, report: Callable[[str], None]
     ) -> None:
+        if "\0" in frame_id:
+            raise ArgumentError("the name of a frame has no zero bytes")
+        self._frame_id = frame_id
         self._namespace = read_namespace(robot.interface.name if namespace is None else namespace)
         self._report = report
         self._groups = published_groups(robot, poll_hz)
         self._command_topics = command_topics(robot, self._groups)
+        self._joint_command_topics = joint_command_topics(robot, self._groups)
         self._outlets: dict[str, AnyOutlet] = {}
         self._faults = Faults(report)
         self._commands = SignalCommands(robot.link, report)
         self._time = GatewayTime(robot.link)
+        name = f"unity_link{self._namespace.replace('/', '_') or '_' + robot.interface.name}"
+        self._diagnostics = Diagnostics(name, robot.link, robot.link.name)
         self._carrier = Carrier([published.group for published in self._groups], self._publish, report, buffer=BUFFER)
 
     @property
@@ -108,7 +119,32 @@ class RosBridge(abc.ABC, Generic[AnyOutlet]):
     ) -> Any:
         """Return messages of ``sensor_msgs/JointState``, of which the first has this number."""
 
+    @abc.abstractmethod
+    def _tell(self, status: Status, at: float) -> None:
+        """Publish a ``diagnostic_msgs/DiagnosticArray`` of one status, with its instant in seconds since 1970."""
+
     # Of both
+
+    async def _diagnose(self, publishing: Executor) -> None:
+        """Publish how the bridge is, again and again."""
+        loop = asyncio.get_running_loop()
+        while True:
+            status = self._diagnostics.status(self.published, self.lost, self.written)
+            await asyncio.shield(loop.run_in_executor(publishing, self._tell, status, time.time()))
+            await asyncio.sleep(EVERY)
+
+    def _give_joints(self, topic: JointCommandTopic, message: Any) -> None:
+        """Have joints set as a message asks; to be called from the thread that has taken it."""
+        joints = topic.joints
+        try:
+            if topic.part is None:
+                commands = joints.of_state(message.name, {part: getattr(message, part) for part in joints.parts})
+            else:
+                commands = joints.of_array(topic.part, message.data)
+        except ArgumentError as error:
+            self._faults.tell(f"{topic.name}: {error}")
+        else:
+            self._commands.give_together(commands)
 
     def _open_outlets(self) -> None:
         for published in self._groups:
@@ -125,7 +161,8 @@ class RosBridge(abc.ABC, Generic[AnyOutlet]):
 
     def _describe_topics(self) -> str:
         published = sum(len(published.topics) for published in self._groups)
-        return f"{published} topics published, {len(self._command_topics)} subscribed to at {self._namespace or '/'}"
+        subscribed = len(self._command_topics) + len(self._joint_command_topics)
+        return f"{published} topics published, {subscribed} subscribed to at {self._namespace or '/'}"
 
     def _publish(self, number: int, batch: Batch) -> None:
         published = self._groups[number]

@@ -2,39 +2,32 @@
 
 A signal that is sampled is published at its path, ``legs[2].coxa.cpos`` as ``legs_2/coxa/cpos``; one that can be
 written is subscribed to at its path, or, where that is taken by what it publishes itself, at ``PATH/set``. A group that
-the spec declares as joints is a ``sensor_msgs/JointState`` besides, in radians and metres (REP 103).
+the spec declares as joints is a ``sensor_msgs/JointState`` besides, in radians and metres (REP 103); where it names
+their set points, one topic sets them all, ``joint_commands``, and one those of each kind, ``position_commands``.
 """
 
 from __future__ import annotations
 
 import math
 import re
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple, cast
 
 import numpy as np
 
 from unity_link.bridges.sampled import sampled_groups
 from unity_link.data import Writable
 from unity_link.errors import ArgumentError
+from unity_link.generate.ros.topics import SI, message_type, topic_name
+from unity_link.spec.diagnostics import did_you_mean
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Iterator, Mapping, Sequence
 
     from numpy.typing import NDArray
 
+    from unity_link.bridges.commands import Command
     from unity_link.data import Batch, Group, Proxy, Robot
-    from unity_link.spec import Joint, Kind
-
-_TYPES = {
-    "b1": "Bool",
-    **{f"u{size}": f"UInt{8 * size}" for size in (1, 2, 4, 8)},
-    **{f"i{size}": f"Int{8 * size}" for size in (1, 2, 4, 8)},
-    "f2": "Float32",
-    "f4": "Float32",
-    "f8": "Float64",
-}
-_SI = {"deg": math.pi / 180, "deg/s": math.pi / 180, "mm": 1e-3, "mm/s": 1e-3, "cm": 1e-2, "cm/s": 1e-2, "Nmm": 1e-3}
-"""Factors to what REP 103 asks for; every other unit is taken as it is."""
+    from unity_link.spec import Joint
 
 _NAMESPACE = re.compile(r"([A-Za-z_]\w*(/[A-Za-z_]\w*)*)?", re.ASCII)
 
@@ -77,6 +70,63 @@ class JointTopic(NamedTuple):
         return {name: _in_si(proxies, batch) for name, proxies in parts.items()}
 
 
+class JointCommands(NamedTuple):
+    """The set points of all joints of a group, to be given together, in SI units."""
+
+    names: list[str]
+    """Of the joints, as their states have them."""
+    parts: dict[str, list[Writable[Any] | None]]
+    """Signals by joint, of ``velocity``, ``effort`` and ``position``, in the order in which they are written."""
+
+    def of_state(self, names: Sequence[str], values: Mapping[str, Sequence[float]]) -> list[Command]:
+        """Return what a ``sensor_msgs/JointState`` asks for; a NaN asks for nothing.
+
+        Args:
+            names: of the joints that are meant; none for all.
+            values: for each of the `parts`, one for each name, or none.
+
+        Raises:
+            ArgumentError: for joints or set points that there are not, or another number of values.
+        """
+        places = [self._place(name) for name in names] if names else list(range(len(self.names)))
+        if len(set(places)) != len(places):
+            raise ArgumentError(f"a joint is named twice among {', '.join(names)}")
+        found: list[Command] = []
+        for part, proxies in self.parts.items():
+            given = values[part]
+            if len(given) not in (0, len(places)):
+                raise ArgumentError(f"{len(given)} values of {part} were given for {len(places)} joints")
+            for place, value in zip(places, given, strict=False):
+                if not math.isnan(value):
+                    found.append(_command(proxies[place], value, f"{self.names[place]} has no set point of {part}"))
+        return found
+
+    def of_array(self, part: str, values: Sequence[float]) -> list[Command]:
+        """Return what a ``std_msgs/Float64MultiArray`` asks for: a value for each joint, in their order; NaN: none.
+
+        Raises:
+            ArgumentError: as `of_state`.
+        """
+        if len(values) != len(self.names):
+            raise ArgumentError(f"{len(values)} values of {part} were given for {len(self.names)} joints")
+        return self.of_state((), {name: values if name == part else () for name in self.parts})
+
+    def _place(self, name: str) -> int:
+        if name not in self.names:
+            hint = did_you_mean(name, self.names) or f"one of {', '.join(self.names)} was expected"
+            raise ArgumentError(f"no joint is called {name!r}: {hint}")
+        return self.names.index(name)
+
+
+class JointCommandTopic(NamedTuple):
+    """A topic that sets joints."""
+
+    name: str
+    part: str | None
+    """Which one a ``std_msgs/Float64MultiArray`` sets; None for a ``sensor_msgs/JointState``, which has all."""
+    joints: JointCommands
+
+
 class PublishedGroup(NamedTuple):
     """A group that is published."""
 
@@ -114,6 +164,36 @@ def command_topics(robot: Robot, published: list[PublishedGroup]) -> list[Comman
     return found
 
 
+def joint_command_topics(robot: Robot, published: list[PublishedGroup]) -> list[JointCommandTopic]:
+    """Return the topics by which the joints of a group are set together."""
+    found = []
+    for group in published:
+        joints = group.group.model.joints if group.joints is not None and group.group.model is not None else ()
+        parts = {part: _set_points(part, joints, robot) for part in ("velocity", "effort", "position")}
+        there = [part for part, proxies in parts.items() if any(proxies)]
+        if group.joints is not None and there:
+            commands = JointCommands(group.joints.names, parts)
+            before = group.joints.name.removesuffix("joint_states")
+            found.append(JointCommandTopic(f"{before}joint_commands", None, commands))
+            found += [JointCommandTopic(f"{before}{part}_commands", part, commands) for part in there]
+    return found
+
+
+def _set_points(part: str, joints: tuple[Joint, ...], robot: Robot) -> list[Writable[Any] | None]:
+    paths = [getattr(joint, f"set_{part}") for joint in joints]
+    return [None if path is None else cast("Writable[Any]", robot[path]) for path in paths]
+
+
+def _command(proxy: Writable[Any] | None, value: float, refusal: str) -> Command:
+    """Return what sets a signal to a value in SI units."""
+    if proxy is None:
+        raise ArgumentError(refusal)
+    if not math.isfinite(value):
+        raise ArgumentError(f"{proxy.path}: {value} is no finite number")
+    in_unit = value / SI.get(proxy.unit, 1.0)
+    return proxy, round(in_unit) if proxy.signal.kind.dtype.kind in "iu" else in_unit
+
+
 def read_namespace(text: str) -> str:
     """Return a namespace as it stands before names that begin with a slash: ``/arm``, or nothing.
 
@@ -128,16 +208,6 @@ def read_namespace(text: str) -> str:
     return f"/{name}" if name else ""
 
 
-def topic_name(path: str) -> str:
-    """Write a path as ROS writes names: ``legs[2].coxa`` as ``legs_2/coxa``."""
-    return re.sub(r"\[(\d+)\]", r"_\1", path).replace(".", "/")
-
-
-def message_type(kind: Kind) -> str:
-    """Return the type of ``std_msgs`` that holds every value of a kind; enumerations are their numbers."""
-    return _TYPES[f"{kind.dtype.kind}{kind.dtype.itemsize}"]
-
-
 def _joint_topic(name: str, joints: tuple[Joint, ...], robot: Robot) -> JointTopic:
     def proxies(part: str) -> list[Any]:
         paths = [getattr(joint, part) for joint in joints]
@@ -149,5 +219,5 @@ def _joint_topic(name: str, joints: tuple[Joint, ...], robot: Robot) -> JointTop
 
 def _in_si(proxies: list[Any], batch: Batch) -> NDArray[np.float64]:
     missing = np.full(len(batch), np.nan)
-    columns = [missing if proxy is None else batch[proxy] * _SI.get(proxy.unit, 1.0) for proxy in proxies]
+    columns = [missing if proxy is None else batch[proxy] * SI.get(proxy.unit, 1.0) for proxy in proxies]
     return np.stack(columns, axis=1).astype(np.float64) if columns else np.empty((len(batch), 0))

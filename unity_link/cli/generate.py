@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 from typing import Annotated
 
@@ -27,6 +28,12 @@ def generate(
         Path, typer.Option("--output", "-o", metavar="DIR", help="Where to write; made where it is not there.")
     ] = Path(),
     interface: Name = None,
+    maintainer: Annotated[
+        str | None, typer.Option(metavar="'NAME <EMAIL>'", help="Of a package of ROS.", show_default=False)
+    ] = None,
+    licence: Annotated[
+        str | None, typer.Option(metavar="NAME", help="Of a package of ROS.", show_default=False)
+    ] = None,
     with_gateware: Annotated[
         bool,
         typer.Option(
@@ -41,7 +48,15 @@ def generate(
 
     if with_gateware and target != "vhdl":
         raise ArgumentError(f"--with-gateware belongs to vhdl, and {target} was asked for")
-    files = make(target, compile_or_exit(spec), interface)
+    package = {} if licence is None else {"licence": licence}
+    if maintainer is not None:
+        found = re.fullmatch(r"\s*([^<>]*[^<>\s])\s*<([^<>@\s]+@[^<>@\s]+)>\s*", maintainer)
+        if found is None:
+            raise ArgumentError(
+                f"--maintainer {maintainer!r}: a name and an address were expected, as 'Ada <ada@lab.org>'"
+            )
+        package |= {"maintainer": found[1], "email": found[2]}
+    files = make(target, compile_or_exit(spec), interface, **package)
     if with_gateware:
         from unity_link.generate.vhdl.folder import with_gateware as complete
 

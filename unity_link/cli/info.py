@@ -19,6 +19,8 @@ if TYPE_CHECKING:
 
 ROUND_TRIPS = 25
 """Fences that are measured: enough for a median, and quick on a slow serial line."""
+_OF_FRAMES = frozenset({"protocol", "message IDs", "CRC", "blocks", "clock", "FIFOs", "build"})
+"""What a bus that is mapped into memory has none of."""
 
 
 def add_to(app: typer.Typer) -> None:
@@ -33,13 +35,17 @@ def info(url: Url, *, json: Json = False, timeout: Timeout = DEFAULT_TIMEOUT) ->
 
 async def _info(url: str, *, json: bool, timeout: float) -> None:  # noqa: ASYNC109  (an option of the command)
     from unity_link.link.link import connect
+    from unity_link.transport import has_bus, parse_url
 
     async with connect(url, timeout=timeout) as link:
         round_trip = await _round_trip(link)
     if json:
         print_json({"url": url, **_fields(link.gateway), "round_trip_s": round_trip})
     else:
-        _print(url, link.gateway, round_trip)
+        rows = describe(link.gateway)
+        if has_bus(parse_url(url)):
+            rows = [(name, text) for name, text in rows if name not in _OF_FRAMES]
+        _print(url, rows, round_trip)
 
 
 async def _round_trip(link: Link) -> float:
@@ -57,8 +63,8 @@ def _fields(gateway: GatewayInfo) -> dict[str, Any]:
     return fields | {"features": feature_names(gateway)}
 
 
-def _print(url: str, gateway: GatewayInfo, round_trip: float) -> None:
-    rows = [*describe(gateway), ("round trip", f"{1e6 * round_trip:.0f} µs, median of {ROUND_TRIPS}")]
+def _print(url: str, rows: list[tuple[str, str]], round_trip: float) -> None:
+    rows = [*rows, ("round trip", f"{1e6 * round_trip:.0f} µs, median of {ROUND_TRIPS}")]
     width = max(len(name) for name, _ in rows)
     print_parts((url, "bold"))
     for name, text in rows:

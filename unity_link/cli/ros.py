@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path  # noqa: TC003  (typer reads it)
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Any
 
 import msgspec
 import typer
@@ -33,6 +33,9 @@ Poll = Annotated[
     float | None,
     typer.Option("--poll", metavar="HZ", help="Also publish what nothing samples, by reading it so often."),
 ]
+FrameId = Annotated[
+    str | None, typer.Option("--frame-id", metavar="NAME", help="The frame that states of joints name; none without.")
+]
 
 
 def add_to(app: typer.Typer) -> None:
@@ -42,17 +45,24 @@ def add_to(app: typer.Typer) -> None:
 
 
 def ros1(
-    spec: SpecFile, *, link: LinkUrl, namespace: Namespace = None, poll: Poll = None, interface: Name = None
+    spec: SpecFile,
+    *,
+    link: LinkUrl,
+    namespace: Namespace = None,
+    poll: Poll = None,
+    frame_id: FrameId = None,
+    interface: Name = None,
 ) -> None:
     """Be a node of ROS 1: signals that are sampled are topics, signals that can be written are subscribed to.
 
     Needs rospy of the distribution; ROS_MASTER_URI says where the master is. Master and gateway may come and go.
     """
     check_poll(poll)
-    run(_ros1(compile_or_exit(spec), interface, link, namespace, poll))
+    options = {"namespace": namespace, "poll_hz": poll, "frame_id": frame_id or ""}
+    run(_ros1(compile_or_exit(spec), interface, link, options))
 
 
-async def _ros1(spec: Spec, interface: str | None, url: str, namespace: str | None, poll: float | None) -> None:
+async def _ros1(spec: Spec, interface: str | None, url: str, options: dict[str, Any]) -> None:
     from unity_link.bridges.ros1 import Ros1Bridge, find_rospy
     from unity_link.bridges.waiting import connect_when_there
     from unity_link.data import load
@@ -60,7 +70,7 @@ async def _ros1(spec: Spec, interface: str | None, url: str, namespace: str | No
     robot_type = load(spec, interface)
     find_rospy()
     async with connect_when_there(url, print_note) as link:
-        await run_and_sum_up(Ros1Bridge(robot_type(link), namespace=namespace, poll_hz=poll, report=print_note))
+        await run_and_sum_up(Ros1Bridge(robot_type(link), report=print_note, **options))
 
 
 def ros2(  # noqa: PLR0913  (each is an option)
@@ -72,6 +82,7 @@ def ros2(  # noqa: PLR0913  (each is an option)
     ] = None,
     namespace: Namespace = None,
     poll: Poll = None,
+    frame_id: FrameId = None,
     quality: Annotated[
         str | None, typer.Option(metavar="PROFILE", help="reliable (the default) or sensor_data, for all topics.")
     ] = None,
@@ -94,6 +105,7 @@ def ros2(  # noqa: PLR0913  (each is an option)
         "link": link,
         "namespace": namespace,
         "poll_hz": poll,
+        "frame_id": frame_id,
         "quality": None if quality is None else Quality(quality),
         "domain": domain,
         "network": network or None,

@@ -88,20 +88,26 @@ class Templates:
         return Templates(target, self._spec, filters)
 
 
-def generate(target: str, spec: Spec, interface: str | None = None) -> list[GeneratedFile]:
+def generate(target: str, spec: Spec, interface: str | None = None, **package: str) -> list[GeneratedFile]:
     """Make the files of a target.
 
     Args:
         target: one of `TARGETS`.
         spec: a compiled spec.
         interface: which public interface, where there are several.
+        package: ``maintainer``, ``email`` and ``licence`` of a package of ROS.
 
     Raises:
-        ArgumentError: for a target or an interface that there is not.
+        ArgumentError: for a target or an interface that there is not, or what only packages have.
         UnsupportedError: where the target cannot say what the spec says.
     """
     module = load_target(target)
     templates = Templates(target, spec, getattr(module, "FILTERS", {}))
+    described = getattr(module, "Package", None)
+    if described is not None:
+        return list(cast("Any", module).files(spec.interface(interface), templates, described(**package)))
+    if package:
+        raise ArgumentError(f"{target} is no package: a maintainer and a licence are for ros1 and ros2")
     return list(module.files(spec.interface(interface), templates))
 
 

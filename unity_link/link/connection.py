@@ -146,6 +146,11 @@ class Connection:
     # The session
 
     @property
+    def name(self) -> str:
+        """What messages call the gateway: its URL."""
+        return self._name
+
+    @property
     def connected(self) -> bool:
         """Whether there is a session now; not while it is being opened again, nor after the end."""
         return self._session.is_open

@@ -28,7 +28,7 @@ from unity_link.link.subscription import Overflow, Publishing, Sample, Schedule,
 from unity_link.protocol.configuration import Feature
 from unity_link.protocol.messages import Codec, GroupFlag
 from unity_link.protocol.requests import Batch, Block, Fence, PostedFailure, Request, common_outcome
-from unity_link.transport import DriverUrl, parse_url
+from unity_link.transport import DriverUrl, has_bus, parse_url
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Generator
@@ -412,8 +412,7 @@ class Link(Connection):
         Raises:
             UnsupportedError: where the gateway was built without it.
         """
-        if mode not in _SEND_IMMEDIATE:
-            raise ArgumentError(f"send-immediate is one of {', '.join(_SEND_IMMEDIATE)}, not {mode!r}")
+        check_mode(mode)
         self._require(Feature.SEND_IMMEDIATE, "send-immediate")
         await self._ask("I", _SEND_IMMEDIATE[mode])
         if self._stream is not None:
@@ -548,6 +547,12 @@ class Link(Connection):
         return words.astype(arrays.word_type(self._codec.info.data_digits))
 
 
+def check_mode(mode: SendImmediate) -> None:
+    """Raise ArgumentError for a mode of send-immediate that is none."""
+    if mode not in _SEND_IMMEDIATE:
+        raise ArgumentError(f"send-immediate is one of {', '.join(_SEND_IMMEDIATE)}, not {mode!r}")
+
+
 def _whole(value: int, what: str) -> int:
     """Return a whole number, of whatever type, as an `int`."""
     try:
@@ -578,9 +583,16 @@ class Connecting:
         target = parse_url(self._target) if isinstance(self._target, str) else self._target
         if isinstance(target, DriverUrl):
             await runtime.prepare(target)
-        link = Link(target, self._reconnect, runtime=runtime)
+        link = self._link_to(target, runtime)
         await link.open(self._timeout)
         return link
+
+    def _link_to(self, target: DriverUrl | Medium, runtime: Runtime) -> Link:
+        if not has_bus(target):
+            return Link(target, self._reconnect, runtime=runtime)
+        from unity_link.link.mapped import MappedLink
+
+        return MappedLink(target, runtime)
 
     async def __aenter__(self) -> Link:
         if _is_under_trio():

@@ -212,12 +212,15 @@ class Publishing:
             for group in self._session.groups.end():
                 group.owner.fail(error)
 
-    async def hold(self, subscription: Subscription, started: Waiter) -> HeldGroup:
+    async def hold(self, subscription: Subscription, started: Waiter) -> Any:
         """Take a free group and start it for a subscription; while there is no session, wait for one.
 
         Args:
             subscription: takes the samples.
             started: is done when it is started.
+
+        Returns:
+            What `release` and `publish` know it by.
 
         Raises:
             UnsupportedError: where no group is free.
@@ -303,7 +306,7 @@ class Subscription:
         self._dropped = 0
         self._waiter: Waiter | None = None
         self._entered = False
-        self._group: HeldGroup | None = None
+        self._group: Any = None
         self._started: Waiter = publishing.runtime.create_future()
         self._error: UnityLinkError | None = None
         self._ended = False

@@ -63,6 +63,11 @@ def zeros(count: int, digits: int) -> Words:
     return np.zeros(count, _FORMS[digits].held)
 
 
+def of_words(words: Sequence[int], digits: int) -> Words:
+    """Return numbers of so many hex digits as an array."""
+    return np.array(words, _FORMS[digits].held)
+
+
 def in_range(values: ArrayLike, highest: int, what: str) -> NDArray[Any]:
     """Return whole numbers from 0 to `highest` as an array of one dimension.
 

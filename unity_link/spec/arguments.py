@@ -78,7 +78,11 @@ GROUP = (
     ArgumentSlot(
         "JOINTS",
         Shape.CLAUSE,
-        clause=tuple(ArgumentSlot(name, Shape.SIGNAL) for name in ("POSITION", "VELOCITY", "EFFORT")),
+        clause=tuple(
+            ArgumentSlot(f"{prefix}{name}", Shape.SIGNAL)
+            for prefix in ("", "SET_")
+            for name in ("POSITION", "VELOCITY", "EFFORT")
+        ),
     ),
 )
 GATEWAY = (ArgumentSlot("ADDRESS_BITS", Shape.WHOLE, 8, 32), ArgumentSlot("DATA_BITS", Shape.WHOLE, 8, 64))

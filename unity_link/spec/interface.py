@@ -269,16 +269,26 @@ class InterfaceDraft:
         if not clause:
             message = "JOINTS needs the name of a signal"
             self._error(draft.place, "joints", message, "as in JOINTS(POSITION=cpos, VELOCITY=spd)")
-        parts: dict[str, str] = {name: part.lower() for part, name in clause.items()}
+        set_points = {part.lower(): name for part, name in clause.items() if part.startswith("SET_")}
+        sampled = {name: part.lower() for part, name in clause.items() if part.lower() not in set_points}
         found: dict[str, dict[str, str]] = {}
         for signal, _ in draft.signals:
-            if signal.name in parts:
+            if signal.name in sampled:
                 component = signal.path.rpartition(".")[0]
-                found.setdefault(component, {})[parts[signal.name]] = signal.path
-        missing = [name for name, part in parts.items() if not any(part in joint for joint in found.values())]
-        for name in missing:
-            message = f"no signal of the group {draft.name} is called '{name}'"
-            self._error(draft.place, "joints", message)
+                found.setdefault(component, {})[sampled[signal.name]] = signal.path
+        writable = {placed.signal.path for placed in self.signals if placed.signal.access.writes}
+        for component, joint in found.items():
+            paths = {part: f"{component}.{name}".lstrip(".") for part, name in set_points.items()}
+            joint.update((part, path) for part, path in paths.items() if path in writable)
+        told = {part for joint in found.values() for part in joint}
+        for part, name in clause.items():
+            if part.lower() not in told:
+                one = (
+                    "signal of its joints that can be written"
+                    if part.lower() in set_points
+                    else (f"signal of the group {draft.name}")
+                )
+                self._error(draft.place, "joints", f"no {one} is called '{name}'")
         return tuple(Joint(name=name, **signals) for name, signals in found.items())
 
 

@@ -218,6 +218,10 @@ class Joint(msgspec.Struct, frozen=True, kw_only=True):
     position: str | None = None
     velocity: str | None = None
     effort: str | None = None
+    set_position: str | None = None
+    """Of what can be written, as the two below."""
+    set_velocity: str | None = None
+    set_effort: str | None = None
 
 
 class Group(msgspec.Struct, frozen=True, kw_only=True):

@@ -7,6 +7,7 @@ takes. It may also have:
 - a function ``options_of(url)``, where the options depend on the URL
 - a coroutine ``prepare(url)``, for what takes its time once on a machine and says nothing about the gateway: no
   time-out counts it
+- a function ``open_bus(url)``, where the medium is the bus itself, in memory, and has no frames: a `MemoryBus`
 
 docs/reference/media.md states what the transport has to do.
 """
@@ -30,9 +31,10 @@ if TYPE_CHECKING:
     import asyncio
     from importlib.metadata import EntryPoints
 
+    from unity_link.protocol.configuration import GatewayInfo
     from unity_link.transport.channel import Channel
 
-__all__ = ["ENTRY_POINTS", "Driver", "DriverUrl", "Medium", "register"]
+__all__ = ["ENTRY_POINTS", "Driver", "DriverUrl", "Medium", "MemoryBus", "WordsByAddress", "register"]
 
 ENTRY_POINTS = "unity_link.transports"
 """The group of entry points by which an installed package adds schemes, each with the module or object that is its
@@ -152,6 +154,29 @@ class Medium(Protocol):
 
     async def open(self, protocol: asyncio.Protocol) -> asyncio.Transport:
         """Open the medium; raise `ConnectError` where it can't be opened."""
+
+
+class WordsByAddress(Protocol):
+    """Words that are read and written where they stand, such as a `memoryview`."""
+
+    def __len__(self) -> int: ...
+    def __getitem__(self, address: int, /) -> int: ...
+    def __setitem__(self, address: int, value: int, /) -> None: ...
+
+
+class MemoryBus(Protocol):
+    """A bus that is mapped into memory: what a driver's ``open_bus(url)`` returns."""
+
+    @property
+    def words(self) -> WordsByAddress:
+        """The words by address; each access is one to the bus."""
+
+    @property
+    def info(self) -> GatewayInfo:
+        """What a link is to know of it."""
+
+    def close(self) -> None:
+        """Unmap it."""
 
 
 def register(scheme: str, driver: str | Driver) -> None:
@@ -336,6 +361,22 @@ def open_channel(url: DriverUrl, timeout: float | None) -> Channel:
         return channel
 
 
+def has_bus(target: DriverUrl | Medium) -> TypeGuard[DriverUrl]:
+    """Return whether `open_bus` opens a target, which carries no frames then."""
+    return isinstance(target, DriverUrl) and hasattr(load_driver(target.scheme), "open_bus")
+
+
+def open_bus(url: DriverUrl) -> MemoryBus:
+    """Map a bus into memory.
+
+    Raises:
+        ArgumentError: for a URL that cannot be.
+        ConnectError: where it cannot be mapped.
+    """
+    bus: MemoryBus = cast("Any", load_driver(url.scheme)).open_bus(url)
+    return bus
+
+
 def observed(target: DriverUrl | Medium, protocol: asyncio.Protocol) -> asyncio.Protocol:
     """Return what a medium is to be connected to, so that a snoop and the log have what passes, where wanted.
 
@@ -375,7 +416,7 @@ async def prepare(url: DriverUrl) -> None:
         await preparing(url)
 
 
-for _scheme in ("serial", "tcp", "unix", "udp", "zenoh"):
+for _scheme in ("serial", "tcp", "unix", "udp", "zenoh", "mmio"):
     register(_scheme, f"unity_link.transport.{_scheme}")
 register("ftdi", "unity_link.transport.ft232h.with_pyftdi")
 register("ftdi-async", "unity_link.transport.ft232h.with_libusb")

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import asyncio
 import contextlib
+import functools
 import importlib
 import threading
 import xmlrpc.client
@@ -11,6 +12,7 @@ from concurrent.futures import ThreadPoolExecutor
 from http.client import HTTPException
 from typing import TYPE_CHECKING, Any
 
+from unity_link.bridges.diagnostics import TOPIC
 from unity_link.bridges.ros import RosBridge
 from unity_link.bridges.ros1.environment import choose_address, find_rospy
 from unity_link.bridges.ros1.rows import joint_rows, number_rows
@@ -23,9 +25,10 @@ if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
+    from unity_link.bridges.diagnostics import Status
     from unity_link.bridges.ros1.outlet import Ros1Outlet
     from unity_link.bridges.ros1.rows import Rows
-    from unity_link.bridges.topics import CommandTopic, Topic
+    from unity_link.bridges.topics import CommandTopic, JointCommandTopic, Topic
     from unity_link.data import Robot
 
 LOOK_EVERY = 1.0
@@ -43,6 +46,7 @@ class Ros1Bridge(RosBridge["Ros1Outlet"]):
         robot: a robot of any spec, behind an open link.
         namespace: what stands before the names of all topics; that of the interface if nothing is said.
         poll_hz: also publish, read so often, what nothing samples.
+        frame_id: of the headers of states of joints.
         report: is told in a sentence what a person should know.
 
     Raises:
@@ -57,14 +61,16 @@ class Ros1Bridge(RosBridge["Ros1Outlet"]):
         *,
         namespace: str | None = None,
         poll_hz: float | None = None,
+        frame_id: str = "",
         report: Callable[[str], None] = lambda _: None,
     ) -> None:
         find_rospy()
         choose_address()
-        super().__init__(robot, namespace, poll_hz, report)
+        super().__init__(robot, namespace, poll_hz, frame_id, report)
         # Robots of one kind have namespaces of their own, and so names.
         self._node_name = f"unity_link_{self._namespace.strip('/').replace('/', '_') or robot.interface.name}"
         self._subscribers: list[Any] = []
+        self._diagnostics_publisher: Any = None
 
     async def run(self) -> None:
         """Be the bridge until it is cancelled.
@@ -82,7 +88,11 @@ class Ros1Bridge(RosBridge["Ros1Outlet"]):
             await loop.run_in_executor(asking, self._start)
             self._report(f"node {self._node_name}: {self._describe_topics()}")
             await self._carrier.run(
-                publishing, self._commands.run(), self._stay_registered(asking), self._stay_till_shut_down()
+                publishing,
+                self._commands.run(),
+                self._diagnose(publishing),
+                self._stay_registered(asking),
+                self._stay_till_shut_down(),
             )
         finally:
             await asyncio.shield(loop.run_in_executor(publishing, self._finish_outlets))
@@ -95,11 +105,15 @@ class Ros1Bridge(RosBridge["Ros1Outlet"]):
     def _start(self) -> None:
         import rospy
 
+        from unity_link.bridges.ros1.diagnostics import array_type
+
         rospy.init_node(self._node_name, disable_signals=True)
         # It may have been given another one on the command line.
         self._node_name = rospy.get_name()
         self._open_outlets()
         self._subscribers = [self._subscriber(topic) for topic in self._command_topics]
+        self._subscribers += [self._joint_subscriber(topic) for topic in self._joint_command_topics]
+        self._diagnostics_publisher = rospy.Publisher(TOPIC, array_type(), queue_size=10)
         self._describe()
 
     def _open_outlet(self, name: str, package: str, kind: str) -> Ros1Outlet:
@@ -113,7 +127,22 @@ class Ros1Bridge(RosBridge["Ros1Outlet"]):
     def _joint_rows(
         self, names: list[str], instants: NDArray[np.float64], columns: dict[str, NDArray[np.float64]], first: int
     ) -> Rows:
-        return joint_rows(names, instants, columns, first)
+        return joint_rows(names, instants, columns, first, self._frame_id)
+
+    def _tell(self, status: Status, at: float) -> None:
+        from unity_link.bridges.ros1.diagnostics import message
+
+        self._diagnostics_publisher.publish(message(status, at))
+
+    def _joint_subscriber(self, topic: JointCommandTopic) -> Any:
+        import rospy
+
+        kind = (
+            _message("sensor_msgs", "JointState") if topic.part is None else _message("std_msgs", "Float64MultiArray")
+        )
+        name = f"{self._namespace}/{topic.name}"
+        take = functools.partial(self._give_joints, topic)
+        return rospy.Subscriber(name, kind, take, tcp_nodelay=True, queue_size=None)
 
     def _subscriber(self, topic: CommandTopic) -> Any:
         import rospy
@@ -176,6 +205,8 @@ class Ros1Bridge(RosBridge["Ros1Outlet"]):
         listeners = get_registration_listeners()
         for outlet in self._outlets.values():
             listeners.notify_added(*outlet.registered, Registration.PUB)
+        publisher = self._diagnostics_publisher
+        listeners.notify_added(publisher.resolved_name, publisher.type, Registration.PUB)
         for subscriber in self._subscribers:
             listeners.notify_added(subscriber.resolved_name, subscriber.type, Registration.SUB)
         try:

@@ -27,7 +27,11 @@ def number_rows(kind: str, values: NDArray[Any]) -> Rows:
 
 
 def joint_rows(
-    names: Sequence[str], instants: NDArray[np.float64], parts: Mapping[str, NDArray[np.float64]], first: int
+    names: Sequence[str],
+    instants: NDArray[np.float64],
+    parts: Mapping[str, NDArray[np.float64]],
+    first: int,
+    frame_id: str = "",
 ) -> Rows:
     """Return messages of ``sensor_msgs/JointState``.
 
@@ -36,12 +40,10 @@ def joint_rows(
         instants: when the samples were taken, in seconds since 1970, shape (samples,).
         parts: position, velocity and effort, in this order, of shape (samples, joints), or (samples, 0) for none.
         first: the number of the first message.
+        frame_id: of the header.
     """
     seconds, nanoseconds = np.divmod(np.rint(instants * 1e9).astype(np.int64), 1_000_000_000)
-    # The name of a frame, of which there is none, and those of the joints.
-    texts = b"\0\0\0\0" + struct.pack("<I", len(names))
-    for name in names:
-        texts += struct.pack("<I", len(name.encode())) + name.encode()
+    texts = _string(frame_id) + struct.pack("<I", len(names)) + b"".join(map(_string, names))
     fields: list[tuple[Any, ...]] = [("seq", "<u4"), ("secs", "<u4"), ("nsecs", "<u4"), ("texts", f"V{len(texts)}")]
     given: dict[str, Any] = {
         "seq": np.arange(first, first + len(instants)) & 0xFFFF_FFFF,
@@ -53,6 +55,10 @@ def joint_rows(
         fields += [(f"{part}_count", "<u4"), (part, "<f8", columns.shape[1:])]
         given |= {f"{part}_count": columns.shape[1], part: columns}
     return _rows(len(instants), fields, **given)
+
+
+def _string(text: str) -> bytes:
+    return struct.pack("<I", len(text.encode())) + text.encode()
 
 
 def _rows(count: int, fields: list[Any], **values: Any) -> Rows:

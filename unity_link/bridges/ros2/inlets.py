@@ -12,7 +12,7 @@ from cyclonedds.core import GuardCondition, InstanceState, ReadCondition, Sample
 from cyclonedds.internal import dds_infinity
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Sequence
 
     from unity_link.bridges.commands import Command
 
@@ -26,6 +26,7 @@ class Inlets:
     Args:
         participant: reads.
         readers: of CycloneDDS, each with the signal that its values are for.
+        others: of CycloneDDS, each with what takes its messages.
         give: takes the values; called in the thread, it may block.
         report: is told in a sentence of messages that are none.
     """
@@ -34,15 +35,17 @@ class Inlets:
         self,
         participant: Any,
         readers: list[tuple[Any, Any]],
+        others: Sequence[tuple[Any, Callable[[Any], None]]],
         give: Callable[..., None],
         report: Callable[[str], None],
     ) -> None:
         self._readers = readers
+        self._others = others
         self._give = give
         self._report = report
         self._waiting = WaitSet(participant)
         self._end = GuardCondition(participant)
-        self._conditions = [ReadCondition(reader, _ANY) for reader, _ in readers]
+        self._conditions = [ReadCondition(reader, _ANY) for reader, _ in (*readers, *others)]
         for condition in (self._end, *self._conditions):
             self._waiting.attach(condition)
         self._ended = False
@@ -66,3 +69,13 @@ class Inlets:
                     self._report(f"a message on {reader.topic.name} is too short for its type")
                 if commands:
                     self._give(*commands)
+            for reader, take in self._others:
+                for message in self._taken(reader):
+                    take(message)
+
+    def _taken(self, reader: Any) -> list[Any]:
+        try:
+            return [one for one in reader.take(N=MOST_AT_ONCE) if hasattr(one, "__idl__")]
+        except Exception as error:  # noqa: BLE001  (what CycloneDDS cannot read may raise anything)
+            self._report(f"a message on {reader.topic.name} is none of its type ({type(error).__name__})")
+            return []

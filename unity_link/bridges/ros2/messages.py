@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from cyclonedds.idl import IdlStruct, make_idl_struct
 from cyclonedds.idl.types import (
+    byte,
     float32,
     float64,
     int8,
@@ -25,6 +26,8 @@ from cyclonedds.idl.types import (
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
+
+    from unity_link.bridges.diagnostics import Status
 
 
 class MessageType(NamedTuple):
@@ -94,6 +97,38 @@ STANDARD: dict[str, MessageType] = {
     "UInt64": _standard("UInt64", uint64, "fbdc52018fc13755dce18024d1a671c856aa8b4aaf63adfb095b608f98e8c943"),
 }
 """Those of ``std_msgs``, by their names."""
+
+_dimension = _type("std_msgs::msg", "MultiArrayDimension", {"label": str, "size": uint32, "stride": uint32}, "").struct
+_layout = _type("std_msgs::msg", "MultiArrayLayout", {"dim": _sequence[_dimension], "data_offset": uint32}, "").struct
+FLOAT_ARRAY = _type(
+    "std_msgs::msg",
+    "Float64MultiArray",
+    {"layout": _layout, "data": _sequence[float64]},
+    "1025ddc6b9552d191f89ef1a8d2f60f3d373e28b283d8891ddcc974e8c55397f",
+)
+_key_value = _type("diagnostic_msgs::msg", "KeyValue", {"key": str, "value": str}, "").struct
+_status = _type(
+    "diagnostic_msgs::msg",
+    "DiagnosticStatus",
+    {"level": byte, "name": str, "message": str, "hardware_id": str, "values": _sequence[_key_value]},
+    "",
+).struct
+DIAGNOSTICS = _type(
+    "diagnostic_msgs::msg",
+    "DiagnosticArray",
+    {"header": _header, "status": _sequence[_status]},
+    "5a8a36efb05fb25070fa0fb3810290c0e6cd4862b54a8fb975a1ee8dc55a333e",
+)
+
+
+def diagnostics(status: Status, at: float) -> bytes:
+    """Return a ``diagnostic_msgs/DiagnosticArray`` of one status, at an instant in seconds since 1970."""
+    seconds, nanoseconds = divmod(round(at * 1e9), 1_000_000_000)
+    values = [_key_value(key=key, value=value) for key, value in status.values]
+    told = _status(**{**status._asdict(), "values": values})
+    header = _header(stamp=_time(sec=seconds, nanosec=nanoseconds), frame_id="")
+    return bytes(IdlStruct.serialize(DIAGNOSTICS.struct(header=header, status=[told])))
+
 
 JOINT_STATE = _type(
     "sensor_msgs::msg",

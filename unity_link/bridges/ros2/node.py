@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import asyncio
+import functools
 from concurrent.futures import ThreadPoolExecutor
 from typing import TYPE_CHECKING, Any
 
+from unity_link.bridges.diagnostics import TOPIC
 from unity_link.bridges.ros import PATIENCE, RosBridge
 from unity_link.bridges.ros2.domain import find_dds
 from unity_link.bridges.ros2.settings import Quality, Settings
@@ -17,6 +19,7 @@ if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
+    from unity_link.bridges.diagnostics import Status
     from unity_link.bridges.ros2.inlets import Inlets
     from unity_link.bridges.ros2.messages import MessageType
     from unity_link.bridges.ros2.outlet import Ros2Outlet
@@ -45,8 +48,10 @@ class Ros2Bridge(RosBridge["Ros2Outlet"]):
     ) -> None:
         self._settings = settings or Settings()
         find_dds()
-        super().__init__(robot, self._settings.namespace, self._settings.poll_hz, report)
+        chosen = self._settings
+        super().__init__(robot, chosen.namespace, chosen.poll_hz, chosen.frame_id, report)
         self._inlets: Inlets | None = None
+        self._diagnostics_outlet: Any = None
         self._check_topics()
 
     def _check_topics(self) -> None:
@@ -55,6 +60,7 @@ class Ros2Bridge(RosBridge["Ros2Outlet"]):
         known = {topic.name for published in self._groups for topic in published.topics}
         known |= {published.joints.name for published in self._groups if published.joints is not None}
         known |= {topic.name for topic in self._command_topics}
+        known |= {topic.name for topic in self._joint_command_topics}
         for name in self._settings.topics.keys() - known:
             hint = did_you_mean(name, known) or "names without the namespace were expected"
             raise ArgumentError(f"the parameters choose a quality for {name!r}, which is no topic here: {hint}")
@@ -71,7 +77,7 @@ class Ros2Bridge(RosBridge["Ros2Outlet"]):
         try:
             await loop.run_in_executor(publishing, self._open)
             self._report(self._describe_topics())
-            await self._carrier.run(publishing, self._commands.run())
+            await self._carrier.run(publishing, self._commands.run(), self._diagnose(publishing))
         finally:
             await asyncio.shield(loop.run_in_executor(publishing, self._close))
             publishing.shutdown(wait=False)
@@ -80,9 +86,12 @@ class Ros2Bridge(RosBridge["Ros2Outlet"]):
 
     def _open(self) -> None:
         """Join the domain."""
+        from cyclonedds.topic import Topic
+
         from unity_link.bridges.ros2.domain import is_alone, open_participant
         from unity_link.bridges.ros2.inlets import Inlets
-        from unity_link.bridges.ros2.messages import STANDARD
+        from unity_link.bridges.ros2.messages import DIAGNOSTICS, FLOAT_ARRAY, JOINT_STATE, STANDARD
+        from unity_link.bridges.ros2.outlet import Ros2Outlet
 
         mark = f"unity_link={self._namespace or '/'};"
         self._participant, self._domain = open_participant(self._settings, mark)
@@ -92,14 +101,24 @@ class Ros2Bridge(RosBridge["Ros2Outlet"]):
                 "end that one, or choose another namespace"
             )
         self._open_outlets()
+        topic = Topic(self._participant, f"rt{TOPIC}", DIAGNOSTICS.struct)
+        quality = self._quality(TOPIC, DIAGNOSTICS)
+        self._diagnostics_outlet = Ros2Outlet(self._participant, topic, quality, self._faults.tell)
         readers = [(self._reader(topic.name, STANDARD[topic.type]), topic.proxy) for topic in self._command_topics]
-        self._inlets = Inlets(self._participant, readers, self._commands.give, self._faults.tell)
+        joints = [
+            (
+                self._reader(topic.name, JOINT_STATE if topic.part is None else FLOAT_ARRAY),
+                functools.partial(self._give_joints, topic),
+            )
+            for topic in self._joint_command_topics
+        ]
+        self._inlets = Inlets(self._participant, readers, joints, self._commands.give, self._faults.tell)
 
     def _close(self) -> None:
         if self._inlets is not None:
             self._inlets.close()
         self._finish_outlets()
-        self._inlets = self._participant = self._domain = None
+        self._inlets = self._participant = self._domain = self._diagnostics_outlet = None
 
     def _topic(self, name: str, message: MessageType) -> Any:
         from cyclonedds.topic import Topic
@@ -155,4 +174,10 @@ class Ros2Bridge(RosBridge["Ros2Outlet"]):
     ) -> list[bytes]:
         from unity_link.bridges.ros2.rows import joint_rows
 
-        return joint_rows(names, instants, columns)
+        return joint_rows(names, instants, columns, self._frame_id)
+
+    def _tell(self, status: Status, at: float) -> None:
+        from unity_link.bridges.ros2.messages import diagnostics
+
+        if self._diagnostics_outlet.is_wanted:
+            self._diagnostics_outlet.send([diagnostics(status, at)])

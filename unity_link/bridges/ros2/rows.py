@@ -29,7 +29,10 @@ def number_rows(kind: str, values: NDArray[Any]) -> list[bytes]:
 
 
 def joint_rows(
-    names: Sequence[str], instants: NDArray[np.float64], parts: Mapping[str, NDArray[np.float64]]
+    names: Sequence[str],
+    instants: NDArray[np.float64],
+    parts: Mapping[str, NDArray[np.float64]],
+    frame_id: str = "",
 ) -> list[bytes]:
     """Return messages of ``sensor_msgs/JointState``.
 
@@ -37,10 +40,10 @@ def joint_rows(
         names: of the joints.
         instants: when the samples were taken, in seconds since 1970, shape (samples,).
         parts: position, velocity and effort, in this order, of shape (samples, joints), or (samples, 0) for none.
+        frame_id: of the header.
     """
     seconds, nanoseconds = np.divmod(np.rint(instants * 1e9).astype(np.int64), 1_000_000_000)
-    # The name of a frame, of which there is none, and those of the joints.
-    texts = _string(b"", 8)
+    texts = _string(frame_id.encode(), 8)
     texts += _padding(8 + len(texts), 4) + struct.pack("<I", len(names))
     for name in names:
         texts += _string(name.encode(), 8 + len(texts))

@@ -7,6 +7,7 @@
         link: serial:/dev/ttyUSB0
         namespace: arm
         poll_hz: 10.0
+        frame_id: base_link
         quality: reliable
         topics:
           j1/cpos: {quality: sensor_data}
@@ -49,6 +50,8 @@ class Settings(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=
     """What stands before all topics; the interface's name if nothing is said."""
     poll_hz: float | None = None
     """How often to read, for publication, what nothing samples."""
+    frame_id: str = ""
+    """Of the headers of states of joints."""
     quality: Quality = Quality.RELIABLE
     topics: dict[str, TopicSettings] = {}
     """By their names without namespace."""

@@ -22,11 +22,11 @@ import msgspec
 
 from unity_link.bridges.ordered import Objects, write_in_order
 from unity_link.bridges.telling import Faults
-from unity_link.bridges.topics import topic_name
 from unity_link.bridges.zenoh.describing import describe
 from unity_link.bridges.zenoh.writing import Reader
 from unity_link.data import Group, Readable, Writable
 from unity_link.errors import ArgumentError, GatewayResetError, UnansweredError, UnityLinkError
+from unity_link.generate.ros.topics import topic_name
 from unity_link.transport.inbox import Inbox
 
 if TYPE_CHECKING:

@@ -6,7 +6,7 @@ import re
 from typing import TYPE_CHECKING
 
 from unity_link.errors import UnsupportedError
-from unity_link.spec.model import Access, Group, Interface, Signal
+from unity_link.spec.model import Access, Group, Interface, Joint, Signal
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -118,7 +118,7 @@ def _arguments(signal: Signal) -> Iterator[str]:
 def _group(group: Group) -> str:
     joints: dict[str, str] = {}
     for joint in group.joints:
-        for part in ("position", "velocity", "effort"):
+        for part in Joint.__struct_fields__[1:]:
             path: str | None = getattr(joint, part)
             if path is not None:
                 joints[part.upper()] = path.rpartition(".")[2]

@@ -1,0 +1,96 @@
+"""A bus that is mapped into memory: a file, which a test and a link share."""
+
+from __future__ import annotations
+
+import itertools
+import mmap
+from collections.abc import MutableMapping
+from contextlib import contextmanager
+from typing import TYPE_CHECKING, Any, cast
+
+import unity_link
+from unity_link import GatewayInfo
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterable, Iterator
+    from pathlib import Path
+
+    from makers import Maker
+    from unity_link.virtual import BareGateway
+    from unity_link.virtual.bus import Device
+
+FAILS = "mapped memory does not refuse an access: the system ends the program"
+CONFIGURATION = "mapped memory has no configuration"
+EMPTY = {
+    "test_a_long_block_is_split_at_the_gateways_limit": CONFIGURATION,
+    "test_an_error_in_a_batch_is_raised_and_the_others_are_done": FAILS,
+    "test_a_refused_access_raises_and_names_the_request": FAILS,
+    "test_an_address_where_nothing_answers_raises_its_own_error": FAILS,
+    "test_what_a_block_did_before_it_failed_stays_done": FAILS,
+    "test_a_fence_raises_the_first_error_of_posted_writes_and_counts_the_others": FAILS,
+    "test_one_failed_posted_write_needs_no_note": FAILS,
+    "test_errors_of_posted_writes_that_nobody_asks_for_take_no_memory": FAILS,
+    "test_what_a_gateway_was_built_without_is_named_and_not_sent": CONFIGURATION,
+    "test_the_link_knows_its_gateway": CONFIGURATION,
+    "test_statistics_count_what_happened": FAILS,
+    "test_a_range_error_of_the_gateway_is_an_error_of_its_own": "nothing is sent that could be out of range",
+    "test_a_subscription_gives_the_words_of_its_addresses": "a timer of the host is not exact: test_mapped.py",
+    "test_all_groups_can_be_in_use_and_are_free_again_afterwards": CONFIGURATION,
+    "test_a_gateway_without_the_feature_is_told_by_name": CONFIGURATION,
+    "test_timestamps_are_used_where_the_gateway_can": CONFIGURATION,
+}
+"""What a mapped bus does not promise, and why."""
+_connect = unity_link.connect
+
+
+class _Words(MutableMapping[int, int]):
+    """The words of a file, by address."""
+
+    def __init__(self, path: Path) -> None:
+        with path.open("r+b") as file:
+            self._words = memoryview(mmap.mmap(file.fileno(), 0)).cast("I")
+
+    def __getitem__(self, address: int) -> int:
+        return self._words[address]
+
+    def __setitem__(self, address: int, value: int) -> None:
+        self._words[address] = value
+
+    def __delitem__(self, address: int) -> None:
+        raise NotImplementedError
+
+    def __iter__(self) -> Iterator[int]:
+        return iter(range(len(self._words)))
+
+    def __len__(self) -> int:
+        return len(self._words)
+
+
+class FileGateway:
+    """What a test knows of a mapped bus of 256 words, in the words of a gateway."""
+
+    def __init__(self, path: Path) -> None:
+        path.write_bytes(bytes(1024))
+        self.url = f"mmio:{path}?base_frequency_millihertz=100000000"
+        self.info = GatewayInfo()
+        self.memory = _Words(path)
+
+    def attach(self, device: Device, addresses: Iterable[int]) -> None:
+        """Do nothing: no test that needs a device is run on this."""
+
+    def detach(self, addresses: Iterable[int]) -> None:
+        """Do nothing."""
+
+
+@contextmanager
+def mapped_files(folder: Path) -> Iterator[tuple[Maker, Callable[..., Any]]]:
+    """Yield what makes mapped buses, and what stands in for `unity_link.connect`."""
+    numbers = itertools.count()
+
+    def make(**_: int) -> BareGateway:
+        return cast("BareGateway", FileGateway(folder / f"bus{next(numbers)}"))
+
+    def connect(target: Any, **options: Any) -> Any:
+        return _connect(target.url if isinstance(target, FileGateway) else target, **options)
+
+    yield make, connect

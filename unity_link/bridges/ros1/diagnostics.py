@@ -1,0 +1,59 @@
+"""``diagnostic_msgs`` of ROS 1, made from its definition: not every distribution of rospy has the package."""
+
+from __future__ import annotations
+
+from functools import cache
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from unity_link.bridges.diagnostics import Status
+
+_LINE = "=" * 80
+_DEFINITION = f"""Header header
+diagnostic_msgs/DiagnosticStatus[] status
+{_LINE}
+MSG: std_msgs/Header
+uint32 seq
+time stamp
+string frame_id
+{_LINE}
+MSG: diagnostic_msgs/DiagnosticStatus
+byte OK=0
+byte WARN=1
+byte ERROR=2
+byte STALE=3
+byte level
+string name
+string message
+string hardware_id
+diagnostic_msgs/KeyValue[] values
+{_LINE}
+MSG: diagnostic_msgs/KeyValue
+string key
+string value
+"""
+
+
+@cache
+def _types() -> dict[str, Any]:
+    from genpy.dynamic import generate_dynamic
+
+    made: dict[str, Any] = generate_dynamic("diagnostic_msgs/DiagnosticArray", _DEFINITION)
+    return made
+
+
+def array_type() -> Any:
+    """Return the class of ``diagnostic_msgs/DiagnosticArray``."""
+    return _types()["diagnostic_msgs/DiagnosticArray"]
+
+
+def message(status: Status, at: float) -> Any:
+    """Return a message of one status, at an instant in seconds since 1970."""
+    import genpy
+
+    types = _types()
+    values = [types["diagnostic_msgs/KeyValue"](key=key, value=value) for key, value in status.values]
+    told = types["diagnostic_msgs/DiagnosticStatus"](**{**status._asdict(), "values": values})
+    array = array_type()(status=[told])
+    array.header.stamp = genpy.Time.from_sec(at)
+    return array

@@ -1,0 +1,341 @@
+"""Layer 2 without frames: a link to a bus that is mapped into memory.
+
+Each word of a call is one access to the bus, made in the call itself, one after the other and in the order of the
+calls. Nothing is on its way, so nothing is lost, repeated or answered. Groups are polled by a timer of the host.
+"""
+
+from __future__ import annotations
+
+import time
+from typing import TYPE_CHECKING, Any
+
+from unity_link import protocol
+from unity_link.errors import ConnectError, LinkClosedError, LinkLostError, Outcome, UnsupportedError
+from unity_link.link.link import Link, SendImmediate, check_mode
+from unity_link.link.subscription import Publishing, Subscription
+from unity_link.protocol.messages import Codec, GroupFlag
+from unity_link.transport import name_of, open_bus
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
+    from unity_link.link.runtime import Runtime, Timer, Waiter
+    from unity_link.protocol.arrays import Words
+    from unity_link.protocol.configuration import Feature, GatewayInfo
+    from unity_link.transport import DriverUrl, MemoryBus, WordsByAddress
+
+TURN = 256
+"""Accesses after which others run: nothing else of a call waits."""
+_EARLY = 1e-6
+"""Part of a period by which a timer may come too early."""
+
+
+class MappedLink(Link):
+    """A link to a bus that is mapped into memory; made by `connect`.
+
+    The calls are those of `Link`, and so are their arguments. What is another: blocks are single accesses, a masked
+    write is a read and a write, and a bus that refuses an access ends the program, as the system has it.
+    """
+
+    def __init__(self, target: DriverUrl, runtime: Runtime) -> None:
+        super().__init__(target, None, runtime=runtime)
+        self._url = target
+        self._words_at: WordsByAddress = _CLOSED
+        self._bus: MemoryBus | None = None
+        self._left = TURN
+        self._publishing: Polling
+
+    # Life
+
+    async def open(self, timeout: float) -> None:  # noqa: ARG002, ASYNC109  (as a link's; this one does not wait)
+        """Map the bus.
+
+        Raises:
+            ConnectError: where it cannot be mapped.
+        """
+        try:
+            self._bus = bus = open_bus(self._url)
+        except ConnectError as error:
+            raise ConnectError(f"{name_of(self._url)}: {error}") from error
+        self.gateway = bus.info
+        self._words_at = bus.words
+        self._publishing = Polling(self._runtime, bus)
+        self._codec = Codec(bus.info, None)
+        self._begin(self._codec)
+        self._highest_address = len(bus.words) - 1
+
+    def _ended(self, error: LinkLostError) -> None:
+        self._words_at = _CLOSED
+        self._publishing.end(error)
+        if self._bus is not None:
+            self._bus.close()
+
+    @property
+    def connected(self) -> bool:
+        """Whether the bus is mapped."""
+        return self._words_at is not _CLOSED
+
+    async def _done(self, accesses: int) -> None:
+        """Count accesses, and let others run from time to time; in between, calls keep their order."""
+        counters = self._session.counters
+        counters.requests += accesses
+        counters.responses += accesses
+        self._left -= accesses
+        if self._left <= 0:
+            self._left = TURN
+            await self._runtime.sleep(0)
+
+    def _require(self, feature: Feature, name: str) -> None:
+        if feature not in self.gateway.features:
+            raise UnsupportedError(f"mapped memory has no {name}")
+
+    async def send_immediate(self, mode: SendImmediate) -> None:
+        """Return: every answer comes at once."""
+        check_mode(mode)
+        self._check_open()
+
+    # Words
+
+    async def read(self, address: int) -> int:
+        """Read the word at `address`."""
+        if type(address) is not int or not 0 <= address <= self._highest_address:
+            self._check_address(address)
+        word = self._words_at[address]
+        await self._done(1)
+        return word
+
+    async def write(self, address: int, value: int) -> None:
+        """Write `value` to `address`."""
+        if type(address) is not int or not 0 <= address <= self._highest_address:
+            self._check_address(address)
+        if type(value) is not int or not 0 <= value <= self._highest_word:
+            self._check_word(value)
+        self._words_at[address] = value
+        await self._done(1)
+
+    async def write_masked(self, address: int, value: int, mask: int) -> int:
+        """Replace bits of a word, by a read and a write: other tasks do not come in between, but other masters may."""
+        self._check_address(address)
+        self._check_word(value)
+        self._check_word(mask)
+        words = self._words_at
+        before = words[address]
+        words[address] = before & ~mask | value & mask
+        await self._done(2)
+        return before
+
+    async def post(self, address: int, value: int) -> None:
+        """Write, as `write` does: there is nothing to wait for."""
+        await self.write(address, value)
+
+    async def fence(self) -> None:
+        """Return: everything that was asked for before has been executed."""
+        self._check_open()
+
+    # Many
+
+    async def read_block(self, address: int, count: int) -> Words:
+        """Read `count` consecutive words from `address` on, one after the other."""
+        self._check_block(address, count)
+        return await self._read_each(range(address, address + count))
+
+    async def read_queue(self, address: int, count: int) -> Words:
+        """Read the same address `count` times."""
+        self._check_address(address)
+        self._check_count(count)
+        return await self._read_each([address] * count)
+
+    async def read_many(self, addresses: ArrayLike) -> Words:
+        """Read many words."""
+        where = self._addresses(addresses)
+        self._check_count(len(where))
+        return await self._read_each(where.tolist())
+
+    async def write_block(self, address: int, values: ArrayLike) -> None:
+        """Write consecutive words from `address` on, one after the other."""
+        words = self._words(values)
+        self._check_block(address, len(words))
+        await self._write_each(range(address, address + len(words)), words)
+
+    async def write_queue(self, address: int, values: ArrayLike) -> None:
+        """Write all `values` to the same address."""
+        words = self._words(values)
+        self._check_address(address)
+        self._check_count(len(words))
+        await self._write_each([address] * len(words), words)
+
+    async def write_many(self, addresses: ArrayLike, values: ArrayLike) -> None:
+        """Write one word to each of many addresses, in order."""
+        where, what = self._write_arguments(addresses, values)
+        self._check_count(len(where))
+        await self._write_each(where.tolist(), what)
+
+    async def post_many(self, addresses: ArrayLike, values: ArrayLike) -> None:
+        """Write, as `write_many` does."""
+        await self.write_many(addresses, values)
+
+    async def _read_each(self, addresses: range | list[int]) -> Words:
+        found: list[int] = []
+        for start in range(0, len(addresses), TURN):
+            words = self._words_at
+            part = [words[address] for address in addresses[start : start + TURN]]
+            found += part
+            await self._done(len(part))
+        return self._publishing.array(found)
+
+    async def _write_each(self, addresses: range | list[int], values: Words) -> None:
+        given = values.tolist()
+        for start in range(0, len(given), TURN):
+            words = self._words_at
+            part = given[start : start + TURN]
+            for address, value in zip(addresses[start : start + TURN], part, strict=True):
+                words[address] = value
+            await self._done(len(part))
+
+    def _check_open(self) -> None:
+        if not self.connected:
+            raise _closed()
+
+
+def _closed() -> LinkClosedError:
+    return LinkClosedError("the link was closed", Outcome.NOT_EXECUTED)
+
+
+class _Closed:
+    """The words of a bus that is not mapped."""
+
+    def __len__(self) -> int:
+        return 0
+
+    def __getitem__(self, address: int, /) -> int:
+        raise _closed()
+
+    def __setitem__(self, address: int, value: int, /) -> None:
+        raise _closed()
+
+
+_CLOSED = _Closed()
+
+
+class Polling(Publishing):
+    """What the subscriptions of a mapped link share: the host reads their words by a timer of its own.
+
+    The time of a sample is that of the host when its words were read.
+
+    Args:
+        runtime: of the link.
+        bus: whose words are read.
+    """
+
+    def __init__(self, runtime: Runtime, bus: MemoryBus) -> None:
+        # No session: what is done with one is done here.
+        self.samples = self.samples_lost = 0
+        self.runtime = runtime
+        self._bus = bus
+        self._words: WordsByAddress = bus.words
+        self._polled: set[_PolledGroup] = set()
+
+    @property
+    def epoch(self) -> int:
+        """Number of the session: there is one."""
+        return 0
+
+    @property
+    def info(self) -> GatewayInfo:
+        """What is known of the bus."""
+        return self._bus.info
+
+    def start(self, codec: Codec) -> None:
+        """Begin."""
+
+    def end(self, error: LinkLostError) -> None:
+        """End all subscriptions."""
+        self._words = _CLOSED
+        for group in tuple(self._polled):
+            self._polled.discard(group)
+            group.end()
+            group.subscription.fail(error)
+
+    async def hold(self, subscription: Subscription, started: Waiter) -> _PolledGroup:  # noqa: ARG002  (it is at once)
+        """Begin to read the words of a subscription."""
+        if self._words is _CLOSED:
+            raise _closed()
+        group = _PolledGroup(self, subscription)
+        self._polled.add(group)
+        group.begin()
+        return group
+
+    async def release(self, group: Any) -> None:
+        """Read the words of a subscription no more."""
+        self._polled.discard(group)
+        group.end()
+
+    async def publish(self, group: Any) -> None:
+        """Take one sample now."""
+        group.sample()
+
+    def read(self, addresses: tuple[int, ...]) -> list[int]:
+        """Return the words at addresses, read one after the other."""
+        words = self._words
+        return [words[address] for address in addresses]
+
+    def array(self, words: list[int]) -> Words:
+        """Return words as users get them."""
+        return protocol.arrays.of_words(words, self._bus.info.data_digits)
+
+
+class _PolledGroup:
+    """Words that are read again and again; what the host is too late for counts as lost."""
+
+    def __init__(self, polling: Polling, subscription: Subscription) -> None:
+        self.subscription = subscription
+        self._polling = polling
+        self._schedule = subscription.schedule
+        self._period = self._schedule.divisor / polling.info.base_frequency_hz
+        self._now = polling.runtime.time
+        self._began = 0.0
+        self._ticks = 0
+        """Periods that have passed."""
+        self._sequence = -1
+        self._last: list[int] | None = None
+        self._timer: Timer | None = None
+
+    def begin(self) -> None:
+        """Begin to count periods, if the subscription is periodic."""
+        self.subscription.restart()
+        self._began = self._now()
+        if GroupFlag.PERIODIC in self._schedule.flags:
+            self._plan()
+
+    def end(self) -> None:
+        """Read no more."""
+        if self._timer is not None:
+            self._timer.cancel()
+
+    def _plan(self) -> None:
+        due = self._began + (self._ticks + 1) * self._period
+        self._timer = self._polling.runtime.call_at(due, self._tick)
+
+    def _tick(self) -> None:
+        passed = max(self._ticks + 1, int((self._now() - self._began) / self._period + _EARLY))
+        missed, self._ticks = passed - self._ticks - 1, passed
+        self._plan()
+        if GroupFlag.ON_CHANGE in self._schedule.flags:
+            words = self._polling.read(self._schedule.addresses)
+            if words != self._last:
+                self._publish(words)
+        else:
+            self._sequence += missed
+            self.sample()
+
+    def sample(self) -> None:
+        """Read the words, and publish them."""
+        self._publish(self._polling.read(self._schedule.addresses))
+
+    def _publish(self, words: list[int]) -> None:
+        self._last = words
+        self._sequence += 1
+        instant = self._now() if GroupFlag.TIMESTAMP in self._schedule.flags else None
+        self.subscription.take_sample(
+            self._sequence & 0xFF, instant, self._polling.array(words), time.time(), self._polling.epoch
+        )
