@@ -71,7 +71,7 @@ def simulate(  # noqa: PLR0913  (each is an option)
         Path | None, typer.Option(metavar="PATH", help="Of --pty: a symbolic link to the port, removed at the end.")
     ] = None,
     robot: Annotated[
-        str, typer.Option(metavar="NAME", help="What stands behind the bus: scara or walker; or plain memory.")
+        str, typer.Option(metavar="NAME", help="What stands behind the bus: scara, walker or tosnet; or plain memory.")
     ] = "",
     rtl: Annotated[
         bool,

@@ -2,7 +2,7 @@
 
 - `gateway`: the protocol as a model; `commands`, `groups` and `bus` are its inside
 - `rtl`: the gateware itself, compiled
-- `scara`, `walker`: robots behind the bus, made of joints as in `servo`
+- `scara`, `walker`: robots behind the bus, made of joints as in `servo`; `tosnet`: the first as a node of a network
 - `line`, `faults`: what can happen between a gateway and a host; each is a gateway in front of another one
 - `transport`, `serving`: gateways on an event loop, in the process and for other programs
 - `ft232h`: a USB chip in front of a gateway; `modelled_time`: a loop on which all of it is exact in time

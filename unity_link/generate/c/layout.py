@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, NamedTuple
 from unity_link.errors import UnsupportedError
 from unity_link.generate.c.names import Names
 from unity_link.generate.c.reserved import is_global, is_interface
+from unity_link.generate.networks import given_parameters, networks, shared_addresses
 from unity_link.spec.kinds import KindName
 from unity_link.spec.model import Component, ComponentArray
 
@@ -207,6 +208,12 @@ class Layout:
         self._shorts = Names([self.class_name, *members], is_global)
         self._globals = Names([self.prefix, *self._guards, *members], is_global)
         self.root_type = self._global("signals")
+        self.networks = networks(interface)
+        self.network_type = self._globals.take(f"{self.prefix}_networks", ("", "_use")) if self.networks else ""
+        parameters = Names([*self._guards, "link", "networks", "index"])
+        self.given = {name: parameters.take(name) for name in given_parameters(interface)}
+        """Identifiers of the parameters that its networks need."""
+        self.shared = shared_addresses(interface)
         self.enumerations = {one.name: self._enumeration(one) for one in interface.enumerations}
         self.value_types: dict[str, ValueType] = {}
         """By the paths of the signals."""
