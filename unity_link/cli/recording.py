@@ -14,7 +14,7 @@ import typer
 from unity_link.cli.arguments import DEFAULT_TIMEOUT, Timeout, Url, check_poll
 from unity_link.cli.output import print_line, print_note
 from unity_link.cli.running import run
-from unity_link.cli.spec import Name, SpecFile, compile_or_exit
+from unity_link.cli.spec import Given, Name, SpecFile, compile_or_exit
 from unity_link.errors import ArgumentError
 
 if TYPE_CHECKING:
@@ -52,6 +52,7 @@ def record(
     ] = None,
     overwrite: Annotated[bool, typer.Option("--overwrite", help="Replace a file of that name.")] = False,
     interface: Name = None,
+    given: Given = None,
     timeout: Timeout = DEFAULT_TIMEOUT,
 ) -> None:
     """Record all that a robot publishes; Ctrl-C ends it.
@@ -60,7 +61,18 @@ def record(
     up to a second before is in it. A gateway that goes away is waited for.
     """
     check_poll(poll)
-    run(_record(url, compile_or_exit(spec), interface, output, poll, duration, overwrite=overwrite, timeout=timeout))
+    run(
+        _record(
+            url,
+            compile_or_exit(spec, interface=interface, given=given),
+            interface,
+            output,
+            poll,
+            duration,
+            overwrite=overwrite,
+            timeout=timeout,
+        )
+    )
 
 
 async def _record(

@@ -1,17 +1,17 @@
 """The SCARA of the Unity-Link paper as it stood in its laboratory: as node 2 of a TosNet network.
 
-| address  | word                                                     |
-|----------|----------------------------------------------------------|
-| 00 to BF | the shared memory of three nodes; the joints are in 80 on |
-| F0       | CTRL                                                     |
-| F4 to F7 | COMM, and the counters of resets, packets and errors     |
+| address  | word                                               |
+|----------|----------------------------------------------------|
+| 00 to BF | the shared memory of three nodes, joints at 80 |
+| F0       | CTRL                                               |
+| F4 to F7 | COMM, and the counters of resets, packets, errors  |
 
-The joints are at the addresses of the paper's figure 1, as those of `scara`, but behind double buffers, as TosNet's VHDL
-(tal_top.vhd) has them: what is written goes into a buffer of its own, and with the first cycle after a commit the buffers
-change places. The other buffer then has not got what was written last. What a node sends is shown as of the last cycle;
-commits of reads are done by the gateware in each cycle by itself. Both buffers begin with the set points that the
-joints have after power-up. What the paper does not tell is a choice made here: the length of a cycle, where CTRL and
-COMM stand, and their bits, which `unity_link.hardware.tosnet` documents.
+The joints are at the addresses of the paper's figure 1, as those of `scara`, but behind double buffers, as TosNet's
+VHDL (tal_top.vhd) has them: what is written goes into a buffer of its own, and with the first cycle after a commit the
+buffers change places. The other buffer then has not got what was written last. What a node sends is shown as of the
+last cycle; commits of reads are done by the gateware in each cycle by itself. Both buffers begin with the set points
+that the joints have after power-up. What the paper does not tell is a choice made here: the length of a cycle, where
+CTRL and COMM stand, and their bits, which `unity_link.hardware.tosnet` documents.
 """
 
 from __future__ import annotations

@@ -201,9 +201,11 @@ class Layout:
         # A group is a member of the robot in C++.
         in_root = Names([*self._guards, *self._member_names[interface.root.path].values()])
         self.group_names = {group.name: in_root.take(group.name) for group in named}
+        self.networks_member = in_root.take("networks")
+        """In C++."""
         # In C++ a type that has the name of a member is no type any more.
         scopes = (*self._member_names.values(), *self._group_members.values(), self.group_names)
-        members = {name for names in scopes for name in names.values()}
+        members = {name for names in scopes for name in names.values()} | {self.networks_member}
         self.class_name = Names([self.prefix, *members], is_global).take(_capitalized(self.prefix))
         self._shorts = Names([self.class_name, *members], is_global)
         self._globals = Names([self.prefix, *self._guards, *members], is_global)

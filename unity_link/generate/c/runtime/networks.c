@@ -79,7 +79,15 @@ ul_status ul_use_network(ul_link *link, ul_network *network)
     while (other != NULL && other != network) other = other->next;
     if (other != NULL) return UL_OK;
     network->changed = network->settled = false;
-    for (unsigned index = 0; index < network->count; index++) network->words[index].written = false;
+    for (unsigned index = 0; index < network->count; index++) {
+        /* What was written through another one on the link is not taken back. */
+        ul_network_word *kept = &network->words[index];
+        unsigned place;
+        const ul_network *before = network_of(link, kept->address, &place);
+        bool is_same = before != NULL && before->ctrl == network->ctrl;
+        kept->written = is_same && before->words[place].written;
+        kept->word = is_same ? before->words[place].word : 0;
+    }
     network->next = link->networks;
     link->networks = network;
     return UL_OK;
