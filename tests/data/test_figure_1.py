@@ -21,10 +21,21 @@ SET_POINTS = (1200, -700, 345, 2000)
 """Of joints 1 to 4, in counts; within the limits of each."""
 
 
-@pytest_asyncio.fixture(params=["sim:scara", pytest.param("rtl:scara", marks=pytest.mark.rtl)])
+ADDRESSES = {"scara": {}, "tosnet": {"ctrl": 0xF0, "comm": 0xF4}}
+"""Of the parameters, by the robot."""
+
+
+@pytest_asyncio.fixture(
+    params=[
+        "sim:scara",
+        "sim:tosnet",
+        pytest.param("rtl:scara", marks=pytest.mark.rtl),
+        pytest.param("rtl:tosnet", marks=pytest.mark.rtl),
+    ]
+)
 async def robot(request: pytest.FixtureRequest) -> AsyncIterator[LoadedRobot]:
     async with unity_link.connect(request.param) as link:
-        yield Scara(link)
+        yield Scara(link, **ADDRESSES[request.param.partition(":")[2]])
 
 
 @pytest.mark.asyncio

@@ -36,7 +36,7 @@ def add_to(app: typer.Typer) -> None:
     app.command()(replay)
 
 
-def record(
+def record(  # noqa: PLR0913  (each is an option)
     url: Url,
     spec: SpecFile,
     *,
