@@ -9,6 +9,7 @@ import pytest_asyncio
 
 import unity_link
 from spec_examples import FIGURE_1
+from unity_link.data import Group
 from unity_link.spec import compile_text
 
 if TYPE_CHECKING:
@@ -72,3 +73,18 @@ async def test_its_parameters_are_given_where_they_are_needed(robot: LoadedRobot
         Scara(robot.link, crtl=0xF0)
     with pytest.raises(unity_link.ArgumentError, match="ctrl=256 was given, an address from 0 to 0xff expected"):
         Scara(robot.link, ctrl=0x100)
+
+
+@pytest.mark.asyncio
+async def test_a_joint_as_a_group_reads_what_can_be_read_and_writes_what_can_be_written(robot: LoadedRobot) -> None:
+    arm = Group(robot.j1, robot.j2)
+    await arm.set({robot.j1.spd_sp: 90_000, robot.j2.spd_sp: 90_000, robot.j1.pos_sp: 40, robot.j2.pos_sp: -40})
+    async for sample in arm:
+        if (sample.values[robot.j1.cpos], sample.values[robot.j2.cpos]) == (40, -40):
+            break
+    values = await arm.get()
+    assert dict(values) == {robot.j1.cpos: 40, robot.j1.spd: 0, robot.j2.cpos: -40, robot.j2.spd: 0}
+    with pytest.raises(unity_link.ArgumentError, match="pos_sp can only be written"):
+        await Group(robot.j1.cpos, robot.j1.pos_sp).get()
+    with pytest.raises(unity_link.ArgumentError, match="cpos can only be read"):
+        await arm.set({robot.j1.cpos: 1})
