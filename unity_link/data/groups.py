@@ -319,6 +319,9 @@ def nothing_publishes(proxies: Sequence[Proxy[Any]]) -> ArgumentError:
 def _source(layout: GroupLayout, plan: Plan, buffer: int, overflow: Overflow) -> SampleSource:
     """Return what samples one gateway."""
     info = layout.link.gateway
+    if not plan.trigger or plan.divisor is not None or plan.rate_hz is not None or plan.on_change:
+        # A sample takes a word of a queue, so that one must be there.
+        layout.check_registers()
     if plan.polled or Feature.GROUPS not in info.features:
         if plan.trigger:
             raise UnsupportedError("the gateway was built without groups, and a host cannot see their triggers")

@@ -168,6 +168,11 @@ class GroupType(NamedTuple):
         return all(member.signal.access.reads for member in self.members)
 
     @property
+    def has_read(self) -> bool:
+        """Whether it is read at once: a queue has its words in samples, or by itself."""
+        return self.reads_all and not any(member.signal.fifo for member in self.members)
+
+    @property
     def is_published(self) -> bool:
         """Whether the gateway publishes it."""
         return self.group.number is not None and self.reads_all
