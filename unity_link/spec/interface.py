@@ -274,7 +274,9 @@ class InterfaceDraft:
             advice = "a sample takes a word, which must be there: group NAME(TRIGGER), and PUBLISH(NAME)"
             self._error(place, "bad-fifo", message, advice)
         elif bound.get("ON_CHANGE", False):
-            message = f"{signal.path} is the port of a FIFO, and the group {draft.name} leaves out words that are the same"
+            message = (
+                f"{signal.path} is the port of a FIFO, and the group {draft.name} leaves out words that are the same"
+            )
             self._error(place, "bad-fifo", message, "leave out ON_CHANGE")
 
     def _joints(self, draft: GroupDraft) -> tuple[Joint, ...]:
