@@ -96,7 +96,8 @@ class Robot(Component):
         _check_gateway(interface, link)
         self.link = link
         interface.check_given(parameters)
-        self.modules = _make_modules(interface, link, parameters)
+        self._given = parameters
+        self.modules = _make_modules(interface, link, self._given)
         self._by_path: dict[str, Proxy[Any]] = {}
         self._fill(self, interface.root)
         self._by_id = {proxy.id: proxy for proxy in self._by_path.values()}
@@ -225,7 +226,7 @@ _OWN = frozenset(
     {
         *Robot.__annotations__,
         *Component.__annotations__,
-        *("_by_path", "_by_id"),
+        *("_given", "_by_path", "_by_id"),
         # In a class, annotations behind such a name would mean it.
         *("bool", "float", "int", "tuple"),
     }
