@@ -9,6 +9,7 @@ import pytest_asyncio
 
 import unity_link
 from spec_examples import FIGURE_1
+from unity_link.data import Group
 from unity_link.spec import compile_text
 
 if TYPE_CHECKING:
@@ -21,10 +22,21 @@ SET_POINTS = (1200, -700, 345, 2000)
 """Of joints 1 to 4, in counts; within the limits of each."""
 
 
-@pytest_asyncio.fixture(params=["sim:scara", pytest.param("rtl:scara", marks=pytest.mark.rtl)])
+ADDRESSES = {"scara": {}, "tosnet": {"ctrl": 0xF0, "comm": 0xF4}}
+"""Of the parameters, by the robot."""
+
+
+@pytest_asyncio.fixture(
+    params=[
+        "sim:scara",
+        "sim:tosnet",
+        pytest.param("rtl:scara", marks=pytest.mark.rtl),
+        pytest.param("rtl:tosnet", marks=pytest.mark.rtl),
+    ]
+)
 async def robot(request: pytest.FixtureRequest) -> AsyncIterator[LoadedRobot]:
     async with unity_link.connect(request.param) as link:
-        yield Scara(link)
+        yield Scara(link, **ADDRESSES[request.param.partition(":")[2]])
 
 
 @pytest.mark.asyncio
@@ -61,3 +73,18 @@ async def test_its_parameters_are_given_where_they_are_needed(robot: LoadedRobot
         Scara(robot.link, crtl=0xF0)
     with pytest.raises(unity_link.ArgumentError, match="ctrl=256 was given, an address from 0 to 0xff expected"):
         Scara(robot.link, ctrl=0x100)
+
+
+@pytest.mark.asyncio
+async def test_a_joint_as_a_group_reads_what_can_be_read_and_writes_what_can_be_written(robot: LoadedRobot) -> None:
+    arm = Group(robot.j1, robot.j2)
+    await arm.set({robot.j1.spd_sp: 90_000, robot.j2.spd_sp: 90_000, robot.j1.pos_sp: 40, robot.j2.pos_sp: -40})
+    async for sample in arm:
+        if (sample.values[robot.j1.cpos], sample.values[robot.j2.cpos]) == (40, -40):
+            break
+    values = await arm.get()
+    assert dict(values) == {robot.j1.cpos: 40, robot.j1.spd: 0, robot.j2.cpos: -40, robot.j2.spd: 0}
+    with pytest.raises(unity_link.ArgumentError, match="pos_sp can only be written"):
+        await Group(robot.j1.cpos, robot.j1.pos_sp).get()
+    with pytest.raises(unity_link.ArgumentError, match="cpos can only be read"):
+        await arm.set({robot.j1.cpos: 1})

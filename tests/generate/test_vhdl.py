@@ -239,6 +239,22 @@ def test_gateway_and_boards_elaborate_with_the_gateware(name: str, tmp_path: Pat
 
 
 @rtl
+def test_a_fifo_that_is_published_gives_each_word_once_and_in_order(tmp_path: Path) -> None:
+    spec = compile_text(
+        "group words(3, TRIGGER); public logger() { @value = 0x20: signed 32 READ(FIFO(16), PUBLISH(words)); "
+        "@level = 0x21: unsigned 8 READ(); }"
+    )
+    bench = Path(__file__).with_name("fifo_bench.vhd")
+    paths = [path for path in write(generate("vhdl", spec), tmp_path) if "_on_" not in path.name]
+    for arguments in (("-i", *map(str, (*rtl_sources(), *paths, bench))), ("-m", "fifo_bench")):
+        done = ghdl(tmp_path, *arguments)
+        assert (done.returncode, done.stderr) == (0, "")
+    lines = ghdl(tmp_path, "-r", "fifo_bench", "--ieee-asserts=disable").stdout.split()
+    assert [line for line in lines if line[0] != "P"] == ["GS03", "GN03", "R2100000000"]
+    assert [line for line in lines if line[0] == "P"] == [f"P03{number:02X}{number + 1:08X}" for number in range(33)]
+
+
+@rtl
 @pytest.mark.parametrize(
     ("spec", "case"),
     [

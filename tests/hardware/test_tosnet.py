@@ -16,70 +16,40 @@ from unity_link.data import Group
 from unity_link.hardware import TosnetNetwork
 from unity_link.spec import compile_text
 from unity_link.virtual import VirtualGateway
+from unity_link.virtual.tosnet import Control, SharedMemory
 
 if TYPE_CHECKING:
     from collections.abc import Callable
+
+    from unity_link.virtual import Device
 
 CTRL, COMM = 0x7F0, 0x7F4
 BASE = 0x400
 
 
-class Memory:
-    """TosNet's shared memory as tal_top.vhd has it: two buffers, and a swap at the cycle after each commit.
+class Accesses:
+    """A device behind a bus that knows no time: a cycle takes so many accesses of all its devices."""
 
-    The network sends what is in the buffer that is not the user's. A cycle takes `cycle` accesses of the bus.
-    """
+    passed = 0
 
-    def __init__(self, cycle: int = 3) -> None:
-        self.buffers: list[dict[int, int]] = [{}, {}]
-        self.committed = False
-        self.cycles = 0
-        self.sent: list[dict[int, int]] = []
-        """What the network has sent, as of each swap."""
-        self._accesses = 0
-        self._cycle = cycle
+    def __init__(self, device: Device) -> None:
+        self._device = device
 
-    def step(self) -> None:
-        self._accesses += 1
-        if self._accesses % self._cycle == 0:
-            self.cycles += 1
-            if self.committed:
-                self.committed = False
-                self.buffers.reverse()
-                self.sent.append(dict(self.buffers[1]))
+    def read(self, offset: int, _: float) -> int:
+        Accesses.passed += 1
+        return self._device.read(offset, Accesses.passed)
 
-    def read(self, offset: int, now: float) -> int:
-        self.step()
-        return self.buffers[0].get(offset, 0)
-
-    def write(self, offset: int, value: int, now: float) -> None:
-        self.step()
-        self.buffers[0][offset] = value
+    def write(self, offset: int, value: int, _: float) -> None:
+        Accesses.passed += 1
+        self._device.write(offset, value, Accesses.passed)
 
 
-class Control:
-    """The words at CTRL and COMM."""
-
-    def __init__(self, memory: Memory) -> None:
-        self.memory = memory
-        self.online = True
-
-    def read(self, offset: int, now: float) -> int:
-        self.memory.step()
-        if offset == 0:
-            return int(self.memory.committed)
-        return {4: 0b0011, 5: 2, 6: self.memory.cycles, 7: 9}.get(offset, 0)
-
-    def write(self, offset: int, value: int, now: float) -> None:
-        self.memory.step()
-        self.memory.committed = bool(value & 1)
-
-
-def network(cycle: int = 3) -> tuple[VirtualGateway, Memory]:
+def network(cycle: int = 3) -> tuple[VirtualGateway, SharedMemory]:
     gateway = VirtualGateway(GatewayInfo(address_bits=12))
-    memory = Memory(cycle)
-    gateway.attach(memory, range(BASE, BASE + 15 * 64))
-    gateway.attach(Control(memory), range(CTRL, CTRL + 8))
+    memory = SharedMemory(15 * 64, cycle)
+    Accesses.passed = 0
+    gateway.attach(Accesses(memory), range(BASE, BASE + 15 * 64))
+    gateway.attach(Accesses(Control(memory)), [CTRL, *range(COMM, COMM + 4)])
     return gateway, memory
 
 
@@ -152,11 +122,13 @@ async def test_nodes_have_registers_of_four_words_in_each_direction() -> None:
 @on_simulated_time
 async def test_the_state_of_the_network_is_behind_comm_and_commits_behind_ctrl() -> None:
     gateway, memory = network()
+    memory.resets, memory.errors = 2, 9
     async with unity_link.connect(gateway) as link:
+        await link.read_many([COMM] * 3)
         state = await TosnetNetwork(link, BASE, comm=COMM, nodes=15).state()
         assert (state.online, state.is_master, state.packet_error, state.system_halt) == (True, True, False, False)
         assert (state.resets, state.errors) == (2, 9)
-        assert state.packets <= memory.cycles
+        assert 0 < state.packets <= memory.packets(Accesses.passed)
         without = TosnetNetwork(link, BASE, nodes=15)
         with pytest.raises(ArgumentError, match="its state is behind COMM, which was not given"):
             await without.state()
@@ -198,3 +170,15 @@ async def test_fields_of_one_word_that_are_written_at_the_same_time_are_all_in_i
         await link.read_many([CTRL] * 10)
         assert old == [0, 0, 0x10, 0x210, 0x3210, 0x4_3210, 0x54_3210, 0x654_3210]
         assert memory.sent[-1][64 + 4] == 0x7654_3210
+
+
+@on_simulated_time
+async def test_what_one_proxy_of_a_network_writes_another_one_on_the_link_does_not_take_back() -> None:
+    gateway, memory = network()
+    async with unity_link.connect(gateway) as link:
+        one, other = (TosnetNetwork(link, BASE, ctrl=CTRL, nodes=15).node(1) for _ in range(2))
+        for turn in range(4):
+            await asyncio.gather(one.write(4, 10 + turn), other.write(5, 20 + turn))
+            await asyncio.gather(one.write_masked(6, 0x1111, 0x00FF), other.write_masked(6, 0x2222, 0xFF00))
+        await link.read_many([CTRL] * 10)
+        assert [memory.sent[-1][64 + offset] for offset in (4, 5, 6)] == [13, 23, 0x2211]

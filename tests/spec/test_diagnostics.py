@@ -131,7 +131,9 @@ CASES = [
     ("public x() { @a = 1: bool WRITE(MAX=1); }", "bad-limit", "a bool has no MAX", "MAX=1", ""),
     ("public x() { @a = 1[3:0]: READ(FIFO); }", "bad-fifo", "a FIFO hands out whole words", "FIFO", ""),
     ("public x() { @a = 1: unsigned 64 READ(FIFO); }", "bad-fifo", "a FIFO hands out words of 32 bits, and unsigned 64 has 64", "FIFO", ""),
-    ("public x() { @a = 1: READ(FIFO, PUBLISH(1, 1)); }", "bad-fifo", "publishing would take words from the FIFO", "PUBLISH(1, 1)", "use POLL"),
+    ("public x() { @a = 1: READ(FIFO, PUBLISH(1, 1)); }", "bad-fifo", "a is the port of a FIFO, and the group group_1 is not published on its trigger", "a", "group NAME(TRIGGER)"),
+    ("group g(1, 1, TRIGGER); public x() { @a = 1: READ(FIFO, PUBLISH(g)); }", "bad-fifo", "is not published on its trigger", "a", ""),
+    ("group g(TRIGGER, ON_CHANGE); public x() { @a = 1: READ(FIFO, PUBLISH(g)); }", "bad-fifo", "leaves out words that are the same", "a", "leave out ON_CHANGE"),
     # Publishing and groups.
     ("public x() { @a = 1: WRITE(PUBLISH(1, 1)); }", "not-readable", "PUBLISH needs a signal that can be read, not WRITE", "PUBLISH(1, 1)", ""),
     ("public x() { @a = 1: WRITE(POLL(1)); }", "not-readable", "POLL needs a signal that can be read, not WRITE", "POLL(1)", ""),

@@ -64,7 +64,7 @@ def test_a_slow_line_can_be_chosen() -> None:
 @pytest.mark.parametrize(
     ("url", "words"),
     [
-        ("sim:delta", "no robot 'delta' is known: one of scara, walker was expected, or the path"),
+        ("sim:delta", "no robot 'delta' is known: one of scara, tosnet, walker was expected, or the path"),
         ("sim:?data_bits=7", "data_bits = 7, expected 8 to 64"),
         ("sim:?data_bits=wide", "not a whole number"),
         ("sim:?loss=much", "not a number"),

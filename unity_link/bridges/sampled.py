@@ -32,9 +32,11 @@ def sampled_groups(robot: Robot, poll_hz: float | None = None) -> list[SampledGr
     found: dict[str, Group] = {}
     rest = []
     for proxy in robot.signals:
-        if not proxy.signal.access.reads or proxy.signal.fifo:
+        if not proxy.signal.access.reads:
             continue
         group = robot.publishing_group(proxy)
+        if group is None and proxy.signal.fifo:
+            continue
         if group is None:
             rest.append(proxy)
         elif group.model is not None:

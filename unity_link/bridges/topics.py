@@ -50,6 +50,34 @@ class CommandTopic(NamedTuple):
     proxy: Writable[Any]
 
 
+class Direction:
+    """The signs of velocities of which a gateway gives the magnitude: each has that of the last move of its joint.
+
+    Args:
+        joints: which ones' velocities are magnitudes, as numbers without a sign are; they have positions.
+    """
+
+    def __init__(self, joints: Sequence[int]) -> None:
+        self._joints = list(joints)
+        self._position: NDArray[np.float64] | None = None
+        self._sign = np.ones(len(self._joints))
+
+    def signed(self, positions: NDArray[np.float64], velocities: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Return the velocities of samples with their signs; of shape (samples, joints), in the order of sampling."""
+        if not self._joints or not len(positions):
+            return velocities
+        seen = positions[:, self._joints]
+        before = seen[0] if self._position is None else self._position
+        moves = np.sign(np.diff(seen, axis=0, prepend=before[np.newaxis]))
+        signs = np.vstack([self._sign, moves])
+        # Where a joint has not moved, the row of its last move.
+        rows = np.maximum.accumulate(np.where(signs != 0, np.arange(len(signs))[:, np.newaxis], 0), axis=0)
+        signs = np.take_along_axis(signs, rows, axis=0)
+        self._position, self._sign = seen[-1], signs[-1]
+        velocities[:, self._joints] *= signs[1:]
+        return velocities
+
+
 class JointTopic(NamedTuple):
     """A group as the states of joints."""
 
@@ -59,6 +87,7 @@ class JointTopic(NamedTuple):
     velocities: list[Any]
     efforts: list[Any]
     """Columns by joint; empty where no joint of the group has such a signal."""
+    direction: Direction
 
     def rows(self, batch: Batch) -> Iterator[tuple[list[float], list[float], list[float]]]:
         """Return positions, velocities and efforts of each sample, in SI units; NaN where a joint has none."""
@@ -67,7 +96,9 @@ class JointTopic(NamedTuple):
     def columns(self, batch: Batch) -> dict[str, NDArray[np.float64]]:
         """Return the same as arrays by ``position``, ``velocity`` and ``effort``, of shape (samples, joints or 0)."""
         parts = {"position": self.positions, "velocity": self.velocities, "effort": self.efforts}
-        return {name: _in_si(proxies, batch) for name, proxies in parts.items()}
+        columns = {name: _in_si(proxies, batch) for name, proxies in parts.items()}
+        columns["velocity"] = self.direction.signed(columns["position"], columns["velocity"])
+        return columns
 
 
 class JointCommands(NamedTuple):
@@ -214,7 +245,13 @@ def _joint_topic(name: str, joints: tuple[Joint, ...], robot: Robot) -> JointTop
         return [None if path is None else robot[path] for path in paths] if any(paths) else []
 
     names = [topic_name(joint.name) for joint in joints]
-    return JointTopic(name, names, proxies("position"), proxies("velocity"), proxies("effort"))
+    positions, velocities = proxies("position"), proxies("velocity")
+    magnitudes = [
+        place
+        for place, (position, velocity) in enumerate(zip(positions, velocities, strict=False))
+        if position is not None and velocity is not None and velocity.signal.kind.range[0] >= 0
+    ]
+    return JointTopic(name, names, positions, velocities, proxies("effort"), Direction(magnitudes))
 
 
 def _in_si(proxies: list[Any], batch: Batch) -> NDArray[np.float64]:

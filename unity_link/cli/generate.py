@@ -10,7 +10,7 @@ import typer
 
 from unity_link.cli.arguments import Json  # noqa: TC001  (typer reads it)
 from unity_link.cli.output import print_result
-from unity_link.cli.spec import Name, SpecFile, compile_or_exit
+from unity_link.cli.spec import Given, Name, SpecFile, compile_or_exit
 from unity_link.errors import ArgumentError
 from unity_link.generate import TargetName  # noqa: TC001  (typer reads the annotations)
 
@@ -20,7 +20,7 @@ def add_to(app: typer.Typer) -> None:
     app.command()(generate)
 
 
-def generate(
+def generate(  # noqa: PLR0913  (each is an option)
     target: Annotated[TargetName, typer.Argument(metavar="TARGET", help="What to make.", show_default=False)],
     spec: SpecFile,
     *,
@@ -28,6 +28,7 @@ def generate(
         Path, typer.Option("--output", "-o", metavar="DIR", help="Where to write; made where it is not there.")
     ] = Path(),
     interface: Name = None,
+    given: Given = None,
     maintainer: Annotated[
         str | None, typer.Option(metavar="'NAME <EMAIL>'", help="Of a package of ROS.", show_default=False)
     ] = None,
@@ -56,7 +57,7 @@ def generate(
                 f"--maintainer {maintainer!r}: a name and an address were expected, as 'Ada <ada@lab.org>'"
             )
         package |= {"maintainer": found[1], "email": found[2]}
-    files = make(target, compile_or_exit(spec), interface, **package)
+    files = make(target, compile_or_exit(spec, interface=interface, given=given), interface, **package)
     if with_gateware:
         from unity_link.generate.vhdl.folder import with_gateware as complete
 

@@ -18,7 +18,7 @@ import typer
 from unity_link.cli.arguments import DEFAULT_TIMEOUT, Json, Timeout, Url, number
 from unity_link.cli.output import print_note, print_result
 from unity_link.cli.running import run
-from unity_link.cli.spec import Name, compile_or_exit
+from unity_link.cli.spec import Given, Name, compile_or_exit
 from unity_link.errors import ArgumentError, ConnectError
 
 if TYPE_CHECKING:
@@ -79,6 +79,7 @@ def live(  # noqa: PLR0913  (its options)
         ),
     ] = None,
     interface: Name = None,
+    given: Given = None,
     json: Json = False,
     timeout: Timeout = DEFAULT_TIMEOUT,
 ) -> None:
@@ -96,7 +97,7 @@ def live(  # noqa: PLR0913  (its options)
             )
     if foxglove_port is not None and not foxglove:
         raise ArgumentError("--foxglove-port is of --foxglove: give both")
-    compiled = None if spec is None else compile_or_exit(spec)
+    compiled = None if spec is None else compile_or_exit(spec, interface=interface, given=given)
     chosen = _Shown(compiled, interface, watch or [], rate, poll or None)
     token = _token() if allow_writes else None
     app_port = foxglove_port or FOXGLOVE_PORT if foxglove else None

@@ -14,7 +14,7 @@ import typer
 from unity_link.cli.arguments import DEFAULT_TIMEOUT, Json, Timeout, Url, check_poll
 from unity_link.cli.output import print_json, print_note, print_result
 from unity_link.cli.running import run
-from unity_link.cli.spec import Name, SpecFile, compile_or_exit
+from unity_link.cli.spec import Given, Name, SpecFile, compile_or_exit
 from unity_link.errors import ArgumentError
 
 if TYPE_CHECKING:
@@ -52,6 +52,7 @@ def record(  # noqa: PLR0913  (each is an option)
     ] = None,
     overwrite: Annotated[bool, typer.Option("--overwrite", help="Replace a file of that name.")] = False,
     interface: Name = None,
+    given: Given = None,
     json: Json = False,
     timeout: Timeout = DEFAULT_TIMEOUT,
 ) -> None:
@@ -64,7 +65,7 @@ def record(  # noqa: PLR0913  (each is an option)
     run(
         _record(
             url,
-            compile_or_exit(spec),
+            compile_or_exit(spec, interface=interface, given=given),
             interface,
             output,
             poll,

@@ -11,7 +11,7 @@ import typer
 from unity_link.cli.arguments import check_poll
 from unity_link.cli.output import print_note
 from unity_link.cli.running import run
-from unity_link.cli.spec import Name, SpecFile, compile_or_exit
+from unity_link.cli.spec import Given, Name, SpecFile, compile_or_exit
 from unity_link.errors import ArgumentError, UnityLinkError
 
 if TYPE_CHECKING:
@@ -52,6 +52,7 @@ def ros1(
     poll: Poll = None,
     frame_id: FrameId = None,
     interface: Name = None,
+    given: Given = None,
 ) -> None:
     """Be a node of ROS 1: signals that are sampled are topics, signals that can be written are subscribed to.
 
@@ -59,7 +60,7 @@ def ros1(
     """
     check_poll(poll)
     options = {"namespace": namespace, "poll_hz": poll, "frame_id": frame_id or ""}
-    run(_ros1(compile_or_exit(spec), interface, link, options))
+    run(_ros1(compile_or_exit(spec, interface=interface, given=given), interface, link, options))
 
 
 async def _ros1(spec: Spec, interface: str | None, url: str, options: dict[str, Any]) -> None:
@@ -91,6 +92,7 @@ def ros2(  # noqa: PLR0913  (each is an option)
         bool, typer.Option("--network", help="Speak to other machines, too, not to this one alone.")
     ] = False,
     interface: Name = None,
+    given: Given = None,
 ) -> None:
     """Be on the topics of ROS 2, without a ROS installation: signals that are sampled, and signals that can be written.
 
@@ -115,7 +117,15 @@ def ros2(  # noqa: PLR0913  (each is an option)
     settings = msgspec.structs.replace(read, **{name: value for name, value in said.items() if value is not None})
     if settings.link is None:
         raise ArgumentError("nothing says where the gateway is: --link URL was expected, or link in --params")
-    run(_ros2(compile_or_exit(spec), interface, settings.link, settings))
+    compiled = compile_or_exit(spec, interface=interface, given=given)
+    run(_ros2(_with_settings(compiled, interface, settings), interface, settings.link, settings))
+
+
+def _with_settings(spec: Spec, interface: str | None, settings: Settings) -> Spec:
+    """Return the spec with the parameters of the file that were not given by option."""
+    known = {parameter.name: parameter.value for parameter in spec.interface(interface).parameters}
+    left = {name: value for name, value in settings.given.items() if value != -1 and known.get(name) is None}
+    return spec.given(left, interface)
 
 
 async def _ros2(spec: Spec, interface: str | None, url: str, settings: Settings) -> None:

@@ -37,6 +37,12 @@ AddressBits = Annotated[
 DataBits = Annotated[int | None, typer.Option("--data-bits", min=8, max=64, help="Width of the gateway's words.")]
 Output = Annotated[Path | None, typer.Option("--output", "-o", metavar="FILE", help="Where to write; stdout without.")]
 Name = Annotated[str | None, typer.Option("--interface", help="Which public interface, where there are several.")]
+Given = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--give", metavar="NAME=ADDRESS", help="A parameter of the interface, such as ctrl=0xF0; again for each."
+    ),
+]
 
 
 def add_to(app: typer.Typer) -> None:
@@ -154,11 +160,26 @@ def export_rdl(spec: SpecFile, *, interface: Name = None, output: Output = None)
 # For commands that need a spec
 
 
-def compile_or_exit(spec: Path, address_bits: int | None = None, data_bits: int | None = None) -> Spec:
+def compile_or_exit(
+    spec: Path,
+    address_bits: int | None = None,
+    data_bits: int | None = None,
+    *,
+    interface: str | None = None,
+    given: list[str] | None = None,
+) -> Spec:
     """Compile a spec for a command; if it is wrong say so and end the command.
+
+    Args:
+        spec: the file.
+        address_bits: as for `compile_file`.
+        data_bits: as for `compile_file`.
+        interface: which of its interfaces the command takes.
+        given: parameters of that interface, as ``NAME=ADDRESS``.
 
     Raises:
         typer.Exit: where it has errors, with code 1.
+        ArgumentError: for a parameter that there is not, or a value that is no address.
     """
     from unity_link.spec import SpecError
 
@@ -168,7 +189,30 @@ def compile_or_exit(spec: Path, address_bits: int | None = None, data_bits: int 
         print_diagnostics(error.diagnostics)
         raise typer.Exit(FAILED) from None
     print_diagnostics(compiled.warnings)
-    return compiled
+    return compiled.given(read_given(given or []), interface)
+
+
+def read_given(texts: list[str]) -> dict[str, int]:
+    """Read parameters that are given as ``NAME=ADDRESS``.
+
+    Raises:
+        ArgumentError: for a text of another form, or a name that is given twice.
+    """
+    from unity_link.cli.words import parse_number
+    from unity_link.errors import ArgumentError
+
+    values: dict[str, int] = {}
+    for text in texts:
+        name, equals, number = (part.strip() for part in text.partition("="))
+        if not equals or not name:
+            raise ArgumentError(f"--give {text}: NAME=ADDRESS was expected, such as ctrl=0xF0")
+        if name in values:
+            raise ArgumentError(f"--give {text}: {name} was given twice")
+        try:
+            values[name] = parse_number(number)
+        except ValueError as error:
+            raise ArgumentError(f"--give {text}: {error}") from None
+    return values
 
 
 def print_diagnostics(diagnostics: Iterable[Diagnostic]) -> None:

@@ -72,7 +72,8 @@ class Group:
         """Make a group.
 
         Args:
-            members: signals, of one or several robots; a component stands for all of its own.
+            members: signals, of one or several robots; a component stands for all of its own, of which those that
+                cannot be read together, as they can only be written or are queues, are left out of reads and samples.
             rate_hz: how often they are sampled for iteration and callbacks; without it, as their spec says.
             name: what messages call it.
 
@@ -86,8 +87,10 @@ class Group:
         self.proxies: tuple[Proxy[Any], ...] = tuple(proxies)
         self.model: model.Group | None = None
         """What the spec says of it; None for a group that a program made."""
-        self._places = {proxy: place for place, proxy in enumerate(proxies)}
-        if not proxies or len(self._places) != len(proxies):
+        self._read = _readable(members)
+        self._places = {proxy: place for place, proxy in enumerate(self._read)}
+        self._members = frozenset(proxies)
+        if not proxies or len(self._members) != len(proxies):
             twice = next((proxy.path for proxy in proxies if proxies.count(proxy) > 1), None)
             raise ArgumentError(f"{name}: {twice} is in it twice" if twice else f"{name}: it has no signals")
         self._plan = Plan(rate_hz=rate_hz)
@@ -138,13 +141,13 @@ class Group:
         if len(layouts) == 1:
             row = layouts[0].row(await layouts[0].read())
         else:
-            row = [None] * len(self.proxies)
+            row = [None] * len(self._read)
             words = await gather(*(layout.read() for layout in layouts))
             for layout, part in zip(layouts, words, strict=True):
                 for proxy, value in zip(layout.proxies, layout.row(part), strict=True):
                     row[self._places[proxy]] = value
         now = time.monotonic()
-        for proxy, value in zip(self.proxies, row, strict=True):
+        for proxy, value in zip(self._read, row, strict=True):
             proxy.see(value, now)
         return Values(self._places, row)
 
@@ -177,7 +180,7 @@ class Group:
                 raise ArgumentError(f"{self.name} has {len(self.proxies)} signals, and {len(given)} values were given")
             return dict(zip(self.proxies, given, strict=True))
         for proxy in values:
-            if proxy not in self._places:
+            if proxy not in self._members:
                 raise ArgumentError(f"{proxy!r} is not in {self.name}")
         return values
 
@@ -280,7 +283,9 @@ class Group:
     def _lay_out(self) -> list[GroupLayout]:
         if self._layouts is None:
             by_link: dict[Link, list[Proxy[Any]]] = {}
-            for proxy in self.proxies:
+            if not self._read:
+                raise ArgumentError(f"{self.name}: it has no signals that can be read together")
+            for proxy in self._read:
                 by_link.setdefault(proxy.link, []).append(proxy)
             self._layouts = [GroupLayout(proxies) for proxies in by_link.values()]
         return self._layouts
@@ -288,12 +293,22 @@ class Group:
     def _default_plan(self) -> Plan:
         if self._plan.is_known():
             return self._plan
-        groups = {id(group): group for proxy in self.proxies if (group := proxy.robot.publishing_group(proxy))}
+        groups = {id(group): group for proxy in self._read if (group := proxy.robot.publishing_group(proxy))}
         plans = {group._plan for group in groups.values()}  # noqa: SLF001  (another group's)
-        everywhere = all(proxy.robot.publishing_group(proxy) for proxy in self.proxies)
+        everywhere = all(proxy.robot.publishing_group(proxy) for proxy in self._read)
         if self.model is None and everywhere and len(plans) == 1:
             return plans.pop()
-        raise nothing_publishes(self.proxies)
+        raise nothing_publishes(self._read or self.proxies)
+
+
+def _readable(members: Sequence[Proxy[Any] | Component]) -> tuple[Proxy[Any], ...]:
+    """Return the signals that are named, and of components those that can be read together."""
+    return tuple(
+        proxy
+        for member in members
+        for proxy in ((member,) if isinstance(member, Proxy) else member.signals)
+        if proxy is member or (proxy.signal.access.reads and not proxy.signal.fifo)
+    )
 
 
 def nothing_publishes(proxies: Sequence[Proxy[Any]]) -> ArgumentError:
@@ -307,6 +322,9 @@ def nothing_publishes(proxies: Sequence[Proxy[Any]]) -> ArgumentError:
 def _source(layout: GroupLayout, plan: Plan, buffer: int, overflow: Overflow) -> SampleSource:
     """Return what samples one gateway."""
     info = layout.link.gateway
+    if not plan.trigger or plan.divisor is not None or plan.rate_hz is not None or plan.on_change:
+        # A sample takes a word of a queue, so that one must be there.
+        layout.check_registers()
     if plan.polled or Feature.GROUPS not in info.features:
         if plan.trigger:
             raise UnsupportedError("the gateway was built without groups, and a host cannot see their triggers")

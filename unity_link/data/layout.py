@@ -34,8 +34,6 @@ class GroupLayout:
         for proxy in proxies:
             if not proxy.signal.access.reads:
                 raise ArgumentError(f"{proxy.path} can only be written")
-            if proxy.signal.fifo:
-                raise ArgumentError(f"{proxy.path} is the port of a queue, from which each read takes a word")
         signals = [proxy.signal for proxy in proxies]
         self.addresses = tuple(dict.fromkeys(address for signal in signals for address in signal.addresses))
         self._array = np.array(self.addresses, np.uint64)
@@ -44,8 +42,23 @@ class GroupLayout:
         self._columns = Columns(signals, self.addresses)
         self._named = [(place, proxy) for place, proxy in enumerate(proxies) if proxy.signal.kind.enumeration]
 
+    def check_registers(self) -> None:
+        """Check that all can be read again and again.
+
+        Raises:
+            ArgumentError: for the port of a queue.
+        """
+        for proxy in self.proxies:
+            if proxy.signal.fifo:
+                raise ArgumentError(f"{proxy.path} is the port of a queue, from which each read takes a word")
+
     async def read(self) -> Words:
-        """Read all words in one pipelined batch; shape (addresses,)."""
+        """Read all words in one pipelined batch; shape (addresses,).
+
+        Raises:
+            ArgumentError: for the port of a queue.
+        """
+        self.check_registers()
         if not self._wide:
             return await self.link.read_many(self._array)
         apart = {address for addresses in self._wide for address in addresses}

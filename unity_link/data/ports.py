@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any, TypeVar
 
 import numpy as np
 
-from unity_link.data.proxies import Proxy
+from unity_link.data.proxies import Proxy, Sampled
 from unity_link.errors import ArgumentError
 
 if TYPE_CHECKING:
@@ -15,8 +15,8 @@ if TYPE_CHECKING:
 T = TypeVar("T")
 
 
-class ReadPort(Proxy[T]):
-    """A queue that can be read."""
+class ReadPort(Sampled[T]):
+    """A queue that can be read. Where its group is published on a trigger, each sample has a word that it took."""
 
     __slots__ = ()
 

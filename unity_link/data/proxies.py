@@ -160,22 +160,10 @@ class Proxy(Generic[T]):
             self._batch, self._seen_at = batch, batch.at
 
 
-class Readable(Proxy[T]):
-    """A signal that can be read."""
+class Sampled(Proxy[T]):
+    """A signal of which there are samples, where a group publishes or polls it."""
 
     __slots__ = ()
-
-    async def get(self) -> T:
-        """Read it from the gateway; one of several words in one bus transaction."""
-        signal = self.signal
-        words = signal.words
-        if words == 1:
-            value = self.scalar(signal.decode(await self.bus.read(signal.address)))
-        else:
-            block = await self.bus.read_block(signal.address, words)
-            value = self.scalar(signal.decode(block.tolist()))
-        self.see(value)
-        return value
 
     def feed(self) -> Feed | None:
         """Return the samples of the group that publishes or polls it; None where nothing does."""
@@ -208,6 +196,24 @@ class Readable(Proxy[T]):
             while True:
                 for value in self.scalars((await listener.next())[self]):
                     yield value
+
+
+class Readable(Sampled[T]):
+    """A signal that can be read."""
+
+    __slots__ = ()
+
+    async def get(self) -> T:
+        """Read it from the gateway; one of several words in one bus transaction."""
+        signal = self.signal
+        words = signal.words
+        if words == 1:
+            value = self.scalar(signal.decode(await self.bus.read(signal.address)))
+        else:
+            block = await self.bus.read_block(signal.address, words)
+            value = self.scalar(signal.decode(block.tolist()))
+        self.see(value)
+        return value
 
 
 class Writable(Proxy[T]):

@@ -95,7 +95,8 @@ class Robot(Component):
         interface = self.interface
         _check_gateway(interface, link)
         self.link = link
-        self._given = _check_parameters(interface, parameters)
+        interface.check_given(parameters)
+        self._given = parameters
         self.modules = _make_modules(interface, link, self._given)
         self._by_path: dict[str, Proxy[Any]] = {}
         self._fill(self, interface.root)
@@ -259,19 +260,6 @@ def _check_gateway(interface: model.Interface, link: Link) -> None:
             f"map {interface.fingerprint:08X}: load the spec that the gateway was built from, or build it from this "
             "one, or write map=any in the URL if you know what differs"
         )
-
-
-def _check_parameters(interface: model.Interface, given: Mapping[str, int | None]) -> dict[str, int | None]:
-    open_parameters = [parameter.name for parameter in interface.parameters if parameter.value is None]
-    for name, value in given.items():
-        if name not in open_parameters:
-            expected = ", ".join(open_parameters) or "none"
-            raise ArgumentError(f"{interface.name} has no parameter {name!r} to be given: {expected} expected")
-        if value is not None and not 0 <= value < 1 << interface.address_bits:
-            raise ArgumentError(
-                f"{name}={value!r} was given, an address from 0 to {(1 << interface.address_bits) - 1:#x} expected"
-            )
-    return dict(given)
 
 
 def _make_modules(interface: model.Interface, link: Link, given: Mapping[str, int | None]) -> tuple[Module, ...]:

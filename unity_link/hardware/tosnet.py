@@ -33,6 +33,7 @@ controllers. RoboComm 2009. [2] OpenCores, project tosnet, revision 3.2: tosnet.
 from __future__ import annotations
 
 from typing import TYPE_CHECKING
+from weakref import WeakKeyDictionary
 
 import msgspec
 import numpy as np
@@ -46,6 +47,7 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
     from unity_link.hardware.bus import Bus
+    from unity_link.link.link import Link
     from unity_link.protocol.arrays import Words
 
 NODES = 16
@@ -197,6 +199,18 @@ class TosnetNode(Module, word="TOSNET_NODE"):
         return REGISTER_WORDS * (2 * register + direction)
 
 
+class _Written:
+    """What was ever written to a network over a link, by address."""
+
+    def __init__(self) -> None:
+        self.words: dict[int, int] = {}
+        self.lock = Lock()
+
+
+_WRITTEN: WeakKeyDictionary[Link, dict[int, _Written]] = WeakKeyDictionary()
+"""By the address of CTRL."""
+
+
 class CommittingBus:
     """A link on which all that was ever written is written again with each write, and then committed."""
 
@@ -205,8 +219,9 @@ class CommittingBus:
         self.link = link_under(link)
         self._under = link
         self._ctrl = ctrl
-        self._written: dict[int, int] = {}
-        self._lock = Lock()
+        # What one proxy of a network writes, none may take back: all on a link share it, as long as that lives.
+        shared = _WRITTEN.setdefault(self.link, {}).setdefault(ctrl, _Written())
+        self._written, self._lock = shared.words, shared.lock
 
     async def read(self, address: int) -> int:
         """Read a word, as of the last commit of reads."""
@@ -276,7 +291,7 @@ class CommittingBus:
         await self._settle(COMMIT_WRITE)
         everything = self._written | new
         await self._under.write_many([*everything, self._ctrl], [*everything.values(), COMMIT_WRITE])
-        self._written = everything
+        self._written.update(new)
 
     async def _settle(self, which: int) -> None:
         for _ in range(_LOST_CYCLES):

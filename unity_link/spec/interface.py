@@ -242,6 +242,7 @@ class InterfaceDraft:
                     f"the group {draft.name} has {len(addresses)} words, and a gateway publishes at most {GROUP_WORDS}"
                 )
                 self._error(draft.signals[0][1], "group-size", message, "divide it into several groups")
+            self._check_ports(draft)
             if draft.divisor is None and not {"RATE", "TRIGGER"} & set(bound):
                 message = f"nothing says when the group {draft.name} is published"
                 self._error(draft.signals[0][1], "group-rate", message, "give a divisor, as in PUBLISH(1, 10)")
@@ -260,6 +261,23 @@ class InterfaceDraft:
             doc=draft.doc,
             span=draft.place.span,
         )
+
+    def _check_ports(self, draft: GroupDraft) -> None:
+        """Check a published group in which there are ports of FIFOs: a sample takes a word of each, for good."""
+        ports = [(signal, place) for signal, place in draft.signals if signal.fifo]
+        if not ports:
+            return
+        signal, place = ports[0]
+        bound = draft.bound
+        if draft.divisor is not None or "RATE" in bound or not bound.get("TRIGGER", False):
+            message = f"{signal.path} is the port of a FIFO, and the group {draft.name} is not published on its trigger"
+            advice = "a sample takes a word, which must be there: group NAME(TRIGGER), and PUBLISH(NAME)"
+            self._error(place, "bad-fifo", message, advice)
+        elif bound.get("ON_CHANGE", False):
+            message = (
+                f"{signal.path} is the port of a FIFO, and the group {draft.name} leaves out words that are the same"
+            )
+            self._error(place, "bad-fifo", message, "leave out ON_CHANGE")
 
     def _joints(self, draft: GroupDraft) -> tuple[Joint, ...]:
         """Return the joints of a group: the components of which a signal has one of the names that JOINTS tells."""

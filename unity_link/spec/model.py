@@ -16,7 +16,7 @@ from __future__ import annotations
 import enum
 import functools
 import hashlib
-from collections.abc import Iterator, Sequence  # noqa: TC003  (msgspec reads the annotations)
+from collections.abc import Iterator, Mapping, Sequence  # noqa: TC003  (msgspec reads the annotations)
 
 import msgspec
 
@@ -275,6 +275,47 @@ class Interface(msgspec.Struct, frozen=True, kw_only=True, dict=True):
         """All signals by their paths, in the order of the spec."""
         return {signal.path: signal for part in self.root.walk() for signal in part.signals}
 
+    @property
+    def open_parameters(self) -> tuple[str, ...]:
+        """Names of the parameters without a value: addresses that are given when it is opened."""
+        return tuple(parameter.name for parameter in self.parameters if parameter.value is None)
+
+    def check_given(self, values: Mapping[str, int | None]) -> None:
+        """Check values for `open_parameters`; None is for one that is not needed.
+
+        Raises:
+            ArgumentError: for a parameter that there is not, or a value that is no address of the gateway.
+        """
+        for name, value in values.items():
+            if name not in self.open_parameters:
+                expected = ", ".join(self.open_parameters) or "none"
+                raise ArgumentError(f"{self.name} has no parameter {name!r} to be given: {expected} expected")
+            if value is not None and not 0 <= value < 1 << self.address_bits:
+                last = (1 << self.address_bits) - 1
+                raise ArgumentError(f"{name}={value!r} was given, an address from 0 to {last:#x} expected")
+
+    def given(self, values: Mapping[str, int]) -> Interface:
+        """Return the interface with values for some of its `open_parameters`, as if they stood in the spec.
+
+        Raises:
+            ArgumentError: as by `check_given`.
+        """
+        self.check_given(values)
+        parameters = tuple(
+            Parameter(one.name, values[one.name]) if one.name in values else one for one in self.parameters
+        )
+        modules = tuple(
+            msgspec.structs.replace(
+                module,
+                arguments={
+                    name: values.get(value.name, value) if isinstance(value, ParameterReference) else value
+                    for name, value in module.arguments.items()
+                },
+            )
+            for module in self.modules
+        )
+        return msgspec.structs.replace(self, parameters=parameters, modules=modules)
+
     @functools.cached_property
     def fingerprint(self) -> int:
         """32 bits that name the map: those of another layout, access or kind are others.
@@ -317,3 +358,15 @@ class Spec(msgspec.Struct, frozen=True, kw_only=True):
             if name in {None, interface.name}:
                 return interface
         raise ArgumentError(f"the spec has no public interface {name!r}: {names} was expected")
+
+    def given(self, values: Mapping[str, int], interface: str | None = None) -> Spec:
+        """Return the spec with values for some open parameters of an interface.
+
+        Raises:
+            ArgumentError: as by `interface` and `Interface.check_given`.
+        """
+        if not values:
+            return self
+        changed = self.interface(interface)
+        known = tuple(one.given(values) if one is changed else one for one in self.interfaces)
+        return msgspec.structs.replace(self, interfaces=known)

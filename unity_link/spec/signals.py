@@ -246,6 +246,3 @@ class SignalReader:
         elif kind.width > self._data_bits:
             message = f"a FIFO hands out words of {self._data_bits} bits, and {kind} has {kind.width}"
             self._fault(place, "bad-fifo", message)
-        elif "PUBLISH" in arguments:
-            message = "publishing would take words from the FIFO that a lost sample loses for good"
-            self._fault(binder.places["PUBLISH"], "bad-fifo", message, "use POLL, or read it when it has data")

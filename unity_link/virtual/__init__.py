@@ -2,7 +2,7 @@
 
 - `gateway`: the protocol as a model; `commands`, `groups` and `bus` are its inside
 - `rtl`: the gateware itself, compiled
-- `scara`, `walker`: robots behind the bus, made of joints as in `servo`
+- `scara`, `walker`: robots behind the bus, made of joints as in `servo`; `tosnet`: the first as a node of a network
 - `simulated`, `registers`: the robot of a spec, moved by a model; `simulating`: the gateway that lets its time pass
 - `build`: any of it from what a URL or a command says; `simulate` is the same for programs
 - `line`, `faults`: what can happen between a gateway and a host; each is a gateway in front of another one

@@ -19,6 +19,7 @@ from unity_link.virtual.line import SlowLine
 from unity_link.virtual.scara import Scara
 from unity_link.virtual.shared_line import build_shared_line
 from unity_link.virtual.simulating import SimulatedGateway, load_model, make_robot
+from unity_link.virtual.tosnet import ScaraOnTosnet
 from unity_link.virtual.walker import Walker
 
 if TYPE_CHECKING:
@@ -32,6 +33,7 @@ if TYPE_CHECKING:
 ROBOTS: dict[str, Callable[[BareGateway], object]] = {
     "": lambda _: None,
     "scara": Scara.attach,
+    "tosnet": ScaraOnTosnet.attach,
     "walker": Walker.attach,
 }
 """What can stand behind the bus, by name; the empty name is plain memory."""

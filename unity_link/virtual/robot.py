@@ -28,19 +28,29 @@ class ServoRobot(ABC):
 
     def __init__(self, word_bits: int = WORD_BITS) -> None:
         self.joints = [ServoJoint(kind) for kind in self.joint_types()]
+        self.word_bits = word_bits
         self._sign = 1 << word_bits - 1
+
+    @classmethod
+    def made_for(cls, gateway: BareGateway) -> Self:
+        """Make such a robot with the words of a gateway.
+
+        Raises:
+            ArgumentError: where these are too narrow for its positions.
+        """
+        width = gateway.info.data_bits
+        if width < WORD_BITS:
+            raise ArgumentError(f"the {cls.NAME} needs words of at least {WORD_BITS} bits, not data_bits={width}")
+        return cls(width)
 
     @classmethod
     def attach(cls, gateway: BareGateway) -> Self:
         """Put such a robot behind a gateway.
 
         Raises:
-            ArgumentError: where the gateway's words are too narrow for its positions.
+            ArgumentError: as by `made_for`.
         """
-        width = gateway.info.data_bits
-        if width < WORD_BITS:
-            raise ArgumentError(f"the {cls.NAME} needs words of at least {WORD_BITS} bits, not data_bits={width}")
-        robot = cls(width)
+        robot = cls.made_for(gateway)
         gateway.attach(robot, robot.addresses())
         return robot
 

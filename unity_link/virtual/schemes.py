@@ -1,8 +1,9 @@
 """``sim:`` and ``rtl:``: a virtual gateway in this process, for tests and demonstrations without hardware.
 
 ``sim:`` is a model of the gateware, ``rtl:`` the gateware itself, compiled; ``sim:scara`` and ``rtl:scara`` have the
-robot behind their bus, ``sim:robot.ul`` and ``rtl:robot.ul`` that of a spec, with a model of it by
-``?model=my.py:Rover``, faults (``fault=``) and triggers (``trigger=state:10``).
+robot behind their bus, ``tosnet`` in place of ``scara`` has it behind the double buffers of a TosNet network;
+``sim:robot.ul`` and ``rtl:robot.ul`` have that of a spec, with a model of it by ``?model=my.py:Rover``, faults
+(``fault=``) and triggers (``trigger=state:10``).
 
 Options choose its configuration, by the names of `GatewayInfo` (``sim:?data_bits=16&id_digits=3``), and what the line
 does to the bytes of both directions: ``loss``, ``flip``, ``double`` (probabilities for each byte, a ``seed`` chooses

@@ -55,6 +55,8 @@ class Settings(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=
     quality: Quality = Quality.RELIABLE
     topics: dict[str, TopicSettings] = {}
     """By their names without namespace."""
+    given: dict[str, int] = {}
+    """Addresses for the parameters of the interface; -1 for one that is not needed."""
     network: bool = False
     """Whether to speak to other machines; else only to programs of this one."""
     domain: int | None = None

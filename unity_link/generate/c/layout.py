@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, NamedTuple
 from unity_link.errors import UnsupportedError
 from unity_link.generate.c.names import Names
 from unity_link.generate.c.reserved import is_global, is_interface
+from unity_link.generate.networks import given_parameters, networks, shared_addresses
 from unity_link.spec.kinds import KindName
 from unity_link.spec.model import Component, ComponentArray
 
@@ -167,6 +168,11 @@ class GroupType(NamedTuple):
         return all(member.signal.access.reads for member in self.members)
 
     @property
+    def has_read(self) -> bool:
+        """Whether it is read at once: a queue has its words in samples, or by itself."""
+        return self.reads_all and not any(member.signal.fifo for member in self.members)
+
+    @property
     def is_published(self) -> bool:
         """Whether the gateway publishes it."""
         return self.group.number is not None and self.reads_all
@@ -200,14 +206,22 @@ class Layout:
         # A group is a member of the robot in C++.
         in_root = Names([*self._guards, *self._member_names[interface.root.path].values()])
         self.group_names = {group.name: in_root.take(group.name) for group in named}
+        self.networks_member = in_root.take("networks")
+        """In C++."""
         # In C++ a type that has the name of a member is no type any more.
         scopes = (*self._member_names.values(), *self._group_members.values(), self.group_names)
-        members = {name for names in scopes for name in names.values()}
+        members = {name for names in scopes for name in names.values()} | {self.networks_member}
         self.class_name = Names([self.prefix, *members], is_global).take(_capitalized(self.prefix))
         self._shorts = Names([self.class_name, *members], is_global)
         self._globals = Names([self.prefix, *self._guards, *members], is_global)
         self.root_type = self._global("signals")
         self.check_map = self._global("check_map")
+        self.networks = networks(interface)
+        self.network_type = self._globals.take(f"{self.prefix}_networks", ("", "_use")) if self.networks else ""
+        parameters = Names([*self._guards, "link", "networks", "index"])
+        self.given = {name: parameters.take(name) for name in given_parameters(interface)}
+        """Identifiers of the parameters that its networks need."""
+        self.shared = shared_addresses(interface)
         self.enumerations = {one.name: self._enumeration(one) for one in interface.enumerations}
         self.value_types: dict[str, ValueType] = {}
         """By the paths of the signals."""

@@ -60,7 +60,7 @@ def signal_initializer(layout: Layout, signal: Signal) -> str:
         str(signal.lowest_bit),
         str(signal.width),
         _kind(signal),
-        _properties(signal),
+        _properties(signal, layout),
         *map(number, (step, offset, low, high)),
     ]
     return f"{{{', '.join(fields)}}}"
@@ -76,13 +76,14 @@ def _is_limited(signal: Signal) -> bool:
     return signal.minimum is not None or signal.maximum is not None
 
 
-def _properties(signal: Signal) -> str:
+def _properties(signal: Signal, layout: Layout) -> str:
     properties = {
         "UL_READABLE": signal.access.reads,
         "UL_WRITABLE": signal.access.writes,
         "UL_FIELD": signal.is_field,
         "UL_QUEUE": signal.fifo,
         "UL_LIMITED": _is_limited(signal),
+        "UL_SHARED": signal.access.writes and signal.address in layout.shared and not signal.fifo,
     }
     return " | ".join(name for name, holds in properties.items() if holds)
 

@@ -39,6 +39,7 @@ def files(interface: Interface, templates: Templates) -> Iterator[GeneratedFile]
             *initializers(layout.root, f"::{layout.prefix}"),
             *(f"{name}(the_link)" for name, _ in groups),
         ],
+        networks=layout.networks_member,
         examples=list(_examples(layout, groups)),
     )
     yield GeneratedFile(f"{layout.prefix}.hpp", text)

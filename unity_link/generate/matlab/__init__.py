@@ -23,6 +23,7 @@ from typing import TYPE_CHECKING, NamedTuple
 from unity_link.errors import UnsupportedError
 from unity_link.generate import GeneratedFile, c
 from unity_link.generate.matlab.names import MEMBERS, identifiers
+from unity_link.generate.networks import Network, given_parameters, networks
 from unity_link.protocol.constants import TABLE
 from unity_link.spec import ComponentArray
 
@@ -75,6 +76,10 @@ def files(interface: Interface, templates: Templates) -> Iterator[GeneratedFile]
         lines=lines,
         paths=paths,
         groups=_groups(interface),
+        networks=networks(interface),
+        given=given_parameters(interface),
+        handle=_handle,
+        addresses=_addresses,
         variable=variable,
         examples=_examples(lines, variable),
         arguments=_arguments,
@@ -125,6 +130,26 @@ def _lines(part: Component, path: str, taken: list[str] | None = None) -> Iterat
             yield Line(inside, None, len(items))
         for number, item in enumerate(items, 1):
             yield from _lines(item, f"{inside}({number})" if isinstance(member, ComponentArray) else inside)
+
+
+def _handle(address: int | str | None) -> str:
+    """Return where CTRL or COMM is: an address, or a parameter."""
+    if isinstance(address, str):
+        return f"given.{address}"
+    return "[]" if address is None else str(address)
+
+
+def _addresses(network: Network) -> str:
+    """Return the addresses of a network, a run of them as a range."""
+    runs: list[list[int]] = []
+    for address in network.addresses:
+        if runs and address == runs[-1][-1] + 1:
+            runs[-1].append(address)
+        else:
+            runs.append([address])
+    texts = [str(run[0]) if len(run) == 1 else f"{run[0]}:{run[-1]}" for run in runs]
+    rows = [" ".join(texts[first : first + 8]) for first in range(0, len(texts), 8)]
+    return "[" + " ...\n                ".join(rows) + "]"
 
 
 def _groups(interface: Interface) -> list[tuple[Group, str]]:

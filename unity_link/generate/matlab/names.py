@@ -20,7 +20,7 @@ _KEYWORDS = """
     switch try until unwind_protect unwind_protect_cleanup while
 """
 _MEMBERS = """
-    addlistener close delete eq findobj findprop ge groups gt isvalid le link listener lt ne notify
+    addlistener close delete eq findobj findprop ge groups gt isvalid le link listener lt ne networks notify
 """
 KEYWORDS = frozenset(_KEYWORDS.split())
 """`iskeyword` of MATLAB and of Octave, and the words that begin the blocks of a class."""

@@ -178,8 +178,9 @@ def _signal(interface: Interface, signal: Signal) -> Iterator[str]:
 
 
 def _sampled(interface: Interface) -> Iterator[Sampled]:
-    """Return the groups that the gateway publishes or the node polls."""
-    published = {signal.group for signal in interface.signals.values() if not signal.fifo and signal.access.reads}
+    """Return the groups that the gateway publishes or the node polls; those that publish a FIFO are left out."""
+    queues = {signal.group for signal in interface.signals.values() if signal.fifo}
+    published = {signal.group for signal in interface.signals.values() if signal.access.reads} - queues
     for group in interface.groups:
         if group.number is not None and group.name in published:
             signals = [interface.signals[path] for path in group.signals]

@@ -118,6 +118,15 @@ class Register(NamedTuple):
         return f"{self.name}_{kept}({part.last} downto {part.first})"
 
 
+class Offer(NamedTuple):
+    """A group of which the FIFO ports have the trigger: when they have a word each, and when one is taken."""
+
+    group: int
+    name: str
+    valid: str
+    ready: str
+
+
 class BankWord(NamedTuple):
     """One address of the bank."""
 
@@ -229,6 +238,19 @@ class Bank:
     def streams(self) -> tuple[Register, ...]:
         """The FIFO ports."""
         return tuple(register for register in self.registers if register.signal.fifo)
+
+    @property
+    def offers(self) -> tuple[Offer, ...]:
+        """The groups that publish words of FIFO ports."""
+        by_path = {register.signal.path: register for register in self.streams if register.pins.given_valid}
+        found = []
+        for group in self.interface.groups:
+            ports = [by_path[path] for path in group.signals if path in by_path]
+            if group.number is not None and group.trigger and ports:
+                valid = " and ".join(port.pins.given_valid for port in ports)
+                ready = " or ".join(port.pins.given_ready for port in ports)
+                found.append(Offer(group.number, group.name, valid, f"({ready})" if len(ports) > 1 else ready))
+        return tuple(found)
 
     def got(self, register: Register) -> str:
         """Write the value that hardware gets of a register."""

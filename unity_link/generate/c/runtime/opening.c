@@ -233,6 +233,7 @@ const char *ul_status_text(ul_status status)
     case UL_UNSUPPORTED: return "the gateway was built without it";
     case UL_BAD_ARGUMENT: return "not an address or value that it takes";
     case UL_NO_SAMPLE: return "no sample came in time";
+    case UL_NOT_COMMITTED: return NOT_COMMITTED;
     }
     return "an error of the gateway that this version does not know";
 }

@@ -228,6 +228,10 @@ static bool cannot(const ul_link *link, ul_batch *batch, const ul_signal *signal
         refuse(batch, UL_BAD_ARGUMENT, signal->path, signal->address, reason);
         return true;
     }
+    if (link->open && needed == UL_WRITABLE && signal->properties & UL_SHARED && link->networks == NULL) {
+        refuse(batch, UL_BAD_ARGUMENT, signal->path, signal->address, "the network around it is not in use yet");
+        return true;
+    }
     if (!link->open || signal->word_bits == link->info.data_bits) return false;
     refuse(batch, UL_UNSUPPORTED, signal->path, signal->address, "the gateway's words are not as wide as the spec's");
     return true;
@@ -242,11 +246,23 @@ void ul_start_get(ul_link *link, ul_batch *batch, const ul_signal *signal, uint6
     else ul_start_read(link, batch, signal->address, words);
 }
 
+/* Keep the words of a signal for the next commit; false where it is in no network. */
+static bool set_shared(ul_link *link, ul_batch *batch, const ul_signal *signal, const uint64_t *words)
+{
+    /* A field has one word. */
+    bool is_field = signal->properties & UL_FIELD;
+    uint64_t mask = is_field ? ones(signal->width) << signal->lowest_bit : ones(signal->word_bits);
+    for (unsigned index = 0; index < ul_words_of(signal); index++)
+        if (!start_shared(link, batch, signal->path, signal->address + index, words[index], mask)) return false;
+    return true;
+}
+
 void ul_start_set(ul_link *link, ul_batch *batch, const ul_signal *signal, const uint64_t *words)
 {
     unsigned count = ul_words_of(signal);
     uint64_t mask = ones(signal->width) << signal->lowest_bit;
     if (cannot(link, batch, signal, UL_WRITABLE)) return;
+    if (!(signal->properties & UL_QUEUE) && set_shared(link, batch, signal, words)) return;
     if (signal->properties & UL_FIELD) ul_start_write_masked(link, batch, signal->address, words[0], mask, NULL);
     else if (count > 1) ul_start_write_block(link, batch, signal->address, words, count);
     else ul_start_write(link, batch, signal->address, words[0]);
@@ -271,6 +287,8 @@ ul_status ul_post_words(ul_link *link, const ul_signal *signal, const uint64_t *
     ul_batch batch = UL_BATCH;
     ul_status status = UL_OK;
     if (cannot(link, &batch, signal, UL_WRITABLE)) return ul_finish(link, &batch);
+    /* A commit must be waited for. */
+    if (!(signal->properties & UL_QUEUE) && set_shared(link, &batch, signal, words)) return ul_finish(link, &batch);
     if (signal->properties & UL_FIELD) {
         ul_start_set(link, &link->posts, signal, words);
         flush(link);
