@@ -12,7 +12,7 @@ import enum
 from typing import TYPE_CHECKING, Self
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Iterable, Iterator
 
 
 class UnityLinkError(Exception):
@@ -133,3 +133,13 @@ def first_error() -> Iterator[None]:
         yield
     except BaseExceptionGroup as group:
         raise group.exceptions[0] from None
+
+
+def did_you_mean(name: object, known: Iterable[str]) -> str:
+    """Suggest the known names that look like `name`; empty where none does."""
+    import difflib
+
+    names = sorted(set(known))
+    folded = [other for other in names if isinstance(name, str) and other.lower() == name.lower()]
+    close = folded or difflib.get_close_matches(str(name)[:100], names, n=2, cutoff=0.6)
+    return f"did you mean {' or '.join(repr(other) for other in close)}?" if close else ""

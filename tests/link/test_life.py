@@ -129,7 +129,7 @@ async def test_a_line_that_gives_back_what_it_is_sent_is_named_as_no_gateway() -
         echo = SlowEcho()
         await unity_link.connect(echo, timeout=2)
 
-    with pytest.raises(ConnectError, match="what answers is no gateway: it said b'Q'"):
+    with pytest.raises(ConnectError, match="what is sent comes back as it is: is TX wired to RX"):
         await connect_to_echo()
 
 

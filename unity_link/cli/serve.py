@@ -118,6 +118,8 @@ async def _serve(url: str, unix: Path | None, tcp: int | None, host: str, token:
         return f"{server.clients} clients; {gateway}"
 
     async with bridge.serve(url, unix=unix, tcp=tcp, host=host, token=token, report=report) as server:
+        # What prints its URL is taken for ready.
+        await server.look()
         for place in server.urls:
             print_line(place)
         service.tell("READY=1")

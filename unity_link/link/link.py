@@ -28,7 +28,7 @@ from unity_link.link.subscription import Overflow, Publishing, Sample, Schedule,
 from unity_link.protocol.configuration import Feature
 from unity_link.protocol.messages import Codec, GroupFlag
 from unity_link.protocol.requests import Batch, Block, Fence, PostedFailure, Request, common_outcome
-from unity_link.transport import DriverUrl, parse_url
+from unity_link.transport import DriverUrl, check_target, parse_url
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Generator
@@ -634,6 +634,7 @@ def connect(target: str | Medium, *, timeout: float = 5.0, reconnect: bool | Rec
     """
     if not isinstance(reconnect, bool | Reconnect):
         raise ArgumentError(f"reconnect is True, False or a Reconnect, not {reconnect!r:.80}")
+    check_target(target)
     given: object = timeout
     if not (isinstance(given, int | float) and given > 0):
         raise ArgumentError(f"timeout is a number of seconds above 0, not {timeout!r:.80}")
