@@ -27,11 +27,13 @@ def test_help_names_the_extra_to_install(command: str, extra: str) -> None:
     [
         (["serve", "sim:", "--tcp", "99999"], "error: --tcp is '99999': a whole number from 0 to 65535 was expected"),
         (["live", "sim:", "--watch", "0", "--poll", "often"], "error: --poll is 'often': a number of Hz was expected"),
-        (["record", "sim:", "x.ul", "-o", "x", "--duration", "-1"], "error: --duration is '-1': a number of seconds from 0 on was expected"),
+        (
+            ["record", "sim:", "x.ul", "-o", "x", "--duration", "-1"],
+            "error: --duration is '-1': a number of seconds from 0 on was expected",
+        ),
         (
             ["generate", "ros3", "x.ul"],
-            "TARGET is 'ros3': one of c, cpp, docs, matlab, python, ros1, ros2, verilog, vhdl was expected; "
-            "did you mean 'ros2' or 'ros1'?",
+            "docs, matlab, python, ros1, ros2, verilog, vhdl was expected; did you mean 'ros1' or 'ros2'?",
         ),
         (["read", "sim:", "-1"], "-1 is no option: where a negative number is meant, write -- before it"),
         (

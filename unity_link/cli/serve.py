@@ -123,6 +123,7 @@ async def _serve(url: str, unix: Path | None, tcp: int | None, host: str, token:
         for place in server.urls:
             print_line(place)
         service.tell("READY=1")
+        service.tell(f"STATUS={status()}")
         signs = asyncio.create_task(service.live(status))
         try:
             await server.wait()

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import time
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
@@ -77,6 +78,15 @@ class Group:
         Raises:
             ArgumentError: where there are no members, or one is there twice.
         """
+        wrong: list[object] = [
+            member for member in members if not (isinstance(member, Proxy) or "signals" in dir(type(member)))
+        ]
+        for member in wrong:
+            hint = ": write `Group(*signals)`" if isinstance(member, (list, tuple)) else ""
+            raise ArgumentError(f"{name}: signals or parts of a robot were expected, not {member!r:.80}{hint}")
+        given: object = rate_hz
+        if given is not None and not (isinstance(given, (int, float)) and 0 < given < math.inf):
+            raise ArgumentError(f"{name}: a rate is a number of Hz above 0, not {rate_hz!r:.80}")
         proxies = [
             proxy for member in members for proxy in ((member,) if isinstance(member, Proxy) else member.signals)
         ]
@@ -91,6 +101,8 @@ class Group:
         self._plan = Plan(rate_hz=rate_hz)
         self._layouts: list[GroupLayout] | None = None
         self._feed: Feed | None = None
+
+    __slots__ = ("_feed", "_layouts", "_places", "_plan", "model", "name", "proxies")
 
     @classmethod
     def declared(cls, group: model.Group, proxies: Sequence[Proxy[Any]]) -> Group:
@@ -175,7 +187,7 @@ class Group:
             return dict(zip(self.proxies, given, strict=True))
         for proxy in values:
             if proxy not in self._places:
-                raise ArgumentError(f"{proxy!r} is not in {self.name}")
+                raise ArgumentError(f"{getattr(proxy, 'path', repr(proxy))} is not in {self.name}")
         return values
 
     # Samples

@@ -21,6 +21,8 @@ from unity_link.errors import (
     UnansweredError,
     UnityLinkError,
     UnsupportedError,
+    missing,
+    refusing,
 )
 from unity_link.link.connection import Connection, Reconnect, settle
 from unity_link.link.runtime import AsyncioRuntime
@@ -41,6 +43,7 @@ if TYPE_CHECKING:
     from unity_link.protocol.arrays import Words
     from unity_link.transport import Medium
 
+NOT_CONNECTED = "write `async with unity_link.connect(...) as link:`, or `link = await unity_link.connect(...)`"
 SendImmediate = Literal["off", "always", "adaptive"]
 _SEND_IMMEDIATE: dict[str, int] = {"off": 0, "always": 1, "adaptive": 2}
 _LARGEST_DIVISOR = 0xFFFF
@@ -111,6 +114,12 @@ class Link(Connection):
     def _ended(self, error: LinkLostError) -> None:
         self._publishing.end(error)
 
+    if not TYPE_CHECKING:  # A type checker refuses them by itself.
+        __enter__ = __exit__ = refusing("write `async with` before a link, or connect by `unity_link.blocking`")
+
+        def __getattr__(self, name: str) -> Any:
+            raise missing(self, name, "a link", close="it is closed where its `async with` block ends, or by `aclose`")
+
     async def __aenter__(self) -> Self:
         return self
 
@@ -131,6 +140,11 @@ class Link(Connection):
                     self._raise_posted()
         finally:
             await self.aclose()
+
+    def __repr__(self) -> str:
+        """Return where it leads, and whether there is a connection now."""
+        state = "connected" if self.connected else "closed" if self._closed else "not connected"
+        return f"<link to {self._name}, {state}>"
 
     @property
     def statistics(self) -> Statistics:
@@ -563,6 +577,12 @@ class Connecting:
         self._reconnect = reconnect
         self._link: Link | None = None
         self._structured: Structured | None = None
+
+    if not TYPE_CHECKING:  # A type checker refuses them by itself.
+        __enter__ = __exit__ = refusing("write `async with unity_link.connect(...)`, or use `unity_link.blocking`")
+
+        def __getattr__(self, name: str) -> Any:
+            raise AttributeError(f"{name}: the link is not open yet: {NOT_CONNECTED}")
 
     def __await__(self) -> Generator[Any, None, Link]:
         if _is_under_trio():

@@ -134,7 +134,7 @@ class Handshake:
         if self._doubtful:
             return f"what answers is no gateway: it said {self._doubtful[:80]!r}"
         if self._heard:
-            return f"{self._heard} bytes arrived, none of them an answer: check the speed of the port (?baud=...), and that the gateway's mode is the chip's"
+            return f"{self._heard} bytes arrived, none of them an answer: check the speed of the port"
         return "nothing arrived: check that the gateway is powered, the port and the wiring"
 
     def describe_end(self, reason: Exception | None) -> str:

@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Literal
 import msgspec
 
 from unity_link.errors import UnityLinkError
-from unity_link.errors import did_you_mean as did_you_mean  # a part of what diagnostics say
+from unity_link.errors import did_you_mean as did_you_mean  # noqa: PLC0414  (a part of what diagnostics say)
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
