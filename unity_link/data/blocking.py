@@ -147,7 +147,7 @@ def _call(link: BlockingLink, function: Any, *arguments: Any, **options: Any) ->
 
     async def call() -> Any:
         given = function(*_plain(arguments), **_plain(options))
-        return await given if hasattr(given, "__await__") else given
+        return await given if hasattr(given, "__await__") and not isinstance(given, _SHOWN) else given
 
     return _shown(link._call(call), link)  # noqa: SLF001  (another face of the same link)
 
@@ -158,8 +158,8 @@ def _shown(thing: Any, link: BlockingLink) -> Any:
         return View(thing, link)
     if type(thing) is tuple:
         return tuple(_shown(item, link) for item in thing)
-    if type(thing) is dict:
-        return {key: _shown(item, link) for key, item in thing.items()}
+    if isinstance(thing, dict):
+        return type(thing)({key: _shown(item, link) for key, item in thing.items()})
     return thing
 
 

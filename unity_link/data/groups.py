@@ -192,7 +192,7 @@ class Group:
 
     # Samples
 
-    def subscribe(
+    def subscribe(  # noqa: PLR0913  (as those of a link)
         self,
         *,
         rate_hz: float | None = None,
@@ -202,6 +202,7 @@ class Group:
         immediate: bool = False,
         timestamps: bool | None = None,
         buffer: int = BUFFER,
+        latest: bool = False,
         overflow: Overflow = "drop_oldest",
     ) -> GroupSubscription:
         """Have all signals sampled again and again, by the gateway where it has groups, else by reads of the host.
@@ -230,7 +231,8 @@ class Group:
                 immediate=immediate or default.immediate,
                 timestamps=default.timestamps if timestamps is None else timestamps,
             )
-        return GroupSubscription([(layout, _source(layout, given, buffer, overflow)) for layout in self._lay_out()])
+        size = 1 if latest else buffer
+        return GroupSubscription([(layout, _source(layout, given, size, overflow)) for layout in self._lay_out()])
 
     @property
     def feed(self) -> Feed:

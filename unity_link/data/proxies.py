@@ -60,10 +60,10 @@ class Proxy(Generic[T]):
         def __getattr__(self, name: str) -> Any:
             raise _no_attribute(self, name)
 
-        def __eq__(self, other: object) -> bool:
+        def __eq__(self, other: object) -> Any:
             if isinstance(other, (bool, int, float, str)):
                 _refuse_as_value(self)
-            return self is other
+            return True if self is other else NotImplemented
 
         __hash__ = object.__hash__
 

@@ -363,6 +363,7 @@ class Link(Connection):
         immediate: bool = False,
         timestamps: bool | None = None,
         buffer: int = 16_384,
+        latest: bool = False,
         overflow: Overflow = "drop_oldest",
         callback: Callable[[Sample], object] | None = None,
     ) -> Subscription:
@@ -377,6 +378,7 @@ class Link(Connection):
             immediate: have the gateway send each sample at once instead of filling packets.
             timestamps: have the instant of sampling sent along; None: where the gateway can.
             buffer: most samples that wait for the reader. The default holds all that one read of a socket can bring.
+            latest: keep the newest sample alone, for a controller: what it reads is never older than it needs to be.
             overflow: what happens when they are more: ``"drop_oldest"`` and count, or ``"fail"``.
             callback: is called with each sample as it arrives, in place of iteration.
 
@@ -411,7 +413,8 @@ class Link(Connection):
         several: ArrayLike = [int(given)] if isinstance(given, Integral) else addresses
         where = check_addresses(self._addresses(several), self.gateway.group_words)
         schedule = Schedule(where, self._divisor(rate_hz, divisor), flags)
-        return Subscription(self._publishing, schedule, buffer=buffer, overflow=overflow, callback=callback)
+        size = 1 if latest else buffer
+        return Subscription(self._publishing, schedule, buffer=size, overflow=overflow, callback=callback)
 
     async def send_immediate(self, mode: SendImmediate) -> None:
         """Choose when an FT232H sends a short packet at once (docs/protocol.md, "Send-immediate").
