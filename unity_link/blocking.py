@@ -21,6 +21,7 @@ or where the ``with`` block ends; and that a connection was lost is noticed by t
 from __future__ import annotations
 
 import threading
+import warnings
 import weakref
 from collections import deque
 from contextlib import suppress
@@ -57,7 +58,7 @@ def connect(target: str | Medium, *, timeout: float = 5.0, reconnect: bool | Rec
 
 
 def _end(runtime: CallingThread, link: asynchronous.Link) -> None:
-    """End a link and its threads, also where the garbage collector finds it, and at the end of the program."""
+    """End a link and its threads."""
     if runtime.is_running_here:
         # Found within a callback of its own, whose thread cannot be waited for.
         runtime.create_task(_close_later(runtime, link))
@@ -67,6 +68,14 @@ def _end(runtime: CallingThread, link: asynchronous.Link) -> None:
     with suppress(TimeoutError):
         runtime.run(_close(runtime, link, patience))
     runtime.close(patience)
+
+
+def _end_unclosed(runtime: CallingThread, link: asynchronous.Link) -> None:
+    """End a link that the garbage collector finds, or the end of the program, and warn of it."""
+    try:
+        warnings.warn(f"{link!r} was not closed: use `with`, or `close`", ResourceWarning, stacklevel=1, source=link)
+    finally:
+        _end(runtime, link)
 
 
 async def _close_later(runtime: CallingThread, link: asynchronous.Link) -> None:
@@ -108,14 +117,15 @@ class BlockingLink:
         except BaseException:
             self._runtime.close(None)
             raise
-        self._end = weakref.finalize(self, _end, self._runtime, self._link)
+        self._end = weakref.finalize(self, _end_unclosed, self._runtime, self._link)
 
     def close(self) -> None:
         """End the link and its thread at once. May be called twice.
 
         Posted writes that are not executed yet are given up, and their errors are not raised: call `fence` before.
         """
-        self._end()
+        if self._end.detach() is not None:
+            _end(self._runtime, self._link)
 
     def _call(self, function: Callable[..., Coroutine[Any, Any, T]], *arguments: Any) -> T:
         """Run a coroutine of the link, and return its result."""

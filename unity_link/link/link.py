@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import contextlib
 import sys
+import warnings
 from numbers import Integral, Real
 from operator import index
 from typing import TYPE_CHECKING, Any, Literal, Self
@@ -140,6 +141,13 @@ class Link(Connection):
                     self._raise_posted()
         finally:
             await self.aclose()
+
+    def __del__(self) -> None:
+        """Warn of a link that nobody closed."""
+        if vars(self).get("_stream") is not None and not self._closed:
+            warnings.warn(
+                f"{self!r} was not closed: use `async with`, or `aclose`", ResourceWarning, stacklevel=1, source=self
+            )
 
     def __repr__(self) -> str:
         """Return where it leads, and whether there is a connection now."""
