@@ -37,7 +37,6 @@ import unity_link
 from unity_link.cli.families import MARKUP, Commands
 from unity_link.cli.output import print_error
 from unity_link.cli.running import INTERRUPTED
-from unity_link.cli.wrong_use import sentence_about
 from unity_link.errors import ArgumentError, UnityLinkError
 
 FAILED = 1
@@ -96,6 +95,8 @@ def _run(program: typer.Typer) -> int:
         code: int | None = program(standalone_mode=False)
         sys.stdout.flush()
     except typer.TyperException as error:
+        from unity_link.cli.wrong_use import sentence_about
+
         # Without any argument the help has been printed, and there is nothing to add.
         if message := sentence_about(error):
             print_error(message, hint=_usage_hint(error))
