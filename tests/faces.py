@@ -84,9 +84,9 @@ class ElsewhereSubscription:
         return getattr(self._subscription, name)
 
     def _method(self, name: str) -> Callable[..., Any]:
-        found: Callable[..., Any] = getattr(self._subscription, name.replace("__a", "__", 1), None) or getattr(
-            self._subscription, name
-        )
+        # Either face refuses the names of the other one.
+        is_blocking = isinstance(self._subscription, blocking.BlockingSubscription)
+        found: Callable[..., Any] = getattr(self._subscription, name.replace("__a", "__", 1) if is_blocking else name)
         return found
 
     async def publish(self) -> None:

@@ -21,12 +21,13 @@ or where the ``with`` block ends; and that a connection was lost is noticed by t
 from __future__ import annotations
 
 import threading
+import warnings
 import weakref
 from collections import deque
 from contextlib import suppress
 from typing import TYPE_CHECKING, Any, Self, TypeVar
 
-from unity_link.errors import LinkClosedError, Outcome
+from unity_link.errors import LinkClosedError, Outcome, missing, refusing
 from unity_link.link import link as asynchronous
 from unity_link.link.calling_thread import CallingThread
 
@@ -57,7 +58,7 @@ def connect(target: str | Medium, *, timeout: float = 5.0, reconnect: bool | Rec
 
 
 def _end(runtime: CallingThread, link: asynchronous.Link) -> None:
-    """End a link and its threads, also where the garbage collector finds it, and at the end of the program."""
+    """End a link and its threads."""
     if runtime.is_running_here:
         # Found within a callback of its own, whose thread cannot be waited for.
         runtime.create_task(_close_later(runtime, link))
@@ -67,6 +68,14 @@ def _end(runtime: CallingThread, link: asynchronous.Link) -> None:
     with suppress(TimeoutError):
         runtime.run(_close(runtime, link, patience))
     runtime.close(patience)
+
+
+def _end_unclosed(runtime: CallingThread, link: asynchronous.Link) -> None:
+    """End a link that the garbage collector finds, or the end of the program, and warn of it."""
+    try:
+        warnings.warn(f"{link!r} was not closed: use `with`, or `close`", ResourceWarning, stacklevel=1, source=link)
+    finally:
+        _end(runtime, link)
 
 
 async def _close_later(runtime: CallingThread, link: asynchronous.Link) -> None:
@@ -88,6 +97,18 @@ class BlockingLink:
     A link that is not closed is closed where nothing refers to it any more, and at the end of the program.
     """
 
+    if not TYPE_CHECKING:  # A type checker refuses them by itself.
+        __aenter__ = __aexit__ = refusing("write `with` before a blocking link, or connect by `unity_link.connect`")
+        __await__ = refusing("a blocking link is open at once, without `await`")
+
+        def __getattr__(self, name: str) -> Any:
+            raise missing(
+                self,
+                name,
+                "a blocking link",
+                aclose="it is closed where its `with` block ends, or by `close`",
+            )
+
     def __init__(self, target: str | Medium, *, timeout: float, reconnect: bool | Reconnect) -> None:
         self._runtime = CallingThread()
         connecting = asynchronous.connect(target, timeout=timeout, reconnect=reconnect)
@@ -96,14 +117,15 @@ class BlockingLink:
         except BaseException:
             self._runtime.close(None)
             raise
-        self._end = weakref.finalize(self, _end, self._runtime, self._link)
+        self._end = weakref.finalize(self, _end_unclosed, self._runtime, self._link)
 
     def close(self) -> None:
         """End the link and its thread at once. May be called twice.
 
         Posted writes that are not executed yet are given up, and their errors are not raised: call `fence` before.
         """
-        self._end()
+        if self._end.detach() is not None:
+            _end(self._runtime, self._link)
 
     def _call(self, function: Callable[..., Coroutine[Any, Any, T]], *arguments: Any) -> T:
         """Run a coroutine of the link, and return its result."""
@@ -123,6 +145,10 @@ class BlockingLink:
                 self._call(self._link.__aexit__, kind, error, trace)
         finally:
             self.close()
+
+    def __repr__(self) -> str:
+        """Return where it leads, and whether there is a connection now."""
+        return f"<blocking {repr(self._link)[1:]}"
 
     @property
     def gateway(self) -> GatewayInfo:
@@ -199,10 +225,18 @@ class BlockingLink:
 class BlockingSubscription:
     """A stream of samples; made by `BlockingLink.subscribe`, to be used in a ``with`` block and iterated over."""
 
+    if not TYPE_CHECKING:  # A type checker refuses them by itself.
+        __aenter__ = __aexit__ = refusing("write `with` before a subscription of a blocking link")
+        __aiter__ = refusing("write `for` over the samples of a blocking link, in a `with` block")
+
     def __init__(self, subscription: AsyncSubscription, call: Callable[..., Any]) -> None:
         self._subscription = subscription
         self._call = call
         self._samples: deque[Sample] = deque()
+
+    def __repr__(self) -> str:
+        """Return what is sampled, and what has come of it."""
+        return repr(self._subscription)
 
     @property
     def rate_hz(self) -> float | None:
@@ -222,6 +256,14 @@ class BlockingSubscription:
     def publish(self) -> None:
         """Have one sample taken now."""
         self._call(self._subscription.publish)
+
+    def take(self, count: int | None = None) -> list[Sample]:
+        """Wait until there is a sample, and return all that wait; or so many, fewer where the samples end."""
+        waiting = len(self._samples) if count is None else min(count, len(self._samples))
+        taken = [self._samples.popleft() for _ in range(waiting)]
+        if count is None and taken:
+            return taken
+        return taken + (self._call(self._subscription.take, count and count - waiting) if count != waiting else [])
 
     def __enter__(self) -> Self:
         self._call(self._subscription.__aenter__)

@@ -9,10 +9,10 @@ from __future__ import annotations
 
 import contextlib
 import enum
-from typing import TYPE_CHECKING, Self
+from typing import TYPE_CHECKING, Never, Self
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Callable, Iterable, Iterator
 
 
 class UnityLinkError(Exception):
@@ -21,6 +21,12 @@ class UnityLinkError(Exception):
 
 class ArgumentError(UnityLinkError, ValueError):
     """A value that no gateway, or not this one, can take. Nothing was sent."""
+
+
+class UnknownNameError(ArgumentError, KeyError):
+    """A name that a mapping of signals or groups does not have."""
+
+    __str__ = Exception.__str__
 
 
 class ConnectError(UnityLinkError):
@@ -133,3 +139,35 @@ def first_error() -> Iterator[None]:
         yield
     except BaseExceptionGroup as group:
         raise group.exceptions[0] from None
+
+
+def did_you_mean(name: object, known: Iterable[str]) -> str:
+    """Suggest the known names that look like `name`; empty where none does."""
+    import difflib
+
+    names = sorted(set(known))
+    folded = [other for other in names if isinstance(name, str) and other.lower() == name.lower()]
+    close = folded or difflib.get_close_matches(str(name)[:100], names, n=2, cutoff=0.6)
+    return f"did you mean {' or '.join(repr(other) for other in close)}?" if close else ""
+
+
+def refusing(sentence: str) -> Callable[..., Never]:
+    """Return a method that raises ArgumentError: for a use of an object that cannot be, but is often tried."""
+
+    def refuse(*_: object) -> Never:
+        raise ArgumentError(sentence)
+
+    return refuse
+
+
+def missing(thing: object, name: str, what: str, **instead: str) -> AttributeError:
+    """Return the error for an attribute that a thing does not have.
+
+    Args:
+        thing: the thing.
+        name: of the attribute.
+        what: how messages call the thing.
+        instead: by names that are often tried, what to write.
+    """
+    hint = instead.get(name, "") or did_you_mean(name, [known for known in dir(thing) if not known.startswith("_")])
+    return AttributeError(f"{what} has no {name!r}" + (f": {hint}" if hint else ""), name=name, obj=thing)

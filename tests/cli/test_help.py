@@ -25,13 +25,17 @@ def test_help_names_the_extra_to_install(command: str, extra: str) -> None:
 @pytest.mark.parametrize(
     ("arguments", "words"),
     [
-        (["serve", "sim:", "--tcp", "99999"], "'--tcp': Input should be less than or equal to 65535, not 99999"),
-        (["live", "sim:", "--watch", "0", "--poll", "often"], "to parse string as a number, not often"),
-        (["record", "sim:", "x.ul", "-o", "x", "--duration", "-1"], "greater than or equal to 0, not -1"),
+        (["serve", "sim:", "--tcp", "99999"], "error: --tcp is '99999': a whole number from 0 to 65535 was expected"),
+        (["live", "sim:", "--watch", "0", "--poll", "often"], "error: --poll is 'often': a number of Hz was expected"),
+        (
+            ["record", "sim:", "x.ul", "-o", "x", "--duration", "-1"],
+            "error: --duration is '-1': a number of seconds from 0 on was expected",
+        ),
         (
             ["generate", "ros3", "x.ul"],
-            "'ros3' is not one of 'c', 'cpp', 'docs', 'matlab', 'python', 'ros1', 'ros2', 'verilog', 'vhdl'.",
+            "docs, matlab, python, ros1, ros2, verilog, vhdl was expected; did you mean 'ros2' or 'ros1'?",
         ),
+        (["read", "sim:", "-1"], "-1 is no option: where a negative number is meant, write -- before it"),
         (
             ["live", "sim:", "--watch", "abc"],
             "'abc' is not a whole number like 10, 0x0A or 0b1010; did you mean 0xabc?",

@@ -96,7 +96,7 @@ async def test_nothing_is_sent_if_one_value_is_wrong() -> None:
             await arm.set({robot.level: 1, robot.angle: 11})
         with pytest.raises(ArgumentError, match="arm has 3 signals, and 2 values were given"):
             await arm.set([1, 2])
-        with pytest.raises(ArgumentError, match=r"command: .* is not in arm"):
+        with pytest.raises(ArgumentError, match=r"command is not in arm"):
             await arm.set({robot.command: 1})
         with pytest.raises(ArgumentError, match="actual can only be read"):
             await Group(robot.actual).set([1])

@@ -349,6 +349,24 @@ async def test_signals_and_parts_are_not_assigned_to() -> None:
             with pytest.raises(ArgumentError, match=f"'{name}' of .* cannot be assigned to"):
                 setattr(part, name, 1)
         assert robot.left.duty is duty
-        robot.note = (1, 2)
-        robot.note = (3,)
-        assert robot.note == (3,)
+        with pytest.raises(ArgumentError, match=r"left has no 'dutty': did you mean 'duty'\?"):
+            robot.left.dutty = 1
+        for name in ("link", "groups", "modules"):
+            with pytest.raises(ArgumentError, match=f"'{name}' of rover cannot be assigned to"):
+                setattr(robot, name, 1)
+        robot._note = (1, 2)
+        assert robot._note == (1, 2)
+
+
+@on_simulated_time
+async def test_a_robot_of_ones_own_has_the_attributes_that_its_class_declares() -> None:
+    class Own(ROBOT):  # type: ignore[misc, valid-type]  # made at run time
+        gain: float = 1.0
+        offset: float
+
+    async with unity_link.connect(VirtualGateway()) as link:
+        own = Own(link)
+        own.gain, own.offset = 2.0, 3.0
+        assert (own.gain, own.offset) == (2.0, 3.0)
+        with pytest.raises(ArgumentError, match="has no 'gian': did you mean 'gain'"):
+            own.gian = 2.0

@@ -123,13 +123,22 @@ async def test_minutes_of_noise_take_no_memory(make_bare: Maker) -> None:
             assert await link.read(1) == 2
 
 
+def test_a_link_that_nobody_closed_is_warned_of() -> None:
+    async def forget() -> None:
+        await (await unity_link.connect("sim:")).read(0)
+
+    with pytest.warns(ResourceWarning, match="<link to sim:, connected> was not closed: use `async with`"):  # noqa: PT031  (the garbage is collected in it)
+        asyncio.run(forget())
+        gc.collect()
+
+
 @on_simulated_time
 async def test_a_line_that_gives_back_what_it_is_sent_is_named_as_no_gateway() -> None:
     async def connect_to_echo() -> None:
         echo = SlowEcho()
         await unity_link.connect(echo, timeout=2)
 
-    with pytest.raises(ConnectError, match="what answers is no gateway: it said b'Q'"):
+    with pytest.raises(ConnectError, match="what is sent comes back as it is: is TX wired to RX"):
         await connect_to_echo()
 
 

@@ -16,6 +16,7 @@ from makers import CRC_32, SLOW, Maker
 from simulated_time import on_simulated_time
 from unity_link import ArgumentError, Feature, LinkLostError, Sample, SamplesLostError, UnsupportedError
 from unity_link.link.subscription import GatewayClock
+from unity_link.virtual import VirtualGateway
 from unity_link.virtual.faults import Noise, NoisyLine
 from unity_link.virtual.gateway import Gateway
 
@@ -94,7 +95,8 @@ async def test_a_callback_that_raises_is_reported_and_stops_nothing(link: Link) 
     async with link.subscribe([0x10], callback=fail) as samples:
         await samples.publish()
         await samples.publish()
-    assert [str(report["exception"]) for report in reports] == ["0", "1"]
+    # Once for each type of exception.
+    assert [str(report["exception"]) for report in reports] == ["0"]
     assert await link.read(0) == 0
 
 
@@ -506,3 +508,48 @@ async def test_a_reader_that_does_not_read_takes_bounded_memory(make_bare: Maker
         await asyncio.sleep(3)
         assert len(samples._buffer) == 10
         assert samples.lost == samples.received - 10
+
+
+@on_simulated_time
+async def test_a_controller_that_is_slower_than_the_rate_reads_the_latest_sample_alone() -> None:
+    async with (
+        unity_link.connect(VirtualGateway()) as link,
+        link.subscribe(0x10, rate_hz=100, latest=True) as samples,
+    ):
+        for _ in range(5):
+            await asyncio.sleep(0.1)
+            sample = await anext(samples)
+            assert sample.sequence == samples.received - 1
+        assert samples.lost == samples.received - 5
+
+
+@on_simulated_time
+async def test_as_many_samples_are_taken_as_are_asked_for_and_fewer_where_they_end() -> None:
+    link = await unity_link.connect(VirtualGateway())
+    async with link.subscribe(0x10, rate_hz=100) as samples:
+        assert [sample.sequence for sample in await samples.take(5)] == [0, 1, 2, 3, 4]
+        assert [sample.sequence for sample in await samples.take(1)] == [5]
+        with pytest.raises(ArgumentError, match="a number of samples from 1 on was expected, not 0"):
+            await samples.take(0)
+        ending = asyncio.ensure_future(samples.take(1000))
+        await asyncio.sleep(0.1)
+        await link.aclose()
+        assert 0 < len(await ending) < 1000
+        with pytest.raises(LinkLostError):
+            await samples.take(1000)
+
+
+@on_simulated_time
+async def test_a_callback_that_raises_is_told_once_for_each_type() -> None:
+    def fail(_: object) -> None:
+        raise ZeroDivisionError
+
+    told: list[str] = []
+    asyncio.get_running_loop().set_exception_handler(lambda _, context: told.append(context["message"]))
+    async with (
+        unity_link.connect(VirtualGateway()) as link,
+        link.subscribe(0x10, rate_hz=100, callback=fail) as samples,
+    ):
+        await asyncio.sleep(1)
+    assert samples.received > 50
+    assert told == ["a subscription's callback raised ZeroDivisionError (told once)"]

@@ -18,7 +18,7 @@ import numpy as np
 import pytest
 
 import unity_link
-from unity_link import ArgumentError, ConnectError, LinkLostError
+from unity_link import ArgumentError, ConnectError, LinkLostError, blocking
 from unity_link.protocol.constants import QUICK_TIMEOUT
 from unity_link.transport import load_driver, parse_url
 from unity_link.transport.serial import _transport_class
@@ -237,12 +237,23 @@ async def test_a_port_without_permission_says_which_group_to_join(
 
 
 @pytest.mark.asyncio
-async def test_a_datagram_port_where_nobody_is_times_out_with_what_to_check() -> None:
+async def test_a_datagram_port_where_nobody_listens_is_told_at_once() -> None:
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as unused:
         unused.bind(("127.0.0.1", 0))
         port = unused.getsockname()[1]
-    with pytest.raises(ConnectError, match="nothing arrived: check"):
-        await unity_link.connect(f"udp://127.0.0.1:{port}", timeout=0.3)
+    with pytest.raises(ConnectError, match="nothing listens at that port"):
+        await unity_link.connect(f"udp://127.0.0.1:{port}", timeout=600)
+    with pytest.raises(ConnectError, match="nothing listens at that port"):
+        await asyncio.to_thread(blocking.connect, f"udp://127.0.0.1:{port}", timeout=600)
+
+
+@pytest.mark.asyncio
+async def test_a_datagram_port_where_nobody_answers_times_out_with_what_to_check() -> None:
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as silent:
+        silent.bind(("127.0.0.1", 0))
+        port = silent.getsockname()[1]
+        with pytest.raises(ConnectError, match="nothing arrived: check"):
+            await unity_link.connect(f"udp://127.0.0.1:{port}", timeout=0.3)
 
 
 @pytest.mark.asyncio

@@ -8,7 +8,7 @@ from typing import Literal
 
 import msgspec
 
-from unity_link.errors import ArgumentError
+from unity_link.errors import ArgumentError, did_you_mean
 
 _DATA = Path(__file__).with_name("data")
 _DATA_PINS = tuple(f"ft_data[{bit}]" for bit in range(8))
@@ -91,8 +91,11 @@ def load_board(name: str) -> tuple[str, Board]:
     try:
         board = msgspec.convert(tomllib.loads(path.read_text(encoding="utf-8")), Board)
     except FileNotFoundError:
-        known = ", ".join(board_names())
-        raise ArgumentError(f"there is no board {name}: one of {known} was expected, or a file NAME.toml") from None
+        known, hint = ", ".join(board_names()), did_you_mean(name, board_names())
+        raise ArgumentError(
+            f"there is no board {name}: one of {known} was expected, or a file NAME.toml"
+            + (f"; {hint}" if hint else "")
+        ) from None
     except OSError as error:
         raise ArgumentError(f"{path} cannot be read: {error.strerror}") from None
     except (tomllib.TOMLDecodeError, UnicodeDecodeError, msgspec.ValidationError) as error:

@@ -2,13 +2,10 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
-from unity_link.data import Group
+from unity_link.data import Group, Robot
 from unity_link.errors import ArgumentError
-
-if TYPE_CHECKING:
-    from unity_link.data import Robot
 
 
 class SampledGroup(NamedTuple):
@@ -29,6 +26,8 @@ def sampled_groups(robot: Robot, poll_hz: float | None = None) -> list[SampledGr
     Raises:
         ArgumentError: where there is nothing at all.
     """
+    if not isinstance(robot, Robot):
+        raise ArgumentError(f"a robot was expected, as `Scara(link)` of a loaded spec, not {robot!r:.80}")
     found: dict[str, Group] = {}
     rest = []
     for proxy in robot.signals:

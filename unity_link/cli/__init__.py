@@ -5,7 +5,7 @@ One file for each family of commands. They parse, show and explain; what they do
 
 - `families` says which file has which command, and imports it when the command is typed
 - `running` runs a command's coroutine until it is done or a signal comes, `output` says what stdout and stderr are for
-- `arguments` and `words` read and write addresses and values
+- `arguments` and `words` read and write addresses and values, `wrong_use` says which of them cannot be
 - `signals` has get and set, by names; `completion` tells a shell how an argument may go on,
   `manual` makes the manual page of all commands; `watched` is what `watch` watches
 - `doctor` finds what is slow or wrong
@@ -101,9 +101,11 @@ def _run(program: typer.Typer) -> int:
         code: int | None = program(standalone_mode=False, prog_name="unity-link")
         sys.stdout.flush()
     except typer.TyperException as error:
+        from unity_link.cli.wrong_use import sentence_about
+
         # Without any argument the help has been printed, and there is nothing to add.
-        if message := error.format_message():
-            print_error(_with_value(message, error), hint=_usage_hint(error))
+        if message := sentence_about(error):
+            print_error(message, hint=_usage_hint(error))
         return error.exit_code
     except ArgumentError as error:
         print_error(str(error))
@@ -133,13 +135,6 @@ def _tell(error: OSError) -> None:
     # If the reader of the output has gone, there is nothing to tell.
     if not isinstance(error, BrokenPipeError):
         print_error(f"standard output cannot be written: {error.strerror}")
-
-
-def _with_value(message: str, error: typer.TyperException) -> str:
-    """Add the value that was wrong, which some sentences of pydantic leave out."""
-    errors = getattr(error.__cause__, "errors", None)
-    value = str(errors()[0]["input"]) if errors else ""
-    return message if value in message else f"{message}, not {value}"
 
 
 def _usage_hint(error: typer.TyperException) -> str:

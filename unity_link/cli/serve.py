@@ -173,6 +173,8 @@ async def _serve(
         for node, target, socket, port in places:
             serving = bridge.serve(target, unix=socket, tcp=port, host=host, token=token, report=reporter(node))
             servers.append(await stack.enter_async_context(serving))
+            # What prints its URL is taken for ready.
+            await servers[-1].look()
         for (node, *_), server in zip(places, servers, strict=True):
             for place in server.urls:
                 if node is None:
@@ -182,6 +184,7 @@ async def _serve(
                 else:
                     print_line(f"{place}\tnode {node}")
         service.tell("READY=1")
+        service.tell(f"STATUS={status()}")
         signs = asyncio.create_task(service.live(status))
         try:
             await _first_end(servers)

@@ -15,10 +15,11 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from unity_link.cli.arguments import Json, number
+from unity_link.cli.arguments import Json  # noqa: TC001  (typer reads it)
 from unity_link.cli.output import print_error, print_note, print_result
 from unity_link.cli.running import run
-from unity_link.errors import ArgumentError
+from unity_link.cli.words import parse_number
+from unity_link.errors import ArgumentError, did_you_mean
 from unity_link.transport.listening import LOOPBACK
 
 if TYPE_CHECKING:
@@ -226,8 +227,12 @@ def _configuration(settings: list[str]) -> dict[str, int]:
     for setting in settings:
         name, equals, text = setting.partition("=")
         if not equals or name not in CONFIGURATION:
-            raise ArgumentError(f"--set {setting}: NAME=NUMBER was expected, with a name of {', '.join(CONFIGURATION)}")
-        values[name] = number(text)
+            known = did_you_mean(name, CONFIGURATION if equals else ()) or f"names are {', '.join(CONFIGURATION)}"
+            raise ArgumentError(f"--set {setting}: NAME=NUMBER was expected; {known}")
+        try:
+            values[name] = parse_number(text)
+        except ValueError as error:
+            raise ArgumentError(f"--set {setting}: {error}") from None
     return values
 
 

@@ -9,10 +9,12 @@ from __future__ import annotations
 import functools
 import time
 from collections.abc import Iterator, Mapping
-from typing import TYPE_CHECKING, Any, NamedTuple, TypeVar
+from typing import TYPE_CHECKING, Any, NamedTuple, TypeVar, overload
 
 import msgspec
 import numpy as np
+
+from unity_link.errors import UnknownNameError, did_you_mean
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -27,8 +29,32 @@ if TYPE_CHECKING:
 T = TypeVar("T")
 
 
+def find(by_proxy: Mapping[Proxy[Any], T], proxy: Proxy[Any] | str) -> T:
+    """Return what a mapping has for a signal, or for its path.
+
+    Raises:
+        UnknownNameError: where it is not in it.
+    """
+    try:
+        return by_proxy[proxy]  # type: ignore[index]  # a path is looked for below
+    except (KeyError, TypeError):
+        pass
+    named = []
+    if isinstance(proxy, str):
+        named = [found for known, found in by_proxy.items() if proxy in (known.path, known.id)]
+    if len(named) == 1:
+        return named[0]
+    path = getattr(proxy, "path", proxy)
+    paths = [known.path for known in by_proxy]
+    if named:
+        raise UnknownNameError(f"several signals are called {path!r}: ask for one by the robot that it is of")
+    raise UnknownNameError(
+        f"{path} is not in the group: {did_you_mean(path, paths) or 'it has ' + ', '.join(paths[:8])}"
+    )
+
+
 class Values(Mapping["Proxy[Any]", Any]):
-    """Values by their proxies: ``values[robot.j1.cpos]``."""
+    """Values by their proxies, ``values[robot.j1.cpos]``, or by their paths, ``values["j1.cpos"]``."""
 
     __slots__ = ("_places", "_row")
 
@@ -36,10 +62,13 @@ class Values(Mapping["Proxy[Any]", Any]):
         self._places = places
         self._row = row
 
-    def __getitem__(self, proxy: Proxy[T]) -> T:
+    @overload
+    def __getitem__(self, proxy: Proxy[T]) -> T: ...
+    @overload
+    def __getitem__(self, proxy: str) -> Any: ...
+    def __getitem__(self, proxy: Proxy[Any] | str) -> Any:
         """Return the value of a signal."""
-        value: T = self._row[self._places[proxy]]
-        return value
+        return self._row[find(self._places, proxy)]
 
     def __iter__(self) -> Iterator[Proxy[Any]]:
         """Return the proxies, in the order of their group."""
@@ -55,7 +84,7 @@ class Values(Mapping["Proxy[Any]", Any]):
 
 
 class GroupSample(NamedTuple):
-    """The values of a group at one instant."""
+    """The values of a group at one instant: ``sample[robot.j1.cpos]``, or ``sample["j1.cpos"]``."""
 
     sequence: int
     """Number of the sample since the subscription began, lost ones counted."""
@@ -66,6 +95,10 @@ class GroupSample(NamedTuple):
     values: Values
     lost: int
     """How many samples were lost between the one before and this one."""
+
+    def __getitem__(self, key: Any) -> Any:
+        """Return the value of a signal, by its proxy or path; a number counts the fields, as in any tuple."""
+        return tuple.__getitem__(self, key) if isinstance(key, (int, slice)) else self.values[key]
 
 
 class Batch:
@@ -85,9 +118,13 @@ class Batch:
         """Return the number of samples."""
         return len(self._samples)
 
-    def __getitem__(self, proxy: Proxy[Any]) -> NDArray[Any]:
+    def __repr__(self) -> str:
+        """Return how many samples of which signals it has."""
+        return f"<{len(self)} samples of {', '.join(proxy.path for proxy in self.proxies)}>"
+
+    def __getitem__(self, proxy: Proxy[Any] | str) -> NDArray[Any]:
         """Return the values of a signal; shape (samples,), those of an enumeration as numbers."""
-        return self.columns[proxy]
+        return find(self.columns, proxy)
 
     def __iter__(self) -> Iterator[GroupSample]:
         """Return the samples one by one."""

@@ -21,9 +21,10 @@ from __future__ import annotations
 import functools
 from typing import TYPE_CHECKING, Any, Self
 
+from unity_link.blocking import BlockingLink
 from unity_link.data import groups
 from unity_link.data.feed import Registration
-from unity_link.data.proxies import Proxy
+from unity_link.data.proxies import OPERATORS, Proxy
 from unity_link.data.robot import Component, Robot
 from unity_link.data.sampling import GroupSubscription
 from unity_link.errors import ArgumentError
@@ -33,7 +34,6 @@ if TYPE_CHECKING:
     from collections.abc import Iterator
     from types import TracebackType
 
-    from unity_link.blocking import BlockingLink
 
 _SHOWN = (Component, Proxy, Module, groups.Group, GroupSubscription, Registration)
 """What is seen through a view; everything else is given as it is."""
@@ -77,8 +77,8 @@ class View:
         return len(self._thing)
 
     def __bool__(self) -> bool:
-        """Be true, whatever the length."""
-        return True
+        """Be true, whatever the length; a signal is no value."""
+        return bool(self._thing) if isinstance(self._thing, Proxy) else True
 
     def __iter__(self) -> Iterator[Any]:
         """Iterate over samples; each takes a change of threads there and back."""
@@ -111,8 +111,23 @@ class View:
         return repr(self._thing)
 
 
+def _operator(name: str) -> Any:
+    """Return an operator of values, which tells of a signal that it is none."""
+    return lambda view, *others: getattr(view._thing, name)(*others)  # noqa: SLF001  (its own module)
+
+
+for _name in OPERATORS:
+    if _name != "__bool__":
+        setattr(View, _name, _operator(_name))
+
+
 def put(robot: type[Robot], link: BlockingLink, /, **parameters: int | None) -> Any:
     """Put the robot of a spec behind a blocking link; the arguments and errors are those of `Robot`."""
+    if not isinstance(link, BlockingLink):
+        raise ArgumentError(f"put needs a blocking link, by `unity_link.blocking.connect`, not {link!r:.80}")
+    given: object = robot
+    if not (isinstance(given, type) and issubclass(given, Robot)):
+        raise ArgumentError(f"put needs the class of a robot, by `unity_link.load`, not {robot!r:.80}")
     return _call(link, robot, link._link, **parameters)  # noqa: SLF001  (another face of the same link)
 
 
@@ -132,7 +147,7 @@ def _call(link: BlockingLink, function: Any, *arguments: Any, **options: Any) ->
 
     async def call() -> Any:
         given = function(*_plain(arguments), **_plain(options))
-        return await given if hasattr(given, "__await__") else given
+        return await given if hasattr(given, "__await__") and not isinstance(given, _SHOWN) else given
 
     return _shown(link._call(call), link)  # noqa: SLF001  (another face of the same link)
 
@@ -143,8 +158,8 @@ def _shown(thing: Any, link: BlockingLink) -> Any:
         return View(thing, link)
     if type(thing) is tuple:
         return tuple(_shown(item, link) for item in thing)
-    if type(thing) is dict:
-        return {key: _shown(item, link) for key, item in thing.items()}
+    if isinstance(thing, dict):
+        return type(thing)({key: _shown(item, link) for key, item in thing.items()})
     return thing
 
 

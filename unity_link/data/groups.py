@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import time
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
@@ -80,6 +81,15 @@ class Group:
         Raises:
             ArgumentError: where there are no members, or one is there twice.
         """
+        wrong: list[object] = [
+            member for member in members if not (isinstance(member, Proxy) or "signals" in dir(type(member)))
+        ]
+        for member in wrong:
+            hint = ": write `Group(*signals)`" if isinstance(member, (list, tuple)) else ""
+            raise ArgumentError(f"{name}: signals or parts of a robot were expected, not {member!r:.80}{hint}")
+        given: object = rate_hz
+        if given is not None and not (isinstance(given, (int, float)) and 0 < given < math.inf):
+            raise ArgumentError(f"{name}: a rate is a number of Hz above 0, not {rate_hz!r:.80}")
         proxies = [
             proxy for member in members for proxy in ((member,) if isinstance(member, Proxy) else member.signals)
         ]
@@ -96,6 +106,8 @@ class Group:
         self._plan = Plan(rate_hz=rate_hz)
         self._layouts: list[GroupLayout] | None = None
         self._feed: Feed | None = None
+
+    __slots__ = ("_feed", "_layouts", "_members", "_places", "_plan", "_read", "model", "name", "proxies")
 
     @classmethod
     def declared(cls, group: model.Group, proxies: Sequence[Proxy[Any]]) -> Group:
@@ -181,12 +193,12 @@ class Group:
             return dict(zip(self.proxies, given, strict=True))
         for proxy in values:
             if proxy not in self._members:
-                raise ArgumentError(f"{proxy!r} is not in {self.name}")
+                raise ArgumentError(f"{getattr(proxy, 'path', repr(proxy))} is not in {self.name}")
         return values
 
     # Samples
 
-    def subscribe(
+    def subscribe(  # noqa: PLR0913  (as those of a link)
         self,
         *,
         rate_hz: float | None = None,
@@ -196,6 +208,7 @@ class Group:
         immediate: bool = False,
         timestamps: bool | None = None,
         buffer: int = BUFFER,
+        latest: bool = False,
         overflow: Overflow = "drop_oldest",
     ) -> GroupSubscription:
         """Have all signals sampled again and again, by the gateway where it has groups, else by reads of the host.
@@ -224,7 +237,8 @@ class Group:
                 immediate=immediate or default.immediate,
                 timestamps=default.timestamps if timestamps is None else timestamps,
             )
-        return GroupSubscription([(layout, _source(layout, given, buffer, overflow)) for layout in self._lay_out()])
+        size = 1 if latest else buffer
+        return GroupSubscription([(layout, _source(layout, given, size, overflow)) for layout in self._lay_out()])
 
     @property
     def feed(self) -> Feed:

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import os
 from typing import TYPE_CHECKING, Any
 
 import msgspec
 
-from unity_link.data.robot import Component, Robot
+from unity_link.data.robot import Component, Robot, class_name
+from unity_link.errors import ArgumentError
 from unity_link.spec.model import Interface, Spec
 
 if TYPE_CHECKING:
@@ -29,6 +31,12 @@ def load(spec: str | Path | Spec, interface: str | None = None) -> type[LoadedRo
         ArgumentError: for an interface that there is not.
     """
     if not isinstance(spec, Spec):
+        if not isinstance(spec, (str, os.PathLike)):
+            raise ArgumentError(f"the path of a spec was expected, or a compiled one, not {spec!r:.80}")
+        if "{" in str(spec):
+            raise ArgumentError(
+                "the path of a spec was expected, not its text: `unity_link.spec.compile_text` takes that"
+            )
         from unity_link.spec import compile_file
 
         spec = compile_file(spec)
@@ -49,8 +57,3 @@ def load(spec: str | Path | Spec, interface: str | None = None) -> type[LoadedRo
 def read_interface(text: str) -> Interface:
     """Read an interface as a generated module holds it: as JSON."""
     return msgspec.json.decode(text, type=Interface)
-
-
-def class_name(name: str) -> str:
-    """Return the name of the class for something that a spec declares: ``leg_joint`` becomes ``LegJoint``."""
-    return "".join(word[:1].upper() + word[1:] for word in name.split("_") if word) or "_"

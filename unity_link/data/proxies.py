@@ -9,11 +9,11 @@ from __future__ import annotations
 import contextlib
 import math
 import time
-from typing import TYPE_CHECKING, Any, Generic, TypeVar, cast
+from typing import TYPE_CHECKING, Any, Generic, Never, TypeVar, cast
 
 from unity_link.data.callbacks import Callback
 from unity_link.data.feed import Registration
-from unity_link.errors import AnswerLostError
+from unity_link.errors import AnswerLostError, ArgumentError, missing
 from unity_link.hardware import link_under
 
 if TYPE_CHECKING:
@@ -55,6 +55,18 @@ class Proxy(Generic[T]):
         self._batch: Batch | None = None
         self._callbacks: tuple[Callback[T], ...] = ()
 
+    if not TYPE_CHECKING:  # A type checker refuses them by itself.
+
+        def __getattr__(self, name: str) -> Any:
+            raise _no_attribute(self, name)
+
+        def __eq__(self, other: object) -> Any:
+            if isinstance(other, (bool, int, float, str)):
+                _refuse_as_value(self)
+            return True if self is other else NotImplemented
+
+        __hash__ = object.__hash__
+
     @property
     def path(self) -> str:
         """How it is reached from its robot: ``legs[2].coxa.cpos``."""
@@ -89,6 +101,10 @@ class Proxy(Generic[T]):
         if self._batch is batch:
             self._seen, self._batch = value, None
         return value
+
+    @value.setter
+    def value(self, given: Never) -> None:
+        raise ArgumentError(f"{self.path}.value is what was seen last: `await {self.path}.set({given!r})` writes it")
 
     @property
     def age(self) -> float:
@@ -158,6 +174,29 @@ class Proxy(Generic[T]):
                 self.see(value, batch.at)
         else:
             self._batch, self._seen_at = batch, batch.at
+
+
+def _refuse_as_value(proxy: Proxy[Any], *_: object) -> Never:
+    raise ArgumentError(f"{proxy.path} is a signal and no value: `get` reads it, `{proxy.path}.value` was seen last")
+
+
+_NAMES = "bool int float lt le gt ge add radd sub rsub mul rmul truediv rtruediv neg abs round"
+OPERATORS = tuple(f"__{name}__" for name in _NAMES.split())
+"""Of a value: who uses one on a signal has forgotten to read it."""
+for _name in OPERATORS:
+    setattr(Proxy, _name, _refuse_as_value)
+
+
+def _no_attribute(proxy: Proxy[Any], name: str) -> AttributeError:
+    """Return the error for an attribute that a signal does not have."""
+    if name.startswith("_") or name == "signal":
+        return AttributeError(name)
+    access = proxy.signal.access
+    if name in ("set", "post", "append", "write") and not access.writes:
+        return AttributeError(f"{proxy.path} can only be read: its spec says {access.name}")
+    if name in ("get", "take", "samples", "read") and not access.reads:
+        return AttributeError(f"{proxy.path} can only be written: its spec says {access.name}")
+    return missing(proxy, name, proxy.path, read="`get` reads a signal", write="`set` writes a signal")
 
 
 class Sampled(Proxy[T]):

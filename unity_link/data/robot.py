@@ -12,13 +12,14 @@ from __future__ import annotations
 
 import functools
 import keyword
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar, Never
 
 from unity_link.data.groups import Group
 from unity_link.data.ports import Port, ReadPort, WritePort
 from unity_link.data.proxies import Proxy, Readable, ReadWrite, Writable
-from unity_link.errors import ArgumentError, UnsupportedError
+from unity_link.errors import ArgumentError, UnknownNameError, UnsupportedError, did_you_mean
 from unity_link.hardware import Module, module_type
+from unity_link.link.link import NOT_CONNECTED, Link
 from unity_link.protocol.configuration import Feature
 from unity_link.spec.model import Access, ComponentArray, ParameterReference
 
@@ -27,7 +28,6 @@ if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator, Mapping
 
     from unity_link.hardware import Bus
-    from unity_link.link.link import Link
     from unity_link.spec import model
     from unity_link.spec.kinds import Enumeration
 
@@ -44,18 +44,32 @@ class Component:
         return tuple(_walk(self._members))
 
     def __setattr__(self, name: str, value: object) -> None:
-        """Set an attribute of a program's own.
+        """Set an attribute that a subclass declares, or that begins with ``_``.
 
         Raises:
-            ArgumentError: for a signal, a part or a module, which it would hide.
+            ArgumentError: for a signal, a part or a module, which it would hide, and for a name that nothing declares.
         """
         member = self.__dict__.get(name)
         if isinstance(member, Proxy) and member.signal.access.writes:
             raise ArgumentError(f"{member.path} is not assigned to: await {member.path}.set({value!r}) writes it")
         first = member[0] if isinstance(member, tuple) and member else member
-        if isinstance(first, (Proxy, Component, Module)):
+        if isinstance(first, (Proxy, Component, Module)) or name in Robot.__annotations__:
             raise ArgumentError(f"{name!r} of {self._model.path or self._model.name} cannot be assigned to")
+        declared = name in {known for kind in type(self).__mro__ for known in (*vars(kind), *_annotations(kind))}
+        if not declared and not name.startswith("_"):
+            raise ArgumentError(str(self._missing(name)))
         super().__setattr__(name, value)
+
+    if not TYPE_CHECKING:  # A type checker knows the names.
+
+        def __getattr__(self, name: str) -> Any:
+            raise AttributeError(name) if name.startswith("_") else self._missing(name)
+
+    def _missing(self, name: str) -> AttributeError:
+        """Return the error for a name that there is not."""
+        known = [other for other in dir(self) if not other.startswith("_")]
+        hint = did_you_mean(name, known) or f"there are {', '.join(sorted(vars(self).keys() & {*known})[:8])}"
+        return AttributeError(f"{self._model.path or self._model.name} has no {name!r}: {hint}", name=name, obj=self)
 
     def __repr__(self) -> str:
         """Return the path, and the signals with their last values, one a line."""
@@ -93,18 +107,22 @@ class Robot(Component):
                 generated from another spec.
         """
         interface = self.interface
+        _check_link(interface, link)
         _check_gateway(interface, link)
-        self.link = link
         interface.check_given(parameters)
+        own = vars(self)
+        own["link"] = link
         self._given = parameters
-        self.modules = _make_modules(interface, link, self._given)
+        own["modules"] = _make_modules(interface, link, self._given)
         self._by_path: dict[str, Proxy[Any]] = {}
         self._fill(self, interface.root)
         self._by_id = {proxy.id: proxy for proxy in self._by_path.values()}
-        self.groups = {
-            group.name: Group.declared(group, [self._by_path[path] for path in group.signals])
-            for group in interface.groups
-        }
+        own["groups"] = _Groups(
+            {
+                group.name: Group.declared(group, [self._by_path[path] for path in group.signals])
+                for group in interface.groups
+            }
+        )
 
     def __getitem__(self, name: str) -> Proxy[Any]:
         """Return a signal by its path or its ID.
@@ -112,10 +130,12 @@ class Robot(Component):
         Raises:
             ArgumentError: where there is none.
         """
-        proxy = self._by_path.get(name) or self._by_id.get(name)
+        if not isinstance(name, str):
+            raise ArgumentError(
+                f"{self.interface.name} has signals by path or ID, not {name!r}: `signals` has them all"
+            )
+        proxy = self._by_path.get(name, self._by_id.get(name))
         if proxy is None:
-            from unity_link.spec.diagnostics import did_you_mean
-
             hint = did_you_mean(name, [*self._by_path, *self._by_id])
             raise ArgumentError(f"{self.interface.name} has no signal {name!r}" + (f": {hint}" if hint else ""))
         return proxy
@@ -175,7 +195,7 @@ class Robot(Component):
         component._model = part  # noqa: SLF001  (it is made here)
         component._members = tuple(members)  # noqa: SLF001
         for name, attribute in zip(python_names(attributes), attributes.values(), strict=True):
-            setattr(component, name, attribute)
+            vars(component)[name] = attribute
 
     def _make_component(self, part: model.Component) -> Component:
         component = self.components.get(part.type, Component)()
@@ -187,6 +207,19 @@ class Robot(Component):
         proxy = proxy_type(signal)(signal, self, bus)
         self._by_path[signal.path] = proxy
         return proxy
+
+
+class _Groups(dict[str, Group]):
+    """Groups by their names."""
+
+    def __missing__(self, name: object) -> Never:
+        hint = did_you_mean(name, self) or f"there are {', '.join(self) or 'none'}"
+        raise UnknownNameError(f"the spec declares no group {name!r}: {hint}")
+
+
+def _annotations(kind: type) -> dict[str, Any]:
+    """Return what a class declares by itself."""
+    return dict(vars(kind).get("__annotations__", {}))
 
 
 def _walk(members: Iterable[Proxy[Any] | Component]) -> Iterator[Proxy[Any]]:
@@ -202,6 +235,11 @@ def proxy_type(signal: model.Signal) -> type[Proxy[Any]]:
     if signal.fifo:
         return {Access.READ: ReadPort, Access.WRITE: WritePort, Access.READWRITE: Port}[signal.access]
     return {Access.READ: Readable, Access.WRITE: Writable, Access.READWRITE: ReadWrite}[signal.access]
+
+
+def class_name(name: str) -> str:
+    """Return the name of the class for something that a spec declares: ``leg_joint`` becomes ``LegJoint``."""
+    return "".join(word[:1].upper() + word[1:] for word in name.split("_") if word) or "_"
 
 
 def python_names(names: Iterable[str]) -> list[str]:
@@ -239,6 +277,19 @@ def _add_module(attributes: dict[str, Any], described: model.Module, module: Mod
         attributes[described.name] = (*attributes.get(described.name, ()), module)
     else:
         attributes[described.name] = module
+
+
+def _check_link(interface: model.Interface, link: object) -> None:
+    if isinstance(link, Link):
+        return
+    from unity_link.blocking import BlockingLink
+
+    if isinstance(link, BlockingLink):
+        name = class_name(interface.name)
+        raise ArgumentError(
+            f"a robot on a blocking link is made by `put`, of unity_link.data.blocking: put({name}, link)"
+        )
+    raise ArgumentError(f"{interface.name} needs an open link, not {link!r:.80}: {NOT_CONNECTED}")
 
 
 def _check_gateway(interface: model.Interface, link: Link) -> None:

@@ -14,9 +14,9 @@ from typing import TYPE_CHECKING, Protocol, Self
 import numpy as np
 
 from unity_link.data.batch import Batch
-from unity_link.errors import ArgumentError, GatewayError, SamplesLostError
+from unity_link.errors import ArgumentError, GatewayError, SamplesLostError, refusing
 from unity_link.link.running import Event, gather, running
-from unity_link.link.subscription import NOT_OPEN, Sample
+from unity_link.link.subscription import NOT_OPEN, Sample, so_many
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -38,8 +38,8 @@ class SampleSource(Protocol):
     def rate_hz(self) -> float | None:
         """Samples a second."""
 
-    async def take(self) -> list[Sample]:
-        """Wait until there is a sample, and return all that wait."""
+    async def take(self, count: int | None = None) -> list[Sample]:
+        """Wait until there is a sample, or so many, and return all that wait, or so many."""
 
     async def publish(self) -> None:
         """Have one sample taken now."""
@@ -76,14 +76,17 @@ class Poll:
         """Samples a second."""
         return self._rate_hz
 
-    async def take(self) -> list[Sample]:
-        """Wait for the next turn, and read.
+    async def take(self, count: int | None = None) -> list[Sample]:
+        """Wait for the next turn, or so many, and read.
 
         Raises:
             StopAsyncIteration: when the ``async with`` block has ended; turns that pass then are not missed.
             SamplesLostError: where turns were missed, and the overflow is ``"fail"``.
             GatewayError: where the gateway refused the read; the turn is lost, and there may be others.
         """
+        return [await self._next()] if count is None else await so_many(self._next, count)
+
+    async def _next(self) -> Sample:
         while not self._ended:
             self._turn += await self._wait_for_turn()
             try:
@@ -92,7 +95,7 @@ class Poll:
                 self._miss(1)
                 raise
             if not self._on_change or self._last is None or not np.array_equal(words, self._last):
-                return [self._sample(words)]
+                return self._sample(words)
         raise StopAsyncIteration
 
     async def publish(self) -> None:
@@ -174,8 +177,21 @@ class GroupSubscription:
         """Have one sample taken now, of each gateway, besides those that are due by themselves."""
         await gather(*(source.publish() for _, source in self._sources))
 
-    async def take(self) -> Batch:
+    if not TYPE_CHECKING:  # A type checker refuses them by itself.
+        __await__ = refusing(NOT_OPEN)
+        __enter__ = __exit__ = refusing("write `async with` before this subscription: its link is not a blocking one")
+        __iter__ = refusing("write `async for` over the samples: their link is not a blocking one")
+
+    def __repr__(self) -> str:
+        """Return what has come of it."""
+        state = "open" if self._entered else "not open"
+        return f"<subscription of a group, {state}: {self.received} samples, {self.lost} lost>"
+
+    async def take(self, count: int | None = None) -> Batch:
         """Wait until there is a sample, and return all that wait as one batch.
+
+        Args:
+            count: wait for so many, and return no more; there are fewer where the samples end. Of one gateway alone.
 
         Raises:
             ArgumentError: where the ``async with`` block has not begun.
@@ -184,7 +200,9 @@ class GroupSubscription:
         if not self._entered:
             raise ArgumentError(NOT_OPEN)
         if len(self._sources) == 1:
-            return await self._take(0)
+            return await self._take(0, count)
+        if count is not None:
+            raise ArgumentError("samples of several gateways cannot be counted together: take without a count")
         for number in set(range(len(self._sources))) - set(self._waiting.values()):
             self._waiting[asyncio.create_task(self._take(number))] = number
         done, _ = await asyncio.wait(self._waiting, return_when=asyncio.FIRST_COMPLETED)
@@ -193,9 +211,9 @@ class GroupSubscription:
         del self._waiting[task]
         return task.result()
 
-    async def _take(self, number: int) -> Batch:
+    async def _take(self, number: int, count: int | None = None) -> Batch:
         layout, source = self._sources[number]
-        batch = Batch(layout, await source.take())
+        batch = Batch(layout, await source.take(count))
         for proxy in layout.proxies:
             proxy.see_batch(batch)
         return batch

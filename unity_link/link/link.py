@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import contextlib
 import sys
+import warnings
 from numbers import Integral, Real
 from operator import index
 from typing import TYPE_CHECKING, Any, Literal, Self
@@ -21,6 +22,8 @@ from unity_link.errors import (
     UnansweredError,
     UnityLinkError,
     UnsupportedError,
+    missing,
+    refusing,
 )
 from unity_link.link.connection import Connection, Reconnect, settle
 from unity_link.link.runtime import AsyncioRuntime
@@ -28,7 +31,7 @@ from unity_link.link.subscription import Overflow, Publishing, Sample, Schedule,
 from unity_link.protocol.configuration import Feature
 from unity_link.protocol.messages import Codec, GroupFlag
 from unity_link.protocol.requests import Batch, Block, Fence, PostedFailure, Request, common_outcome
-from unity_link.transport import DriverUrl, has_bus, parse_url
+from unity_link.transport import DriverUrl, check_target, has_bus, parse_url
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Generator
@@ -41,6 +44,7 @@ if TYPE_CHECKING:
     from unity_link.protocol.arrays import Words
     from unity_link.transport import Medium
 
+NOT_CONNECTED = "write `async with unity_link.connect(...) as link:`, or `link = await unity_link.connect(...)`"
 SendImmediate = Literal["off", "always", "adaptive"]
 _SEND_IMMEDIATE: dict[str, int] = {"off": 0, "always": 1, "adaptive": 2}
 _LARGEST_DIVISOR = 0xFFFF
@@ -111,6 +115,12 @@ class Link(Connection):
     def _ended(self, error: LinkLostError) -> None:
         self._publishing.end(error)
 
+    if not TYPE_CHECKING:  # A type checker refuses them by itself.
+        __enter__ = __exit__ = refusing("write `async with` before a link, or connect by `unity_link.blocking`")
+
+        def __getattr__(self, name: str) -> Any:
+            raise missing(self, name, "a link", close="it is closed where its `async with` block ends, or by `aclose`")
+
     async def __aenter__(self) -> Self:
         return self
 
@@ -131,6 +141,18 @@ class Link(Connection):
                     self._raise_posted()
         finally:
             await self.aclose()
+
+    def __del__(self) -> None:
+        """Warn of a link that nobody closed."""
+        if vars(self).get("_stream") is not None and not self._closed:
+            warnings.warn(
+                f"{self!r} was not closed: use `async with`, or `aclose`", ResourceWarning, stacklevel=1, source=self
+            )
+
+    def __repr__(self) -> str:
+        """Return where it leads, and whether there is a connection now."""
+        state = "connected" if self.connected else "closed" if self._closed else "not connected"
+        return f"<link to {self._name}, {state}>"
 
     @property
     def statistics(self) -> Statistics:
@@ -350,6 +372,7 @@ class Link(Connection):
         timestamps: bool | None = None,
         group: int | None = None,
         buffer: int = 16_384,
+        latest: bool = False,
         overflow: Overflow = "drop_oldest",
         callback: Callable[[Sample], object] | None = None,
     ) -> Subscription:
@@ -365,6 +388,7 @@ class Link(Connection):
             timestamps: have the instant of sampling sent along; None: where the gateway can.
             group: number of the group, for each has a trigger of its own; None: one that is free.
             buffer: most samples that wait for the reader. The default holds all that one read of a socket can bring.
+            latest: keep the newest sample alone, for a controller: what it reads is never older than it needs to be.
             overflow: what happens when they are more: ``"drop_oldest"`` and count, or ``"fail"``.
             callback: is called with each sample as it arrives, in place of iteration.
 
@@ -399,7 +423,8 @@ class Link(Connection):
         several: ArrayLike = [int(given)] if isinstance(given, Integral) else addresses
         where = check_addresses(self._addresses(several), self.gateway.group_words)
         schedule = Schedule(where, self._divisor(rate_hz, divisor), flags, group)
-        return Subscription(self._publishing, schedule, buffer=buffer, overflow=overflow, callback=callback)
+        size = 1 if latest else buffer
+        return Subscription(self._publishing, schedule, buffer=size, overflow=overflow, callback=callback)
 
     async def send_immediate(self, mode: SendImmediate) -> None:
         """Choose when an FT232H sends a short packet at once (docs/protocol.md, "Send-immediate").
@@ -571,6 +596,12 @@ class Connecting:
         self._link: Link | None = None
         self._structured: Structured | None = None
 
+    if not TYPE_CHECKING:  # A type checker refuses them by itself.
+        __enter__ = __exit__ = refusing("write `async with unity_link.connect(...)`, or use `unity_link.blocking`")
+
+        def __getattr__(self, name: str) -> Any:
+            raise AttributeError(f"{name}: the link is not open yet: {NOT_CONNECTED}")
+
     def __await__(self) -> Generator[Any, None, Link]:
         if _is_under_trio():
             raise ArgumentError(
@@ -648,6 +679,7 @@ def connect(target: str | Medium, *, timeout: float = 5.0, reconnect: bool | Rec
     """
     if not isinstance(reconnect, bool | Reconnect):
         raise ArgumentError(f"reconnect is True, False or a Reconnect, not {reconnect!r:.80}")
+    check_target(target)
     given: object = timeout
     if not (isinstance(given, int | float) and given > 0):
         raise ArgumentError(f"timeout is a number of seconds above 0, not {timeout!r:.80}")

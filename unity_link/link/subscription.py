@@ -7,6 +7,7 @@ stated size; a reader that is too slow loses the oldest, and is told how many, o
 from __future__ import annotations
 
 import contextlib
+import inspect
 import time
 from collections import deque
 from operator import itemgetter
@@ -23,6 +24,7 @@ from unity_link.errors import (
     OutOfRangeError,
     SamplesLostError,
     UnityLinkError,
+    refusing,
 )
 from unity_link.protocol.exchange import Sampled, SampledRows, SampledTogether
 from unity_link.protocol.group_table import GroupBegun, GroupRefused, GroupStarted
@@ -285,6 +287,8 @@ class Subscription:
             raise ArgumentError(f"a buffer is a number of samples, not {buffer!r:.80}")
         if callback is not None and not callable(callback):
             raise ArgumentError(f"a callback is a function, not {callback!r:.80}")
+        if inspect.iscoroutinefunction(callback):
+            raise ArgumentError("a callback is a plain function, which may start a task: an async one is never awaited")
         if buffer < 1:
             raise ArgumentError(f"a buffer of {buffer} samples was asked for, at least 1 is needed")
         if overflow not in ("drop_oldest", "fail"):
@@ -303,6 +307,7 @@ class Subscription:
         self._buffer_size = buffer
         self._overflow = overflow
         self._callback = callback
+        self._told: set[type[Exception]] = set()
         self._dropped = 0
         self._waiter: Waiter | None = None
         self._entered = False
@@ -314,6 +319,17 @@ class Subscription:
         self._sampled_at: float | None = None
         self._due_hz: float | None = None
         """The rate, where time alone says how many samples are due."""
+
+    if not TYPE_CHECKING:  # A type checker refuses them by itself.
+        __await__ = refusing(NOT_OPEN)
+        __enter__ = __exit__ = refusing("write `async with` before this subscription: its link is not a blocking one")
+        __iter__ = refusing("write `async for` over the samples: their link is not a blocking one")
+
+    def __repr__(self) -> str:
+        """Return what is sampled, and what has come of it."""
+        count = len(self.schedule.addresses)
+        state = "over" if self._ended or self._error else "open" if self._group is not None else "not open"
+        return f"<subscription of {count} addresses, {state}: {self.received} samples, {self.lost} lost>"
 
     @property
     def rate_hz(self) -> float | None:
@@ -361,12 +377,17 @@ class Subscription:
             await self._wait()
         return self._next()
 
-    async def take(self) -> list[Sample]:
+    async def take(self, count: int | None = None) -> list[Sample]:
         """Wait until there is a sample, and return all that wait; for readers that work on many at once.
+
+        Args:
+            count: wait for so many, and return no more; there are fewer where the samples end.
 
         Raises:
             StopAsyncIteration: when the ``async with`` block has ended.
         """
+        if count is not None:
+            return await so_many(self.__anext__, count)
         await self._wait()
         return [self._next() for _ in range(len(self._buffer))]
 
@@ -558,11 +579,35 @@ class Subscription:
         try:
             callback(sample)
         except Exception as error:  # noqa: BLE001  (it is the caller's own, and must not stop the link)
-            self._publishing.runtime.report("a subscription's callback raised", error)
+            # With each sample, it would be told thousands of times a second.
+            if type(error) not in self._told:
+                self._told.add(type(error))
+                what = f"a subscription's callback raised {type(error).__name__} (told once)"
+                self._publishing.runtime.report(what, error)
 
     def _wake(self) -> None:
         if self._waiter is not None and not self._waiter.done():
             self._waiter.set_result(None)
+
+
+async def so_many(following: Callable[[], Coroutine[Any, Any, Sample]], count: int) -> list[Sample]:
+    """Return so many samples; fewer where an error ends them, which the next call raises.
+
+    Raises:
+        ArgumentError: for a count that is none.
+    """
+    given: object = count
+    if not (isinstance(given, int) and given > 0):
+        raise ArgumentError(f"a number of samples from 1 on was expected, not {count!r:.80}")
+    taken: list[Sample] = []
+    while len(taken) < count:
+        try:
+            taken.append(await following())
+        except (StopAsyncIteration, UnityLinkError):
+            if not taken:
+                raise
+            break
+    return taken
 
 
 _COUNTED = GroupFlag.PERIODIC | GroupFlag.TRIGGER | GroupFlag.ON_CHANGE

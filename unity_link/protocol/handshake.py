@@ -13,7 +13,7 @@ import contextlib
 import math
 from typing import TYPE_CHECKING, NamedTuple
 
-from unity_link.errors import UnsupportedError
+from unity_link.errors import ConnectError, UnsupportedError
 from unity_link.protocol.configuration import GatewayInfo
 from unity_link.protocol.crc import Crc
 from unity_link.protocol.frames import LF, FrameError, Framing
@@ -40,8 +40,21 @@ DAMAGE_COST = 1 / 16
 """What part of a try a question counts that was answered by something else."""
 SURE = 3
 """How often an impossible answer is heard before it is believed: a datagram that was damaged can come twice."""
+ECHO = "what is sent comes back as it is: is TX wired to RX, or an echo switched on?"
+ECHO_PATIENCE = 0.5
+"""Seconds for which nothing but an echo is heard before it is believed: on a pair of wires an answer may follow."""
 _LONGEST_TEXT = 120
 """Characters of what is not understood that a message quotes."""
+
+
+_OTHERS = {
+    "HTTP/": "an HTTP server",
+    "<!DOCTYPE": "an HTTP server",
+    "SSH-": "an SSH server",
+    "220 ": "a mail or FTP server",
+    "login:": "a console that waits for a login",
+}
+"""Who says a line of its own in answer to anything, by how it begins."""
 
 
 class _Question(NamedTuple):
@@ -78,10 +91,14 @@ class Handshake:
         self._heard = 0
         self._text = ""
         """What was said last that is no frame."""
+        self._other = ""
+        """The protocol that answers in place of a gateway's."""
         self._doubtful = b""
         """An answer that no other has confirmed."""
         self._alike = 0
         """How often it was heard, where no gateway can be as it says."""
+        self._echoed_at = math.inf
+        """Since when nothing but the question was heard."""
         self._believed = b""
         """The answer that a checked one must repeat."""
         self._codec: Codec | None = None
@@ -127,6 +144,10 @@ class Handshake:
 
     def describe(self) -> str:
         """Return what was heard, for the message of a time out."""
+        if self._other:
+            return f"{self._other} answers there, no gateway: is it the right port?"
+        if self._doubtful == b"Q":
+            return ECHO
         if self._doubtful:
             return f"what answers is no gateway: it said {self._doubtful[:80]!r}"
         if self._heard:
@@ -135,6 +156,8 @@ class Handshake:
 
     def describe_end(self, reason: Exception | None) -> str:
         """Return what can be known of an end of the connection: a line of text may have said why."""
+        if self._other:
+            return f"{self.describe()} (the connection ended before a gateway answered)"
         why = f'"{self._text}"' if self._text else reason or "does it serve another program, or want a token?"
         return f"the connection ended before the gateway answered: {why}"
 
@@ -226,6 +249,7 @@ class Handshake:
             return
         text = line[:_LONGEST_TEXT].decode("ascii", "replace").strip()
         self._text = text if text.isprintable() else ""
+        self._other = next((_OTHERS[start] for start in _OTHERS if text.startswith(start)), self._other)
         if not self._damaged and not self._takes_turns:
             # Perhaps a damaged answer; what answers so soon will not take much longer for the next one.
             self._damaged = True
@@ -246,8 +270,15 @@ class Handshake:
         """Read what the gateway says it is; what it says `SURE` times in the same words is no damage.
 
         Raises:
+            ConnectError: where it is the question that comes back.
             UnsupportedError: for another protocol version, or impossible widths.
         """
+        if answer != b"Q":
+            self._echoed_at = math.inf
+        elif now - self._echoed_at > ECHO_PATIENCE:
+            raise ConnectError(ECHO)
+        else:
+            self._echoed_at = min(self._echoed_at, now)
         try:
             self._codec = Codec(GatewayInfo.from_hex(answer[1:]), self._node)
         except UnsupportedError:

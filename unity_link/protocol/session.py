@@ -396,7 +396,7 @@ class Session:
             return len(data)
         try:
             taken = self._handshake.receive(data, now)
-        except UnsupportedError as error:
+        except (ConnectError, UnsupportedError) as error:
             self._fail_handshake(error, events)
             return len(data)
         self._advance_handshake(now, events)

@@ -8,7 +8,6 @@ component is used, and a fault that only follows from another one is not shown.
 from __future__ import annotations
 
 import bisect
-import difflib
 import hashlib
 import re
 from typing import TYPE_CHECKING, Literal
@@ -16,6 +15,7 @@ from typing import TYPE_CHECKING, Literal
 import msgspec
 
 from unity_link.errors import UnityLinkError
+from unity_link.errors import did_you_mean as did_you_mean  # noqa: PLC0414  (a part of what diagnostics say)
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -220,14 +220,6 @@ class Reporter:
                 key=lambda found: (files[found.span.file], found.span.line, found.span.column, found.code),
             )
         )
-
-
-def did_you_mean(name: str, known: Iterable[str]) -> str:
-    """Suggest the known names that look like `name`; empty where none does."""
-    names = sorted(set(known))
-    folded = [other for other in names if other.lower() == name.lower()]
-    close = folded or difflib.get_close_matches(name[:100], names, n=2, cutoff=0.6)
-    return f"did you mean {' or '.join(repr(other) for other in close)}?" if close else ""
 
 
 def listed(names: Iterable[str], word: str = "or") -> str:

@@ -290,7 +290,8 @@ class Interface(msgspec.Struct, frozen=True, kw_only=True, dict=True):
             if name not in self.open_parameters:
                 expected = ", ".join(self.open_parameters) or "none"
                 raise ArgumentError(f"{self.name} has no parameter {name!r} to be given: {expected} expected")
-            if value is not None and not 0 <= value < 1 << self.address_bits:
+            given: object = value
+            if value is not None and not (isinstance(given, int) and 0 <= value < 1 << self.address_bits):
                 last = (1 << self.address_bits) - 1
                 raise ArgumentError(f"{name}={value!r} was given, an address from 0 to {last:#x} expected")
 

@@ -14,6 +14,7 @@ docs/reference/media.md states what the transport has to do.
 
 from __future__ import annotations
 
+import difflib
 import importlib
 import logging
 import os
@@ -24,7 +25,7 @@ from urllib.parse import parse_qsl, urlsplit
 
 import msgspec
 
-from unity_link.errors import ArgumentError, ConnectError
+from unity_link.errors import ArgumentError, ConnectError, did_you_mean
 from unity_link.transport.channel import refused_as
 
 if TYPE_CHECKING:
@@ -41,6 +42,8 @@ ENTRY_POINTS = "unity_link.transports"
 driver."""
 _DRIVERS: dict[str, str | Driver] = {}
 """The driver of each scheme, or its module."""
+_SERIAL_PORT = re.compile(r"/dev/(tty|cu\.|serial/)|COM\d")
+_HOST_AND_PORT = re.compile(r"[\w.-]+:\d+|\[[\da-fA-F:]+\]:\d+")
 _SCHEME = re.compile(r"[a-z][a-z0-9+.-]*")
 _STAND_INS: dict[str, str] = {}
 """The module of what stands in for a device, by the device in the URL."""
@@ -256,7 +259,9 @@ def parse_url(url: str) -> DriverUrl:
     scheme, text = url.partition(":")[0], _TOKEN.sub("...", url)
     if ":" not in url or not (scheme in _DRIVERS or _register_installed(scheme)):
         known = ", ".join(f"{name}:" for name in dict.fromkeys((*_DRIVERS, *_installed().names)))
-        raise ArgumentError(f"{text!r} is no URL of a gateway: it should begin with one of {known}")
+        likely = _likely_url(text)
+        hint = f"did you mean {likely!r}?" if likely else f"it should begin with one of {known}"
+        raise ArgumentError(f"{text!r} is no URL of a gateway: {hint}")
     try:
         parts = urlsplit(url)
         options = dict(parse_qsl(parts.query, keep_blank_values=True, strict_parsing=bool(parts.query)))
@@ -271,8 +276,23 @@ def parse_url(url: str) -> DriverUrl:
     allowed = (driver.OPTIONS if options_of is None else options_of(parsed)) | COMMON_OPTIONS
     for name in options:
         if name not in allowed:
-            raise ArgumentError(f"unknown option {name!r} in {text}: {scheme}: takes {', '.join(sorted(allowed))}")
+            hint = "".join(f"; {words}" for words in [did_you_mean(name, allowed)] if words)
+            known = f"{scheme}: takes {', '.join(sorted(allowed))}"
+            raise ArgumentError(f"unknown option {name!r} in {text}: {known}{hint}")
     return parsed
+
+
+def _likely_url(text: str) -> str:
+    """Return the URL that was meant by what is none; empty where nobody can know."""
+    scheme, colon, rest = text.partition(":")
+    if _SERIAL_PORT.match(text):
+        return f"serial:{text}"
+    if text.startswith(("/", "./", "~")):
+        return f"unix:{text}"
+    if _HOST_AND_PORT.fullmatch(text):
+        return f"tcp://{text}"
+    near = difflib.get_close_matches(scheme.lower(), _DRIVERS, n=1) if colon else []
+    return f"{near[0]}:{rest}" if near else ""
 
 
 def load_driver(scheme: str) -> Driver:
@@ -391,6 +411,15 @@ def observed(target: DriverUrl | Medium, protocol: asyncio.Protocol) -> asyncio.
     from unity_link.transport.tap import tapped
 
     return tapped(protocol, name_of(target), snoop, logged=logged)
+
+
+def check_target(target: object) -> None:
+    """Raise ArgumentError for what is neither a URL nor can be opened."""
+    if isinstance(target, os.PathLike):
+        path = os.fspath(target)
+        raise ArgumentError(f"a URL is a text, not a path: write {_likely_url(str(path)) or f'unix:{path!s}'!r}")
+    if not isinstance(target, str) and (isinstance(target, type) or not callable(getattr(target, "open", None))):
+        raise ArgumentError(f"a URL such as 'sim:' was expected, or a virtual gateway, not {target!r:.80}")
 
 
 def name_of(target: DriverUrl | Medium) -> str:

@@ -7,6 +7,8 @@ a change of threads.
 from __future__ import annotations
 
 import contextlib
+import os
+import re
 from typing import TYPE_CHECKING, Protocol
 
 from unity_link.errors import ConnectError
@@ -14,7 +16,7 @@ from unity_link.protocol.constants import QUICK_TIMEOUT
 
 if TYPE_CHECKING:
     import socket
-    from collections.abc import Iterator
+    from collections.abc import Callable, Iterator
 
 LARGEST_READ = 65_536
 
@@ -68,15 +70,23 @@ class SocketChannel:
 
 
 @contextlib.contextmanager
-def refused_as(failure: str, question: str = "") -> Iterator[None]:
+def refused_as(failure: str, question: str | Callable[[OSError], str] = "") -> Iterator[None]:
     """Have what the system refuses in the block raise ConnectError.
 
     Args:
         failure: what could not be done.
-        question: what the user might look at.
+        question: what the user might look at, or what says so of an error.
     """
     try:
         yield
     except OSError as error:
-        reason = error.strerror or str(error) or type(error).__name__
-        raise ConnectError(f"{failure} ({reason})" + (f"; {question}" if question else "")) from error
+        asked = question(error) if callable(question) else question
+        raise ConnectError(f"{failure} ({refusal(error)})" + (f"; {asked}" if asked else "")) from error
+
+
+def refusal(error: OSError) -> str:
+    """Return why the system refused something, in its own words where asyncio has others."""
+    # Of several addresses asyncio tells the numbers of the errors alone.
+    numbers = [error.errno or 0, *map(int, re.findall(r"\[Errno (\d+)\]", str(error)))]
+    number = next((number for number in numbers if number > 0), None)
+    return os.strerror(number) if number else error.strerror or str(error) or type(error).__name__

@@ -59,7 +59,10 @@ def open_channel(url: DriverUrl, timeout: float | None) -> Channel:
 
 
 def _refused(host: str, port: int) -> AbstractContextManager[None]:
-    return refused_as(f"no connection to port {port} of {host}", "is it listening?")
+    return refused_as(
+        f"no connection to port {port} of {host}",
+        lambda error: "is the name right?" if isinstance(error, socket.gaierror) else "is it listening?",
+    )
 
 
 def _first_line(url: DriverUrl) -> bytes:

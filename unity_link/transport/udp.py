@@ -69,18 +69,31 @@ class DatagramChannel:
         _prepare(opened)
         self._socket = opened
         self._datagrams = datagrams
+        self._heard = False
         self.fileno = opened.fileno
         self.close = opened.close
 
     def read(self) -> bytes:
         """Return the frames of datagrams that are neither late nor doubled; raises ConnectError at the end."""
+        if not self._heard:
+            try:
+                first = self._socket.recv(LARGEST)
+            except ConnectionRefusedError:
+                raise _nobody() from None
+            self._heard = True
+            return self._datagrams.take(first)
         return b"".join(map(self._datagrams.take, _read_on(self._socket)))
 
     def write(self, data: bytes | bytearray | memoryview) -> int:
         """Send whole frames; a datagram that the system does not take is as good as lost."""
         for datagram in self._datagrams.put(bytes(data)):
-            with contextlib.suppress(OSError):
+            try:
                 self._socket.send(datagram)
+            except ConnectionRefusedError:
+                if not self._heard:
+                    raise _nobody() from None
+            except OSError:
+                pass
         return len(data)
 
 
@@ -105,6 +118,7 @@ class DatagramAdapter(asyncio.Transport, asyncio.DatagramProtocol):
         self._datagrams = HostDatagrams(node)
         self._socket: socket.socket | None = None
         self._over: ConnectError | None = None
+        self._heard = False
         self._endpoint: asyncio.DatagramTransport | None = None
 
     def connection_made(self, transport: asyncio.DatagramTransport) -> None:  # type: ignore[override]
@@ -119,6 +133,7 @@ class DatagramAdapter(asyncio.Transport, asyncio.DatagramProtocol):
 
     def datagram_received(self, data: bytes, addr: tuple[Any, ...]) -> None:  # noqa: ARG002
         """Hand on the frames of datagrams that are neither late nor doubled; end where the session is over."""
+        self._heard = True
         frames = self._take(data)
         if len(data) >= LARGE and self._socket is not None:
             frames += b"".join(map(self._take, _read_on(self._socket)))
@@ -134,7 +149,10 @@ class DatagramAdapter(asyncio.Transport, asyncio.DatagramProtocol):
             return b""
 
     def error_received(self, exc: Exception) -> None:
-        """Ignore that a datagram was refused: it is as good as lost, and the gateway may come yet."""
+        """End where nothing listens; later, a datagram that was refused is as good as lost."""
+        if isinstance(exc, ConnectionRefusedError) and not self._heard:
+            self._over = _nobody()
+            self.abort()
 
     def connection_lost(self, exc: Exception | None) -> None:
         """Hand on the end."""
@@ -169,6 +187,10 @@ class DatagramAdapter(asyncio.Transport, asyncio.DatagramProtocol):
         """Close the socket at once."""
         if self._endpoint is not None:
             self._endpoint.abort()
+
+
+def _nobody() -> ConnectError:
+    return ConnectError("nothing listens at that port; is the gateway served, and the port right?")
 
 
 def _read_on(opened: socket.socket) -> Iterator[bytes]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import asyncio
 import socket
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from unity_link.errors import ArgumentError
@@ -42,7 +43,15 @@ def open_channel(url: DriverUrl, timeout: float | None) -> Channel:
 
 
 def _refused(path: str) -> AbstractContextManager[None]:
-    return refused_as(f"no connection to the socket {path}", "is it served?")
+    return refused_as(f"no connection to the socket {path}", lambda error: _question(path, error))
+
+
+def _question(path: str, error: OSError) -> str:
+    if isinstance(error, PermissionError):
+        return "it is another user's, and open to that one alone: serve to several users by --tcp and a token"
+    if Path(path).exists() and not Path(path).is_socket():
+        return "it is no socket"
+    return "is it served?"
 
 
 def _path(url: DriverUrl) -> str:

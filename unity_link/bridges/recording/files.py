@@ -11,6 +11,7 @@ import contextlib
 import datetime as dt
 import io
 import os
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 import msgspec
@@ -22,7 +23,6 @@ from unity_link.transport.locking import lock_file
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
-    from pathlib import Path
 
     from numpy.typing import NDArray
 
@@ -190,6 +190,17 @@ class RecordingFile:
         self.messages = self._whole_messages
         with contextlib.suppress(OSError, ValueError):
             self._raw.close()
+
+
+def path_of(given: Path | str) -> Path:
+    """Return a path that was given in either form.
+
+    Raises:
+        ArgumentError: where it is none.
+    """
+    if isinstance(given, (str, os.PathLike)):
+        return Path(given)
+    raise ArgumentError(f"the path of a recording was expected, not {given!r:.80}")
 
 
 def _open(path: Path, *, overwrite: bool) -> io.FileIO:

@@ -14,7 +14,7 @@ import msgspec
 import numpy as np
 
 from unity_link.bridges.messages import RecordedMessage, hex_to_words
-from unity_link.bridges.recording.files import GATEWAY, INTERFACE, RecordingError, check_extra
+from unity_link.bridges.recording.files import GATEWAY, INTERFACE, RecordingError, check_extra, path_of
 from unity_link.protocol.configuration import GatewayInfo
 from unity_link.spec import Interface
 
@@ -77,8 +77,8 @@ class Recording:
         RecordingError: where it is none, or not one of ours.
     """
 
-    def __init__(self, path: Path) -> None:
-        self.path = path
+    def __init__(self, path: Path | str) -> None:
+        self.path = path_of(path)
         self.was_cut = False
         """Whether the last reading found the end missing, as it is after a crash."""
         self.was_damaged = False

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 
 from unity_link.bridges.carrying import Carrier
 from unity_link.bridges.gateway_time import GatewayTime, SteadyClock
-from unity_link.bridges.recording.files import RecordingFile
+from unity_link.bridges.recording.files import RecordingFile, path_of
 from unity_link.bridges.sampled import sampled_groups
 
 if TYPE_CHECKING:
@@ -50,14 +50,14 @@ class Recorder:
     def __init__(
         self,
         robot: Robot,
-        path: Path,
+        path: Path | str,
         *,
         poll_hz: float | None = None,
         overwrite: bool = False,
         report: Callable[[str], None] = lambda _: None,
     ) -> None:
         groups = sampled_groups(robot, poll_hz)
-        self._file = RecordingFile(path, robot.interface, robot.link.gateway, groups, overwrite=overwrite)
+        self._file = RecordingFile(path_of(path), robot.interface, robot.link.gateway, groups, overwrite=overwrite)
         self._carrier = Carrier([group.group for group in groups], self._write, report, buffer=BUFFER)
         self._link = robot.link
         self._clock = SteadyClock()

@@ -11,7 +11,7 @@ from unity_link.virtual.bus import AccessError
 from unity_link.virtual.gateway import VirtualGateway
 
 if TYPE_CHECKING:
-    from unity_link.bridges.recording.reader import Recording
+    from unity_link.bridges.recording.reader import RecordedGroup, Recording
 
 
 class Player:
@@ -82,13 +82,22 @@ class Player:
 
     def _half_a_period(self) -> float:
         """Return half the shortest period of the recorded groups, in seconds of the recording."""
-        base = self._recording.gateway.base_frequency_hz
-        rates = [
-            base / group.divisor if group.divisor else group.rate_hz or 0.0
-            for group in self._recording.interface.groups
-            if group.divisor or group.rate_hz
-        ]
-        return 0.5 / max(rates) if rates else 0.0
+        return 0.5 * min(filter(None, map(self._period, self._recording.groups)), default=0.0)
+
+    def _period(self, group: RecordedGroup) -> float:
+        """Return how far the samples of a group are apart; 0 where nothing tells."""
+        recording, signal = self._recording, group.signals[0] if group.signals else None
+        declared = next((known for known in recording.interface.groups if signal and known.name == signal.group), None)
+        if declared is not None and declared.divisor:
+            return declared.divisor / recording.gateway.base_frequency_hz
+        rate_hz = declared.rate_hz if declared is not None else signal and signal.poll_hz
+        if rate_hz:
+            return 1 / rate_hz
+        # The recorder alone knew.
+        first = next((samples for samples, _ in recording.samples() if samples.group is group), None)
+        if first is None or first.sequence[-1] <= first.sequence[0]:
+            return 0.0
+        return float((first.at[-1] - first.at[0]) / (first.sequence[-1] - first.sequence[0])) * 1e-9
 
 
 def replay(recording: Recording, *, speed: float = 1.0, loop: bool = False) -> tuple[VirtualGateway, Player]:

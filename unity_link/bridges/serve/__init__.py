@@ -15,13 +15,14 @@
 
 from __future__ import annotations
 
+import asyncio
 import contextlib
 from typing import TYPE_CHECKING
 
 from unity_link.bridges.serve.door import LONGEST_TOKEN, Door
 from unity_link.bridges.serve.shared import SharedLink
 from unity_link.errors import ArgumentError
-from unity_link.transport import DriverUrl, parse_url, prepare
+from unity_link.transport import DriverUrl, check_target, parse_url, prepare
 from unity_link.transport.listening import LOOPBACK, listen_tcp, listen_unix
 
 if TYPE_CHECKING:
@@ -29,6 +30,10 @@ if TYPE_CHECKING:
     from collections.abc import AsyncIterator, Callable
 
     from unity_link.transport import Medium
+
+
+FIRST_TRY = 0.2
+"""Seconds that `Server.look` waits at most."""
 
 
 class Server:
@@ -43,6 +48,18 @@ class Server:
     def clients(self) -> int:
         """Number of clients."""
         return len(self._shared.clients)
+
+    async def look(self) -> None:
+        """Wait for what the first attempt to reach the gateway comes to, but not for long.
+
+        Raises:
+            ArgumentError: for a URL of something that there is not.
+            ConnectError: as `wait` does.
+        """
+        with contextlib.suppress(TimeoutError):
+            await asyncio.wait_for(self._shared.tried.wait(), FIRST_TRY)
+        if self._shared.ended.done():
+            self._shared.ended.result()
 
     async def wait(self) -> None:
         """Wait until the link has ended for good.
@@ -84,6 +101,7 @@ async def serve(
         token.isascii() and token.isprintable() and " " not in token and 0 < len(token) <= LONGEST_TOKEN
     ):
         raise ArgumentError(f"a token of 1 to {LONGEST_TOKEN} printable characters without blanks was expected")
+    check_target(target)
     url = parse_url(target) if isinstance(target, str) else target
     if isinstance(url, DriverUrl):
         await prepare(url)

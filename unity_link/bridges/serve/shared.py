@@ -61,6 +61,8 @@ class SharedLink(Connection):
         """Connections that have not been let in yet, the oldest first."""
         self.ended: asyncio.Future[None] = self.loop.create_future()
         """Raises when the link has ended for good."""
+        self.tried = asyncio.Event()
+        """Whether the first attempt to reach the gateway is over."""
         self._report = report
         self._mode = _ADAPTIVE
         """The gateway's send-immediate mode."""
@@ -189,6 +191,7 @@ class SharedLink(Connection):
 
     def _begin(self, codec: Codec) -> None:
         """Say to clients what the gateway says, but for what is between it and here."""
+        self.tried.set()
         if self.codec is None:
             features = codec.info.features & ~(Feature.ADDRESSED | Feature.HALF_DUPLEX) | Feature.FLOW_CONTROL
             self.codec = Codec(msgspec.structs.replace(codec.info, features=features))
@@ -260,6 +263,7 @@ class SharedLink(Connection):
         super()._gateway_was_reset(event)
 
     def _unreachable(self, error: BaseException | None) -> None:
+        self.tried.set()
         self._say(f"waiting for the gateway: {error}")
 
     def _lose_patience(self) -> None:
@@ -268,6 +272,7 @@ class SharedLink(Connection):
             client.refuse_all()
 
     def _ended(self, error: LinkLostError) -> None:
+        self.tried.set()
         for client in list(self.clients):
             client.hang_up()
         if not self.ended.done():

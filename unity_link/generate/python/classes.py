@@ -11,8 +11,7 @@ import keyword
 import sys
 from typing import TYPE_CHECKING, NamedTuple
 
-from unity_link.data.loading import class_name
-from unity_link.data.robot import proxy_type, python_names
+from unity_link.data.robot import class_name, proxy_type, python_names
 from unity_link.hardware import Module, module_type
 from unity_link.spec import Component, ComponentArray, KindName
 
