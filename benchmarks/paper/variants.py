@@ -30,7 +30,7 @@ def measure_media(times: int, count: int) -> Iterator[MediumFigures]:
 
     Args:
         times: single accesses.
-        count: accesses of a burst.
+        count: accesses of a burst; there are twenty times as many samples.
     """
     for medium in MEDIA:
         for size in FIFO_SIZES:
@@ -54,7 +54,7 @@ def _measuring(medium: Medium, times: int, count: int) -> Measure[MediumFigures]
             write=write,
             answers_megabits=round(8e-6 * answers * sizes[1], 4),
             posts_megabits=round(8e-6 * posts * post_sizes[0], 4),
-            samples=round(await rate_of_a_flood(stack, 1, rate, 20_000), 1),
+            samples=round(await rate_of_a_flood(stack, 1, rate, 20 * count), 1),
             repeated=stack.link.statistics.repetitions,
         )
 
