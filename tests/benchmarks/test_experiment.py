@@ -72,7 +72,7 @@ def test_the_gateware_alone_is_faster_than_the_papers() -> None:
         assert block.last_cycles - block.first_cycles == 8 * block.words + 8
     for sample in figures.publishing:
         assert sample.cycles >= sample.message_bytes
-        assert 0.9 * 50e6 / sample.message_bytes <= sample.rate <= 50e6 / sample.message_bytes
+        assert 0.9 * 50e6 / sample.message_bytes <= sample.rate <= 50e6 / sample.message_bytes + 1
 
 
 @pytest.mark.rtl
