@@ -84,7 +84,7 @@ REVISION ?= a3abcb1
 bench-beside: $(ALL) ## measure this tree and REVISION in turn, and say what became slower
 	@$(BIN)/python -m benchmarks.beside $(REVISION)
 
-table1: $(ALL) ## the paper's experiment again, into benchmarks/TABLE1.md and plots; takes minutes
+table1: $(ALL) ## the paper's experiment again, into benchmarks/TABLE1.md and plots; ten minutes
 	@$(BIN)/python -m benchmarks.paper --output benchmarks
 
 bench-ros: $(ALL) ## measure the bridges against their peers, and write benchmarks/BRIDGES.md

@@ -22,6 +22,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
 from benchmarks.__main__ import machine
+from benchmarks.paper.published import FROM_ROS, TO_ROS, value
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -200,13 +201,15 @@ def ros_master(folder: Path) -> Iterator[None]:
 
 def document(rows: list[Row]) -> str:
     """Return the text of BRIDGES.md."""
+    to_ros, from_ros = value(TO_ROS, "ROS"), value(FROM_ROS, "ROS")
     lines = [
         "# Bridges",
         "",
         f"Sustained for {SECONDS:.0f} s, from a virtual gateway in the bridge's process to a peer in another process,",
         "and back. The rate is that between the first message and the last; CPU is in parts of one core, that of the",
         "virtual gateway in the bridge's.",
-        "Run again by `make bench-ros`. The paper: 1,800 samples a second to ROS, 300 values a second from it.",
+        "Run again by `make bench-ros`.",
+        f"The paper: {to_ros:,.0f} samples a second to ROS, {from_ros:,.0f} values a second from it.",
         "",
         f"Seen on {dt.datetime.now(dt.UTC):%Y-%m-%d}: {machine()}.",
         "",

@@ -1,4 +1,4 @@
-"""The paper's experiment again: its Table I, and its curves of bursts and of publishing, on a virtual FT232H.
+"""The paper's experiment again, table by table, on a virtual FT232H: its Table I, its figures 3 and 4, its text.
 
 What is run is this package's own host software, all of it, and the gateware itself, compiled, behind a model of the
 chip and of the USB. So each figure has up to three parts, and says which:
@@ -11,10 +11,11 @@ They meet in an event loop whose time stands still while a model computes, jumps
 with the program's processor time (`unity_link.virtual.modelled_time`). Not in it is what the kernel and libusb take for
 a transfer, and how long a sleeping program takes to wake up.
 
-- `workbench`: a fresh gateway, chip and loop for each measurement; `stacks`: the two ways to them, driver and link
-- `gateware`, `latency`, `throughput`, `publishing` measure; `experiment` runs all of it
+- `workbench`: a fresh gateway, chip and loop for each measurement; `stacks`: the two ways to them, driver and link;
+  `media`: what is between chip and gateway; `probe`: a clock behind the gateway's bus
+- `gateware`, `latency`, `throughput`, `publishing`, `variants`, `lines` measure; `experiment` runs all of it
 - `results`: what comes out, as data; `published`: what the paper says
-- `tables`, `plots`: how it is shown
+- `tables`, `table_1`, `plots`: how it is shown
 
 Without a C++ compiler, the gateway's model in Python takes the place of the RTL; then nothing is clock-exact.
 """

@@ -76,22 +76,22 @@ def _write(results: Results, folder: Path) -> None:
 
 def _show(results: Results) -> None:
     from benchmarks.paper import tables
-    from benchmarks.paper.results import STACKS
+    from benchmarks.paper.table_1 import COLUMNS, HEADS, TITLES
 
-    if (figures := results.gateware) is not None:
-        clock = f"at {figures.clock_hz / 1e6:g} MHz"
-        _table("The gateware alone, clock-exact", 1, ("", "cycles", clock, "paper"), tables.gateware_rows(figures))
-    head: tuple[str, ...]
-    for stack in STACKS:
-        rows = [row[1:] for row in tables.latency_rows(results.latencies) if row[0] == stack]
-        head = ("access", "when", "mode", "exact", "modelled", "measured", "all", "paper")
-        _table(f"One access, {stack}, µs", 3, head, rows)
-    for stack in STACKS:
-        rows = [row[1:] for row in tables.throughput_rows(results.throughputs) if row[0] == stack]
-        head = ("accesses", "mode", "modelled", "measured as well", "of 64", "paper")
-        _table(f"Long bursts, {stack}, Mb/s", 2, head, rows)
-    head = ("words", "bytes", "8 MB/s carry", "modelled", "measured as well")
-    _table("The limit of publishing, kHz", 0, head, tables.publish_rows(results.publish_limits))
+    for operation, title in TITLES.items():
+        for mode in ("off", "always"):
+            first, second = (HEADS[each] for each in COLUMNS[mode])
+            head: tuple[str, ...] = ("level", "figure", "paper", first, "measured", second, "measured")
+            suffix = ", send-immediate" if mode == "always" else ""
+            _table(f"{title}{suffix}", 2, head, tables.table_1_rows(results, operation, mode))
+    head = ("stack", "accesses", "mode", "requests", "answers", "requests, measured", "answers, measured", "of 64")
+    _table("Long bursts, Mb/s", 3, head, tables.throughput_rows(results.throughputs))
+    head = ("words", "bytes", "gateware", "8 MB/s", "burst", "sustained", "low, burst", "low", "full, burst", "full")
+    _table("The limit of publishing, kHz", 0, head, tables.publish_rows(results))
+    head = ("medium", "FIFOs", "line", "read", "write", "answers", "posts", "samples", "repeated")
+    _table("Other media, modelled", 1, head, tables.media_rows(results.media))
+    head = ("the 18-DOF walker, in lines", "here", "paper", "its other solution")
+    _table("Complexity", 1, head, tables.line_rows(results.lines))
     _table("What must hold", 4, ("what", "found", "wanted", "met"), tables.check_rows(results.checks))
 
 

@@ -14,10 +14,24 @@ import unity_link
 from benchmarks.paper.build import MODEL
 from benchmarks.paper.checks import check
 from benchmarks.paper.gateware import measure_gateware
-from benchmarks.paper.latency import measure_latencies
+from benchmarks.paper.latency import measure_arrivals, measure_effects, measure_latencies
+from benchmarks.paper.lines import count_lines
 from benchmarks.paper.publishing import measure_limits, measure_sustained
-from benchmarks.paper.results import STACKS, Burst, Latency, Parameters, Results, Throughput
-from benchmarks.paper.throughput import measure_bursts, measure_throughputs
+from benchmarks.paper.results import (
+    STACKS,
+    Arrival,
+    Burst,
+    Effect,
+    Latency,
+    Parameters,
+    PublishLimit,
+    Results,
+    Stamps,
+    Throughput,
+)
+from benchmarks.paper.throughput import measure_bursts, measure_stamps, measure_throughputs
+from benchmarks.paper.variants import measure_media
+from benchmarks.paper.wall_clock import measure_wall_clock
 from benchmarks.paper.workbench import GatewayKind, Workbench, available_gateway
 from unity_link.transport.ft232h import with_libusb
 
@@ -29,41 +43,54 @@ class _Plan(NamedTuple):
     """How much is measured."""
 
     accesses: int
-    """Of which a latency is the median."""
+    """Of which a latency is the mean."""
     latency_runs: int
     """Of which the best counts, here and below."""
+    arrivals: int
+    """Samples of which a delay is the mean."""
     burst: int
     """Accesses of the shorter burst of a rate."""
     runs: int
     burst_sizes: tuple[int, ...]
+    stamp_sizes: tuple[int, ...]
     publish_sizes: tuple[int, ...]
     publish_runs: int
     publish_rate: float
     """Hz, at which one word is published for a while."""
     publish_seconds: float
+    media_accesses: int
+    media_burst: int
 
 
 _FULL = _Plan(
     accesses=100,
-    latency_runs=7,
-    burst=5000,
-    runs=3,
-    burst_sizes=tuple(4**power for power in range(7)),
-    publish_sizes=(1, 2, 4, 8, 16, 32, 64, 128, 255),
-    publish_runs=2,
+    latency_runs=5,
+    arrivals=20,
+    burst=3000,
+    runs=2,
+    burst_sizes=(1, 4, 18, 64, 200, 256, 1024, 4096),
+    stamp_sizes=(18, 200, 1000),
+    publish_sizes=(1, 2, 4, 8, 16, 64, 255),
+    publish_runs=1,
     publish_rate=31_250,
     publish_seconds=0.5,
+    media_accesses=100,
+    media_burst=1000,
 )
 _QUICK = _Plan(
-    accesses=50,
+    accesses=20,
     latency_runs=1,
-    burst=1500,
+    arrivals=10,
+    burst=400,
     runs=1,
-    burst_sizes=(1, 8, 64, 512),
-    publish_sizes=(1, 16, 255),
+    burst_sizes=(1, 18, 200, 512),
+    stamp_sizes=(18, 200),
+    publish_sizes=(1, 16),
     publish_runs=1,
     publish_rate=31_250,
     publish_seconds=0.02,
+    media_accesses=10,
+    media_burst=100,
 )
 
 
@@ -74,7 +101,7 @@ def run_experiment(
     host_time: bool = True,
     tell: Callable[[str], object] = lambda _: None,
 ) -> Results:
-    """Run all of it: five minutes or so, half a minute if `quick`.
+    """Run all of it: ten minutes or so, half a minute if `quick`.
 
     No event loop may be running in this thread.
 
@@ -92,31 +119,51 @@ def run_experiment(
     plan = _QUICK if quick else _FULL
     bench = Workbench(kind, counts_host_time=host_time)
     tell("the gateware alone")
-    figures = measure_gateware() if kind == "rtl" else None
+    figures = measure_gateware(plan.publish_sizes) if kind == "rtl" else None
     latencies: list[Latency] = []
+    effects: list[Effect] = []
+    arrivals: list[Arrival] = []
     throughputs: list[Throughput] = []
     bursts: list[Burst] = []
+    limits: list[PublishLimit] = []
     for stack in STACKS:
         tell(f"{stack}: single accesses")
         latencies += measure_latencies(bench, stack, plan.accesses, plan.latency_runs)
+        tell(f"{stack}: writes to their effect")
+        effects += measure_effects(bench, stack, plan.accesses, plan.latency_runs)
+        tell(f"{stack}: samples to the program")
+        arrivals += measure_arrivals(bench, stack, plan.arrivals)
         tell(f"{stack}: long bursts")
         throughputs += measure_throughputs(bench, stack, plan.burst, plan.runs)
         tell(f"{stack}: bursts of reads of all lengths")
         bursts += measure_bursts(bench, stack, plan.burst_sizes, plan.runs)
-    tell("publishing: limits")
-    limits = list(measure_limits(bench, plan.publish_sizes, plan.publish_runs))
-    tell("publishing: one word for a while")
+        tell(f"{stack}: limits of publishing")
+        limits += measure_limits(bench, stack, plan.publish_sizes, plan.publish_runs)
+    tell("bursts by the gateway's clock")
+    # The model's answers take no time, so it has none to tell.
+    stamps: list[Stamps] = list(measure_stamps(bench, plan.stamp_sizes)) if kind == "rtl" else []
+    tell("one word for a while")
     sustained = measure_sustained(bench, plan.publish_rate, plan.publish_seconds)
+    tell("reads and writes by the clock on the wall")
+    wall_clock = list(measure_wall_clock(plan.accesses)) if host_time else []
+    tell("other media")
+    media = list(measure_media(plan.media_accesses, plan.media_burst))
     results = Results(
         version=unity_link.__version__,
         date=f"{dt.datetime.now(dt.UTC):%Y-%m-%d}",
         parameters=_parameters(bench, quick=quick),
         gateware=figures,
         latencies=latencies,
+        effects=effects,
+        arrivals=arrivals,
         throughputs=throughputs,
         bursts=bursts,
+        stamps=stamps,
         publish_limits=limits,
         sustained=sustained,
+        wall_clock=wall_clock,
+        media=media,
+        lines=count_lines(),
         checks=[],
     )
     return msgspec.structs.replace(results, checks=check(results))

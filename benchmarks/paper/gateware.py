@@ -8,64 +8,178 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from benchmarks.paper.build import checked, compiled_gateway
-from benchmarks.paper.results import GatewareFigures
+from benchmarks.paper.results import Block, GatewareFigures, Publishing
+from unity_link.protocol.messages import GroupFlag
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from unity_link.virtual.rtl import RtlGateway
 
 ADDRESS, WORD = 0x0A, 0x12
+READ_BYTES, WRITE_BYTES, POST_BYTES = (6, 14), (14, 6), (15, 0)
+"""Of request and answer."""
+BLOCKS = (1, 16, 255)
 _PIPELINED = 500
-_PATIENCE = 10_000
+_PATIENCE = 20_000
 """Cycles in which everything here is long done."""
+_FLOOD_CYCLES = 100_000
+_HEAD_BYTES, _WORD_BYTES = 8, 8
+"""Of a publish without timestamp: letter, group, sequence, check and line end; and a word of it."""
 
 
-def measure_gateware() -> GatewareFigures:
-    """Count the cycles of a read, of a write and of pipelined reads."""
+def measure_gateware(sizes: Sequence[int] = (1, 4, 16, 64, 255)) -> GatewareFigures:
+    """Count the cycles of each kind of access, alone and pipelined, and of samples of so many words."""
     gateway = compiled_gateway()
-    read, _ = _count(gateway, checked(b"R%02X" % ADDRESS), answer_size=14)
-    write, effect = _count(gateway, checked(b"W%02X%08X" % (ADDRESS, WORD)), answer_size=6)
+    _, read, _ = _count(gateway, checked(b"R%02X" % ADDRESS), READ_BYTES[1])
+    _, write, effect = _count(gateway, checked(b"W%02X%08X" % (ADDRESS, WORD)), WRITE_BYTES[1])
+    gateway.memory[ADDRESS] = 0
+    _, _, post_effect = _count(gateway, checked(b"WS%02X%08X" % (ADDRESS, WORD)), 0)
     assert effect is not None
+    assert post_effect is not None
     return GatewareFigures(
         clock_hz=gateway.info.clock_hz,
         read_cycles=read,
         write_cycles=write,
         effect_cycles=effect,
-        bytes_per_cycle=_pipelined(gateway),
+        post_effect_cycles=post_effect,
+        cycles_per_read=_pipelined(gateway, checked(b"R%02X" % ADDRESS), READ_BYTES[1]),
+        cycles_per_write=_pipelined(gateway, checked(b"W%02X%08X" % (ADDRESS, WORD)), WRITE_BYTES[1]),
+        cycles_per_post=_pipelined_posts(gateway),
+        bytes_per_cycle=_with_ids(gateway),
+        blocks=[_block(gateway, words) for words in BLOCKS],
+        publishing=[_publishing(words) for words in sizes],
     )
 
 
-def _count(gateway: RtlGateway, request: bytes, answer_size: int) -> tuple[int, int | None]:
-    """Return the cycles from the last byte in to the last byte out, and to the first change in memory, if any."""
+def _count(gateway: RtlGateway, request: bytes, answer_size: int) -> tuple[int, int, int | None]:
+    """Return the cycles from the last byte in to the first and the last byte out, and to a change in memory, if any."""
     rest, sent, effect = request, 0, None
-    last_in = 0
+    last_in = first_out = 0
     for cycle in range(_PATIENCE):
-        passage = gateway.pass_pins(rest, 1, answer_size)
+        passage = gateway.pass_pins(rest, 1, max(answer_size, 1))
         rest = rest[passage.taken :]
+        if passage.sent and not sent:
+            first_out = cycle - last_in
         sent += len(passage.sent)
         if passage.taken and not rest:
             last_in = cycle
         if effect is None and gateway.memory[ADDRESS] == WORD:
             effect = cycle - last_in
-        if sent == answer_size:
-            return cycle - last_in, effect
+        if sent == answer_size and not rest and (answer_size or effect is not None):
+            return first_out, cycle - last_in, effect
     raise AssertionError(f"the gateware has not answered {request!r}")
 
 
-def _pipelined(gateway: RtlGateway) -> float:
-    """Return the bytes that leave in a cycle while reads, which have IDs, come as fast as they are taken."""
-    session = checked(b"K000")
-    _count(gateway, session, len(session))
-    rest = b"".join(checked(b"r%03X%02X" % (number, ADDRESS)) for number in range(_PIPELINED))
-    size = 15 * _PIPELINED
-    first = None
-    sent = 0
-    for cycle in range(2 * size):
+def _block(gateway: RtlGateway, words: int) -> Block:
+    size = len(checked(b"RM00%02X" % words)) + _WORD_BYTES * words
+    first, last, _ = _count(gateway, checked(b"RM00%02X" % words), size)
+    return Block(words=words, first_cycles=first, last_cycles=last)
+
+
+def _flood(gateway: RtlGateway, requests: bytes, size: int) -> list[int]:
+    """Return the cycles in which bytes leave, one by one, while requests come as fast as they are taken."""
+    rest, cycles = requests, []
+    for cycle in range(len(requests) + 2 * size + _PATIENCE):
         passage = gateway.pass_pins(rest[:64], 1, size)
         rest = rest[passage.taken :]
-        if passage.sent and first is None:
-            first = cycle
+        cycles += [cycle] * len(passage.sent)
+        if len(cycles) == size:
+            return cycles
+    raise AssertionError(f"the gateware has answered with {len(cycles)} of {size} bytes")
+
+
+def _pipelined(gateway: RtlGateway, request: bytes, answer_size: int) -> float:
+    """Return the cycles from answer to answer, at the end of a long burst."""
+    ends = _flood(gateway, request * _PIPELINED, answer_size * _PIPELINED)[answer_size - 1 :: answer_size]
+    half = _PIPELINED // 2
+    return (ends[-1] - ends[half - 1]) / (_PIPELINED - half)
+
+
+def _pipelined_posts(gateway: RtlGateway) -> float:
+    """Return the cycles from the end of a posted write to that of the next, as it is taken."""
+    rest, cycle, taken_at = checked(b"WS%02X%08X" % (ADDRESS, WORD)) * _PIPELINED, 0, []
+    while rest:
+        taken = gateway.pass_pins(rest[:64], 1, 64).taken
+        rest, cycle = rest[taken:], cycle + 1
+        taken_at += [cycle] * taken
+    ends = taken_at[POST_BYTES[0] - 1 :: POST_BYTES[0]]
+    half = _PIPELINED // 2
+    return (ends[-1] - ends[half - 1]) / (_PIPELINED - half)
+
+
+def _with_ids(gateway: RtlGateway) -> float:
+    """Return the bytes that leave in a cycle while reads that have IDs come."""
+    session = checked(b"K000")
+    _count(gateway, session, len(session))
+    requests = b"".join(checked(b"r%03X%02X" % (number, ADDRESS)) for number in range(_PIPELINED))
+    size = len(checked(b"r00000000000")) * _PIPELINED
+    cycles = _flood(gateway, requests, size)
+    return size / (cycles[-1] - cycles[0] + 1)
+
+
+def _publishing(words: int) -> Publishing:
+    """Count one sample, and as many as leave where all groups are due all the time."""
+    size = _HEAD_BYTES + _WORD_BYTES * words
+    gateway = compiled_gateway()
+    _set_up(gateway, 0, GroupFlag(0), words)
+    return Publishing(
+        words=words,
+        message_bytes=size,
+        cycles=_one_sample(gateway, words, size),
+        rate=round(_most_samples(words, size), 3),
+    )
+
+
+class _Noting:
+    """Notes the cycle of the first read of it."""
+
+    def __init__(self, gateway: RtlGateway) -> None:
+        self._gateway = gateway
+        self.first: int | None = None
+
+    def read(self, offset: int, now: float) -> int:  # noqa: ARG002  (as devices have it)
+        if self.first is None:
+            self.first = self._gateway.cycles
+        return 0
+
+    def write(self, offset: int, value: int, now: float) -> None:
+        """Take it."""
+
+
+def _one_sample(gateway: RtlGateway, words: int, size: int) -> int:
+    noting = _Noting(gateway)
+    gateway.attach(noting, [0])
+    request, sent = checked(b"GP00"), 0
+    for _ in range(_PATIENCE):
+        passage = gateway.pass_pins(request, 1, size)
+        request = request[passage.taken :]
         sent += len(passage.sent)
-        if sent == size:
-            assert first is not None
-            return size / (cycle - first + 1)
-    raise AssertionError(f"the gateware has answered with {sent} of {size} bytes")
+        if sent >= size:
+            assert noting.first is not None
+            return gateway.cycles - noting.first
+    raise AssertionError(f"the gateware has sent {sent} of {size} bytes of a sample of {words} words")
+
+
+def _most_samples(words: int, size: int) -> float:
+    gateway = compiled_gateway()
+    info = gateway.info
+    for group in range(info.groups):
+        _set_up(gateway, group, GroupFlag.PERIODIC, words)
+    for group in range(info.groups):
+        gateway.run(1)
+        gateway.pass_pins(checked(b"GN%02X" % group), 200, 1 << 20)
+    gateway.run(10_000)
+    return len(gateway.run(_FLOOD_CYCLES)) / size / _FLOOD_CYCLES * info.clock_hz
+
+
+def _set_up(gateway: RtlGateway, group: int, flags: GroupFlag, words: int) -> None:
+    listed = b"".join(b"%02X" % address for address in range(words))
+    request = checked(b"GS%02X%02X0001%02X" % (group, flags, words) + listed)
+    sent, rest = b"", request
+    for _ in range(_PATIENCE):
+        passage = gateway.pass_pins(rest, 1, 64)
+        rest, sent = rest[passage.taken :], sent + passage.sent
+        if sent.endswith(b"\n"):
+            break
+    assert sent == checked(b"GS%02X" % group), sent

@@ -1,4 +1,4 @@
-"""How long one access takes, alone."""
+"""How long one access takes, alone: to its answer, to its effect; and how late a sample is."""
 
 from __future__ import annotations
 
@@ -7,17 +7,25 @@ import statistics
 from typing import TYPE_CHECKING
 
 from benchmarks.paper.build import checked, compiled_gateway
-from benchmarks.paper.results import ACCESSES, MODES, RHYTHMS, Latency, Rhythm, SendImmediate
+from benchmarks.paper.results import RHYTHMS, Arrival, Effect, Latency, Rhythm, Spread
+from benchmarks.paper.stacks import BLOCK_WORDS, MODES, PROBE
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Coroutine, Iterator
+    from collections.abc import Iterator
 
-    from benchmarks.paper.stacks import Access, Stack, StackName
-    from benchmarks.paper.workbench import Workbench
+    from benchmarks.paper.stacks import Access, Mode, Stack, StackName
+    from benchmarks.paper.workbench import Measure, Workbench
 
+_ANSWERED: tuple[Access, ...] = ("read", "block", "write")
+_EFFECTIVE: tuple[Access, ...] = ("write", "post")
 _WARM_UP = 20
 _STEP, _STEPS = 37, 125
 """Microseconds between accesses "at any time": all places in a microframe, one after the other in no order."""
+BURST = 30
+"""Writes at once, as in the paper."""
+_PERIODS: dict[Mode, int] = {"off": 17_037}
+_PERIOD = 2_037
+"""Microseconds from sample to sample: more than any timer, and no multiple of a microframe."""
 
 
 def measure_latencies(bench: Workbench, stack: StackName, times: int, runs: int = 1) -> Iterator[Latency]:
@@ -26,39 +34,110 @@ def measure_latencies(bench: Workbench, stack: StackName, times: int, runs: int 
     Args:
         bench: where.
         stack: through what.
-        times: how many accesses the median is of; a tenth of that where each takes 16 ms.
+        times: how many accesses there are; a tenth of that where each takes 16 ms.
         runs: how often with the program's time, of which the best counts.
     """
-    for access in (access for access in ACCESSES if access != "post"):
+    for access in _ANSWERED:
         gateware = _gateware(stack, access) if bench.gateway == "rtl" else None
         for rhythm in RHYTHMS:
-            measures = [_measuring(access, mode, rhythm, times // 10 if mode == "off" else times) for mode in MODES]
-            for mode, (modelled, total) in zip(MODES, bench.best(stack, measures, runs, min), strict=True):
+            measures = [(mode, _measuring(access, rhythm, _as_many(times, mode))) for mode in MODES]
+            found = bench.best(stack, measures, runs, lambda pair: pair[0].median)
+            for mode, ((modelled, sizes), (total, _)) in zip(MODES, found, strict=True):
                 yield Latency(
                     stack=stack,
                     access=access,
                     send_immediate=mode,
                     rhythm=rhythm,
+                    request_bytes=sizes[0],
+                    answer_bytes=sizes[1],
                     gateware=gateware,
                     modelled=modelled,
                     total=total,
                 )
 
 
-def _measuring(
-    access: Access, mode: SendImmediate, rhythm: Rhythm, times: int
-) -> Callable[[Stack], Coroutine[None, None, float]]:
-    async def measure(stack: Stack) -> float:
+def measure_effects(bench: Workbench, stack: StackName, times: int, runs: int = 1) -> Iterator[Effect]:
+    """Measure how long writes of one stack take to the bus; arguments as of `measure_latencies`."""
+    for access in _EFFECTIVE:
+        measures = [(mode, _measuring_effects(access, _as_many(times, mode))) for mode in MODES]
+        found = bench.best(stack, measures, runs, lambda triple: triple[0].median)
+        for mode, ((modelled, burst, size), (total, burst_total, _)) in zip(MODES, found, strict=True):
+            yield Effect(
+                stack=stack,
+                access=access,
+                send_immediate=mode,
+                request_bytes=size,
+                modelled=modelled,
+                total=total,
+                burst_modelled=burst,
+                burst_total=burst_total,
+            )
+
+
+def measure_arrivals(bench: Workbench, stack: StackName, times: int, runs: int = 1) -> Iterator[Arrival]:
+    """Measure how late samples of one word are in a stack; arguments as of `measure_latencies`."""
+    measures = [(mode, _measuring_arrivals(mode, _as_many(times, mode))) for mode in MODES]
+    found = bench.best(stack, measures, runs, lambda spread: spread.median)
+    for mode, (modelled, total) in zip(MODES, found, strict=True):
+        yield Arrival(stack=stack, send_immediate=mode, modelled=modelled, total=total)
+
+
+def _as_many(times: int, mode: Mode) -> int:
+    return max(4, times // 10) if mode == "off" else times
+
+
+def _measuring(access: Access, rhythm: Rhythm, times: int) -> Measure[tuple[Spread, tuple[int, int]]]:
+    async def measure(stack: Stack) -> tuple[Spread, tuple[int, int]]:
         loop = asyncio.get_running_loop()
-        await stack.send_immediate(mode)
         taken = []
         for index in range(_WARM_UP + times):
             if rhythm == "at any time":
                 await asyncio.sleep(index * _STEP % _STEPS * 1e-6)
             began = loop.time()
             await stack.one(access)
-            taken.append(loop.time() - began)
-        return statistics.median(taken[_WARM_UP:]) * 1e6
+            taken.append((loop.time() - began) * 1e6)
+        return Spread.of(taken[_WARM_UP:]), stack.sizes[access]
+
+    return measure
+
+
+def _measuring_effects(access: Access, times: int) -> Measure[tuple[Spread, float, int]]:
+    async def measure(stack: Stack) -> tuple[Spread, float, int]:
+        loop, effects = asyncio.get_running_loop(), stack.probe.effects
+        taken = []
+        for index in range(_WARM_UP + times):
+            # What was posted has had its effect, too.
+            await stack.one("read")
+            await asyncio.sleep(index * _STEP % _STEPS * 1e-6)
+            effects.clear()
+            began = loop.time()
+            await stack.one(access, PROBE)
+            if access == "post":
+                await stack.one("read")
+            taken.append((effects[0] - began) * 1e6)
+        periods = []
+        for _ in range(4):
+            effects.clear()
+            await stack.burst(access, BURST, PROBE)
+            assert len(effects) == BURST
+            periods.append((effects[-1] - effects[0]) / (BURST - 1) * 1e6)
+        # The first burst pays for what is done once.
+        return Spread.of(taken[_WARM_UP:]), round(statistics.median(periods[1:]), 4), stack.sizes[access][0]
+
+    return measure
+
+
+def _measuring_arrivals(mode: Mode, times: int) -> Measure[Spread]:
+    async def measure(stack: Stack) -> Spread:
+        loop = asyncio.get_running_loop()
+        taken = []
+        immediate = mode in ("always", "adaptive")
+        async with stack.publishing([PROBE], _PERIODS.get(mode, _PERIOD), immediate=immediate) as samples:
+            for _ in range(2 + times):
+                sample = await anext(samples)
+                taken.append((loop.time() - stack.probe.time_of(stack.clock_of(sample))) * 1e6)
+        assert not samples.lost
+        return Spread.of(taken[2:])
 
     return measure
 
@@ -68,9 +147,8 @@ def _gateware(stack: StackName, access: Access) -> float:
     gateway = compiled_gateway()
     gateway.receive(checked(b"K000"), 0.0)
     gateway.set_pace(8e6)
-    if stack == "low-level":
-        body = b"R0A" if access == "read" else b"W0A00000012"
-    else:
-        body = b"r0000A" if access == "read" else b"w0000A00000012"
+    fields = {"read": b"0A", "block": b"0A%02X" % BLOCK_WORDS, "write": b"0A00000012"}[access]
+    letters = {"read": b"R", "block": b"RM", "write": b"W"}[access]
+    body = letters + fields if stack == "low-level" else letters.lower() + b"000" + fields
     passage = gateway.pass_pins(checked(body), 10_000, 1024)
-    return passage.cycles / gateway.info.clock_hz * 1e6
+    return round(passage.cycles / gateway.info.clock_hz * 1e6, 4)

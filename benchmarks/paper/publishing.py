@@ -1,4 +1,4 @@
-"""How fast samples can be published with none lost, for messages of several lengths."""
+"""How fast samples can be published with none lost, for messages of several lengths: for a while, and for ever."""
 
 from __future__ import annotations
 
@@ -6,19 +6,20 @@ import asyncio
 import math
 from typing import TYPE_CHECKING, NamedTuple
 
-from benchmarks.paper.build import checked
+from benchmarks.paper.build import MODEL, checked
 from benchmarks.paper.results import PublishLimit, Sustained
-from benchmarks.paper.stacks import link_of
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Coroutine, Iterator, Sequence
+    from collections.abc import Iterator, Sequence
 
-    from benchmarks.paper.stacks import Stack
-    from benchmarks.paper.workbench import Workbench
+    from benchmarks.paper.stacks import Stack, StackName
+    from benchmarks.paper.workbench import Measure, Workbench
 
 HEAD_BYTES = len(checked(b"P0000"))
 """Of a publish without timestamp: letter, group, sequence, check and line end."""
 WORD_BYTES = 8
+BURST = 50
+"""Samples of a burst: those that may wait, in the gateway and on the way, help it."""
 _RING_WORDS = 1024
 """Samples of so many words wait in the gateway before one is lost."""
 _BUFFER_BYTES = 1024 + 256 + 65536
@@ -39,46 +40,75 @@ class _Stream(NamedTuple):
     lost: int
 
 
-def measure_limits(bench: Workbench, sizes: Sequence[int], runs: int = 1) -> Iterator[PublishLimit]:
-    """Find the limit for messages of so many words each; with the program's time the best of `runs`."""
+def measure_limits(bench: Workbench, stack: StackName, sizes: Sequence[int], runs: int = 1) -> Iterator[PublishLimit]:
+    """Find the limits for messages of so many words each; with the program's time the best of `runs`."""
     for words in sizes:
         size = HEAD_BYTES + WORD_BYTES * words
         line = bench.timing.fifo_bytes_per_second / size
-        modelled = _find_limit(bench, words, line, host_time=False)
-        total = modelled
+        modelled = _find_limit(bench, stack, words, line, host_time=False)
+        burst = _find_burst(bench, stack, words, modelled, host_time=False)
+        total, burst_total = modelled, burst
         if bench.counts_host_time:
-            total = max(_find_limit(bench, words, line, host_time=True) for _ in range(runs))
-        yield PublishLimit(words=words, message_bytes=size, line=line, modelled=modelled, total=total)
+            total = max(_find_limit(bench, stack, words, line, host_time=True) for _ in range(runs))
+            burst_total = max(_find_burst(bench, stack, words, total, host_time=True) for _ in range(runs))
+        yield PublishLimit(
+            stack=stack,
+            words=words,
+            message_bytes=size,
+            line=line,
+            burst_modelled=burst,
+            burst_total=burst_total,
+            modelled=modelled,
+            total=total,
+        )
 
 
 def measure_sustained(bench: Workbench, rate: float, seconds: float) -> Sustained:
     """Publish one word at a rate for a while, with the program's time."""
-    found = bench.run("full stack", _subscribing(1, rate, round(rate * seconds)), host_time=True)
+    measure = _subscribing(1, _divisor(rate), round(rate * seconds))
+    found = bench.run("full stack", "adaptive", measure, host_time=True)
     return Sustained(rate=found.asked, seconds=found.seconds, samples=found.samples, lost=found.lost)
 
 
-def _find_limit(bench: Workbench, words: int, line: float, *, host_time: bool) -> float:
+async def rate_of_a_flood(stack: Stack, words: int, rate: float, count: int) -> float:
+    """Return the samples a second that come where more are due."""
+    return (await _subscribing(words, _divisor(rate), count)(stack)).arrived
+
+
+def _find_limit(bench: Workbench, stack: StackName, words: int, line: float, *, host_time: bool) -> float:
     """Ask for more than can come; then for what came, and for less until nothing is lost."""
     # Twice what may wait on the way: behind that, what comes is what is taken.
     count = round(2 * (_RING_WORDS / words + _BUFFER_BYTES / (HEAD_BYTES + WORD_BYTES * words)))
-    flood = bench.run("full stack", _subscribing(words, _FLOOD * line, count), host_time=host_time)
+
+    def found(rate: float) -> _Stream:
+        measure = _subscribing(words, _divisor(rate), count)
+        return bench.run(stack, "adaptive", measure, host_time=host_time)
+
     # Samples arrive by transfers, so what came can look like a little more than fits.
-    rate = min(flood.arrived, line)
-    while True:
-        found = bench.run("full stack", _subscribing(words, rate, count), host_time=host_time)
-        if not found.lost:
-            return found.asked
-        rate = 0.98 * found.asked
+    rate = min(found(_FLOOD * line).arrived, line)
+    while (stream := found(rate)).lost:
+        rate = 0.98 * stream.asked
+    return stream.asked
 
 
-def _subscribing(words: int, rate: float, count: int) -> Callable[[Stack], Coroutine[None, None, _Stream]]:
+def _find_burst(bench: Workbench, stack: StackName, words: int, sustained: float, *, host_time: bool) -> float:
+    """Halve what lies between a rate that goes on for ever and the highest of all."""
+    good, bad = _divisor(sustained), 0
+    while good - bad > 1:
+        divisor = (good + bad) // 2
+        stream = bench.run(stack, "adaptive", _subscribing(words, divisor, BURST), host_time=host_time)
+        good, bad = (good, divisor) if stream.lost else (divisor, bad)
+    return MODEL.base_frequency_hz / good
+
+
+def _divisor(rate: float) -> int:
+    return min(max(math.ceil(MODEL.base_frequency_hz / rate), 1), 0xFFFF)
+
+
+def _subscribing(words: int, divisor: int, count: int) -> Measure[_Stream]:
     async def measure(stack: Stack) -> _Stream:
-        link, loop = link_of(stack), asyncio.get_running_loop()
-        await link.send_immediate("adaptive")
-        base = link.gateway.base_frequency_hz
-        divisor = min(max(math.ceil(base / rate), 1), 0xFFFF)
-        subscription = link.subscribe(range(words), divisor=divisor, timestamps=False, buffer=1 << 20)
-        async with subscription as samples:
+        loop = asyncio.get_running_loop()
+        async with stack.publishing(list(range(words)), divisor, immediate=False) as samples:
             await anext(samples)
             began = half = loop.time()
             for index in range(count):
@@ -86,7 +116,8 @@ def _subscribing(words: int, rate: float, count: int) -> Callable[[Stack], Corou
                     half = loop.time()
                 await anext(samples)
             ended = loop.time()
-        arrived = (count - count // 2) / (ended - half)
-        return _Stream(base / divisor, arrived, ended - began, count + subscription.lost, subscription.lost)
+            lost = samples.lost
+        arrived = (count - count // 2) / (ended - half) if ended > half else math.inf
+        return _Stream(MODEL.base_frequency_hz / divisor, arrived, ended - began, count + lost, lost)
 
     return measure

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from benchmarks.paper.plots import BURSTS, PUBLISHING, draw
+from benchmarks.paper.plots import AVERAGES, BURSTS, PUBLISHING, draw
 from benchmarks.paper.tables import to_markdown
 from unity_link.errors import UnsupportedError
 
@@ -14,7 +14,11 @@ if TYPE_CHECKING:
     from benchmarks.paper.results import Results
 
 PAGE, DATA = "TABLE1.md", "table1.json"
-_PICTURES = (("Bursts of reads, by their length", BURSTS), ("The limit of publishing, by the length", PUBLISHING))
+_PICTURES = (
+    ("The paper's figure 3 again: average latencies of reads and writes", AVERAGES),
+    ("The paper's figure 4 again: the limit of publishing, by the length", PUBLISHING),
+    ("Bursts of reads, by their length", BURSTS),
+)
 
 
 def write_report(results: Results, folder: Path) -> tuple[list[Path], str]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+from collections import deque
 from contextlib import asynccontextmanager
 from typing import TYPE_CHECKING, Any, Literal, Protocol
 
@@ -10,136 +11,232 @@ import numpy as np
 
 from benchmarks.paper.build import checked
 from unity_link.link.link import connect
+from unity_link.protocol.messages import GroupFlag
 from unity_link.transport import parse_url
 
 if TYPE_CHECKING:
     from collections.abc import AsyncIterator
+    from contextlib import AbstractAsyncContextManager
 
+    from benchmarks.paper.probe import Probe
     from unity_link.link.link import Link, SendImmediate
 
 StackName = Literal["low-level", "full stack"]
-Access = Literal["read", "write", "post"]
-"""A post is a stateless write: it has no answer."""
+Access = Literal["read", "block", "write", "post"]
+"""A block is an RM of `BLOCK_WORDS`. A post is a stateless write: it has no answer."""
+ACCESSES: tuple[Access, ...] = ("read", "block", "write", "post")
+Mode = Literal["off", "off, 1 ms", "always", "adaptive"]
+"""Of send-immediate; off with the latency timer of the chip's reset, and with one of 1 ms, as the paper had."""
+MODES: tuple[Mode, ...] = ("off", "off, 1 ms", "always", "adaptive")
 URL = "ftdi-async://ftdi:232h/1"
-ADDRESS, ADDRESSES = 0x0A, 256
+ADDRESS, ADDRESSES = 0x0A, 0xF0
+"""Accesses go to the first; bursts go round so many."""
+PROBE = 0xFE
+"""Where the probe is (`probe.Probe`)."""
 WORD = 0x12
+BLOCK_WORDS = 16
+_GROUP = 1
+
+
+def url_of(mode: Mode, options: str = "") -> str:
+    """Return the URL that opens the chip for a mode."""
+    parts = [part for part in (options, "latency=1" if mode == "off, 1 ms" else "") if part]
+    return URL + ("?" + "&".join(parts) if parts else "")
+
+
+def of_the_link(mode: Mode) -> SendImmediate:
+    """Return what the link calls a mode."""
+    return "off" if mode == "off, 1 ms" else mode
+
+
+class Samples(Protocol):
+    """What comes of a subscription."""
+
+    @property
+    def lost(self) -> int:
+        """Samples that were due and did not come, as far as those that were taken show."""
+
+    async def __anext__(self) -> Any:
+        """Take one."""
 
 
 class Stack(Protocol):
     """A way to a gateway, open."""
 
-    line_bytes: dict[Access, int]
-    """What one access moves in the direction that it fills: a read's answer, the request of a write or a post."""
+    probe: Probe
+    sizes: dict[Access, tuple[int, int]]
+    """Bytes of the request and of the answer."""
 
-    async def send_immediate(self, mode: SendImmediate) -> None:
-        """Choose a mode, in the gateway and in the driver."""
-
-    async def one(self, access: Access) -> None:
+    async def one(self, access: Access, address: int = ADDRESS) -> None:
         """Make one access, and wait for its answer; for a post, until it is sent."""
 
-    async def burst(self, access: Access, count: int) -> None:
-        """Make many accesses at once, and wait until the last is answered or, for posts, known to be executed."""
+    async def burst(self, access: Access, count: int, address: int | None = None) -> None:
+        """Make many accesses at once, and wait until the last is answered or, for posts, known to be executed.
+
+        Args:
+            access: what.
+            count: how many.
+            address: of all of them; None to go round.
+        """
+
+    async def clocks(self, count: int) -> list[int]:
+        """Make many reads of the probe at once; return their words."""
+
+    def publishing(
+        self, addresses: list[int], divisor: int, *, immediate: bool
+    ) -> AbstractAsyncContextManager[Samples]:
+        """Have addresses published, without timestamps."""
+
+    def clock_of(self, sample: Any) -> int:
+        """Return the first word of a sample."""
 
 
 class FullStack:
     """The link: messages with IDs, each executed exactly once and in order."""
 
-    def __init__(self, link: Link) -> None:
-        self.link = link
+    def __init__(self, link: Link, probe: Probe) -> None:
+        self.link, self.probe = link, probe
         info = link.gateway
-        word, address, check = info.data_digits, info.address_digits, info.crc_bits // 4
-        head, end = 1 + info.id_digits, check + 1
-        self.line_bytes: dict[Access, int] = {
-            "read": head + word + end,
-            "write": head + address + word + end,
-            "post": 1 + head + address + word + end,
+        word, address, end = info.data_digits, info.address_digits, info.crc_bits // 4 + 1
+        head = 1 + info.id_digits
+        self.sizes: dict[Access, tuple[int, int]] = {
+            "read": (head + address + end, head + word + end),
+            "block": (head + 1 + address + 2 + end, head + 1 + BLOCK_WORDS * word + end),
+            "write": (head + address + word + end, head + end),
+            "post": (head + 1 + address + word + end, 0),
         }
 
     @classmethod
     @asynccontextmanager
-    async def opened(cls, timeout: float) -> AsyncIterator[FullStack]:  # noqa: ASYNC109  (handed on)
+    async def opened(cls, url: str, mode: Mode, probe: Probe, timeout: float) -> AsyncIterator[FullStack]:  # noqa: ASYNC109  (handed on)
         """Open a link to the chip that is plugged in."""
-        async with connect(URL, timeout=timeout) as link:
-            yield cls(link)
+        async with connect(url, timeout=timeout) as link:
+            await link.send_immediate(of_the_link(mode))
+            yield cls(link, probe)
 
-    async def send_immediate(self, mode: SendImmediate) -> None:
-        """Choose a mode."""
-        await self.link.send_immediate(mode)
-
-    async def one(self, access: Access) -> None:
+    async def one(self, access: Access, address: int = ADDRESS) -> None:
         """Make one access."""
         if access == "read":
-            await self.link.read(ADDRESS)
+            await self.link.read(address)
+        elif access == "block":
+            await self.link.read_block(address, BLOCK_WORDS)
         elif access == "write":
-            await self.link.write(ADDRESS, WORD)
+            await self.link.write(address, WORD)
         else:
-            await self.link.post(ADDRESS, WORD)
+            await self.link.post(address, WORD)
 
-    async def burst(self, access: Access, count: int) -> None:
+    async def burst(self, access: Access, count: int, address: int | None = None) -> None:
         """Make many accesses at once."""
-        addresses = np.arange(count) % ADDRESSES
+        addresses = np.arange(count) % ADDRESSES if address is None else np.full(count, address)
         if access == "read":
             await self.link.read_many(addresses)
         elif access == "write":
             await self.link.write_many(addresses, addresses)
-        else:
+        elif access == "post":
             await self.link.post_many(addresses, addresses)
             await self.link.fence()
+        else:
+            await asyncio.gather(*(self.link.read_block(ADDRESS, BLOCK_WORDS) for _ in range(count)))
+
+    async def clocks(self, count: int) -> list[int]:
+        """Read the probe many times at once."""
+        return [int(word) for word in await self.link.read_many([PROBE] * count)]
+
+    def publishing(
+        self, addresses: list[int], divisor: int, *, immediate: bool
+    ) -> AbstractAsyncContextManager[Samples]:
+        """Subscribe."""
+        return self.link.subscribe(addresses, divisor=divisor, immediate=immediate, timestamps=False, buffer=1 << 20)
+
+    def clock_of(self, sample: Any) -> int:
+        """Return the first word of a sample."""
+        return int(sample.values[0])
 
 
 class LowLevel(asyncio.Protocol):
-    """The driver's transport alone, with ready-made messages without IDs: those of the paper, 6 and 14 bytes."""
+    """The driver's transport alone, with ready-made messages without IDs.
 
-    def __init__(self) -> None:
+    They are those of the paper, but for the answer to a write, which has a byte more.
+    """
+
+    def __init__(self, probe: Probe) -> None:
+        self.probe = probe
         self._loop = asyncio.get_running_loop()
         self._missing = 0
+        self._kept: list[bytes] | None = None
+        """What arrives, where that is wanted."""
+        self._samples: _Frames | None = None
         self._arrived: asyncio.Future[None] = self._loop.create_future()
         self._ended: asyncio.Future[None] = self._loop.create_future()
         self._transport: asyncio.Transport
-        self._requests: dict[Access, bytes] = {
-            "read": checked(b"R%02X" % ADDRESS),
-            "write": checked(b"W%02X%08X" % (ADDRESS, WORD)),
-            "post": checked(b"WS%02X%08X" % (ADDRESS, WORD)),
-        }
-        answer = len(checked(b"R%02X%08X" % (ADDRESS, WORD)))
-        self._answers: dict[Access, int] = {"read": answer, "write": len(checked(b"W%02X" % ADDRESS)), "post": 0}
-        self.line_bytes: dict[Access, int] = {
-            "read": answer,
-            "write": len(self._requests["write"]),
-            "post": len(self._requests["post"]),
+        read, words = len(checked(b"R%02X%08X" % (ADDRESS, WORD))), 8 * BLOCK_WORDS
+        answers = {"read": read, "block": read - 8 + 1 + words, "write": len(checked(b"W%02X" % ADDRESS)), "post": 0}
+        self.sizes: dict[Access, tuple[int, int]] = {
+            access: (len(_request(access, ADDRESS)), answers[access]) for access in ACCESSES
         }
 
     @classmethod
     @asynccontextmanager
-    async def opened(cls, timeout: float) -> AsyncIterator[LowLevel]:  # noqa: ASYNC109  (as `FullStack.opened`)
+    async def opened(cls, url: str, mode: Mode, probe: Probe, timeout: float) -> AsyncIterator[LowLevel]:  # noqa: ASYNC109  (as `FullStack.opened`)
         """Open the driver of the chip that is plugged in."""
         from unity_link.transport.ft232h import with_libusb
 
         async with asyncio.timeout(timeout):
-            stack = cls()
-            stack._transport = await with_libusb.connect(parse_url(URL), stack)
+            stack = cls(probe)
+            stack._transport = await with_libusb.connect(parse_url(url), stack)
         try:
+            name = of_the_link(mode)
+            request = checked(b"I%02X" % ("off", "always", "adaptive").index(name))
+            await stack._exchange(request, len(request))
+            await stack._transport.get_extra_info("send_immediate")(name)
             yield stack
         finally:
             stack._transport.close()
             await stack._ended
 
-    async def send_immediate(self, mode: SendImmediate) -> None:
-        """Choose a mode."""
-        request = checked(b"I%02X" % ("off", "always", "adaptive").index(mode))
-        await self._exchange(request, len(request))
-        await self._transport.get_extra_info("send_immediate")(mode)
-
-    async def one(self, access: Access) -> None:
+    async def one(self, access: Access, address: int = ADDRESS) -> None:
         """Make one access."""
-        await self._exchange(self._requests[access], self._answers[access])
+        await self._exchange(_request(access, address), self.sizes[access][1])
 
-    async def burst(self, access: Access, count: int) -> None:
+    async def burst(self, access: Access, count: int, address: int | None = None) -> None:
         """Make many accesses at once; behind posts, a read tells that they are executed."""
-        requests, size = self._requests[access] * count, self._answers[access] * count
+        requests = _request(access, ADDRESS if address is None else address) * count
+        size = self.sizes[access][1] * count
         if access == "post":
-            requests, size = requests + self._requests["read"], self._answers["read"]
+            requests, size = requests + _request("read", ADDRESS), self.sizes["read"][1]
         await self._exchange(requests, size)
+
+    async def clocks(self, count: int) -> list[int]:
+        """Read the probe many times at once."""
+        self._kept = []
+        await self.burst("read", count, PROBE)
+        text, self._kept = b"".join(self._kept), None
+        return [int(line[3:11], 16) for line in text.splitlines()]
+
+    @asynccontextmanager
+    async def publishing(self, addresses: list[int], divisor: int, *, immediate: bool) -> AsyncIterator[Samples]:
+        """Set a group up and start it; stop it at the end."""
+        flags = GroupFlag.PERIODIC | (GroupFlag.IMMEDIATE if immediate else GroupFlag(0))
+        listed = b"".join(b"%02X" % address for address in addresses)
+        await self._exchange(b"", 0)
+        self._samples = frames = _Frames()
+        try:
+            for command in (
+                b"GS%02X%02X%04X%02X" % (_GROUP, flags, divisor, len(addresses)) + listed,
+                b"GN%02X" % _GROUP,
+            ):
+                self._transport.write(checked(command))
+                answer = await frames.answered()
+                assert answer.startswith(command[:4]), answer
+            yield frames
+            self._transport.write(checked(b"GX%02X" % _GROUP))
+            await frames.answered()
+        finally:
+            self._samples = None
+
+    def clock_of(self, sample: Any) -> int:
+        """Return the first word of a sample."""
+        return int(sample[5:13], 16)
 
     async def _exchange(self, request: bytes, answer_size: int) -> None:
         self._missing = answer_size
@@ -152,6 +249,11 @@ class LowLevel(asyncio.Protocol):
 
     def data_received(self, data: bytes) -> None:
         """Count."""
+        if self._samples is not None:
+            self._samples.add(data)
+            return
+        if self._kept is not None:
+            self._kept.append(bytes(data))
         self._missing -= len(data)
         if self._missing <= 0 and not self._arrived.done():
             self._arrived.set_result(None)
@@ -164,7 +266,49 @@ class LowLevel(asyncio.Protocol):
             self._ended.set_result(None)
 
 
-def link_of(stack: Any) -> Link:
-    """Return the link of a full stack."""
-    assert isinstance(stack, FullStack)
-    return stack.link
+class _Frames:
+    """Samples as a small program takes them: cut at the line ends, and their sequence looked at."""
+
+    def __init__(self) -> None:
+        self.lost = 0
+        self._rest = b""
+        self._frames: deque[bytes] = deque()
+        self._next: int | None = None
+        self._came: asyncio.Future[None] | None = None
+        self._answers: asyncio.Queue[bytes] = asyncio.Queue()
+
+    def add(self, data: bytes) -> None:
+        """Take what has arrived."""
+        *frames, self._rest = (self._rest + data).split(b"\n")
+        for frame in frames:
+            if frame[:1] == b"P":
+                sequence = int(frame[3:5], 16)
+                if self._next is not None:
+                    self.lost += (sequence - self._next) % 256
+                self._next = sequence + 1
+                self._frames.append(frame)
+            else:
+                self._answers.put_nowait(frame)
+        if self._frames and self._came is not None and not self._came.done():
+            self._came.set_result(None)
+
+    async def answered(self) -> bytes:
+        """Wait for the answer to a command."""
+        return await self._answers.get()
+
+    async def __anext__(self) -> bytes:
+        """Take a sample."""
+        while not self._frames:
+            self._came = asyncio.get_running_loop().create_future()
+            await self._came
+        return self._frames.popleft()
+
+
+def _request(access: Access, address: int) -> bytes:
+    bodies: dict[Access, bytes] = {
+        "read": b"R%02X" % address,
+        "block": b"RM%02X%02X" % (address, BLOCK_WORDS),
+        "write": b"W%02X%08X" % (address, WORD),
+        "post": b"WS%02X%08X" % (address, WORD),
+    }
+    return checked(bodies[access])

@@ -3,18 +3,25 @@
 from __future__ import annotations
 
 import asyncio
+import statistics
+from itertools import pairwise
 from typing import TYPE_CHECKING
 
-from benchmarks.paper.results import ACCESSES, MODES, Burst, SendImmediate, Throughput
+from benchmarks.paper.results import Burst, Stamps, Throughput
+from benchmarks.paper.stacks import ACCESSES, MODES
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Coroutine, Iterator, Sequence
+    from collections.abc import Iterator, Sequence
 
-    from benchmarks.paper.stacks import Access, Stack, StackName
-    from benchmarks.paper.workbench import Workbench
+    from benchmarks.paper.stacks import Access, Mode, Stack, StackName
+    from benchmarks.paper.workbench import Measure, Workbench
 
 _LONG = 3
 """The longer burst is so many times the shorter one."""
+_BLOCKS = 150
+"""At least, or the last latency timer counts for too much."""
+_PAUSE = 2.0
+"""So many times the usual distance of two answers is a pause."""
 
 
 def measure_throughputs(bench: Workbench, stack: StackName, count: int, runs: int) -> Iterator[Throughput]:
@@ -26,48 +33,69 @@ def measure_throughputs(bench: Workbench, stack: StackName, count: int, runs: in
     Args:
         bench: where.
         stack: through what.
-        count: accesses of the shorter burst.
+        count: accesses of the shorter burst; a tenth of that for blocks, which are long.
         runs: how often with the program's time, of which the best counts.
     """
     for access in ACCESSES:
-        measures = [_measuring_rate(access, mode, count) for mode in MODES]
-        for mode, (modelled, total) in zip(MODES, bench.best(stack, measures, runs, max), strict=True):
-            yield Throughput(stack=stack, access=access, send_immediate=mode, modelled=modelled, total=total)
+        measures = [
+            (mode, measuring_rate(access, max(_BLOCKS, count // 10) if access == "block" else count)) for mode in MODES
+        ]
+        found = bench.best(stack, measures, runs, lambda pair: -pair[0])
+        for mode, ((modelled, sizes), (total, _)) in zip(MODES, found, strict=True):
+            yield Throughput(
+                stack=stack,
+                access=access,
+                send_immediate=mode,
+                request_bytes=sizes[0],
+                answer_bytes=sizes[1],
+                modelled=modelled,
+                total=total,
+            )
 
 
 def measure_bursts(bench: Workbench, stack: StackName, counts: Sequence[int], runs: int) -> Iterator[Burst]:
     """Measure bursts of reads of several lengths, each `runs` times, of which the best counts."""
     for mode in MODES:
-        measure, size = _measuring_bursts(mode, counts, runs), 0
-        for count, (seconds, size) in zip(counts, bench.run(stack, measure, host_time=True), strict=True):
+        modelled = bench.run(stack, mode, _measuring_bursts(counts, 1), host_time=False)
+        total = modelled
+        if bench.counts_host_time:
+            total = bench.run(stack, mode, _measuring_bursts(counts, runs), host_time=True)
+        for count, (without, size), (with_program, _) in zip(counts, modelled, total, strict=True):
             yield Burst(
                 stack=stack,
                 send_immediate=mode,
                 count=count,
-                microseconds=seconds * 1e6,
-                megabits=8 * size * count / seconds / 1e6,
+                answer_bytes=size,
+                modelled=without,
+                total=with_program,
             )
 
 
-def _measuring_rate(access: Access, mode: SendImmediate, count: int) -> Callable[[Stack], Coroutine[None, None, float]]:
-    async def measure(stack: Stack) -> float:
-        await stack.send_immediate(mode)
+def measure_stamps(bench: Workbench, counts: Sequence[int]) -> Iterator[Stamps]:
+    """Have the gateway's clock answer bursts of reads, low-level."""
+    for mode in MODES:
+        for count in counts:
+            yield bench.run("low-level", mode, _measuring_stamps(mode, count), host_time=False)
+
+
+def measuring_rate(access: Access, count: int) -> Measure[tuple[float, tuple[int, int]]]:
+    """Return what finds the accesses a second of a long burst, and the bytes of one."""
+
+    async def measure(stack: Stack) -> tuple[float, tuple[int, int]]:
         # What is done once, at the first time, is not part of any rate.
-        await stack.burst(access, count // 10)
-        size = 8 * stack.line_bytes[access] * count / 1e6
+        await stack.burst(access, max(1, count // 10))
         long = await _time(stack, access, _LONG * count)
         if access == "post":
-            return _LONG * size / long
-        return (_LONG - 1) * size / (long - await _time(stack, access, count))
+            rate = _LONG * count / long
+        else:
+            rate = (_LONG - 1) * count / (long - await _time(stack, access, count))
+        return round(rate, 3), stack.sizes[access]
 
     return measure
 
 
-def _measuring_bursts(
-    mode: SendImmediate, counts: Sequence[int], runs: int
-) -> Callable[[Stack], Coroutine[None, None, list[tuple[float, int]]]]:
+def _measuring_bursts(counts: Sequence[int], runs: int) -> Measure[list[tuple[float, int]]]:
     async def measure(stack: Stack) -> list[tuple[float, int]]:
-        await stack.send_immediate(mode)
         await stack.burst("read", counts[-1])
         found = []
         for count in counts:
@@ -75,8 +103,36 @@ def _measuring_bursts(
             for run in range(runs):
                 await asyncio.sleep(run * 1e-6 * 125 / runs)
                 times.append(await _time(stack, "read", count))
-            found.append((min(times), stack.line_bytes["read"]))
+            found.append((round(min(times) * 1e6, 3), stack.sizes["read"][1]))
         return found
+
+    return measure
+
+
+def _measuring_stamps(mode: Mode, count: int) -> Measure[Stamps]:
+    async def measure(stack: Stack) -> Stamps:
+        await stack.clocks(count)
+        # Not at the beginning of a microframe.
+        await asyncio.sleep(40e-6)
+        times = [stack.probe.time_of(word) for word in await stack.clocks(count)]
+        gaps = [1e6 * (later - earlier) for earlier, later in pairwise(times)]
+        usual = statistics.median(gaps)
+        places = [place for place, gap in enumerate(gaps) if gap > _PAUSE * usual]
+        bits = 8 * stack.sizes["read"][1]
+        within = [gap for gap in gaps if gap <= _PAUSE * usual]
+        return Stamps(
+            send_immediate=mode,
+            count=count,
+            mean_megabits=round(bits * len(gaps) / sum(gaps), 3),
+            run_megabits=round(bits * len(within) / sum(within), 3),
+            run_length=round(count / (len(places) + 1), 3),
+            pauses=len(places),
+            pause_microseconds=(
+                round(1e6 * (times[places[-1] + 1] - times[places[0] + 1]) / (len(places) - 1), 3)
+                if len(places) > 1
+                else 0.0
+            ),
+        )
 
     return measure
 

@@ -5,28 +5,33 @@ from __future__ import annotations
 import asyncio
 import gc
 from contextlib import asynccontextmanager
-from typing import TYPE_CHECKING, Literal, TypeVar
+from typing import TYPE_CHECKING, Literal, TypeAlias, TypeVar
 
 import msgspec
 
 from benchmarks.paper.build import MODEL, compiled_gateway
-from benchmarks.paper.stacks import FullStack, LowLevel
+from benchmarks.paper.media import ASYNCHRONOUS, Medium
+from benchmarks.paper.probe import Probe
+from benchmarks.paper.stacks import PROBE, FullStack, LowLevel, url_of
 from unity_link.errors import ConnectError
+from unity_link.transport.ft232h.eeprom_image import build_eeprom
 from unity_link.virtual import VirtualGateway
-from unity_link.virtual.ft232h.board import GatewayBoard
-from unity_link.virtual.ft232h.bus import LoopClock, VirtualBus, VirtualFt232h
+from unity_link.virtual.ft232h.board import STEP, GatewayBoard
+from unity_link.virtual.ft232h.bus import DEFAULT_SERIAL, LoopClock, VirtualBus, VirtualFt232h
 from unity_link.virtual.ft232h.rtl_board import RtlBoard
 from unity_link.virtual.ft232h.timing import Timing
 from unity_link.virtual.modelled_time import ModelledTimeLoop
 
 if TYPE_CHECKING:
-    from collections.abc import AsyncIterator, Callable, Coroutine, Iterable, Sequence
+    from collections.abc import AsyncIterator, Callable, Coroutine, Sequence
 
-    from benchmarks.paper.stacks import Stack, StackName
+    from benchmarks.paper.stacks import Mode, Stack, StackName
     from unity_link.virtual.ft232h.board import Board
+    from unity_link.virtual.gateway import BareGateway
 
 GatewayKind = Literal["rtl", "model"]
 T = TypeVar("T")
+Measure: TypeAlias = "Callable[[Stack], Coroutine[None, None, T]]"
 
 OPENING = 60.0
 """Seconds of modelled time that opening may take: no answer is late on a virtual chip."""
@@ -48,12 +53,15 @@ class Workbench(msgspec.Struct, frozen=True):
     timing: Timing = Timing()
     counts_host_time: bool = True
     """False to leave the program's time out everywhere: then every run gives the same."""
+    medium: Medium = ASYNCHRONOUS
+    """What is between chip and gateway; the RTL is behind the default alone."""
 
-    def run(self, stack: StackName, measure: Callable[[Stack], Coroutine[None, None, T]], *, host_time: bool) -> T:
+    def run(self, stack: StackName, mode: Mode, measure: Measure[T], *, host_time: bool) -> T:
         """Measure on a fresh gateway, through one of the stacks.
 
         Args:
             stack: the way to the gateway.
+            mode: of send-immediate.
             measure: works on it, and reads the time of the running loop.
             host_time: count the program's processor time besides the modelled time.
         """
@@ -61,15 +69,15 @@ class Workbench(msgspec.Struct, frozen=True):
         with asyncio.Runner(
             loop_factory=lambda: ModelledTimeLoop(host_time=host_time and self.counts_host_time)
         ) as runner:
-            return runner.run(self._measure(stack, measure))
+            return runner.run(self._measure(stack, mode, measure))
 
     def best(
         self,
         stack: StackName,
-        measures: Sequence[Callable[[Stack], Coroutine[None, None, float]]],
+        measures: Sequence[tuple[Mode, Measure[T]]],
         runs: int,
-        choose: Callable[[Iterable[float]], float],
-    ) -> list[tuple[float, float]]:
+        badness: Callable[[T], float],
+    ) -> list[tuple[T, T]]:
         """Return figures without the program's time, and the best of several runs with it.
 
         What else runs on the machine spoils the caches, and so can only make a figure worse. The measurements take
@@ -77,29 +85,40 @@ class Workbench(msgspec.Struct, frozen=True):
 
         Args:
             stack: the way to the gateway.
-            measures: each gives a figure.
+            measures: each gives a figure, in a mode.
             runs: how often with the program's time.
-            choose: `min`, or `max` where more is better.
+            badness: of a figure; the least is the best.
         """
-        modelled = [self.run(stack, measure, host_time=False) for measure in measures]
+        modelled = [self.run(stack, mode, measure, host_time=False) for mode, measure in measures]
         if not self.counts_host_time:
             return list(zip(modelled, modelled, strict=True))
-        rounds = [[self.run(stack, measure, host_time=True) for measure in measures] for _ in range(runs)]
-        return list(zip(modelled, map(choose, zip(*rounds, strict=True)), strict=True))
+        rounds = [[self.run(stack, mode, measure, host_time=True) for mode, measure in measures] for _ in range(runs)]
+        best = [min(found, key=badness) for found in zip(*rounds, strict=True)]
+        return list(zip(modelled, best, strict=True))
 
-    async def _measure(self, stack: StackName, measure: Callable[[Stack], Coroutine[None, None, T]]) -> T:
-        async with self._plugged_in(), (LowLevel if stack == "low-level" else FullStack).opened(OPENING) as way:
+    async def _measure(self, stack: StackName, mode: Mode, measure: Measure[T]) -> T:
+        url = url_of(mode, self.medium.options)
+        kind = LowLevel if stack == "low-level" else FullStack
+        async with self._plugged_in() as probe, kind.opened(url, mode, probe, OPENING) as way:
             return await measure(way)
 
     @asynccontextmanager
-    async def _plugged_in(self) -> AsyncIterator[None]:
+    async def _plugged_in(self) -> AsyncIterator[Probe]:
         from unity_link.virtual.ft232h.pyusb_backend import installed
 
-        device = VirtualFt232h(self._board(), timing=self.timing, clock=LoopClock())
+        gateway, board = self._board()
+        probe = Probe(board, MODEL.clock_hz)
+        gateway.attach(probe, [PROBE])
+        image = build_eeprom(self.medium.eeprom, DEFAULT_SERIAL)
+        device = VirtualFt232h(board, image=image, timing=self.timing, clock=LoopClock())
         with installed(VirtualBus(device)):
-            yield
+            yield probe
 
-    def _board(self) -> Board:
+    def _board(self) -> tuple[BareGateway, Board]:
         if self.gateway == "model":
-            return GatewayBoard(VirtualGateway(MODEL))
-        return RtlBoard(compiled_gateway(), self.timing.fifo_bytes_per_second)
+            # Bytes come one by one: a step that fills a FIFO would look like an overflow.
+            step = min(STEP, self.medium.fifo_bytes // 2)
+            model = VirtualGateway(self.medium.of(MODEL))
+            return model, GatewayBoard(model, self.medium.mode, step=step)
+        gateware = compiled_gateway()
+        return gateware, RtlBoard(gateware, self.timing.fifo_bytes_per_second)

@@ -64,9 +64,9 @@ def test_a_quick_run_prints_data_and_writes_page_and_pictures(tmp_path: Path) ->
     results = msgspec.json.decode(done.stdout, type=Results)
     assert results.parameters.gateway == "model"
     assert done.stdout.count("\n") == 1
-    names = ["TABLE1.md", "figure3.png", "figure4.png", "table1.json"]
+    names = ["TABLE1.md", "bursts.png", "figure3.png", "figure4.png", "table1.json"]
     assert sorted(file.name for file in (tmp_path / "out").iterdir()) == names
-    assert "publishing: limits ..." in done.stderr
+    assert "limits of publishing ..." in done.stderr
 
 
 @pytest.mark.slow
@@ -74,4 +74,4 @@ def test_into_a_pipe_it_prints_markdown() -> None:
     done = run(*QUICK)
     assert done.returncode == 0
     assert done.stdout.startswith("# The paper's experiment, again\n")
-    assert "| full stack | read | back to back | adaptive |" in done.stdout
+    assert "| full stack | latency, request to response | 652 µs (sd 11.7 µs) |" in done.stdout

@@ -70,6 +70,25 @@ def test_without_a_pulse_the_answer_waits_for_the_latency_timer() -> None:
     assert 0.015 < device.clock.now() - began <= 0.016 + 2 * MICROFRAME
 
 
+def test_a_group_of_255_addresses_is_set_up_although_no_byte_moves_for_long_meanwhile() -> None:
+    device, _ = chip()
+    assert ask(device, checked(b"I02")) == checked(b"I02")
+    request = checked(b"GS01010190FF" + b"".join(b"%02X" % address for address in range(255)))
+    assert ask(device, request) == checked(b"GS01")
+
+
+def test_a_cycle_has_the_time_at_which_it_passed() -> None:
+    gateway = RtlGateway("ft232h")
+    board = RtlBoard(gateway, RATE)
+    device = VirtualFt232h(board, clock=SimulatedClock())
+    ask(device, checked(b"I02"))
+    began = device.clock.now()
+    ask(device, checked(b"W0A00000012"))
+    # In the microframe that the request went out in, and the next cycle a fiftieth of a microsecond later.
+    assert began - 1e-9 <= board.time_of(gateway.cycles) <= device.clock.now() + 1e-9
+    assert board.time_of(gateway.cycles + 1) - board.time_of(gateway.cycles) == pytest.approx(20e-9)
+
+
 def test_cycles_pass_only_while_something_can_move() -> None:
     device, gateway = chip()
     ask(device, checked(b"R0A"))

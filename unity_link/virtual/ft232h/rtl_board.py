@@ -20,6 +20,8 @@ if TYPE_CHECKING:
 
 SLICE = 8e-6
 """Seconds: 64 bytes at 8 MB/s, as `board.STEP`."""
+_LOOKS = 4
+"""Slices in which nothing moves, behind bytes: to set up a group of 255 words takes the gateware longer than one."""
 
 
 class RtlBoard:
@@ -40,13 +42,22 @@ class RtlBoard:
         """When a slice ends, and what passes the pins in it."""
         self._moving = False
         """Whether the gateway may go on without anything new at the pins."""
+        self._looks = 0
+        """Slices that are still looked at although nothing moves."""
         self._blocked = False
         """Whether what it has to send has found no room."""
+        self._began = (0.0, 0)
+        """When the last slice began, and in which cycle."""
 
     @property
     def next_due(self) -> float | None:
         """When the slice ends that is under way."""
         return None if self._passing is None else self._passing[0]
+
+    def time_of(self, cycle: int) -> float:
+        """Return the time of a clock cycle of the last slice."""
+        began, first = self._began
+        return began + (cycle - first) / self._clock_hz
 
     def advance(self, chip: Chip, now: float) -> None:
         """End the slice that is done, and begin the next, if there is anything to do."""
@@ -62,8 +73,10 @@ class RtlBoard:
 
     def _begin(self, chip: Chip, now: float) -> None:
         room = chip.room
+        self._began = (now, self.gateway.cycles)
         passage = self.gateway.pass_pins(bytes(chip.to_fpga[: self._slice_bytes]), self._slice_cycles, room)
-        self._moving = passage.flush or passage.cycles == self._slice_cycles
+        self._looks = _LOOKS if passage.taken else max(0, self._looks - 1)
+        self._moving = passage.flush or passage.cycles == self._slice_cycles or self._looks > 0
         self._blocked = len(passage.sent) == room
         # What came too late to move anything, like a byte for a full FIFO, is looked at again after a while.
         self._passing = (now + (passage.cycles or self._slice_cycles) / self._clock_hz, passage)

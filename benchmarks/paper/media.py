@@ -1,0 +1,56 @@
+"""What the paper's chip and gateway can be joined by: a UART of three rates, an asynchronous and a synchronous FIFO."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Literal
+
+import msgspec
+
+from unity_link.protocol.configuration import Feature, GatewayInfo
+from unity_link.virtual.ft232h.chip import Mode as Pins
+
+if TYPE_CHECKING:
+    from unity_link.transport.ft232h.eeprom_image import ChannelType
+
+MediumName = Literal["UART, 1 Mbaud", "UART, 6 Mbaud", "UART, 12 Mbaud", "asynchronous FT245", "synchronous FT245"]
+
+
+class Medium(msgspec.Struct, frozen=True):
+    """A way between chip and gateway."""
+
+    name: MediumName
+    options: str
+    """Of the URL."""
+    mode: Pins
+    eeprom: ChannelType
+    bytes_per_second: float
+    """In each direction; of both together, where the bus carries one at a time."""
+    fifo_bytes: int = 256
+    """Of each FIFO of the gateway."""
+
+    def of(self, info: GatewayInfo) -> GatewayInfo:
+        """Return what a gateway says of itself that is built for it, and is otherwise like another one."""
+        features = info.features
+        if self.mode is Pins.UART:
+            # Three wires: nothing stops the host, so it sends no more than the receive FIFO holds.
+            features &= ~Feature.FLOW_CONTROL
+        return msgspec.structs.replace(
+            info, receive_fifo_bytes=self.fifo_bytes, transmit_fifo_bytes=self.fifo_bytes, features=features
+        )
+
+
+def _uart(name: MediumName, megabaud: int) -> Medium:
+    # Each line end is sent at once: there is no SIWU# on a UART.
+    options = f"mode=uart&baud={megabaud * 1_000_000}&event_char=10"
+    return Medium(name, options, Pins.UART, "UART", megabaud * 1e5)
+
+
+ASYNCHRONOUS = Medium("asynchronous FT245", "", Pins.FIFO, "FIFO", 8e6)
+MEDIA = (
+    _uart("UART, 1 Mbaud", 1),
+    _uart("UART, 6 Mbaud", 6),
+    _uart("UART, 12 Mbaud", 12),
+    ASYNCHRONOUS,
+    Medium("synchronous FT245", "mode=ft245-sync", Pins.SYNC_FIFO, "FIFO", 40e6),
+)
+FIFO_SIZES = (16, 256)

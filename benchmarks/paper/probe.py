@@ -1,0 +1,42 @@
+"""A clock behind the gateway's bus: it tells when an access had its effect."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from unity_link.virtual.ft232h.rtl_board import RtlBoard
+
+if TYPE_CHECKING:
+    from unity_link.virtual.ft232h.board import Board
+
+
+class Probe:
+    """A device of which the word is the time at which it is read, in cycles; writes leave their instants.
+
+    The gateware's own cycles would not do: those in which nothing can happen are not worked out.
+
+    Args:
+        board: what is at the pins, whose time is the loop's.
+        clock_hz: the gateway's clock.
+    """
+
+    def __init__(self, board: Board, clock_hz: int) -> None:
+        self._rtl = board if isinstance(board, RtlBoard) else None
+        self._clock_hz = clock_hz
+        self.effects: list[float] = []
+        """When words were written, in seconds of modelled time."""
+
+    def read(self, offset: int, now: float) -> int:  # noqa: ARG002  (as devices have it)
+        """Return the time in cycles."""
+        return round(self._instant(now) * self._clock_hz)
+
+    def write(self, offset: int, value: int, now: float) -> None:  # noqa: ARG002
+        """Note when."""
+        self.effects.append(self._instant(now))
+
+    def time_of(self, word: int) -> float:
+        """Return the modelled time at which a word was read."""
+        return word / self._clock_hz
+
+    def _instant(self, now: float) -> float:
+        return now if self._rtl is None else self._rtl.time_of(self._rtl.gateway.cycles)
