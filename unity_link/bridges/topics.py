@@ -201,7 +201,7 @@ def joint_command_topics(robot: Robot, published: list[PublishedGroup]) -> list[
     for group in published:
         joints = group.group.model.joints if group.joints is not None and group.group.model is not None else ()
         parts = {part: _set_points(part, joints, robot) for part in ("velocity", "effort", "position")}
-        there = [part for part, proxies in parts.items() if any(proxies)]
+        there = [part for part, proxies in parts.items() if any(proxy is not None for proxy in proxies)]
         if group.joints is not None and there:
             commands = JointCommands(group.joints.names, parts)
             before = group.joints.name.removesuffix("joint_states")
