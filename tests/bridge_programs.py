@@ -57,7 +57,7 @@ def wait_for(process: subprocess.Popen[str], words: str) -> str:
     """Wait for a line on stderr."""
     assert process.stderr is not None
     for line in process.stderr:
-        assert "Traceback" not in line
+        assert "Traceback" not in line, line + process.stderr.read()
         if words in line:
             return line
     pytest.fail(f"the program ended without saying {words!r}")
