@@ -1,0 +1,227 @@
+"""Fixtures for tests of programs that use a gateway: on a simulated robot, or on a board by ``--unity-link-url``.
+
+::
+
+    @pytest.mark.unity_link(spec="rover.ul", model="rover.py:Rover")
+    async def test_it_stops_at_the_wall(unity_link_robot, unity_link_gateway):
+        await unity_link_robot.left.duty.set(1)
+        ...
+
+pytest loads this file in every run, so all else is imported by the fixtures that need it.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import importlib.util
+from dataclasses import dataclass, replace
+from pathlib import Path  # noqa: TC003  (pytest and dataclasses read it)
+from typing import TYPE_CHECKING, Any
+
+import pytest
+
+if TYPE_CHECKING:
+    from collections.abc import AsyncIterator, Callable, Coroutine
+    from contextlib import AbstractAsyncContextManager
+
+    from unity_link import Link
+    from unity_link.data import Robot
+    from unity_link.virtual.gateway import BareGateway, Gateway
+
+MEDIA = ("sim", "tcp", "unix", "pty", "udp")
+_INI = {
+    "unity_link_spec": "path of the spec of the robot, below the directory of the configuration",
+    "unity_link_model": "model of the robot, as rover.py:Rover",
+    "unity_link_medium": f"what is between program and gateway: {', '.join(MEDIA)}",
+    "unity_link_noise": "probability that a byte is lost, and that one is damaged",
+    "unity_link_seed": "chooses the course of the noise",
+}
+
+
+@dataclass(frozen=True)
+class Settings:
+    """What a test asks for."""
+
+    spec: Path | None = None
+    """Of the robot; None for plain memory."""
+    model: str | None = None
+    """As ``rover.py:Rover``; None: the registers are memory."""
+    medium: str = "sim"
+    noise: float = 0.0
+    """Probability that a byte is lost, and that one is damaged, in both directions."""
+    seed: int = 0
+    rtl: bool = False
+    """Whether the gateway is the compiled gateware in place of a model."""
+    url: str | None = None
+    """Of a board, in place of all of that but the spec."""
+
+
+def pytest_addoption(parser: pytest.Parser) -> None:
+    """Add the options."""
+    group = parser.getgroup("unity-link")
+    group.addoption("--unity-link-url", metavar="URL", help="run the same tests on the gateway at URL: a board")
+    for name, text in _INI.items():
+        parser.addini(name, text)
+
+
+def pytest_configure(config: pytest.Config) -> None:
+    """Make the marker known."""
+    config.addinivalue_line(
+        "markers",
+        "unity_link(spec, model, medium, noise, seed, rtl): the gateway of a test, and what stands behind it; what is "
+        "not said is as the ini file has it",
+    )
+
+
+@pytest.fixture
+def unity_link_settings(request: pytest.FixtureRequest) -> Settings:
+    """Return what markers, the ini file and the command line ask for; the nearest marker goes first."""
+    config = request.config
+    settings = _of_ini(config)
+    for marker in reversed(list(request.node.iter_markers("unity_link"))):
+        if marker.args or not marker.kwargs.keys() <= Settings.__annotations__.keys() - {"url"}:
+            raise pytest.UsageError(f"unity_link takes spec=, model=, medium=, noise=, seed= and rtl=, not {marker}")
+        here = request.path.parent
+        found = dict(marker.kwargs)
+        if found.get("spec") is not None:
+            found["spec"] = here / found["spec"]
+        if found.get("model") is not None:
+            found["model"] = _below(here, found["model"])
+        settings = replace(settings, **found)
+    if settings.medium not in MEDIA:
+        raise pytest.UsageError(f"medium={settings.medium!r}: one of {', '.join(MEDIA)} was expected")
+    return replace(settings, url=config.getoption("unity_link_url"))
+
+
+def _of_ini(config: pytest.Config) -> Settings:
+    texts = {name.removeprefix("unity_link_"): str(config.getini(name)) for name in _INI}
+    try:
+        return Settings(
+            spec=config.rootpath / texts["spec"] if texts["spec"] else None,
+            model=_below(config.rootpath, texts["model"]) if texts["model"] else None,
+            medium=texts["medium"] or "sim",
+            noise=float(texts["noise"] or 0),
+            seed=int(texts["seed"] or 0),
+        )
+    except ValueError as error:
+        raise pytest.UsageError(f"unity_link_noise and unity_link_seed are numbers: {error}") from None
+
+
+def _below(folder: Path, model: str) -> str:
+    """Return a model with the path of its file below a folder; that of a module stays as it is."""
+    return str(folder / model) if ".py:" in model else model
+
+
+@pytest.fixture
+def unity_link_gateway(unity_link_settings: Settings) -> BareGateway:
+    """Return the virtual gateway of the test; its `robot` is the model.
+
+    A test that looks behind the bus is skipped on a board.
+    """
+    if unity_link_settings.url is not None:
+        pytest.skip(f"it looks behind the bus, and {unity_link_settings.url} is no virtual gateway")
+    return _build(unity_link_settings)
+
+
+def _build(settings: Settings) -> BareGateway:
+    from unity_link.virtual.build import Wanted, build_bare
+
+    robot = "" if settings.spec is None else str(settings.spec)
+    return build_bare(Wanted(robot=robot, model=settings.model, rtl=settings.rtl))
+
+
+@pytest.fixture
+def unity_link_open(
+    request: pytest.FixtureRequest, unity_link_settings: Settings, tmp_path: Path
+) -> Callable[[], AbstractAsyncContextManager[Link]]:
+    """Return what opens a link to the gateway of the test, in ``async with``; each call opens one."""
+    if unity_link_settings.url is not None:
+        return lambda: _connect(unity_link_settings.url)
+    gateway = request.getfixturevalue("unity_link_gateway")
+    return lambda: _opened(unity_link_settings, gateway, tmp_path)
+
+
+def _connect(target: Any) -> AbstractAsyncContextManager[Link]:
+    import unity_link
+
+    return unity_link.connect(target)
+
+
+@contextlib.asynccontextmanager
+async def _opened(settings: Settings, bare: BareGateway, folder: Path) -> AsyncIterator[Link]:
+    from unity_link.virtual.build import put_behind_line
+
+    chances = {"loss": settings.noise, "flip": settings.noise} if settings.noise else None
+    gateway = put_behind_line(bare, chances=chances, seed=settings.seed)
+    async with contextlib.AsyncExitStack() as stack:
+        target: Gateway | str = gateway
+        if settings.medium != "sim":
+            target = await stack.enter_async_context(_served(settings.medium, gateway, folder))
+        yield await stack.enter_async_context(_connect(target))
+
+
+def _served(medium: str, gateway: Gateway, folder: Path) -> AbstractAsyncContextManager[str]:
+    from unity_link.virtual import serving
+
+    match medium:
+        case "unix":
+            return serving.serve_unix(gateway, str(folder / "gateway"))
+        case "pty":
+            return serving.serve_pty(gateway)
+        case "udp":
+            return serving.serve_udp(gateway)
+    return serving.serve_tcp(gateway)
+
+
+@pytest.fixture
+def unity_link_modelled_time() -> Callable[[Coroutine[Any, Any, Any]], Any]:
+    """Return what runs a coroutine on modelled time, in which an hour takes a moment; for the medium ``sim`` alone."""
+    import asyncio
+
+    from unity_link.virtual.modelled_time import ModelledTimeLoop
+
+    def run(coroutine: Coroutine[Any, Any, Any]) -> Any:
+        with asyncio.Runner(loop_factory=ModelledTimeLoop) as runner:
+            return runner.run(coroutine)
+
+    return run
+
+
+def _robot(settings: Settings, link: Link) -> Robot:
+    import unity_link
+
+    if settings.spec is None:
+        raise pytest.UsageError("a robot needs a spec: pytest.mark.unity_link(spec='robot.ul'), or unity_link_spec")
+    return unity_link.load(settings.spec)(link)
+
+
+async def _a_link(unity_link_open: Callable[[], AbstractAsyncContextManager[Link]]) -> AsyncIterator[Link]:
+    """Open a link to the gateway of the test."""
+    async with unity_link_open() as link:
+        yield link
+
+
+@pytest.fixture
+async def unity_link_anyio_link(
+    unity_link_open: Callable[[], AbstractAsyncContextManager[Link]],
+) -> AsyncIterator[Link]:
+    """Open a link in a test of anyio's plugin, under asyncio or trio."""
+    async with unity_link_open() as link:
+        yield link
+
+
+@pytest.fixture
+def unity_link_anyio_robot(unity_link_settings: Settings, unity_link_anyio_link: Link) -> Robot:
+    """Return the robot of the spec in a test of anyio's plugin."""
+    return _robot(unity_link_settings, unity_link_anyio_link)
+
+
+if importlib.util.find_spec("pytest_asyncio") is not None:
+    import pytest_asyncio
+
+    unity_link_link = pytest_asyncio.fixture(_a_link, name="unity_link_link")
+
+    @pytest.fixture
+    def unity_link_robot(unity_link_settings: Settings, unity_link_link: Link) -> Robot:
+        """Return the robot of the spec in a test of pytest-asyncio."""
+        return _robot(unity_link_settings, unity_link_link)
