@@ -50,12 +50,16 @@ class Proof:
     """The UL-spec in `gateware/formal` from which the entity is generated."""
     defines: tuple[str, ...] = ()
     """Of the properties' preprocessor."""
+    joined: dict[str, dict[str, object]] = dataclasses.field(default_factory=dict)
+    """Entities, each with its generics, that the properties put together; `entity` names the properties alone."""
 
     @property
     def name(self) -> str:
         """What it is called: the entity, and which of its variants."""
         return " ".join((self.entity, *map(str.lower, self.defines)))
 
+
+_SMALL = {"data_bits": 8, "address_bits": 4, "id_digits": 2, "groups": 1}
 
 PROOFS = [
     Proof("ul_fifo_sync", {"width": 2, "depth": 4}),
@@ -74,6 +78,14 @@ PROOFS = [
     Proof("ul_axi4_lite_master", rules="axi4_lite", induction_steps=4),
     Proof("bank_registers", {"stream_wait": 3}, rules="wishbone_b4", spec="bank", induction_steps=4),
     Proof("ul_request_executor", {"data_bits": 8, "id_digits": 2, "room_bits": 3}),
+    Proof(
+        "at_most_once",
+        cover_steps=20,
+        joined={
+            "ul_request_decoder": {**_SMALL, "block_words": 2, "group_words": 2},
+            "ul_request_executor": {**_SMALL, "room_bits": 2},
+        },
+    ),
 ]
 
 _MOST_SECONDS = 900
@@ -132,7 +144,7 @@ def prove(proof: Proof, change: Callable[[str], str] = lambda verilog: verilog) 
         ConversionError: if a tool refuses the sources.
         ToolMissingError: if a tool is not there.
     """
-    verilog = change(_design(proof).read_text())
+    verilog = change(_design(proof))
     if proof.two_clocks:
         verilog = clocks_as_enables(verilog)
     files = [proof.rules] * bool(proof.rules) + [proof.entity]
@@ -143,14 +155,17 @@ def prove(proof: Proof, change: Callable[[str], str] = lambda verilog: verilog) 
     return kept(found, lambda: _search(proof, verilog, properties)) or None
 
 
-def _design(proof: Proof) -> Path:
-    """Return the Verilog of the entity."""
+def _design(proof: Proof) -> str:
+    """Return the Verilog of the entity, or of those that are put together."""
+    if proof.joined:
+        return "".join(to_verilog(entity, generics).read_text() for entity, generics in proof.joined.items())
     if not proof.spec:
-        return to_verilog(proof.entity, proof.generics)
+        return to_verilog(proof.entity, proof.generics).read_text()
     with tempfile.TemporaryDirectory() as folder:
         generated = write(generate("vhdl", compile_file(GATEWARE / "formal" / f"{proof.spec}.ul")), Path(folder))
         needed = (f"{proof.spec}_map", proof.entity)
-        return to_verilog(proof.entity, proof.generics, [path for path in generated if path.stem in needed])
+        sources = [path for path in generated if path.stem in needed]
+        return to_verilog(proof.entity, proof.generics, sources).read_text()
 
 
 def _search(proof: Proof, verilog: str, properties: str) -> str:
