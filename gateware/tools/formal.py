@@ -1,4 +1,4 @@
-"""Proves what `gateware/formal/*.sv` says of FIFOs, datalink layer, executor, bus and wrappers, by SymbiYosys and z3.
+"""Proves what `gateware/formal/*.sv` says of FIFOs, datalink layer, requests, bus and wrappers, by SymbiYosys and z3.
 
 PSL does not survive the way through Verilog, so each property file is a SystemVerilog module around the converted
 entity. The proofs are by induction, so they hold for every number of cycles. A property file that forbids too much by
@@ -40,7 +40,7 @@ class Proof:
     entity: str
     generics: dict[str, object] = dataclasses.field(default_factory=dict)
     cover_steps: int = 20
-    """Within which every `cover` is reached from reset."""
+    """Within which every `cover` is reached from reset; with 0 none is searched for."""
     induction_steps: int = 2
     two_clocks: bool = False
     """`in_clk` and `out_clk` instead of `clk`."""
@@ -80,7 +80,7 @@ PROOFS = [
     Proof("ul_request_executor", {"data_bits": 8, "id_digits": 2, "room_bits": 3}),
     Proof(
         "at_most_once",
-        cover_steps=20,
+        cover_steps=30,
         joined={
             "ul_request_decoder": {**_SMALL, "block_words": 2, "group_words": 2},
             "ul_request_executor": {**_SMALL, "room_bits": 2},
@@ -171,11 +171,14 @@ def _design(proof: Proof) -> str:
 def _search(proof: Proof, verilog: str, properties: str) -> str:
     """Return what is wrong; nothing is, if that is empty."""
     for mode, depth in (("cover", proof.cover_steps), ("prove", proof.induction_steps)):
+        if not depth:
+            continue
         with tempfile.TemporaryDirectory() as folder:
             work = Path(folder)
             (work / "dut.v").write_text(verilog)
             (work / "properties.sv").write_text(properties)
-            defines = " ".join(f"-D{name}" for name in proof.defines)
+            # Properties may say how their covers are reached, where a search without bounds takes too long.
+            defines = " ".join(f"-D{name}" for name in (*proof.defines, *(["COVER"] * (mode == "cover"))))
             configuration = _CONFIGURATION.format(mode=mode, depth=depth, entity=proof.entity, defines=defines)
             (work / "proof.sby").write_text(configuration)
             done = _symbiyosys(work)
