@@ -80,7 +80,7 @@ PROOFS = [
     Proof("ul_request_executor", {"data_bits": 8, "id_digits": 2, "room_bits": 3}),
     Proof(
         "at_most_once",
-        cover_steps=30,
+        cover_steps=23,
         joined={
             "ul_request_decoder": {**_SMALL, "block_words": 2, "group_words": 2},
             "ul_request_executor": {**_SMALL, "room_bits": 2},
