@@ -1,4 +1,4 @@
-"""Proves what `gateware/formal/*.sv` says of FIFOs, datalink layer, executor, bus and wrappers, by SymbiYosys and z3.
+"""Proves what `gateware/formal/*.sv` says of FIFOs, datalink layer, requests, bus and wrappers, by SymbiYosys and z3.
 
 PSL does not survive the way through Verilog, so each property file is a SystemVerilog module around the converted
 entity. The proofs are by induction, so they hold for every number of cycles. A property file that forbids too much by
@@ -40,7 +40,7 @@ class Proof:
     entity: str
     generics: dict[str, object] = dataclasses.field(default_factory=dict)
     cover_steps: int = 20
-    """Within which every `cover` is reached from reset."""
+    """Within which every `cover` is reached from reset; with 0 none is searched for."""
     induction_steps: int = 2
     two_clocks: bool = False
     """`in_clk` and `out_clk` instead of `clk`."""
@@ -50,12 +50,16 @@ class Proof:
     """The UL-spec in `gateware/formal` from which the entity is generated."""
     defines: tuple[str, ...] = ()
     """Of the properties' preprocessor."""
+    joined: dict[str, dict[str, object]] = dataclasses.field(default_factory=dict)
+    """Entities, each with its generics, that the properties put together; `entity` names the properties alone."""
 
     @property
     def name(self) -> str:
         """What it is called: the entity, and which of its variants."""
         return " ".join((self.entity, *map(str.lower, self.defines)))
 
+
+_SMALL = {"data_bits": 8, "address_bits": 4, "id_digits": 2, "groups": 1}
 
 PROOFS = [
     Proof("ul_fifo_sync", {"width": 2, "depth": 4}),
@@ -74,6 +78,14 @@ PROOFS = [
     Proof("ul_axi4_lite_master", rules="axi4_lite", induction_steps=4),
     Proof("bank_registers", {"stream_wait": 3}, rules="wishbone_b4", spec="bank", induction_steps=4),
     Proof("ul_request_executor", {"data_bits": 8, "id_digits": 2, "room_bits": 3}),
+    Proof(
+        "at_most_once",
+        cover_steps=23,
+        joined={
+            "ul_request_decoder": {**_SMALL, "block_words": 2, "group_words": 2},
+            "ul_request_executor": {**_SMALL, "room_bits": 2},
+        },
+    ),
 ]
 
 _MOST_SECONDS = 900
@@ -132,7 +144,7 @@ def prove(proof: Proof, change: Callable[[str], str] = lambda verilog: verilog) 
         ConversionError: if a tool refuses the sources.
         ToolMissingError: if a tool is not there.
     """
-    verilog = change(_design(proof).read_text())
+    verilog = change(_design(proof))
     if proof.two_clocks:
         verilog = clocks_as_enables(verilog)
     files = [proof.rules] * bool(proof.rules) + [proof.entity]
@@ -143,24 +155,30 @@ def prove(proof: Proof, change: Callable[[str], str] = lambda verilog: verilog) 
     return kept(found, lambda: _search(proof, verilog, properties)) or None
 
 
-def _design(proof: Proof) -> Path:
-    """Return the Verilog of the entity."""
+def _design(proof: Proof) -> str:
+    """Return the Verilog of the entity, or of those that are put together."""
+    if proof.joined:
+        return "".join(to_verilog(entity, generics).read_text() for entity, generics in proof.joined.items())
     if not proof.spec:
-        return to_verilog(proof.entity, proof.generics)
+        return to_verilog(proof.entity, proof.generics).read_text()
     with tempfile.TemporaryDirectory() as folder:
         generated = write(generate("vhdl", compile_file(GATEWARE / "formal" / f"{proof.spec}.ul")), Path(folder))
         needed = (f"{proof.spec}_map", proof.entity)
-        return to_verilog(proof.entity, proof.generics, [path for path in generated if path.stem in needed])
+        sources = [path for path in generated if path.stem in needed]
+        return to_verilog(proof.entity, proof.generics, sources).read_text()
 
 
 def _search(proof: Proof, verilog: str, properties: str) -> str:
     """Return what is wrong; nothing is, if that is empty."""
     for mode, depth in (("cover", proof.cover_steps), ("prove", proof.induction_steps)):
+        if not depth:
+            continue
         with tempfile.TemporaryDirectory() as folder:
             work = Path(folder)
             (work / "dut.v").write_text(verilog)
             (work / "properties.sv").write_text(properties)
-            defines = " ".join(f"-D{name}" for name in proof.defines)
+            # Properties may say how their covers are reached, where a search without bounds takes too long.
+            defines = " ".join(f"-D{name}" for name in (*proof.defines, *(["COVER"] * (mode == "cover"))))
             configuration = _CONFIGURATION.format(mode=mode, depth=depth, entity=proof.entity, defines=defines)
             (work / "proof.sby").write_text(configuration)
             done = _symbiyosys(work)

@@ -1,0 +1,654 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What decoder and executor promise together ("Exactly once, in order" in docs/protocol.md), whatever bytes come, damage
+// and resets included, and whatever bus, groups, ring and frame writer do: a request with an ID is executed only in a
+// session, only if its ID is the one expected, which is one more from then on, so that no ID is executed again before all
+// others were; one request at a time, with no more accesses than it asks for, each at its address; a damaged frame
+// executes nothing; each frame has exactly the answer that it should have; and a bound on the cycles until then.
+//
+// What a frame asks for is worked out anew here from its characters, by their places, with no look at the decoder. IDs
+// have two digits, words eight bits and addresses four; a block has two words, and there is one group of two. What stands
+// in the request memory is anything, so this says nothing of the words of blocks.
+
+module at_most_once_properties (
+	input clk
+`ifndef COVER
+	, input rst,
+	input [7:0] in_data,
+	input in_valid,
+	input in_last,
+	input in_plain,
+	input [3:0] in_error,
+	input in_silent,
+	input [7:0] memory_word,
+	input [1:0] ring_room,
+	input access_granted,
+	input access_done,
+	input [3:0] access_failure,
+	input [7:0] access_read_data,
+	input group_is_set,
+	input group_done,
+	input answer_taken
+`endif
+);
+	localparam R = 0, RM = 1, RQ = 2, WK = 3, W = 4, WM = 5, WQ = 6, WS = 7;
+	localparam GS = 8, GN = 9, GX = 10, GP = 11, I = 12, H = 13, Q = 14, K = 15;
+	localparam SET = 0, START = 1, STOP_GROUP = 2, PUBLISH = 3, STOP_ALL = 4, NOTHING = 5;
+	localparam MESSAGE_ERROR = 16, OUT_OF_SEQUENCE = 17;
+	localparam COMMAND = 2, MALFORMED = 3, RANGE = 6, REPEATED = 8, NO_SESSION = 10;
+	localparam SILENCE = 0, NORMAL = 1, ERROR = 2, GAP = 3;
+	localparam IDLE = 0, ROOM = 1, LOAD = 2, ACCESS = 3, STOP = 4, COPY = 5, GROUP = 6, ANSWER = 7;
+	localparam IN_COMMAND = 0, IN_ID = 1, IN_ADDRESS = 2, IN_COUNT = 3, IN_WORDS = 4, IN_GROUP = 5, IN_FLAGS = 6,
+		IN_DIVISOR = 7, IN_LIST_COUNT = 8, IN_LIST = 9, IN_NONE = 10;
+	localparam BLOCK_WORDS = 2, GROUP_WORDS = 2;
+	// More digits than any request has: the count goes on between this and the next number.
+	localparam MANY = 900;
+
+	wire in_ready;
+	wire request_valid, request_accept, hold, request_has_id, request_plain, request_silent, request_out_of_range;
+	wire [3:0] request_command, request_error;
+	wire [7:0] request_id, request_count, request_group, request_word;
+	wire [3:0] request_address;
+	wire [5:0] request_flags;
+	wire [15:0] request_divisor;
+	wire store, busy;
+	wire [7:0] store_index, store_word, memory_index;
+	wire ring_write, ring_commit, ring_rollback;
+	wire access_request, access_write, access_more, access_exclusive;
+	wire [3:0] access_address;
+	wire [7:0] access_data;
+	wire group_request;
+	wire [2:0] group_operation;
+	wire list_write;
+	wire [7:0] list_index;
+	wire epoch;
+	wire answer_valid, answer_lower, answer_plain, answer_has_id, answer_has_address, answer_has_pair;
+	wire [4:0] answer_message;
+	wire [1:0] answer_mark;
+	wire [7:0] answer_id, answer_pair, answer_words;
+
+`ifdef COVER
+	// What is proved is proved for any input. The covers are reached by these, as a search for them takes too long: a
+	// frame ends at `.`, and at `!` a damaged one; nobody waits.
+	localparam LENGTH = 15;
+	localparam [8 * LENGTH - 1:0] EXECUTED = "K00.w00A01.h00.", LOST = {"K00.h02.w!", 40'b0};
+	(* anyconst *) reg loses;
+	reg [3:0] told = 0;
+	reg on = 0, under_way = 0;
+	wire [8 * LENGTH - 1:0] story = (loses ? LOST : EXECUTED) << {told, 3'b0};
+	wire rst = !on;
+	wire [7:0] in_data = story[8 * LENGTH - 1 -: 8];
+	wire in_valid = on && in_data != 0;
+	wire in_plain = 0, in_silent = 0, in_last = in_data == "." || in_data == "!";
+	wire [3:0] in_error = in_data == "!";
+	wire [7:0] memory_word = 0, access_read_data = 0;
+	wire [1:0] ring_room = 3;
+	wire access_granted = access_request && !under_way, access_done = under_way;
+	wire [3:0] access_failure = 0;
+	wire group_is_set = 1, group_done = 1, answer_taken = 1;
+
+	always @(posedge clk) begin
+		on <= 1;
+		under_way <= on && access_granted;
+		if (in_valid && in_ready)
+			told <= told + 1;
+	end
+`endif
+
+	ul_request_decoder decoder (.*);
+	ul_request_executor executor (.*);
+
+	// Records are laid out from their first field on, the lowest bit first.
+	(* hierconn *) wire [113:0] \decoder.r ;
+	wire [4:0] d_node = \decoder.r [4:0];
+	wire d_has_id = \decoder.r [5], d_lower = \decoder.r [6], d_upper = \decoder.r [7];
+	wire [3:0] d_field = \decoder.r [11:8], d_left = \decoder.r [15:12];
+	wire d_bad = \decoder.r [16];
+	wire [7:0] d_id = \decoder.r [24:17];
+	wire [3:0] d_address = \decoder.r [28:25];
+	wire [7:0] d_count = \decoder.r [36:29], d_group = \decoder.r [44:37], d_flags = \decoder.r [52:45];
+	wire [15:0] d_divisor = \decoder.r [68:53];
+	wire [7:0] d_word = \decoder.r [76:69];
+	wire [8:0] d_words = \decoder.r [85:77];
+	wire d_partial = \decoder.r [86], d_exceeds = \decoder.r [87], d_flushed = \decoder.r [97];
+
+	(* hierconn *) wire [72:0] \executor.r ;
+	wire [2:0] e_state = \executor.r [2:0];
+	wire e_in_session = \executor.r [3];
+	wire [7:0] e_expected = \executor.r [11:4];
+	wire e_gap_told = \executor.r [12];
+	wire [1:0] e_mode = \executor.r [14:13];
+	wire e_is_expected = \executor.r [15], e_is_ahead = \executor.r [16];
+	wire [3:0] e_command = \executor.r [20:17];
+	wire e_has_id = \executor.r [21], e_plain = \executor.r [22], e_silent = \executor.r [23];
+	wire [7:0] e_id = \executor.r [31:24];
+	wire [3:0] e_address = \executor.r [35:32];
+	wire [7:0] e_left = \executor.r [43:36], e_index = \executor.r [51:44];
+	wire e_enough_room = \executor.r [52], e_access_request = \executor.r [53], e_modifying = \executor.r [54];
+	wire [3:0] e_error = \executor.r [71:68];
+	wire e_out_of_order = \executor.r [72];
+
+	// The command that letters name, and whether they name one.
+	function [4:0] meaning(input [1:0] letters, input [4:0] first, input [4:0] second);
+		case ({letters, first, letters == 1 ? 5'd0 : second})
+			{2'd1, 5'd18, 5'd0}: meaning = 16 + R;
+			{2'd1, 5'd23, 5'd0}: meaning = 16 + W;
+			{2'd1, 5'd9, 5'd0}: meaning = 16 + I;
+			{2'd1, 5'd8, 5'd0}: meaning = 16 + H;
+			{2'd1, 5'd17, 5'd0}: meaning = 16 + Q;
+			{2'd1, 5'd11, 5'd0}: meaning = 16 + K;
+			{2'd2, 5'd18, 5'd13}: meaning = 16 + RM;
+			{2'd2, 5'd18, 5'd17}: meaning = 16 + RQ;
+			{2'd2, 5'd23, 5'd11}: meaning = 16 + WK;
+			{2'd2, 5'd23, 5'd13}: meaning = 16 + WM;
+			{2'd2, 5'd23, 5'd17}: meaning = 16 + WQ;
+			{2'd2, 5'd23, 5'd19}: meaning = 16 + WS;
+			{2'd2, 5'd7, 5'd19}: meaning = 16 + GS;
+			{2'd2, 5'd7, 5'd14}: meaning = 16 + GN;
+			{2'd2, 5'd7, 5'd24}: meaning = 16 + GX;
+			{2'd2, 5'd7, 5'd16}: meaning = 16 + GP;
+			default: meaning = 0;
+		endcase
+	endfunction
+
+	// The frame that comes in, and since its end (`ended`) the verdict on it.
+	reg begun = 0;
+	reg [1:0] letters;
+	reg [4:0] first, second;
+	reg lower, upper, named, fields, wrong;
+	reg [9:0] digits;
+	reg [7:0] id, count, group, flags, word;
+	reg [3:0] address;
+	reg [15:0] divisor;
+	reg ended, plain, silent, in_range;
+	reg [3:0] error;
+	reg [7:0] words;
+
+	wire known;
+	wire [3:0] kind;
+	assign {known, kind} = meaning(letters, first, second);
+	wire numbered = named || kind == K;
+	wire [9:0] place = digits - (numbered ? 2 : 0);
+	wire past_id = !numbered || digits >= 2;
+	wire is_write = kind[3:2] == 1 || kind == WK;
+	wire is_about_group = kind[3:2] == 2;
+	wire is_count = kind == RM || kind == RQ;
+
+	wire is_letter = !fields && (in_data >= "G" && in_data <= "Z" || in_data >= "g" && in_data <= "z");
+	wire is_digit = in_data >= "0" && in_data <= "9" || in_data >= "A" && in_data <= "F"
+		|| in_data >= "a" && in_data <= "f";
+	wire [3:0] nibble = in_data[6] ? in_data[3:0] + 9 : in_data[3:0];
+
+	wire is_short = in_plain && !named && (kind == W || kind == WS) && place == 2;
+	wire well_formed = !wrong && past_id && (
+		kind == R ? place == 1 :
+		is_count ? place == 3 :
+		kind == WK ? place == 5 :
+		kind == W || kind == WS ? place == 3 || is_short :
+		kind == WM || kind == WQ ? place >= 3 && place[0] && place <= 511 :
+		kind == GS ? place >= 10 && place - 10 == count :
+		is_about_group || kind == I ? place == 2 :
+		place == 0);
+	wire [9:0] word_count = (place - 1) >> 1;
+	wire all_in_range =
+		is_count ? count != 0 && count <= BLOCK_WORDS :
+		kind == WM || kind == WQ ? word_count <= BLOCK_WORDS :
+		kind == GS ? group == 0 && flags < 64 && divisor != 0 && count != 0 && count <= GROUP_WORDS :
+		is_about_group ? group == 0 :
+		kind != I || group <= 2;
+
+	// The session, and what it says of a request.
+	reg in_session, gap_told;
+	reg [7:0] expected;
+	reg [1:0] mode;
+	wire [7:0] distance = id - expected;
+	wire judged = request_valid && request_accept;
+	wire damaged = error != 0;
+	wire no_session = !damaged && named && !in_session;
+	wire next = !damaged && named && in_session && distance == 0;
+	wire ahead = !damaged && named && in_session && distance != 0 && distance < 128;
+	wire again = !damaged && named && in_session && distance >= 128;
+	wire admitted = next || (!damaged && !named) || (again && (kind == R || kind == RM));
+	wire needs_set = kind == GN || kind == GX || kind == GP;
+	wire runs = admitted && in_range && (!needs_set || group_is_set);
+	wire [1:0] owed =
+		damaged || no_session || (admitted && !runs) || (again && (kind == RQ || kind == WK)) ? ERROR :
+		ahead ? (gap_told ? SILENCE : GAP) :
+		kind == WS ? SILENCE : NORMAL;
+
+	// The request that is being executed or answered.
+	reg c_damaged, c_named, c_plain, c_silent, c_runs, c_fresh, c_open;
+	reg [3:0] c_kind, c_error, c_address;
+	reg [7:0] c_id, c_count, c_group, c_word;
+	reg [1:0] c_owed;
+	reg [7:0] grants, dones, reads, listed, own;
+	reg failed, settled;
+	// What was judged in the cycle before is about to be executed or answered.
+	reg judged_before, starts_before, held;
+	wire [7:0] needed = c_kind == WK ? 2 : c_count;
+	wire outstanding = grants != dones;
+	reg room_short;
+	wire waits = ((access_request || outstanding) && !access_done) || (group_request && !group_done)
+		|| (answer_valid && !answer_taken) || (e_state == ROOM && room_short);
+
+	// Any one ID: whether it was executed in this session, and how many others were since.
+	(* anyconst *) reg [7:0] watched;
+	reg seen;
+	reg [8:0] others;
+
+	// The stream waits: what is offered stands.
+	reg offered, late, was_last, was_plain, was_silent;
+	reg [3:0] was_error;
+	reg [7:0] was_data;
+
+	always @(posedge clk) begin
+		begun <= 1;
+		assume (begun || rst);
+
+		// A frame's end and its characters stand until taken.
+		offered <= in_valid && !in_ready;
+		{was_data, was_last, was_plain, was_silent, was_error} <= {in_data, in_last, in_plain, in_silent, in_error};
+		if (begun && offered)
+			assume (in_valid && {in_data, in_last, in_plain, in_silent, in_error}
+				== {was_data, was_last, was_plain, was_silent, was_error});
+		late <= in_valid && !in_ready && !ended && !hold;
+
+		// What ul_bus_master keeps to.
+		if (begun) begin
+			assume (!access_granted || (access_request && !outstanding));
+			assume (!access_done || outstanding);
+		end
+
+		if (in_valid && in_ready && !in_last) begin
+			if (is_letter) begin
+				letters <= letters == 3 ? 3 : letters + 1;
+				if (letters == 0)
+					first <= in_data[4:0];
+				if (letters == 1)
+					second <= in_data[4:0];
+				named <= in_data[5];
+				lower <= lower || in_data[5];
+				upper <= upper || !in_data[5];
+			end else begin
+				fields <= 1;
+				if (!is_digit)
+					wrong <= 1;
+			end
+			if (is_digit) begin
+				digits <= digits == MANY + 1 ? MANY : digits + 1;
+				if (!past_id)
+					id <= {id[3:0], nibble};
+				else if (!kind[3]) begin
+					if (place == 0)
+						address <= nibble;
+					if (is_count && (place == 1 || place == 2))
+						count <= {count[3:0], nibble};
+					if (is_write && place >= 1)
+						word <= place[0] ? nibble : {word[3:0], nibble};
+				end else begin
+					if (place < 2)
+						group <= {group[3:0], nibble};
+					else if (place < 4)
+						flags <= {flags[3:0], nibble};
+					else if (place < 8)
+						divisor <= {divisor[11:0], nibble};
+					else if (place < 10)
+						count <= {count[3:0], nibble};
+				end
+			end
+		end
+		if (in_valid && in_ready && in_last) begin
+			ended <= 1;
+			{plain, silent, in_range} <= {in_plain, in_silent, all_in_range};
+			error <= in_error != 0 ? in_error :
+				!known || (lower && upper) || (named && (kind == Q || kind == K)) ? COMMAND :
+				!well_formed ? MALFORMED : 0;
+			words <= kind == R || kind == WK ? 1 : is_count || kind == GS ? count : is_short ? 1 : word_count;
+		end
+		if (rst || judged) begin
+			{ended, letters, lower, upper, named, fields, wrong} <= 0;
+			digits <= 0;
+		end
+
+		judged_before <= judged;
+		held <= hold;
+		starts_before <= judged && (owed != SILENCE || runs);
+		room_short <= ring_room < request_count;
+		if (judged) begin
+			{c_damaged, c_named, c_plain, c_silent, c_runs} <= {damaged, named && !damaged, plain, silent, runs};
+			{c_fresh, c_open, c_owed} <= {next, owed != SILENCE && !silent, owed};
+			{c_kind, c_address, c_count, c_group, c_word} <= {kind, address, words, group, word};
+			c_id <= owed == GAP ? expected : id;
+			c_error <= damaged ? error : no_session ? NO_SESSION : again && !admitted ? REPEATED : RANGE;
+			{grants, dones, reads, listed, own, failed, settled} <= 0;
+			if (next) begin
+				expected <= expected + 1;
+				gap_told <= 0;
+			end
+			if (owed == GAP)
+				gap_told <= 1;
+			if (runs && kind == K) begin
+				in_session <= 1;
+				expected <= id;
+				gap_told <= 0;
+				mode <= 2;
+			end
+			if (runs && kind == I)
+				mode <= group;
+		end else begin
+			grants <= grants + access_granted;
+			dones <= dones + access_done;
+			reads <= reads + ring_write;
+			listed <= listed + list_write;
+			if (group_request && group_done && group_operation != NOTHING && !(c_kind == GS && group_operation == STOP_GROUP))
+				settled <= 1;
+			if (access_done && access_failure != 0) begin
+				failed <= 1;
+				{c_owed, c_error} <= {2'(ERROR), access_failure};
+				c_open <= !c_silent;
+			end
+			if (answer_valid && answer_taken)
+				c_open <= 0;
+			if (hold && !waits)
+				own <= own + 1;
+		end
+
+		if (judged && next) begin
+			if (begun && seen && id == watched)
+				assert (others == 255);
+			others <= id == watched ? 0 : others + 1;
+			seen <= seen || id == watched;
+		end
+		if (judged && runs && kind == K)
+			seen <= 0;
+
+		if (rst) begin
+			{in_session, gap_told, expected, judged_before, starts_before, held, seen} <= 0;
+			mode <= 2;
+			room_short <= 1;
+			{grants, dones, c_open, offered, late} <= 0;
+			{id, address, count, group, flags, divisor, word, words, first, second, others} <= 0;
+			{c_damaged, c_named, c_plain, c_silent, c_runs, c_fresh, c_kind, c_error, c_address} <= 0;
+			{c_id, c_count, c_group, c_word, c_owed, reads, listed, own, failed, settled} <= 0;
+			{error, plain, silent, in_range} <= 0;
+		end
+
+		if (begun) begin
+			// One at a time, in the order in which frames end; and none is overtaken.
+			assert (request_valid == ended);
+			assert (request_accept == !hold);
+			if (in_valid && in_ready && in_last)
+				assert (!ended && !hold);
+			if (judged_before)
+				assert (hold == starts_before);
+
+			// No access but those of the request, and none of one that may not be executed.
+			if (access_granted) begin
+				assert (hold && c_runs && !failed && !c_kind[3] && grants < needed);
+				assert (access_address == 4'(c_kind == RQ || c_kind == WQ || c_kind == WK ? c_address : c_address + grants));
+				assert (access_write == (c_kind[2] || (c_kind == WK && grants == 1)));
+				assert (!c_named || c_fresh || !(access_write || c_kind == RQ));
+				if (c_kind == W || c_kind == WS)
+					assert (access_data == c_word);
+			end
+			if (list_write)
+				assert (hold && c_runs && c_kind == GS && listed < c_count && list_index == listed);
+			if (group_request && group_operation != NOTHING) begin
+				assert (hold && c_runs && !settled && (!c_named || c_fresh));
+				assert (group_operation == (c_kind == GS ? (listed == 0 ? STOP_GROUP : SET) : c_kind == GN ? START :
+					c_kind == GX ? STOP_GROUP : c_kind == GP ? PUBLISH : STOP_ALL));
+				assert (c_kind[3:2] == 2 || c_kind == K);
+				assert (group_operation != SET || listed == c_count);
+			end
+
+			// The answer: what it should be, no other, and before anything else is begun.
+			if (!hold)
+				assert (!c_open);
+			if (answer_valid) begin
+				assert (c_open && !c_silent && answer_plain == c_plain);
+				assert (answer_message == (c_owed == ERROR ? MESSAGE_ERROR : c_owed == GAP ? OUT_OF_SEQUENCE : c_kind));
+				assert (answer_lower == c_named);
+				assert (answer_has_id == (c_named || (c_kind == K && c_owed == NORMAL)));
+				if (answer_has_id)
+					assert (answer_id == c_id);
+				assert (answer_words == (c_owed == NORMAL && c_kind[3:2] == 0 ? c_count : 0));
+				assert (answer_has_address == (c_owed == NORMAL && !c_named && !c_kind[3]));
+				if (answer_has_address)
+					assert (request_address == c_address);
+				if (c_owed == ERROR)
+					assert (answer_has_pair && answer_pair == c_error);
+				else
+					assert (answer_has_pair == (!c_named && (c_kind == RM || c_kind == RQ || c_kind == WM || c_kind == WQ
+						|| c_kind[3:2] == 2 || c_kind == I)));
+				if (c_owed != ERROR && answer_has_pair)
+					assert (answer_pair == (c_kind[3] ? c_group : c_count));
+				assert (answer_mark == (mode == 0 ? 0 : mode == 1 ? 2 : 1));
+				// It is executed to the end.
+				if (c_runs && c_owed == NORMAL && !c_kind[3])
+					assert (grants == needed && dones == needed && reads == answer_words);
+				if (c_runs && c_owed == NORMAL && (c_kind[3:2] == 2 || c_kind == K))
+					assert (settled);
+			end
+			if (held && !hold && c_runs && c_kind == WS)
+				assert (dones == 1);
+
+			// In time: cycles in which it waits for nobody. At its end they are one more.
+			if (hold)
+				assert (own <= 3 + (c_runs && (!c_kind[3] || c_kind == GS) ? needed : 0));
+			if (in_valid && !in_ready && !ended && !hold)
+				assert (in_last && in_plain && !late);
+
+			// What makes the proof hold without a bound: the session,
+			assert (in_session == e_in_session && expected == e_expected && gap_told == e_gap_told && mode == e_mode);
+			if (seen)
+				assert (others <= 255 && expected == 8'(watched + 1 + others) && in_session);
+			if (ended)
+				assert (e_is_expected == (d_id == expected) && e_is_ahead == !(8'(d_id - expected) >> 7));
+
+			// the frame,
+			assert (d_node == (known ? {1'b0, kind} : letters == 0 ? 5'd16 : letters == 1 && first == 7 ? 5'd17 : 5'd31));
+			assert (d_has_id == named && d_lower == lower && d_upper == upper && !d_exceeds);
+			assert (letters == 0 || (named ? lower : upper));
+			assert (letters != 0 || !named && !lower && !upper);
+			assert (digits <= MANY + 1 && (digits == 0 || fields) && (!wrong || fields) && (fields == wrong || digits != 0 || wrong));
+			if (!fields)
+				assert (d_field == IN_COMMAND && !d_bad && digits == 0);
+			else
+				assert (d_field != IN_COMMAND);
+			if (wrong)
+				assert (d_bad);
+			if (known && fields && !wrong) begin
+				assert (d_bad == (digits > (numbered ? 2 : 0) && place > (kind == R ? 1 : is_count ? 3 : is_write || kind == GS ? 1023 :
+					is_about_group || kind == I ? 2 : 0)));
+				if (!d_bad) begin
+					if (!past_id)
+						assert (d_field == IN_ID && d_left == 0 && d_id[3:0] == id[3:0]);
+					else begin
+						if (numbered)
+							assert (d_id == id);
+						if (!kind[3]) begin
+							assert (d_field == (place == 0 ? IN_ADDRESS : is_write ? IN_WORDS : is_count && place < 3 ? IN_COUNT : IN_NONE));
+							if (place == 0)
+								assert (d_left == 0);
+							else begin
+								assert (d_address == address);
+								if (is_write && !d_flushed)
+									assert (d_partial == !place[0] && d_left == place[0] && (place < MANY - 4 ?
+										d_words == (word_count > 256 ? 256 : word_count) : d_words == 256));
+								if (is_write && place > 1)
+									assert (d_word == word);
+								if (kind == R || kind == WK)
+									assert (d_count == 1);
+								if (is_count && place == 1)
+									assert (d_left == 1);
+								if (is_count && place == 2)
+									assert (d_left == 0 && d_count[3:0] == count[3:0]);
+								if (is_count && place == 3)
+									assert (d_count == count);
+							end
+						end else if (is_about_group || kind == I) begin
+							assert (d_field == (place < 2 ? IN_GROUP : kind != GS ? IN_NONE : place < 4 ? IN_FLAGS :
+								place < 8 ? IN_DIVISOR : place < 10 ? IN_LIST_COUNT : IN_LIST));
+							if (place < 2)
+								assert (d_left == 1 - place);
+							if (place == 1)
+								assert (d_group[3:0] == group[3:0]);
+							if (place >= 2)
+								assert (d_group == group);
+							if (kind == GS) begin
+								if (place >= 1 && place <= 10)
+									assert (d_words == 0 && !d_partial);
+								if (place == 2 || place == 3)
+									assert (d_left == 3 - place);
+								if (place == 3)
+									assert (d_flags[3:0] == flags[3:0]);
+								if (place >= 4)
+									assert (d_flags == flags);
+								if (place >= 4 && place < 8)
+									assert (d_left == 7 - place);
+								if (place == 5)
+									assert (d_divisor[3:0] == divisor[3:0]);
+								if (place == 6)
+									assert (d_divisor[7:0] == divisor[7:0]);
+								if (place == 7)
+									assert (d_divisor[11:0] == divisor[11:0]);
+								if (place >= 8)
+									assert (d_divisor == divisor);
+								if (place == 8 || place == 9)
+									assert (d_left == 9 - place);
+								if (place == 9)
+									assert (d_count[3:0] == count[3:0]);
+								if (place >= 10)
+									assert (d_count == count && !d_partial && d_left == 0 && (place < MANY - 4 ?
+										d_words == (place - 10 > 256 ? 256 : place - 10) : d_words == 256));
+							end
+						end else
+							assert (d_field == IN_NONE);
+					end
+				end
+			end
+			if (d_flushed && !ended)
+				assert (!hold && offered && was_last && was_plain && late);
+			if (late)
+				assert (d_flushed);
+			if (d_flushed && !ended && known && fields && !wrong && !d_bad && is_write && past_id && place > 0) begin
+				if (!named && !lower && (kind == W || kind == WS) && place == 2)
+					assert (!d_partial && d_words == 1);
+				else
+					assert (d_partial == !place[0] && (place < MANY - 4 ?
+						d_words == (word_count > 256 ? 256 : word_count) : d_words == 256));
+			end
+
+			// the verdict,
+			if (ended) begin
+				assert (request_error == error && request_plain == plain && request_silent == silent);
+				if (error == 0) begin
+					assert (known && request_command == kind && request_has_id == named && !(named && (kind == Q || kind == K)));
+					assert (request_out_of_range == !in_range);
+					if (numbered)
+						assert (request_id == id);
+					if (!kind[3])
+						assert (request_address == address);
+					if (!kind[3] || kind == GS)
+						assert (request_count == words);
+					if (is_about_group || kind == I)
+						assert (request_group == group);
+					if (kind == W || kind == WS)
+						assert (request_word == word && words == 1);
+					if (kind == I && in_range)
+						assert (group <= 2);
+					if (kind == RM || kind == RQ || kind == WM || kind == WQ || kind == GS)
+						assert (!in_range || (words > 0 && words <= 2));
+					if (kind == R || kind == WK)
+						assert (words == 1);
+				end
+			end
+
+			// and the request on its way.
+			assert (hold == (e_state != IDLE) && e_access_request == (e_state == ACCESS));
+			assert (e_enough_room == !room_short);
+			assert (!list_write || e_state == COPY);
+			if (hold) begin
+				assert (e_has_id == c_named && e_plain == c_plain && e_silent == c_silent);
+				if (c_named || (c_kind == K && !c_damaged))
+					assert (e_id == c_id);
+				assert (e_error == (c_owed == ERROR ? c_error : 0) && e_out_of_order == (c_owed == GAP));
+				assert (c_open == (c_owed != SILENCE && !c_silent));
+				assert (c_owed != ERROR || c_error != 0);
+				assert (!c_damaged || (c_owed == ERROR && !c_runs && !c_named));
+				assert (!c_runs || !c_named || c_fresh || c_kind == R || c_kind == RM);
+				assert (!c_runs || failed == (c_owed == ERROR));
+				assert (c_runs || !failed);
+				assert (c_owed != GAP || c_named);
+				assert (c_owed != SILENCE || (c_runs && c_kind == WS && e_state == ACCESS));
+				assert (c_kind != K || !c_named);
+				if (c_runs)
+					assert (c_owed == ERROR || c_owed == (c_kind == WS ? SILENCE : NORMAL));
+				if (!c_damaged) begin
+					assert (e_command == c_kind);
+					if (!c_kind[3])
+						assert (request_address == c_address);
+					if (!c_kind[3] || c_kind == GS)
+						assert (request_count == c_count);
+					if (c_kind[3:2] == 2 || c_kind == I)
+						assert (request_group == c_group);
+					if (c_kind == W || c_kind == WS)
+						assert (request_word == c_word);
+				end
+				if (c_runs && (!c_kind[3] || c_kind == GS))
+					assert (c_count > 0 && c_count <= 2);
+				if (c_kind == R || c_kind == WK || c_kind == W || c_kind == WS)
+					assert (c_count == 1 || !c_runs);
+				if (!c_runs)
+					assert (grants == 0 && dones == 0 && reads == 0 && listed == 0 && !settled
+						&& (e_state == ANSWER || (e_state == GROUP && group_operation == NOTHING)));
+				assert (grants <= 2 && dones <= grants && reads <= dones && listed <= 2);
+				if (e_state != ACCESS)
+					assert (!outstanding);
+				if (e_state == ROOM || e_state == LOAD || e_state == STOP)
+					assert (c_runs && !failed && grants == 0 && reads == 0 && listed == 0 && !settled && own == 0);
+				if (e_state == ROOM || e_state == LOAD)
+					assert (e_left == c_count && e_address == c_address && !e_modifying);
+				if (e_state == ROOM)
+					assert (c_kind[3:2] == 0);
+				if (e_state == LOAD)
+					assert (c_kind == WM || c_kind == WQ);
+				if (e_state == STOP)
+					assert (c_kind == GS && e_index == 0 && group_operation == STOP_GROUP);
+				if (e_state == ACCESS) begin
+					assert (c_runs && !failed && !c_kind[3] && own <= 1 + dones && grants - dones <= 1);
+					assert (e_modifying == (c_kind == WK && dones == 1));
+					assert (dones < needed && e_left == (c_kind == WK ? 1 : c_count - dones));
+					assert (e_address == 4'(c_kind == RQ || c_kind == WQ || c_kind == WK ? c_address : c_address + dones));
+					assert (reads == (c_kind[2] ? 0 : dones));
+				end
+				if (e_state == COPY)
+					assert (c_runs && c_kind == GS && !failed && !settled && e_index <= c_count && listed + list_write == e_index
+						&& own == 1 + e_index && grants == 0);
+				if (e_state == GROUP) begin
+					assert (!c_runs || (!failed && (c_kind[3:2] == 2 || c_kind == K) && group_operation != NOTHING));
+					assert (c_runs || own == 0);
+					if (c_runs) begin
+						assert (!settled && grants == 0 && group_operation == (c_kind == GS ? SET : c_kind == GN ? START :
+							c_kind == GX ? STOP_GROUP : c_kind == GP ? PUBLISH : STOP_ALL));
+						assert (listed == (c_kind == GS ? c_count : 0) && own == (c_kind == GS ? 2 + c_count : 0));
+					end
+				end
+				if (e_state == ANSWER) begin
+					if (c_runs && !c_kind[3])
+						assert (own <= 1 + dones && dones <= needed && (failed ? dones > 0 : (dones == needed && reads == (c_kind[2] ? 0 : c_count))));
+					else
+						assert (own <= (c_runs && c_kind == GS ? 3 + c_count : 1));
+					if (c_runs && (c_kind[3:2] == 2 || c_kind == K))
+						assert (settled);
+				end
+			end else
+				assert (!outstanding);
+
+			cover (answer_valid && c_fresh && c_kind == W && dones == 1);
+			cover (answer_valid && c_named && !c_fresh && seen && c_id == watched && c_owed == NORMAL);
+			cover (answer_valid && c_owed == GAP);
+			cover (answer_valid && c_damaged && in_session && c_error == 1 && gap_told);
+		end
+	end
+endmodule
