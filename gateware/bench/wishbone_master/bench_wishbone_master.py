@@ -99,7 +99,7 @@ async def _access(
 
 
 async def _begin(dut: SimHandleBase, pause: float) -> _Slave:
-    inputs = ("bus_request", "bus_write", "bus_lock", "bus_address", "bus_write_data", "dat_i")
+    inputs = ("bus_request", "bus_write", "bus_lock", "bus_ahead", "bus_address", "bus_write_data", "dat_i")
     for name in (*inputs, "ack", "err", "rty", "stall"):
         getattr(dut, name).value = 0
     await start(dut.clk, dut.rst)
