@@ -136,7 +136,9 @@ module ul_bus_master_properties #(
 			assert (!under_way || (ahead && !failed && open_sample == sample_granted && (leaves || !bus_request)));
 		assert (taken + bus_request <= 4);
 		if (taken != 0)
-			assert (ahead && bus_lock && !(bus_request && bus_write));
+			assert (ahead && bus_lock);
+		if (under_way && ahead)
+			assert (!bus_write);
 		if (told)
 			assert (open != 0 && open_sample == sample_done);
 		if (told && failure != 5)
