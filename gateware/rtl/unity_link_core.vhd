@@ -216,7 +216,7 @@ architecture rtl of unity_link_core is
   signal access_data      : std_logic_vector(data_bits - 1 downto 0);
   signal access_granted   : std_logic;
   signal access_done      : std_logic;
-  signal access_last     : std_logic;
+  signal access_last      : std_logic;
   signal sample           : std_logic;
   signal sample_more      : std_logic;
   signal sample_address   : std_logic_vector(address_bits - 1 downto 0);

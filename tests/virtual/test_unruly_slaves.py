@@ -160,7 +160,7 @@ class _Unruly:
         return told[0][2] if told else 0
 
     def plan_reads(self, addresses: Sequence[int]) -> tuple[list[int], int]:
-        """Make up how the reads of a block or of a sample go; return their words, and the error of the first that fails."""
+        """Make up how the reads of a block or of a sample go; return their words and the error, if any."""
         if len(addresses) == 1 or not self.reads_ahead:
             return self._plan_one_by_one(addresses)
         self.accesses += len(addresses)
@@ -247,8 +247,12 @@ class _Unruly:
             first, last = (9, 120) if stream.is_sent_away else (1, 3)
             stream.last_late = stream.last + 3 * TIMEOUT - last
             read.answers.clear()
-            stream.last = self._rng.choice((stream.last + TIMEOUT + first, self._rng.randrange(
-                stream.last + TIMEOUT + first, stream.last_late + 1)))
+            stream.last = self._rng.choice(
+                (
+                    stream.last + TIMEOUT + first,
+                    self._rng.randrange(stream.last + TIMEOUT + first, stream.last_late + 1),
+                )
+            )
         elif stream.last_late:
             if stream.last == stream.last_late or self._rng.random() < 0.3:
                 return []

@@ -211,7 +211,7 @@ async def a_sample_that_fails_half_way_counts_and_changes_nothing(dut: SimHandle
     gateway = await _gateway(dut)
 
     async def fail_after_the_first_word() -> None:
-        # Without wait states the slave takes an access in the cycle of its strobe, and a pipelined one the next behind it.
+        # Without wait states the slave takes an access in the cycle of its strobe; in a pipeline the next is behind it.
         while not (dut.wb_stb.value == 1 and int(dut.wb_adr.value) == 0x10 and dut.wb_we.value == 0):
             await RisingEdge(dut.clk)
         dut.wait_states.value = 2 * BUS_TIMEOUT

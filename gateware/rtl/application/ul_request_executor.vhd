@@ -124,7 +124,7 @@ architecture rtl of ul_request_executor is
     silent  : std_logic;
     id      : id_t;
     -- Its execution.
-    address        : unsigned(address_bits - 1 downto 0);
+    address : unsigned(address_bits - 1 downto 0);
     -- Words that were not asked for yet.
     left           : unsigned(7 downto 0);
     index          : unsigned(7 downto 0);

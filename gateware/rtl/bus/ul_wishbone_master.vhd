@@ -7,6 +7,9 @@
 -- any time. No tag says which access an answer belongs to: one without an access is not looked at, and `ul_bus_master`
 -- leaves a slave that is late time for it.
 --
+-- A pipelined slave has up to four reads of one transaction at a time (`bus_ahead`); their answers are in order. Where
+-- one of them is answered by `rty`, the answers behind it are kept, and it alone is repeated once all are there.
+--
 -- An access answered by `rty` has not been made: it is repeated, after a cycle without it, until the slave takes it or
 -- the core gives it up. In that cycle `cyc` falls as well, so that another master may have the bus, but not in the
 -- middle of an atomic transaction.
@@ -101,6 +104,7 @@ begin
 
     -- Accesses that were taken and not passed on, in their order. Where one was sent away, those behind it are kept
     -- until all are answered (gathers), and then it is repeated by itself and they are passed on (replays).
+
     type addresses_t is array (0 to 3) of std_logic_vector(address_bits - 1 downto 0);
 
     type words_t is array (0 to 3) of std_logic_vector(data_bits - 1 downto 0);
