@@ -212,6 +212,7 @@ class _Unruly:
         self, _context: int | None, address: int, write: int, value: int, replies: ctypes._Pointer[Reply]
     ) -> int:
         cycle = int(self._gateway._library.ul_cycles(self._gateway._handle))
+        told: list[tuple[int, int, int]] = []
         while self._streams:
             stream = self._streams[0]
             read = stream.reads.get(address)
@@ -300,7 +301,8 @@ class _Requests:
     def _block(self, kind: str, address: int) -> tuple[str, str]:
         count, step = self._rng.randrange(1, 9), int(kind[1] == "M")
         words = [self._slave.word() for _ in range(count)] if kind[0] == "W" else []
-        error, read = 0, []
+        error = 0
+        read: list[int] = []
         if kind == "RM":
             read, error = self._slave.plan_reads(range(address, address + count))
         else:

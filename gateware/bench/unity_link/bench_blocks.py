@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import cocotb
 from cocotb.triggers import RisingEdge
 
-from gateware.bench.unity_link.gateway import Gateway, note_figure
+from gateware.bench.unity_link.gateway import Gateway, checked, note_figure
 
 if TYPE_CHECKING:
     from cocotb.handle import SimHandleBase
@@ -25,8 +25,10 @@ async def _cycles_on_the_bus(dut: SimHandleBase, gateway: Gateway, body: bytes) 
             count += dut.wb_cyc.value == 1
 
     watching = cocotb.start_soon(watch())
-    await gateway.ask(body)
-    await gateway.quiet()
+    gateway.send(checked(body))
+    # A block of the most words answers nothing before its last one.
+    await gateway.quiet(4 * WORDS[-1])
+    gateway.take()
     watching.cancel()
     return count
 
