@@ -48,12 +48,12 @@ FAULTS = {
         r"n\d+_o(?= = bus_error \? 3'b010 : state;)",
         "state",
     ),
-    "an answer overtakes one that was sent away": ("ul_wishbone_master pipelined", "with_pipeline_gathers", "1'b0"),
-    "a word is asked again with those behind it": (
+    "an answer overtakes one that was sent away": (
         "ul_wishbone_master pipelined",
-        "with_pipeline_is_kept",
-        "1'b0",
+        r"n\d+_o(?= = ~with_pipeline_gathers;)",
+        "1'b1",
     ),
+    "an answer that was kept is forgotten": ("ul_wishbone_master pipelined", "with_pipeline_is_kept", "1'b0"),
     "an answer that nobody wants is told": ("ul_axi4_lite_master", r"n\d+_o(?= = answered & wanted;)", "answered"),
     "an address is taken back": (
         "ul_axi4_lite_master",
