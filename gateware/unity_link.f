@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # VHDL-2008, library unity_link, in compile order; made by `make lists`.
-rtl/bus/ul_wishbone_master.vhd
 rtl/cores/ul_math_pkg.vhd
 rtl/cores/ul_reset_synchroniser.vhd
 rtl/cores/ul_stream_register.vhd
@@ -18,6 +17,7 @@ rtl/application/ul_request_executor.vhd
 rtl/application/ul_send_immediate.vhd
 rtl/bus/ul_axi4_lite_master.vhd
 rtl/bus/ul_bus_master.vhd
+rtl/bus/ul_wishbone_master.vhd
 rtl/cores/ul_fifo_async.vhd
 rtl/cores/ul_fifo_sync.vhd
 rtl/cores/ul_word_memory.vhd

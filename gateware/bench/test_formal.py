@@ -26,11 +26,35 @@ FAULTS = {
     "a body does not wait for its reader": ("ul_datalink_rx", "advance", "1'b1"),
     "a frame does not wait for its reader": ("ul_datalink_tx", "advance", "1'b1"),
     "a request comes into a sample": ("ul_bus_master", "grant", "request & ~(sample & ~exclusive) & (state == 0)"),
-    "the bus does not rest after a time-out": ("ul_bus_master", r"n\d+_o(?= = timed_out \? 2'b11 : 2'b00;)", "2'b00"),
+    "the bus does not rest after a time-out": (
+        "ul_bus_master",
+        r"n\d+_o(?= = timed_out \? 3'b100 : 3'b000;)",
+        "3'b000",
+    ),
     "a sample has two instants": ("ul_bus_master", r"n\d+_o(?= = grant_sample & n\d+_o;)", "grant_sample"),
-    "a transaction is left between two accesses": ("ul_wishbone_master", r"n\d+_o(?= = asks \| bus_lock;)", "asks"),
-    "an answer is taken before the access is": ("ul_wishbone_master pipelined", "takes", "1'b1"),
-    "an access that was sent away is not asked again": ("ul_wishbone_master", "sent_away", "1'b0"),
+    "a transaction is left between two accesses": (
+        "ul_wishbone_master",
+        r"n\d+_o(?= = classic_asks \| bus_lock;)",
+        "classic_asks",
+    ),
+    "an answer is taken before the access is": (
+        "ul_wishbone_master pipelined",
+        "with_pipeline_takes",
+        "with_pipeline_strobe",
+    ),
+    "an access that was sent away is not asked again": ("ul_wishbone_master", "classic_sent_away", "1'b0"),
+    "a fifth access is under way": ("ul_bus_master", r"n\d+_o(?= = \$unsigned\(under_way\) < )", "1'b1"),
+    "more is asked for behind a word that failed": (
+        "ul_bus_master",
+        r"n\d+_o(?= = bus_error \? 3'b010 : state;)",
+        "state",
+    ),
+    "an answer overtakes one that was sent away": (
+        "ul_wishbone_master pipelined",
+        r"n\d+_o(?= = ~with_pipeline_gathers;)",
+        "1'b1",
+    ),
+    "an answer that was kept is forgotten": ("ul_wishbone_master pipelined", "with_pipeline_is_kept", "1'b0"),
     "an answer that nobody wants is told": ("ul_axi4_lite_master", r"n\d+_o(?= = answered & wanted;)", "answered"),
     "an address is taken back": (
         "ul_axi4_lite_master",
@@ -44,7 +68,7 @@ FAULTS = {
     "a gap is told again and again": ("at_most_once", r"(?P<told>\w+)(?= = r\[12\];.*\n.* = ~(?P=told);)", "1'b0"),
     "a damaged frame is executed": ("at_most_once", r"\w+(?= = in_error != 4'b0000;)", "1'b0"),
     "the next frame comes into a request": ("at_most_once", "touches_held", "1'b0"),
-    "an access is made again": ("at_most_once", "last_word", "1'b0"),
+    "an access is made again": ("at_most_once", "access_request", "r[57]"),
 }
 """The proof, a signal of it (a regular expression), and what drives it in place of what should."""
 

@@ -24,6 +24,7 @@ module at_most_once_properties (
 	input [1:0] ring_room,
 	input access_granted,
 	input access_done,
+	input access_last,
 	input [3:0] access_failure,
 	input [7:0] access_read_data,
 	input group_is_set,
@@ -84,6 +85,7 @@ module at_most_once_properties (
 	wire [7:0] memory_word = 0, access_read_data = 0;
 	wire [1:0] ring_room = 3;
 	wire access_granted = access_request && !under_way, access_done = under_way;
+	wire access_last = 1;
 	wire [3:0] access_failure = 0;
 	wire group_is_set = 1, group_done = 1, answer_taken = 1;
 
@@ -255,8 +257,8 @@ module at_most_once_properties (
 
 		// What ul_bus_master keeps to.
 		if (begun) begin
-			assume (!access_granted || (access_request && !outstanding));
-			assume (!access_done || outstanding);
+			assume (!access_granted || (access_request && grants - dones <= (c_kind == RM ? 3 : 0)));
+			assume (!access_done || (outstanding && access_last == (grants - dones == 1)));
 		end
 
 		if (in_valid && in_ready && !in_last) begin
@@ -344,6 +346,8 @@ module at_most_once_properties (
 				settled <= 1;
 			if (access_done && access_failure != 0) begin
 				failed <= 1;
+				// Of those that are still open it hears no more.
+				dones <= grants + access_granted;
 				{c_owed, c_error} <= {2'(ERROR), access_failure};
 				c_open <= !c_silent;
 			end
@@ -602,7 +606,7 @@ module at_most_once_properties (
 				if (!c_runs)
 					assert (grants == 0 && dones == 0 && reads == 0 && listed == 0 && !settled
 						&& (e_state == ANSWER || (e_state == GROUP && group_operation == NOTHING)));
-				assert (grants <= 2 && dones <= grants && reads <= dones && listed <= 2);
+				assert (grants <= 2 && (!c_runs || c_kind[3] || grants <= needed) && dones <= grants && reads <= dones && listed <= 2);
 				if (e_state != ACCESS)
 					assert (!outstanding);
 				if (e_state == ROOM || e_state == LOAD || e_state == STOP)
@@ -616,10 +620,10 @@ module at_most_once_properties (
 				if (e_state == STOP)
 					assert (c_kind == GS && e_index == 0 && group_operation == STOP_GROUP);
 				if (e_state == ACCESS) begin
-					assert (c_runs && !failed && !c_kind[3] && own <= 1 + dones && grants - dones <= 1);
+					assert (c_runs && !failed && !c_kind[3] && own <= 1 + dones && grants - dones <= (c_kind == RM ? 4 : 1));
 					assert (e_modifying == (c_kind == WK && dones == 1));
-					assert (dones < needed && e_left == (c_kind == WK ? 1 : c_count - dones));
-					assert (e_address == 4'(c_kind == RQ || c_kind == WQ || c_kind == WK ? c_address : c_address + dones));
+					assert (dones < needed && e_left == (c_kind == WK ? !(dones == 1 && grants == 2) : c_count - grants));
+					assert (e_address == 4'(c_kind == RQ || c_kind == WQ || c_kind == WK ? c_address : c_address + grants));
 					assert (reads == (c_kind[2] ? 0 : dones));
 				end
 				if (e_state == COPY)

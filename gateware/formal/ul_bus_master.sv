@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // What the bus master promises to a bus and to its two clients, whatever these do within the rules at its top:
-// an access stands still until it is answered, is taken back for at least one cycle, and never lasts longer than the
-// time-out; each access that was granted is told as done once, to the client that it was granted to; the lock falls
-// with a time-out, and for as many cycles nothing more is asked of the bus; and no sample comes between the accesses of an exclusive transaction, nor a request into a sample.
+// an access stands still until it is taken or answered, at most four are under way, of one client and only reads, and
+// none for longer than the time-out after the last answer; each access that was granted is told as done once and in
+// order, to the client that it was granted to, with the word of its answer, up to the first that fails; what is under
+// way behind that one is answered before anything else is asked; the lock falls with a time-out, and for as many cycles,
+// or twice as many where several may have been under way, nothing more is asked of the bus; and no sample comes between
+// the accesses of an exclusive transaction, nor a request into a sample.
 
 module ul_bus_master_properties #(
 	parameter TIMEOUT = 3
@@ -19,15 +22,16 @@ module ul_bus_master_properties #(
 	input sample_more,
 	input [7:0] sample_address,
 	input [7:0] bus_read_data,
+	input bus_next,
 	input bus_done,
 	input bus_error
 );
-	localparam IDLE = 0, ACTIVE = 1, TOLD = 2, REST = 3;
+	localparam IDLE = 0, ACTIVE = 1, DRAIN = 2, TOLD = 3, REST = 4;
 
-	wire request_granted, request_done, sample_granted, sample_done, sample_strobe, sample_access;
+	wire request_granted, request_done, request_last, sample_granted, sample_done, sample_strobe, sample_access;
 	wire [3:0] failure;
 	wire [7:0] read_data;
-	wire bus_request, bus_write, bus_lock;
+	wire bus_request, bus_write, bus_lock, bus_ahead;
 	wire [7:0] bus_address, bus_write_data;
 	reg rst = 1;
 
@@ -36,86 +40,123 @@ module ul_bus_master_properties #(
 	reg asked = 0;
 	reg [16:0] access;
 	reg [2:0] lasts = 0;
-	// An access that was granted and not yet told, whose it is, and what is still to follow in its transaction.
-	reg open = 0, open_sample = 0;
-	reg exclusive = 0, sampling = 0;
+	// Accesses that the bus has taken and not answered.
+	reg [2:0] taken = 0;
+	// The answer in the last cycle.
+	reg answered = 0;
+	reg [7:0] word;
+	// Accesses that were granted and not yet told, whose they are, and what is still to follow in their transaction.
+	reg [2:0] open = 0;
+	reg open_sample = 0;
+	reg exclusive = 0, sampling = 0, block = 0;
+	// What is under way is of a block or of a sample of several words; one of them has failed.
+	reg ahead = 0, failed = 0;
 	reg request_kept = 0, sample_kept = 0;
 	reg [4:0] done = 0;
 	// Cycles for which nothing more may be asked after a time-out.
-	reg [2:0] rest = 0;
+	reg [3:0] rest = 0;
 	// The words that are read belong to the last instant.
 	reg instant = 0;
 
-	(* hierconn *) wire [1:0] \dut.state ;
-	(* hierconn *) wire [2:0] \dut.time_left ;
+	wire told = request_done || sample_done;
+	wire under_way = bus_request || taken != 0;
+	wire leaves = bus_next || (bus_done && taken == 0);
+	wire gives_up = under_way && lasts == TIMEOUT - 1 && !bus_done;
+
+	(* hierconn *) wire [2:0] \dut.state , \dut.time_left , \dut.under_way ;
 	(* hierconn *) wire \dut.exclusive , \dut.sample_lock , \dut.for_sample , \dut.request_lock , \dut.timed_out ;
+	(* hierconn *) wire \dut.told_ahead , \dut.ahead ;
 
 	always @(posedge clk) begin
 		rst <= 0;
 		if (rst)
-			assert (!asked && !open && !exclusive && !sampling && lasts == 0);
+			assert (!asked && open == 0 && taken == 0 && !exclusive && !sampling && !block && lasts == 0);
 	end
 
 	always @(posedge clk) if (!rst) begin
-		// The rules for clients: a request stands until it is done, and until its transaction is over.
-		request_kept <= request && !request_done;
-		sample_kept <= sample && !sample_done;
+		// The rule for the bus: it takes an access before its answer where others may follow.
+		assume (!bus_next || (bus_request && bus_ahead));
+		// The rules for clients: a request stands until it is granted, and its transaction is of one kind; behind its
+		// last access none is asked for before that is told.
+		request_kept <= request && !request_granted && !(request_done && failure != 0);
+		sample_kept <= sample && !sample_granted && !(sample_done && failure != 0);
 		assume (!request_kept || request);
 		assume (!sample_kept || sample);
 		assume (!exclusive || request_exclusive);
+		assume (!block || !(request_exclusive || request_write));
+		assume (!(request && request_write && request_more) || request_exclusive);
+		assume (!(ahead && open != 0 && !open_sample && !block) || !request);
+		assume (!(ahead && open != 0 && open_sample && !sampling) || !sample);
 
-		asked <= bus_request && !bus_done;
+		asked <= bus_request && !leaves && !gives_up;
 		access <= {bus_write, bus_address, bus_write_data};
-		lasts <= bus_request ? lasts + 1 : 0;
-		if (bus_request && lasts == TIMEOUT - 1 && !bus_done)
-			rest <= TIMEOUT + 1;
+		taken <= gives_up ? 0 : taken + bus_next - (bus_done && (taken != 0 || bus_next));
+		lasts <= under_way && !bus_done && !gives_up ? lasts + 1 : 0;
+		answered <= bus_done && under_way;
+		word <= bus_read_data;
+		if (gives_up)
+			rest <= (ahead ? 2 * TIMEOUT : TIMEOUT) + !failed;
 		else if (rest != 0)
 			rest <= rest - 1;
 		if (rest != 0)
 			assert (!bus_request && !bus_lock && !request_granted && !sample_granted);
 		if (request_granted || sample_granted) begin
-			open <= 1;
 			open_sample <= sample_granted;
 			if (sample_granted)
 				sampling <= sample_more;
-			else
+			else begin
 				exclusive <= request_more && request_exclusive;
+				block <= request_more && !request_exclusive;
+			end
+			if (!under_way) begin
+				ahead <= sample_granted ? sample_more : request_more && !request_exclusive;
+				failed <= 0;
+			end
 		end
-		if (request_done || sample_done) begin
-			open <= 0;
+		if (under_way && bus_done && bus_error)
+			failed <= 1;
+		open <= told && failure != 0 ? 0 : open + (request_granted || sample_granted) - told;
+		if (told) begin
 			if (failure != 0 && open_sample)
 				sampling <= 0;
-			if (failure != 0 && !open_sample)
+			if (failure != 0 && !open_sample) begin
 				exclusive <= 0;
+				block <= 0;
+			end
 			if (done != 31)
 				done <= done + 1;
 		end
 
-		assert (lasts <= TIMEOUT);
-		if (lasts == TIMEOUT)
-			assert (!bus_request);
-		if (asked && lasts < TIMEOUT)
+		assert (lasts < TIMEOUT);
+		if (asked)
 			assert (bus_request && {bus_write, bus_address, bus_write_data} == access);
-		if (!asked && lasts != 0)
-			assert (!bus_request);
 		assert (!(request_granted && sample_granted));
 		assert (!(request_done && sample_done));
 		if (request_granted || sample_granted)
-			assert (!open);
-		if (request_done)
-			assert (open && !open_sample);
-		if (sample_done)
-			assert (open && open_sample);
-		if (bus_request)
-			assert (open);
+			assert (!under_way || (ahead && !failed && open_sample == sample_granted && (leaves || !bus_request)));
+		assert (taken + bus_request <= 4);
+		if (taken != 0)
+			assert (ahead && bus_lock);
+		if (under_way && ahead)
+			assert (!bus_write);
+		if (told)
+			assert (open != 0 && open_sample == sample_done);
+		if (told && failure != 5)
+			assert (answered && read_data == word);
+		if (under_way && !failed)
+			assert (open != 0);
+		if (request_done && request_last)
+			assert (!under_way && (open == 1 || failure == 5));
+		if (request_done && failure == 0 && !request_last)
+			assert (under_way);
 		if (sample_granted)
 			assert (!exclusive && sample);
 		if (request_granted)
 			assert (!sampling && request);
-		if ((request_done || sample_done) && failure == 5)
+		if (told && failure == 5)
 			assert (!bus_lock);
 		if (exclusive || sampling)
-			assert (bus_lock || ((request_done || sample_done) && failure == 5));
+			assert (bus_lock || (told && failure == 5));
 
 		// A sample has one instant, in front of its first access, and no access of a request until it is over.
 		assert (sample_strobe == (sample_granted && !sampling));
@@ -127,30 +168,48 @@ module ul_bus_master_properties #(
 		instant <= sample_strobe || (instant && sample_access);
 		if (sample_access || (bus_request && open_sample))
 			assert (instant);
-		if (sampling && !((request_done || sample_done) && failure != 0))
+		if (sampling && !(told && failure != 0))
 			assert (sample_access);
 
 		// What makes the proof hold without a bound.
-		assert (bus_request == (\dut.state == ACTIVE));
-		assert (open == (\dut.state == ACTIVE || \dut.state == TOLD));
-		assert (exclusive == \dut.exclusive && sampling == \dut.sample_lock );
-		if (open)
-			assert (open_sample == \dut.for_sample && !(open_sample ? exclusive : sampling));
-		if (bus_request)
-			assert (\dut.time_left + lasts == TIMEOUT - 1);
 		assert (\dut.state <= REST);
-		if (bus_request)
-			assert (asked == (lasts != 0));
-		if (exclusive)
-			assert (\dut.request_lock );
+		assert (under_way == (\dut.state == ACTIVE || \dut.state == DRAIN));
+		assert (taken == \dut.under_way );
+		if (under_way) begin
+			assert (failed == (\dut.state == DRAIN) && ahead == \dut.ahead );
+			assert (\dut.time_left + lasts == TIMEOUT - 1);
+		end else
+			assert (lasts == 0 && !asked);
+		if (\dut.state == ACTIVE)
+			assert (open == taken + bus_request + \dut.told_ahead );
+		if (\dut.state == DRAIN)
+			assert (\dut.told_ahead ? open == taken + bus_request + 1 && failure == 4 : open == 0);
+		if (\dut.state == TOLD)
+			assert (failure == 5 ? open != 0 : open == 1);
+		if (\dut.state == IDLE || \dut.state == REST)
+			assert (open == 0);
+		if (\dut.told_ahead )
+			assert (under_way && answered && ahead && failure == (failed ? 4 : 0));
+		if (\dut.state == TOLD && failure != 5)
+			assert (answered);
+		if (answered)
+			assert (read_data == word || failed);
+		if (told)
+			assert (failure == 0 || failure == 4 || failure == 5);
+		if (under_way || open != 0)
+			assert (open_sample == \dut.for_sample && !(open_sample ? exclusive : sampling));
+		if (under_way && exclusive)
+			assert (!ahead);
+		assert (!exclusive || !block);
+		assert (exclusive == \dut.exclusive && sampling == \dut.sample_lock );
+		assert ((exclusive || block) == \dut.request_lock );
 		if (\dut.timed_out )
-			assert (\dut.state == TOLD ? failure == 5 :
-				\dut.state == REST && !exclusive && !sampling);
+			assert (\dut.state == TOLD ? failure == 5 : \dut.state == REST && !exclusive && !sampling);
 		assert (\dut.state != REST || \dut.timed_out );
 		assert (rest == (\dut.state == REST ? \dut.time_left + 1 :
-			\dut.state == TOLD && \dut.timed_out ? TIMEOUT + 1 : 0));
+			\dut.state == TOLD && \dut.timed_out ? \dut.time_left + 2 : 0));
 		if (\dut.state == TOLD && \dut.timed_out )
-			assert (\dut.time_left == TIMEOUT - 1);
+			assert (\dut.time_left == (\dut.ahead ? 2 * TIMEOUT : TIMEOUT) - 1);
 		if (\dut.state == TOLD && failure == 5)
 			assert (\dut.timed_out );
 
@@ -159,5 +218,9 @@ module ul_bus_master_properties #(
 		cover (done == 3 && request_granted && $past(rest) == 1);
 		cover (done == 2 && request_done && failure == 4 && exclusive);
 		cover (done == 2 && sample_granted && request && bus_lock);
+		cover (done == 1 && taken == 3 && bus_request && !open_sample);
+		cover (done == 4 && request_done && failure == 4 && taken == 2);
+		cover (done == 2 && failed && lasts == TIMEOUT - 1 && !bus_done);
+		cover (done == 3 && sample_granted && $past(failed) && ahead);
 	end
 endmodule

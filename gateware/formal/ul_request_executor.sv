@@ -23,6 +23,7 @@ module ul_request_executor_properties (
 	input [2:0] ring_room,
 	input access_granted,
 	input access_done,
+	input access_last,
 	input [3:0] access_failure,
 	input [7:0] access_read_data,
 	input group_is_set,
@@ -100,7 +101,7 @@ module ul_request_executor_properties (
 
 			// What makes the proof hold without a bound.
 			assert (in_session == \dut.r [3]);
-			assert (access_request == (state == ACCESS));
+			assert (\dut.r [57] == (state == ACCESS) && (!access_request || \dut.r [57]));
 			assert (!list_write || state == COPY);
 			assert (hold == (state != 0) && request_accept == !hold);
 			if (refused && hold) begin

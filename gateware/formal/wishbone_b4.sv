@@ -36,11 +36,13 @@ module wishbone_b4 #(
 	reg held = 0, strobe = 0;
 	reg [ADDRESS_BITS+DATA_BITS+(DATA_BITS+7)/8:0] access;
 	initial open = 0;
+	// A read has no data.
+	wire [ADDRESS_BITS+DATA_BITS+(DATA_BITS+7)/8:0] asked = {we, adr, we ? dat : {DATA_BITS{1'b0}}, sel};
 
 	// Rule 3.20: what a reset ends. 3.25: `cyc` stands over the strobe. 3.60: an access stands still until it is taken.
 	wire ends_by_reset = !was_reset || (!cyc && !stb);
 	wire is_in_cycle = !stb || cyc;
-	wire stands_still = !(held && cyc) || (stb && {we, adr, dat, sel} == access);
+	wire stands_still = !(held && cyc) || (stb && asked == access);
 	// Rule 3.45: one answer at a time. 3.35 and 3.50: none without an access.
 	wire one_answer = ack + err + rty <= 1;
 	wire is_asked = PIPELINED ? !answered || open != 0 || took || (strobe && !cyc) : !answered || (cyc && stb) || (strobe && !stb);
@@ -50,7 +52,7 @@ module wishbone_b4 #(
 		was_reset <= rst && !first;
 		held <= !rst && cyc && stb && waits;
 		strobe <= !rst && cyc && (stb || open != 0);
-		access <= {we, adr, dat, sel};
+		access <= asked;
 		open <= rst || !cyc ? 0 : open + took - (answered && (open != 0 || took));
 		if (!first && !rst && MASTER == 1) begin
 			assert (ends_by_reset && is_in_cycle && stands_still);

@@ -4,7 +4,6 @@
 set gateware [file dirname [file dirname [file normalize [info script]]]]
 prj_strgy set_value -strategy Strategy1 syn_vhdl2008=True
 prj_strgy set_value -strategy Strategy1 lse_vhdl2008=True
-prj_src add -work unity_link [file join $gateware rtl/bus/ul_wishbone_master.vhd]
 prj_src add -work unity_link [file join $gateware rtl/cores/ul_math_pkg.vhd]
 prj_src add -work unity_link [file join $gateware rtl/cores/ul_reset_synchroniser.vhd]
 prj_src add -work unity_link [file join $gateware rtl/cores/ul_stream_register.vhd]
@@ -22,6 +21,7 @@ prj_src add -work unity_link [file join $gateware rtl/application/ul_request_exe
 prj_src add -work unity_link [file join $gateware rtl/application/ul_send_immediate.vhd]
 prj_src add -work unity_link [file join $gateware rtl/bus/ul_axi4_lite_master.vhd]
 prj_src add -work unity_link [file join $gateware rtl/bus/ul_bus_master.vhd]
+prj_src add -work unity_link [file join $gateware rtl/bus/ul_wishbone_master.vhd]
 prj_src add -work unity_link [file join $gateware rtl/cores/ul_fifo_async.vhd]
 prj_src add -work unity_link [file join $gateware rtl/cores/ul_fifo_sync.vhd]
 prj_src add -work unity_link [file join $gateware rtl/cores/ul_word_memory.vhd]

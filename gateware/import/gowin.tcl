@@ -3,8 +3,6 @@
 # Files in compile order; made by `make lists`.
 set gateware [file dirname [file dirname [file normalize [info script]]]]
 set_option -vhdl_std vhd2008
-add_file -type vhdl [file join $gateware rtl/bus/ul_wishbone_master.vhd]
-set_file_prop -lib unity_link [file join $gateware rtl/bus/ul_wishbone_master.vhd]
 add_file -type vhdl [file join $gateware rtl/cores/ul_math_pkg.vhd]
 set_file_prop -lib unity_link [file join $gateware rtl/cores/ul_math_pkg.vhd]
 add_file -type vhdl [file join $gateware rtl/cores/ul_reset_synchroniser.vhd]
@@ -39,6 +37,8 @@ add_file -type vhdl [file join $gateware rtl/bus/ul_axi4_lite_master.vhd]
 set_file_prop -lib unity_link [file join $gateware rtl/bus/ul_axi4_lite_master.vhd]
 add_file -type vhdl [file join $gateware rtl/bus/ul_bus_master.vhd]
 set_file_prop -lib unity_link [file join $gateware rtl/bus/ul_bus_master.vhd]
+add_file -type vhdl [file join $gateware rtl/bus/ul_wishbone_master.vhd]
+set_file_prop -lib unity_link [file join $gateware rtl/bus/ul_wishbone_master.vhd]
 add_file -type vhdl [file join $gateware rtl/cores/ul_fifo_async.vhd]
 set_file_prop -lib unity_link [file join $gateware rtl/cores/ul_fifo_async.vhd]
 add_file -type vhdl [file join $gateware rtl/cores/ul_fifo_sync.vhd]

@@ -2,7 +2,6 @@
 # Quartus, in an open project: source import/quartus.tcl
 # Files in compile order; made by `make lists`.
 set gateware [file dirname [file dirname [file normalize [info script]]]]
-set_global_assignment -name VHDL_FILE [file join $gateware rtl/bus/ul_wishbone_master.vhd] -library unity_link -hdl_version VHDL_2008
 set_global_assignment -name VHDL_FILE [file join $gateware rtl/cores/ul_math_pkg.vhd] -library unity_link -hdl_version VHDL_2008
 set_global_assignment -name VHDL_FILE [file join $gateware rtl/cores/ul_reset_synchroniser.vhd] -library unity_link -hdl_version VHDL_2008
 set_global_assignment -name VHDL_FILE [file join $gateware rtl/cores/ul_stream_register.vhd] -library unity_link -hdl_version VHDL_2008
@@ -20,6 +19,7 @@ set_global_assignment -name VHDL_FILE [file join $gateware rtl/application/ul_re
 set_global_assignment -name VHDL_FILE [file join $gateware rtl/application/ul_send_immediate.vhd] -library unity_link -hdl_version VHDL_2008
 set_global_assignment -name VHDL_FILE [file join $gateware rtl/bus/ul_axi4_lite_master.vhd] -library unity_link -hdl_version VHDL_2008
 set_global_assignment -name VHDL_FILE [file join $gateware rtl/bus/ul_bus_master.vhd] -library unity_link -hdl_version VHDL_2008
+set_global_assignment -name VHDL_FILE [file join $gateware rtl/bus/ul_wishbone_master.vhd] -library unity_link -hdl_version VHDL_2008
 set_global_assignment -name VHDL_FILE [file join $gateware rtl/cores/ul_fifo_async.vhd] -library unity_link -hdl_version VHDL_2008
 set_global_assignment -name VHDL_FILE [file join $gateware rtl/cores/ul_fifo_sync.vhd] -library unity_link -hdl_version VHDL_2008
 set_global_assignment -name VHDL_FILE [file join $gateware rtl/cores/ul_word_memory.vhd] -library unity_link -hdl_version VHDL_2008

@@ -2,7 +2,6 @@
 # Radiant, in an open project: source import/radiant.tcl. Set VHDL 2008 in the strategy.
 # Files in compile order; made by `make lists`.
 set gateware [file dirname [file dirname [file normalize [info script]]]]
-prj_add_source -work unity_link [file join $gateware rtl/bus/ul_wishbone_master.vhd]
 prj_add_source -work unity_link [file join $gateware rtl/cores/ul_math_pkg.vhd]
 prj_add_source -work unity_link [file join $gateware rtl/cores/ul_reset_synchroniser.vhd]
 prj_add_source -work unity_link [file join $gateware rtl/cores/ul_stream_register.vhd]
@@ -20,6 +19,7 @@ prj_add_source -work unity_link [file join $gateware rtl/application/ul_request_
 prj_add_source -work unity_link [file join $gateware rtl/application/ul_send_immediate.vhd]
 prj_add_source -work unity_link [file join $gateware rtl/bus/ul_axi4_lite_master.vhd]
 prj_add_source -work unity_link [file join $gateware rtl/bus/ul_bus_master.vhd]
+prj_add_source -work unity_link [file join $gateware rtl/bus/ul_wishbone_master.vhd]
 prj_add_source -work unity_link [file join $gateware rtl/cores/ul_fifo_async.vhd]
 prj_add_source -work unity_link [file join $gateware rtl/cores/ul_fifo_sync.vhd]
 prj_add_source -work unity_link [file join $gateware rtl/cores/ul_word_memory.vhd]

@@ -2,7 +2,6 @@
 # Vivado, in a project or without: source import/vivado.tcl
 # Files in compile order; made by `make lists`.
 set gateware [file dirname [file dirname [file normalize [info script]]]]
-read_vhdl -vhdl2008 -library unity_link [file join $gateware rtl/bus/ul_wishbone_master.vhd]
 read_vhdl -vhdl2008 -library unity_link [file join $gateware rtl/cores/ul_math_pkg.vhd]
 read_vhdl -vhdl2008 -library unity_link [file join $gateware rtl/cores/ul_reset_synchroniser.vhd]
 read_vhdl -vhdl2008 -library unity_link [file join $gateware rtl/cores/ul_stream_register.vhd]
@@ -20,6 +19,7 @@ read_vhdl -vhdl2008 -library unity_link [file join $gateware rtl/application/ul_
 read_vhdl -vhdl2008 -library unity_link [file join $gateware rtl/application/ul_send_immediate.vhd]
 read_vhdl -vhdl2008 -library unity_link [file join $gateware rtl/bus/ul_axi4_lite_master.vhd]
 read_vhdl -vhdl2008 -library unity_link [file join $gateware rtl/bus/ul_bus_master.vhd]
+read_vhdl -vhdl2008 -library unity_link [file join $gateware rtl/bus/ul_wishbone_master.vhd]
 read_vhdl -vhdl2008 -library unity_link [file join $gateware rtl/cores/ul_fifo_async.vhd]
 read_vhdl -vhdl2008 -library unity_link [file join $gateware rtl/cores/ul_fifo_sync.vhd]
 read_vhdl -vhdl2008 -library unity_link [file join $gateware rtl/cores/ul_word_memory.vhd]

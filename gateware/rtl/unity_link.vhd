@@ -159,6 +159,8 @@ architecture rtl of unity_link is
   signal bus_request    : std_logic;
   signal bus_write      : std_logic;
   signal bus_lock       : std_logic;
+  signal bus_ahead      : std_logic;
+  signal bus_next       : std_logic;
   signal bus_address    : std_logic_vector(address_bits - 1 downto 0);
   signal bus_write_data : std_logic_vector(data_bits - 1 downto 0);
   signal bus_read_data  : std_logic_vector(data_bits - 1 downto 0);
@@ -218,6 +220,8 @@ begin
       bus_request    => bus_request,
       bus_write      => bus_write,
       bus_lock       => bus_lock,
+      bus_ahead      => bus_ahead,
+      bus_next       => bus_next,
       bus_address    => bus_address,
       bus_write_data => bus_write_data,
       bus_read_data  => bus_read_data,
@@ -241,6 +245,8 @@ begin
         bus_request    => bus_request,
         bus_write      => bus_write,
         bus_lock       => bus_lock,
+        bus_ahead      => bus_ahead,
+        bus_next       => bus_next,
         bus_address    => bus_address,
         bus_write_data => bus_write_data,
         bus_read_data  => bus_read_data,
@@ -274,6 +280,8 @@ begin
   end generate with_wishbone;
 
   with_axi4_lite : if bus_standard = "axi4_lite" generate
+
+    bus_next <= '0';
 
     axi4_lite_master_inst : entity work.ul_axi4_lite_master
       generic map (

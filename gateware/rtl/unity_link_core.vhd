@@ -90,6 +90,8 @@ entity unity_link_core is
     bus_request    : out   std_logic;
     bus_write      : out   std_logic;
     bus_lock       : out   std_logic;
+    bus_ahead      : out   std_logic;
+    bus_next       : in    std_logic := '0';
     bus_address    : out   std_logic_vector(address_bits - 1 downto 0);
     bus_write_data : out   std_logic_vector(data_bits - 1 downto 0);
     bus_read_data  : in    std_logic_vector(data_bits - 1 downto 0);
@@ -214,6 +216,7 @@ architecture rtl of unity_link_core is
   signal access_data      : std_logic_vector(data_bits - 1 downto 0);
   signal access_granted   : std_logic;
   signal access_done      : std_logic;
+  signal access_last      : std_logic;
   signal sample           : std_logic;
   signal sample_more      : std_logic;
   signal sample_address   : std_logic_vector(address_bits - 1 downto 0);
@@ -493,6 +496,7 @@ begin
       access_data          => access_data,
       access_granted       => access_granted,
       access_done          => access_done,
+      access_last          => access_last,
       access_failure       => access_failure,
       access_read_data     => read_data,
       group_is_set         => group_is_set,
@@ -551,6 +555,7 @@ begin
       request_data      => access_data,
       request_granted   => access_granted,
       request_done      => access_done,
+      request_last      => access_last,
       sample            => sample,
       sample_more       => sample_more,
       sample_address    => sample_address,
@@ -563,6 +568,8 @@ begin
       bus_request       => bus_request,
       bus_write         => bus_write,
       bus_lock          => bus_lock,
+      bus_ahead         => bus_ahead,
+      bus_next          => bus_next,
       bus_address       => bus_address,
       bus_write_data    => bus_write_data,
       bus_read_data     => bus_read_data,

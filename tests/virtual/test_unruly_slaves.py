@@ -2,11 +2,16 @@
 
 Every access has a plan: what the slave answers when, and so what the gateway must make of it. Each reply carries a word
 of its own, so an answer that is taken for another access is seen in what the host gets.
+
+On a pipelined bus several reads of a block or of a sample are under way at once. Nothing but their order tells their
+answers apart, so the slave keeps to it, late as it may be.
 """
 
 from __future__ import annotations
 
 import random
+from collections import deque
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, NamedTuple
 
 import pytest
@@ -17,7 +22,7 @@ from unity_link.virtual.rtl.library import Reply, SlaveFunction
 
 if TYPE_CHECKING:
     import ctypes
-    from collections.abc import Iterator
+    from collections.abc import Iterator, Sequence
 
 pytestmark = [pytest.mark.rtl, needs_cxx]
 
@@ -26,6 +31,8 @@ TIMEOUT = 1024
 LAST_UNHEARD = 2 * TIMEOUT + 1
 """Cycles behind a strobe that timed out, in which an answer is still not looked at."""
 ACK, ERR, RTY = 0, 1, 3
+NOTHING = ACK, -1
+"""In place of an answer and its word."""
 PATTERNS = {"default": 0, "wide": 0x8041_0C12_0F00_1124}
 """Of each configuration the cycles in which its slave stalls; only the second one is pipelined."""
 MOST_STALLS = 4
@@ -47,6 +54,41 @@ class _Outcome(NamedTuple):
     error: int
 
 
+class _Read(NamedTuple):
+    """One of several reads that may be under way at once: how the slave answers each strobe of it."""
+
+    answers: deque[tuple[int, int]]
+    """Answer and word."""
+    is_long: bool
+    """It takes nearly as long as it may."""
+
+
+@dataclass
+class _Stream:
+    """What the slave sees next, up to the end of a transaction."""
+
+    single: _Attempt | None = None
+    reads: dict[int, _Read] = field(default_factory=dict)
+    needed: list[_Read] = field(default_factory=list)
+    """Those that must be seen; where one of them fails, the gateway may have asked for those behind it, or not."""
+    late: int | None = None
+    """The address from which on the answers come after the timeout."""
+    is_sent_away: bool = False
+    last: int = 0
+    """The cycle of the last reply, or of the first strobe."""
+    last_late: int = 0
+    """The last cycle for answers that come late, once there are such."""
+
+    def has_timed_out(self, cycle: int) -> bool:
+        """Whether a strobe in that cycle is for something else, as the bus has been taken back."""
+        return 0 < self.last_late < cycle + TIMEOUT
+
+    @property
+    def may_end(self) -> bool:
+        """Whether the gateway may do without what is left."""
+        return self.single is None and not any(read.answers for read in self.needed)
+
+
 class _Unruly:
     """A slave that follows a plan, which it makes as requests are made; notes where the gateway does not."""
 
@@ -58,8 +100,9 @@ class _Unruly:
         self._stalls = MOST_STALLS if stalls else 0
         self._last_reply = last_reply
         self._word_bits = info.data_bits
-        self._attempts: list[_Attempt] = []
-        self._seen = 0
+        self._streams: deque[_Stream] = deque()
+        self._gateway = gateway
+        self.reads_ahead = bool(stalls)
         self._function = SlaveFunction(self._answer)
         gateway._library.ul_set_slave(gateway._handle, self._function, None)
         gateway._library.ul_set_stalls(gateway._handle, stalls)
@@ -113,29 +156,113 @@ class _Unruly:
         told = [(after, answer, self.word()) for after, answer in replies]
         if again and self._rng.random() < 0.2:
             told.append((replies[0][0] + self._rng.choice(again), self._rng.choice((ACK, ERR, RTY)), self.word()))
-        self._attempts.append(_Attempt(address, written, told))
+        self._streams.append(_Stream(_Attempt(address, written, told)))
         return told[0][2] if told else 0
+
+    def plan_reads(self, addresses: Sequence[int]) -> tuple[list[int], int]:
+        """Make up how the reads of a block or of a sample go; return their words and the error, if any."""
+        if len(addresses) == 1 or not self.reads_ahead:
+            return self._plan_one_by_one(addresses)
+        self.accesses += len(addresses)
+        # Of these three, two at a time have an outcome that does not depend on how far the gateway has read ahead.
+        never = self._rng.choice((ACK, ERR, RTY))
+        stream, words, error = _Stream(), [], 0
+        lost = self._rng.choice(addresses) if self._rng.random() < 0.02 else None
+        for address in addresses:
+            read = self._read(away=never != RTY and lost is None, fails=never != ERR and lost is None)
+            stream.is_sent_away |= len(read.answers) > 1
+            if lost is None and never != ACK and stream.late is None and self._rng.random() < 0.03:
+                stream.late = address
+            if not error:
+                stream.needed.append(read)
+                error = 5 if address in (stream.late, lost) else 4 * (read.answers[-1][0] == ERR)
+            if address == lost:
+                read.answers[0] = NOTHING
+            stream.reads[address] = read
+            words.append(read.answers[-1][1])
+        if error == 5:
+            stream.needed = [stream.reads[address] for address in (stream.late, lost) if address is not None]
+        self._streams.append(stream)
+        return words, error
+
+    def _plan_one_by_one(self, addresses: Sequence[int]) -> tuple[list[int], int]:
+        words = []
+        for address in addresses:
+            outcome = self.plan(address)
+            words.append(outcome.word)
+            if outcome.error:
+                return words, outcome.error
+        return words, 0
+
+    def _read(self, *, away: bool, fails: bool) -> _Read:
+        answers: deque[tuple[int, int]] = deque()
+        while away and self._rng.random() < 0.08:
+            answers.append((RTY, self.word()))
+        answers.append((ERR if fails and self._rng.random() < 0.05 else ACK, self.word()))
+        return _Read(answers, is_long=self._rng.random() < 0.03)
 
     def finish(self) -> None:
         """Note strobes that were planned and did not come."""
-        if self._seen != len(self._attempts):
-            self.faults.append(f"{len(self._attempts) - self._seen} strobes too few")
-        self._attempts.clear()
-        self._seen = 0
+        missing = sum(not stream.may_end for stream in self._streams)
+        if missing:
+            self.faults.append(f"strobes of {missing} transactions too few")
+        self._streams.clear()
 
     def _answer(
         self, _context: int | None, address: int, write: int, value: int, replies: ctypes._Pointer[Reply]
     ) -> int:
-        if self._seen == len(self._attempts):
+        cycle = int(self._gateway._library.ul_cycles(self._gateway._handle))
+        told: list[tuple[int, int, int]] = []
+        while self._streams:
+            stream = self._streams[0]
+            read = stream.reads.get(address)
+            if read and read.answers and not write and not stream.has_timed_out(cycle):
+                told = self._answer_read(stream, address, read, cycle)
+                break
+            if stream.single:
+                told = self._answer_single(stream.single, address, value if write else None)
+                stream.single = None
+                break
+            if not stream.may_end:
+                self.faults.append(f"{address:#x}, {write}, {value:#x} where {stream} was to come")
+                return 0
+            self._streams.popleft()
+        else:
             self.faults.append(f"a strobe at {address:#x} that nobody asked for")
             return 0
-        attempt = self._attempts[self._seen]
-        self._seen += 1
-        if (address, value if write else None) != (attempt.address, attempt.written):
-            self.faults.append(f"{address:#x}, {write}, {value:#x} where {attempt} was to come")
-        for index, (after, answer, word) in enumerate(attempt.replies):
+        for index, (after, answer, word) in enumerate(told):
             replies[index] = Reply(word, after, answer)
-        return len(attempt.replies)
+        return len(told)
+
+    def _answer_single(self, attempt: _Attempt, address: int, written: int | None) -> list[tuple[int, int, int]]:
+        if (address, written) != (attempt.address, attempt.written):
+            self.faults.append(f"{address:#x}, {written} where {attempt} was to come")
+        return attempt.replies
+
+    def _answer_read(self, stream: _Stream, address: int, read: _Read, cycle: int) -> list[tuple[int, int, int]]:
+        """Answer one of several reads behind those before it, in time or not."""
+        answer, word = read.answers.popleft()
+        stream.last = stream.last or cycle
+        if address == stream.late:
+            # What was sent away, and what waits for it, is not passed on when it is answered.
+            first, last = (9, 120) if stream.is_sent_away else (1, 3)
+            stream.last_late = stream.last + 3 * TIMEOUT - last
+            read.answers.clear()
+            stream.last = self._rng.choice(
+                (
+                    stream.last + TIMEOUT + first,
+                    self._rng.randrange(stream.last + TIMEOUT + first, stream.last_late + 1),
+                )
+            )
+        elif stream.last_late:
+            if stream.last == stream.last_late or self._rng.random() < 0.3:
+                return []
+            stream.last = self._rng.choice((stream.last + 1, stream.last_late))
+        elif read.is_long and not stream.is_sent_away:
+            stream.last = max(cycle, stream.last + self._rng.randrange(1, TIMEOUT - MOST_STALLS)) + 1
+        else:
+            stream.last = max(cycle + self._soon(), stream.last + 1)
+        return [(stream.last - cycle, answer, word)] if (answer, word) != NOTHING else []
 
 
 class _Requests:
@@ -147,7 +274,7 @@ class _Requests:
         self._address_bits = gateway.info.address_bits
         self._digits = gateway.info.address_digits, gateway.info.data_digits
         self._sequence = 0
-        self.group = (1, 0x77)
+        self.group = (1, 0x77, 5, 9, 0xF0, 3)
 
     def address(self, value: int) -> str:
         return f"{value:0{self._digits[0]}X}"
@@ -158,7 +285,7 @@ class _Requests:
     def next(self) -> tuple[str, str]:
         """Return a request, and the lines that answer it."""
         kind = self._rng.choice(("R", "R", "R", "W", "W", "WS", "RM", "RQ", "WM", "WQ", "WK", "GP"))
-        address = self._rng.randrange((1 << self._address_bits) - 8)
+        address = self._rng.randrange((1 << self._address_bits) - 9)
         if kind == "GP":
             return self._publish()
         if kind == "WK":
@@ -172,14 +299,18 @@ class _Requests:
         return self._block(kind, address)
 
     def _block(self, kind: str, address: int) -> tuple[str, str]:
-        count, step = self._rng.randrange(1, 6), int(kind[1] == "M")
+        count, step = self._rng.randrange(1, 9), int(kind[1] == "M")
         words = [self._slave.word() for _ in range(count)] if kind[0] == "W" else []
-        error, read = 0, []
-        for index in range(count):
-            outcome = self._slave.plan(address + step * index, words[index] if words else None)
-            read.append(outcome.word)
-            if error := outcome.error:
-                break
+        error = 0
+        read: list[int] = []
+        if kind == "RM":
+            read, error = self._slave.plan_reads(range(address, address + count))
+        else:
+            for index in range(count):
+                outcome = self._slave.plan(address + step * index, words[index] if words else None)
+                read.append(outcome.word)
+                if error := outcome.error:
+                    break
         head = f"{kind}{self.address(address)}"
         text = "".join(map(self.word, words)) if words else f"{count:02X}"
         answer = f"{head}{count:02X}{'' if words else ''.join(map(self.word, read))}"
@@ -194,14 +325,11 @@ class _Requests:
         return f"WK{text}{self.word(mask)}{self.word(word)}", _or_error(f"WK{text}{self.word(old.word)}", outcome.error)
 
     def _publish(self) -> tuple[str, str]:
-        number, words = self._sequence, []
+        number = self._sequence
         self._sequence = (number + 1) % 256
-        for address in self.group:
-            outcome = self._slave.plan(address)
-            words.append(self.word(outcome.word))
-            if outcome.error:
-                return "GP00", "GP00\r\n"
-        return "GP00", f"P00{number:02X}{''.join(words)}\r\nGP00\r\n"
+        words, error = self._slave.plan_reads(self.group)
+        sample = "" if error else f"P00{number:02X}{''.join(map(self.word, words))}\r\n"
+        return "GP00", f"{sample}GP00\r\n"
 
 
 def _or_error(answer: str, error: int) -> str:

@@ -89,6 +89,7 @@ class Around:
 
     async def begin(self) -> None:
         """Reset, and begin to play."""
+        self.dut.access_last.value = 1
         for name in ("request_valid", "answer_taken", "access_granted", "access_done", "access_failure", "group_done"):
             getattr(self.dut, name).value = 0
         for name in ("access_read_data", "memory_word", "group_is_set"):

@@ -38,6 +38,22 @@ def test_the_figures_of_the_project_hold_and_are_those_of_its_documentation(tmp_
         assert row in stated
 
 
+def test_a_block_takes_a_cycle_a_word_in_a_pipeline_as_the_documentation_says(tmp_path: Path) -> None:
+    columns = []
+    for pipelined in (False, True):
+        figures = tmp_path / f"figures of {pipelined}"
+        _run("bench_blocks", figures, wb_pipelined=pipelined)
+        columns.append(json.loads(figures.read_text()))
+    stated = DOCUMENT.read_text().splitlines()
+    for name, text in (
+        ("block of 1", "a block of 1 word"),
+        ("block of 16", "a block of 16 words"),
+        ("block of 255", "a block of 255 words"),
+        ("sample of 16", "a sample of 16 words"),
+    ):
+        assert f"| {text} | {columns[0][name]} | {columns[1][name]} |" in stated
+
+
 @pytest.mark.parametrize("pipelined", [False, True], ids=["classic", "pipelined"])
 def test_requests_are_executed_as_the_protocol_says(*, pipelined: bool) -> None:
     _run("bench_requests", wb_pipelined=pipelined, error_at=0xE0, silent_at=0xE8)

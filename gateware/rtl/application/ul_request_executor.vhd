@@ -68,6 +68,8 @@ entity ul_request_executor is
     access_data      : out   std_logic_vector(data_bits - 1 downto 0);
     access_granted   : in    std_logic;
     access_done      : in    std_logic;
+    -- With done: no other access of the transaction is under way.
+    access_last      : in    std_logic;
     access_failure   : in    error_t;
     access_read_data : in    std_logic_vector(data_bits - 1 downto 0);
     -- Subscription manager; the operation is asked for until done. is_set follows the group's number one cycle later.
@@ -122,7 +124,8 @@ architecture rtl of ul_request_executor is
     silent  : std_logic;
     id      : id_t;
     -- Its execution.
-    address        : unsigned(address_bits - 1 downto 0);
+    address : unsigned(address_bits - 1 downto 0);
+    -- Words that were not asked for yet.
     left           : unsigned(7 downto 0);
     index          : unsigned(7 downto 0);
     enough_room    : std_logic;
@@ -205,7 +208,7 @@ begin
   hold           <= to_std_logic(r.state /= state_idle);
   memory_index   <= std_logic_vector(r.index);
 
-  access_request   <= r.access_request;
+  access_request   <= r.access_request and to_std_logic(r.left /= 0);
   access_write     <= is_write;
   access_more      <= not last_word and not is_queue;
   access_exclusive <= is_write or is_masked;
@@ -443,11 +446,7 @@ begin
       elsif is_masked = '1' and r.modifying = '0' then
         v.modifying := '1';
       else
-        v.left := r.left - 1;
-        if is_queue = '0' then
-          v.address := r.address + 1;
-        end if;
-        if last_word = '1' then
+        if r.left = 0 and access_last = '1' then
           v.access_request := '0';
           v.state          := state_answer;
           if r.command = command_ws then
@@ -504,8 +503,16 @@ begin
           v.access_request := '1';
 
         when state_access =>
-          if access_granted = '1' and r.command(2) = '1' then
-            v.index := r.index + 1;
+          if access_granted = '1' then
+            if r.command(2) = '1' then
+              v.index := r.index + 1;
+            end if;
+            if is_queue = '0' and is_masked = '0' then
+              v.address := r.address + 1;
+            end if;
+            if is_masked = '0' or r.modifying = '1' then
+              v.left := r.left - 1;
+            end if;
           end if;
           if access_done = '1' then
             finish_access;

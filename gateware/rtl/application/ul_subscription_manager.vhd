@@ -164,6 +164,9 @@ architecture rtl of ul_subscription_manager is
   signal last_read    : std_logic_vector(data_bits - 1 downto 0);
   signal last_word    : std_logic_vector(data_bits - 1 downto 0);
   signal address_read : std_logic_vector(address_bits - 1 downto 0);
+  signal all_asked    : std_logic;
+  -- Addresses and last words are looked up two words ahead, so that there may be one in each cycle.
+  signal ahead : unsigned(7 downto 0);
   -- Words of the sample in the ring: header and timestamp included.
   signal total        : unsigned(8 downto 0);
   signal word_done    : std_logic;
@@ -373,14 +376,18 @@ begin
       if list_write = '1' then
         list(to_integer(place(unsigned(group_number(group_bits - 1 downto 0)), unsigned(list_index)))) <= list_address;
       end if;
-      address_read   <= list(to_integer(place(number, asked)));
-      access_address <= address_read;
+      if access_granted = '1' or state /= state_sample then
+        address_read   <= list(to_integer(place(number, asked + ahead)));
+        access_address <= address_read;
+      end if;
 
       if word_done = '1' then
         last(to_integer(place(number, stored) & not half)) <= access_read_data;
       end if;
-      last_read <= last(to_integer(place(number, stored) & half));
-      last_word <= last_read;
+      if word_done = '1' or state /= state_sample then
+        last_read <= last(to_integer(place(number, stored + ahead) & half));
+        last_word <= last_read;
+      end if;
 
       group_is_set <= '0';
       -- One bit wider, as 256 groups are a number that does not fit (GHDL converts such a comparison wrongly).
@@ -435,7 +442,10 @@ begin
   word_done      <= access_done and to_std_logic(state = state_sample);
   is_wanted      <= changed or is_first or not flags(flag_on_change) or to_std_logic(reason = reason_request);
   accepted       <= is_wanted and not failed;
-  access_request <= to_std_logic(state = state_sample);
+  access_request <= to_std_logic(state = state_sample) and not all_asked;
+  ahead          <= to_unsigned(2, 8) when state = state_sample else
+                    to_unsigned(1, 8) when state = state_prepare else
+                    to_unsigned(0, 8);
   access_more    <= to_std_logic(asked + 1 /= count);
 
   write_header  <= to_std_logic(state = state_prepare) and wants and enough_room;
@@ -524,10 +534,11 @@ begin
       case state is
 
         when state_idle =>
-          asked   <= (others => '0');
-          stored  <= (others => '0');
-          changed <= '0';
-          failed  <= '0';
+          asked     <= (others => '0');
+          all_asked <= '0';
+          stored    <= (others => '0');
+          changed   <= '0';
+          failed    <= '0';
           if picks = '1' then
             number <= pick_number;
             reason <= reason_trigger;
@@ -566,7 +577,8 @@ begin
 
         when state_sample =>
           if access_granted = '1' then
-            asked <= asked + 1;
+            asked     <= asked + 1;
+            all_asked <= to_std_logic(asked + 1 = count);
           end if;
           if access_done = '1' then
             stored <= stored + 1;
@@ -612,6 +624,7 @@ begin
         running        <= (others => '0');
         is_set         <= (others => '0');
         asked          <= (others => '0');
+        all_asked      <= '0';
         stored         <= (others => '0');
         changed        <= '0';
         failed         <= '0';

@@ -7,12 +7,20 @@
 -- any time. No tag says which access an answer belongs to: one without an access is not looked at, and `ul_bus_master`
 -- leaves a slave that is late time for it.
 --
+-- A pipelined slave has up to four reads of one transaction at a time (`bus_ahead`); their answers are in order. Where
+-- one of them is answered by `rty`, the answers behind it are kept, and it alone is repeated once all are there.
+--
 -- An access answered by `rty` has not been made: it is repeated, after a cycle without it, until the slave takes it or
 -- the core gives it up. In that cycle `cyc` falls as well, so that another master may have the bus, but not in the
 -- middle of an atomic transaction.
 
 library ieee;
   use ieee.std_logic_1164.all;
+  use ieee.numeric_std.all;
+
+library work;
+  use work.ul_math_pkg.all;
+  use work.unity_link_pkg.all;
 
 entity ul_wishbone_master is
   generic (
@@ -27,6 +35,8 @@ entity ul_wishbone_master is
     bus_request    : in    std_logic;
     bus_write      : in    std_logic;
     bus_lock       : in    std_logic;
+    bus_ahead      : in    std_logic;
+    bus_next       : out   std_logic;
     bus_address    : in    std_logic_vector(address_bits - 1 downto 0);
     bus_write_data : in    std_logic_vector(data_bits - 1 downto 0);
     bus_read_data  : out   std_logic_vector(data_bits - 1 downto 0);
@@ -49,66 +59,163 @@ end entity ul_wishbone_master;
 
 architecture rtl of ul_wishbone_master is
 
-  -- The cycle after `rty`.
-  signal sent_away : std_logic;
-  -- The access is the slave's: it has not been sent away, and a pipelined slave has taken it (before, or now).
-  signal asks     : std_logic;
   signal answered : std_logic;
-  signal taken    : std_logic;
-  signal takes    : std_logic;
 
 begin
 
-  asks  <= bus_request and not sent_away;
-  cyc   <= asks or bus_lock;
-  stb   <= asks and not taken;
-  we    <= bus_write;
-  sel   <= (others => '1');
-  adr   <= bus_address;
-  dat_o <= bus_write_data;
-
-  bus_read_data <= dat_i;
-  bus_error     <= err;
-  bus_done      <= asks and takes and answered;
-
+  sel      <= (others => '1');
+  we       <= bus_write;
+  dat_o    <= bus_write_data;
   answered <= ack or err;
-
-  main : process (clk) is
-  begin
-
-    if rising_edge(clk) then
-      sent_away <= asks and takes and rty and not answered;
-
-      if rst = '1' then
-        sent_away <= '0';
-      end if;
-    end if;
-
-  end process main;
 
   classic : if not pipelined generate
 
-    taken <= '0';
-    takes <= '1';
+    -- The cycle after `rty`.
+    signal sent_away : std_logic;
+    signal asks      : std_logic;
+
+  begin
+
+    asks          <= bus_request and not sent_away;
+    cyc           <= asks or bus_lock;
+    stb           <= asks;
+    adr           <= bus_address;
+    bus_read_data <= dat_i;
+    bus_error     <= err;
+    bus_done      <= asks and answered;
+    bus_next      <= '0';
+
+    retry : process (clk) is
+    begin
+
+      if rising_edge(clk) then
+        sent_away <= asks and rty and not answered;
+
+        if rst = '1' then
+          sent_away <= '0';
+        end if;
+      end if;
+
+    end process retry;
 
   end generate classic;
 
   with_pipeline : if pipelined generate
 
-    takes <= taken or not stall;
+    -- Accesses that were taken and not passed on, in their order. Where one was sent away, those behind it are kept
+    -- until all are answered (gathers), and then it is repeated by itself and they are passed on (replays).
 
-    pipeline : process (clk) is
+    type addresses_t is array (0 to 3) of std_logic_vector(address_bits - 1 downto 0);
+
+    type words_t is array (0 to 3) of std_logic_vector(data_bits - 1 downto 0);
+
+    signal addresses  : addresses_t;
+    signal words      : words_t;
+    signal failed     : std_logic_vector(3 downto 0);
+    signal again      : std_logic_vector(3 downto 0);
+    signal head       : unsigned(1 downto 0);
+    signal middle     : unsigned(1 downto 0);
+    signal tail       : unsigned(1 downto 0);
+    signal held       : unsigned(2 downto 0);
+    signal owed       : unsigned(2 downto 0);
+    signal gathers    : std_logic;
+    signal replays    : std_logic;
+    signal sent_away  : std_logic;
+    signal lives      : std_logic;
+    signal on_bus     : std_logic;
+    signal asks       : std_logic;
+    signal asks_again : std_logic;
+    signal strobe     : std_logic;
+    signal takes      : std_logic;
+    signal hit        : std_logic;
+    signal sends_away : std_logic;
+    signal is_kept    : std_logic;
+    signal done       : std_logic;
+
+  begin
+
+    lives      <= bus_request or bus_lock;
+    on_bus     <= bus_lock or (bus_request and not sent_away);
+    asks       <= bus_request and not (gathers and not bus_ahead) and not replays
+                  and (bus_ahead or to_std_logic(held = 0));
+    asks_again <= replays and again(to_integer(head)) and to_std_logic(owed = 0) and not sent_away and lives;
+    strobe     <= asks or asks_again;
+    takes      <= strobe and not stall;
+    hit        <= on_bus and (answered or rty) and (takes or to_std_logic(owed /= 0));
+    sends_away <= hit and not answered;
+    is_kept    <= replays and not again(to_integer(head));
+    done       <= (hit and answered and not gathers) or (is_kept and lives);
+
+    cyc           <= on_bus;
+    stb           <= strobe;
+    adr           <= addresses(to_integer(head)) when replays = '1' else
+                     bus_address;
+    bus_next      <= asks and not stall and bus_ahead;
+    bus_done      <= done;
+    bus_read_data <= words(to_integer(head)) when is_kept = '1' else
+                     dat_i;
+    bus_error     <= failed(to_integer(head)) when is_kept = '1' else
+                     err;
+
+    main : process (clk) is
+
+      variable still : unsigned(2 downto 0);
+      variable owes  : unsigned(2 downto 0);
+
     begin
 
       if rising_edge(clk) then
-        taken <= asks and takes and not (answered or rty);
+        sent_away <= sends_away;
+        still     := held;
+        owes      := owed;
+        if takes = '1' then
+          owes := owes + 1;
+        end if;
+        if hit = '1' then
+          owes := owes - 1;
+        end if;
+        if (asks and takes) = '1' then
+          addresses(to_integer(tail)) <= bus_address;
+          tail                        <= tail + 1;
+          still                       := still + 1;
+        end if;
+        if done = '1' then
+          head  <= head + 1;
+          still := still - 1;
+        end if;
+        if (hit and gathers) = '1' then
+          words(to_integer(middle))  <= dat_i;
+          failed(to_integer(middle)) <= err;
+          again(to_integer(middle))  <= sends_away;
+          middle                     <= middle + 1;
+        elsif sends_away = '1' then
+          again(to_integer(head)) <= '1';
+          middle                  <= head + 1;
+          gathers                 <= not replays;
+        end if;
+        if gathers = '1' and owes = 0 and (asks and stall) = '0' then
+          gathers <= '0';
+          replays <= '1';
+        end if;
+        if still = 0 then
+          replays <= '0';
+        end if;
+        held <= still;
+        owed <= owes;
 
-        if rst = '1' then
-          taken <= '0';
+        if rst = '1' or lives = '0' then
+          head      <= (others => '0');
+          middle    <= (others => '0');
+          tail      <= (others => '0');
+          held      <= (others => '0');
+          owed      <= (others => '0');
+          gathers   <= '0';
+          replays   <= '0';
+          sent_away <= '0';
         end if;
       end if;
 
-    end process pipeline;
+    end process main;
 
   end generate with_pipeline;
 

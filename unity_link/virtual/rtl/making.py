@@ -37,7 +37,7 @@ _REGISTERS_OF_GROUPS = {
     "subscription_manager_inst.stamp": "UL_STAMP",
     "subscription_manager_inst.number": "UL_GROUP",
     "subscription_manager_inst.own_sequence": "UL_SEQUENCE",
-    "subscription_manager_inst.stored": "UL_STORED",
+    "subscription_manager_inst.asked": "UL_ASKED",
     "bus_master_inst.for_sample": "UL_FOR_SAMPLE",
 }
 _SIGNALS = "UL_SIGNALS"

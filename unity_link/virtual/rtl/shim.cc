@@ -11,8 +11,8 @@
 // feedback, would take the time of another evaluation.
 //
 // The bus answers each access with the cycle after it, as block RAM does: `ack` is a register. In classic mode the
-// strobe that is still up beside `ack` belongs to the access just answered. A `Slave` answers when it likes instead, and
-// as often, whether that is allowed or not.
+// strobe that is still up beside `ack` belongs to the access just answered; in a pipeline it is the next access. A
+// `Slave` answers when it likes instead, and as often, whether that is allowed or not.
 
 #include UL_MODEL
 
@@ -380,7 +380,7 @@ public:
 	int sample_word() {
 #ifdef UL_FOR_SAMPLE
 		if (get(top_.UL_FOR_SAMPLE))
-			return get(top_.UL_GROUP) << 16 | get(top_.UL_SEQUENCE) << 8 | get(top_.UL_STORED);
+			return get(top_.UL_GROUP) << 16 | get(top_.UL_SEQUENCE) << 8 | ((get(top_.UL_ASKED) - 1) & 0xFF);
 #endif
 		return -1;
 	}
@@ -443,7 +443,7 @@ private:
 		ack_ = err_ = rty_ = false;
 		if (slave)
 			pass_to_slave(strobe, answered);
-		else if (strobe && !answered)
+		else if (strobe && (UL_PIPELINED || !answered))
 			access();
 		// It rests after a timeout, or reads a long request that its FIFO holds.
 		const uint64_t held = get(top_.UL_HELD);
