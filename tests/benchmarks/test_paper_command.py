@@ -28,7 +28,7 @@ def run(*arguments: str) -> subprocess.CompletedProcess[str]:
 @pytest.mark.parametrize(
     ("arguments", "words"),
     [
-        (["--gateway", "board"], "'board' is not one of 'rtl', 'model'"),
+        (["--gateway", "board"], "--gateway is 'board': one of rtl, model was expected"),
         (["--output"], "requires an argument"),
         (["5"], "unexpected extra argument"),
         (["--output", __file__], "is no folder"),

@@ -82,10 +82,14 @@ def test_the_page_is_opened_in_the_browser_with_its_token(tmp_path: Path, monkey
         ((SPEC, "--poll", "inf"), "--poll inf: 0 or more Hz was expected", 2),
         (("no/such.ul",), "no/such.ul cannot be read", 1),
         ((SPEC, "--interface", "other"), "other", 2),
-        ((SPEC, "--port", "70000"), "should be less than or equal to 65535", 2),
+        ((SPEC, "--port", "70000"), "--port is '70000': a whole number from 0 to 65535 was expected", 2),
         ((SPEC, "--port", "PORT"), "is in use: choose another", 1),
         ((SPEC, "--foxglove", "--foxglove-port", "PORT"), "can't be opened", 1),
-        ((SPEC, "--foxglove", "--foxglove-port", "0"), "should be greater than or equal to 1", 2),
+        (
+            (SPEC, "--foxglove", "--foxglove-port", "0"),
+            "--foxglove-port is '0': a whole number from 1 to 65535 was expected",
+            2,
+        ),
         ((SPEC, "--foxglove-port", "8765"), "--foxglove-port is of --foxglove: give both", 2),
     ],
 )
