@@ -159,7 +159,8 @@ def test_the_commands_and_signals_are_completed() -> None:
     assert completed("unity-link ge", "bash") == ["get", "generate"]
     assert completed(f"unity-link get sim:scara {SCARA} j1.s", "bash") == ["j1.spd", "j1.spd_sp"]
     assert completed(f"unity-link set sim:scara {SCARA} j1.pos", "bash") == ["j1.pos_sp="]
-    assert completed("unity-link simulate --robot w", "bash") == ["walker"]
+    assert completed("unity-link simulate w", "bash") == ["walker"]
+    assert completed("unity-link simulate examples/ro", "bash") == ["examples/rover.ul"]
     assert "ulx3s" in completed("unity-link build x.ul --board u", "bash")
     assert completed("unity-link get sim:scara examples/sc", "bash") == ["examples/scara.ul"]
 

@@ -133,6 +133,11 @@ def complete_robot(incomplete: str) -> list[str]:
     return _ways(incomplete, filter(None, ROBOTS))
 
 
+def complete_simulated(incomplete: str) -> list[str]:
+    """Return what `simulate` can have behind the bus: specs of this folder, and robots by name."""
+    return _ways(incomplete, [*complete_robot(""), *sorted(_specs(incomplete))])
+
+
 def complete_board(incomplete: str) -> list[str]:
     """Return the names of the boards that are known."""
     from unity_link.boards.board import board_names

@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from unity_link.cli.arguments import Json  # noqa: TC001  (typer reads it)
+from unity_link.cli.completion import complete_simulated
 from unity_link.cli.output import print_error, print_note, print_result
 from unity_link.cli.running import run
 from unity_link.cli.words import parse_number
@@ -60,8 +61,9 @@ def simulate(  # noqa: PLR0913  (each is an option)
         str,
         typer.Argument(
             metavar="[ROBOT]",
-            help="What stands behind the bus: a spec, such as robot.ul, or scara or walker; or plain memory.",
+            help="What stands behind the bus: a spec, such as robot.ul, or scara, walker or tosnet; or plain memory.",
             show_default=False,
+            autocompletion=complete_simulated,
         ),
     ] = "",
     *,
