@@ -246,7 +246,8 @@ def test_a_fifo_that_is_published_gives_each_word_once_and_in_order(tmp_path: Pa
     )
     bench = Path(__file__).with_name("fifo_bench.vhd")
     paths = [path for path in write(generate("vhdl", spec), tmp_path) if "_on_" not in path.name]
-    for arguments in (("-i", *map(str, (*rtl_sources(), *paths, bench))), ("-m", "fifo_bench")):
+    sources = ("-i", *map(str, (*paths, bench)))
+    for arguments in (("-i", f"--work={LIBRARY}", *map(str, rtl_sources())), sources, ("-m", "fifo_bench")):
         done = ghdl(tmp_path, *arguments)
         assert (done.returncode, done.stderr) == (0, "")
     lines = ghdl(tmp_path, "-r", "fifo_bench", "--ieee-asserts=disable").stdout.split()

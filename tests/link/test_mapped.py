@@ -190,7 +190,7 @@ async def test_there_are_no_triggers_and_the_error_says_so(file: Path) -> None:
         ("mmio:{file}?size=1028", "has 1024 bytes: 1028 bytes from 0x0 on"),
         ("mmio:{file}?offset=1024", "no word is left"),
         ("mmio:{file}?data_bits=12", "data_bits=12 .* 8, 16, 32 or 64"),
-        ("mmio:{file}?map=1", "is for devices of UIO"),
+        ("mmio:{file}?uio_map=1", "is for devices of UIO"),
         ("mmio:{file}?node=1", "for links with frames"),
         ("mmio:{file}?snoop=x", "for links with frames"),
         ("mmio:{file}?speed=1", "unknown option 'speed'"),

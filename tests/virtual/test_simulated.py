@@ -442,7 +442,7 @@ async def test_a_url_fires_triggers() -> None:
     [
         ("sim:nothing.ul", "there is no spec nothing.ul in "),
         ("sim:rover", "no robot 'rover' is known: did you mean rover.ul"),
-        ("sim:delta", "no robot 'delta' is known: one of scara, walker was expected, or the path of a spec"),
+        ("sim:delta", "no robot 'delta' is known: one of scara, tosnet, walker was expected, or the path of a spec"),
         ("sim:scara?model=my.py:A", "model is for the robot of a spec, not for scara"),
         ("sim:?fault=a", "fault is for the robot of a spec, not for plain memory"),
         ("sim:rover.ul?interface=x", "has no public interface 'x': rover was expected"),

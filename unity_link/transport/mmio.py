@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
     from unity_link.transport import DriverUrl
 
-OPTIONS = frozenset({"offset", "size", "map", "data_bits", "base_frequency_millihertz"})
+OPTIONS = frozenset({"offset", "size", "uio_map", "data_bits", "base_frequency_millihertz"})
 UIO = Path("/sys/class/uio")
 """Where Linux tells what the devices of UIO map."""
 _FORMATS: dict[int, Literal["B", "H", "I", "Q"]] = {8: "B", 16: "H", 32: "I", 64: "Q"}
@@ -162,13 +162,13 @@ def _place(url: DriverUrl, word_bytes: int) -> _Place:
 
 def _whole(url: DriverUrl, found: os.stat_result) -> _Place | None:
     """Return all that there is to be mapped, None where a file does not tell."""
-    mapping = url.integer("map", 0)
+    mapping = url.integer("uio_map", 0)
     if stat.S_ISCHR(found.st_mode):
         told = UIO / Path(url.path).resolve().name / "maps"
         if told.is_dir():
             return uio_place(told, mapping, url.path)
-    if "map" in url.options:
-        raise ArgumentError(f"map={mapping} in {url.text} is for devices of UIO, which {url.path} is none of")
+    if "uio_map" in url.options:
+        raise ArgumentError(f"uio_map={mapping} in {url.text} is for devices of UIO, which {url.path} is none of")
     return _Place(0, found.st_size) if stat.S_ISREG(found.st_mode) else None
 
 
