@@ -60,7 +60,7 @@ def served(*arguments: str) -> Iterator[tuple[subprocess.Popen[str], str]]:
         (["write", "sim:", "0x10", "0x1FFFFFFFF"], 2, "does not fit in a word of 32 bits"),
         (["read", "rtl:delta", "0"], 2, "no robot 'delta'"),
         (["read", "rtl:?data_bits=16", "0"], 2, "no gateware was compiled with data_bits=16: there are data_bits=8"),
-        (["simulate"], 2, "one of --pty, --tcp"),
+        (["simulate", "--pty", "--udp", "0"], 2, "one of --pty, --tcp"),
         (["simulate", "--rtl", "--pty", "--set", "groups=7"], 2, "no gateware was compiled with groups=7"),
         (["simulate", "--tcp", "99999"], 2, "65535"),
         (["read", "serial:/dev/nosuch", "1"], 1, "there is no port /dev/nosuch"),

@@ -23,14 +23,16 @@ def checked(body: bytes) -> bytes:
 
 
 def record(folder: Path) -> None:
-    """Record a robot, and what passed meanwhile."""
-    snoop, recording = folder / "snooped" / "short", folder / "recording" / "short"
-    for path in (snoop, recording):
+    """Record a robot, and what passed meanwhile; by relative paths, which are kept in them."""
+    snoop, recording = Path("snooped", "short"), Path("recording", "short")
+    for path in (folder / snoop, folder / recording):
         path.parent.mkdir(parents=True, exist_ok=True)
         path.unlink(missing_ok=True)
     program = Path(sys.executable).with_name("unity-link")
-    url, spec = f"sim:scara?snoop={snoop}", EXAMPLES / "scara.ul"
-    subprocess.run([program, "record", url, spec, "-o", recording, "--duration", "0.02"], check=True)
+    (folder / "scara.ul").write_bytes((EXAMPLES / "scara.ul").read_bytes())
+    url = f"sim:scara?snoop={snoop}"
+    subprocess.run([program, "record", url, "scara.ul", "-o", recording, "--duration", "0.1"], cwd=folder, check=True)
+    (folder / "scara.ul").unlink()
 
 
 def main() -> int:

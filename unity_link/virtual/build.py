@@ -19,7 +19,6 @@ from unity_link.virtual.line import SlowLine
 from unity_link.virtual.scara import Scara
 from unity_link.virtual.shared_line import build_shared_line
 from unity_link.virtual.simulating import SimulatedGateway, load_model, make_robot
-from unity_link.virtual.tosnet import ScaraOnTosnet
 from unity_link.virtual.walker import Walker
 
 if TYPE_CHECKING:
@@ -30,10 +29,18 @@ if TYPE_CHECKING:
     from unity_link.virtual.rtl.configurations import Configuration
     from unity_link.virtual.simulated import SimulatedRobot
 
+
+def _attach_tosnet(gateway: BareGateway) -> object:
+    # Imports numpy, by the modules of hardware.
+    from unity_link.virtual.tosnet import ScaraOnTosnet
+
+    return ScaraOnTosnet.attach(gateway)
+
+
 ROBOTS: dict[str, Callable[[BareGateway], object]] = {
     "": lambda _: None,
     "scara": Scara.attach,
-    "tosnet": ScaraOnTosnet.attach,
+    "tosnet": _attach_tosnet,
     "walker": Walker.attach,
 }
 """What can stand behind the bus, by name; the empty name is plain memory."""

@@ -15,7 +15,6 @@ from __future__ import annotations
 import array
 import asyncio
 import contextlib
-import fcntl
 import io
 import os
 from pathlib import Path
@@ -314,6 +313,9 @@ async def serve_pty(
 
 def _speed(master: int) -> float:
     """Return the speed that the other side of a pseudo terminal has set."""
+    # Not there on Windows, where there are no pseudo terminals either.
+    import fcntl
+
     settings = array.array("i", bytes(_TERMIOS2_SIZE))
     fcntl.ioctl(master, _TCGETS2, settings)
     return settings[_OUTPUT_SPEED]
