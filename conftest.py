@@ -111,8 +111,3 @@ pytest_collect_file = Sybil(
     patterns=["README.md", "docs/*.md", "docs/**/*.md"],
     excludes=["docs/_build/**"],
 ).pytest()
-
-
-def pytest_runtest_setup(item: pytest.Item) -> None:
-    """Have every test begin in the repository: the programs of documents name files by paths below it."""
-    os.chdir(item.config.rootpath)

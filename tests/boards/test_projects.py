@@ -50,8 +50,8 @@ def evaluated(path: Path, commands: tuple[str, ...], arguments: str = "") -> lis
         tcl.createcommand(command, functools.partial(note, command))
     tcl.createcommand("get_property", lambda *_: "-0.1")
     tcl.setvar("argv", arguments)
-    # A .qsf is sourced by Quartus in its folder.
-    tcl.eval(f"cd {path.parent}; source {path}")
+    # Not by `cd`, which would move the whole process: the paths of a .qsf, which are relative to it, are joined later.
+    tcl.eval(f"source {path}")
     return said
 
 
