@@ -117,7 +117,7 @@ def ports() -> Iterator[dict[str, str]]:
 
             Thread(target=accept, daemon=True).start()
             stack.callback(server.shutdown, socket.SHUT_RDWR)
-        # Bound and not listening: nobody else gets it.
+        # Bound and not listening, so that no other process gets the port.
         nobody = stack.enter_context(socket.socket())
         nobody.bind(("127.0.0.1", 0))
         given[NOBODY] = str(nobody.getsockname()[1])
@@ -175,7 +175,7 @@ def test_a_program_says_it_too(mistake: Mistake, folder: Path, ports: dict[str, 
 
 @contextlib.asynccontextmanager
 async def surroundings(section: str) -> AsyncIterator[dict[str, Any]]:
-    """Give the names that the page says are there in a section."""
+    """Return the names that the page defines for a section."""
     Scara = unity_link.load("scara.ul")  # noqa: N806  (a class)
     names: dict[str, Any] = {"unity_link": unity_link, "blocking": blocking, "Scara": Scara, "Group": Group}
     names |= {"put": put, "Path": Path, "VirtualGateway": VirtualGateway}

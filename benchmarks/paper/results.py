@@ -255,7 +255,7 @@ class Lines(msgspec.Struct, frozen=True, kw_only=True):
     pins: int
     """Constraints of a board by hand."""
     generated: int
-    """Written by nobody: all that `generate vhdl` makes."""
+    """Generated: all that `generate vhdl` makes."""
 
 
 class Check(msgspec.Struct, frozen=True, kw_only=True):

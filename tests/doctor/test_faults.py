@@ -168,7 +168,7 @@ def test_a_port_that_another_program_has_is_told_with_that_program() -> None:
 
 
 def test_a_port_of_somebody_else() -> None:
-    # Root may open anything, and the files of Python may be root's: who asks is somebody else, who imports is not.
+    # Root may open any port: the real user, whose permissions are asked for, is another; the effective one imports.
     program = "import os; os.getuid() or os.setreuid(65534, 0); from unity_link.cli import main; main()"
     with served(serve_pty(VirtualGateway())) as url:
         path = Path(url.removeprefix("serial:"))

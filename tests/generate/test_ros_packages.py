@@ -80,7 +80,7 @@ def served(folder: Path, gateway: str) -> Iterator[str]:
 
 
 def loaded(package: Path) -> dict[str, ModuleType]:
-    """Return the modules of a package of ROS 1, which are nobody else's of these names."""
+    """Return the modules of a package of ROS 1, without those of another package that have the same names."""
     sys.path.insert(0, str(package / "scripts"))
     try:
         return {name: importlib.import_module(name) for name in MODULES}

@@ -1,4 +1,4 @@
-"""Several nodes on one line, a link for each: nobody sends while an answer of any of them is owed."""
+"""Several nodes on one line, a link for each: no request is sent while an answer of any node is outstanding."""
 
 from __future__ import annotations
 

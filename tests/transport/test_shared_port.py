@@ -40,7 +40,7 @@ def in_a_loop(test: Callable[P, Coroutine[Any, Any, None]]) -> Callable[P, None]
 
 @pytest.fixture(params=[serve_pty, serve_tcp], ids=["pty", "tcp"])
 def served(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> Iterator[tuple[SharedLine, str]]:
-    """Serve a line of four nodes from a thread, and see that nobody sent while an answer was owed."""
+    """Serve a line of four nodes from a thread, and check that no request was sent while an answer was outstanding."""
     # A board answers in time; a thread of a machine that has other things to do may not.
     for name in ("session.ANSWER_PATIENCE", "session._UNKNOWN_PATIENCE", "handshake.FIRST_TRY"):
         monkeypatch.setattr(f"unity_link.protocol.{name}", 10.0)

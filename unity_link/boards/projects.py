@@ -94,6 +94,15 @@ def _period_ns(hz: int) -> str:
     return f"{1e9 / hz:.3f}"
 
 
+def _false_paths(board: Board) -> list[str]:
+    """Return what both tools are told of pins whose other side is in no clock."""
+    ends = {"-from": ("uart_rxd", "chain_in"), "-to": ("uart_txd", "chain_clk", "chain_load_n", "chain_out")}
+    return [
+        f"set_false_path {way} [get_ports {{{' '.join(pin for pin in board.pins if pin in pins)}}}]"
+        for way, pins in ends.items()
+    ]
+
+
 # Vivado
 
 
@@ -137,25 +146,13 @@ def _vivado(design: Design) -> Iterator[GeneratedFile]:
                 f"[get_ports {{{pin}}}]"
                 for pin, site in board.pins.items()
             ),
-            # Pins without a clock: what is at their other side is in none.
-            *(
-                f"set_false_path {way} [get_ports {{{' '.join(pins)}}}]"
-                for way, pins in (("-from", _slow_inputs(board)), ("-to", _slow_outputs(board)))
-            ),
+            *_false_paths(board),
         ),
     )
 
 
 def _vivado_pull(pin: str) -> str:
     return {"UP": " PULLUP TRUE", "DOWN": " PULLDOWN TRUE", "NONE": ""}[pull_of(pin)]
-
-
-def _slow_inputs(board: Board) -> list[str]:
-    return [pin for pin in board.pins if pin in ("uart_rxd", "chain_in")]
-
-
-def _slow_outputs(board: Board) -> list[str]:
-    return [pin for pin in board.pins if pin in ("uart_txd", "chain_clk", "chain_load_n", "chain_out")]
 
 
 # Quartus
@@ -198,10 +195,7 @@ def _quartus(design: Design) -> Iterator[GeneratedFile]:
             f"# The clock of {board.title}. {_ATTENTION}",
             f"create_clock -name clk -period {_period_ns(board.clock.hz)} [get_ports clk]",
             "derive_clock_uncertainty",
-            *(
-                f"set_false_path {way} [get_ports {{{' '.join(pins)}}}]"
-                for way, pins in (("-from", _slow_inputs(board)), ("-to", _slow_outputs(board)))
-            ),
+            *_false_paths(board),
         ),
     )
 

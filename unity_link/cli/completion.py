@@ -45,7 +45,7 @@ def note(url: str) -> str:
 
 def remember_used() -> None:
     """Remember the URL of a command that has done its work, the newest first; where that cannot be done is no error."""
-    # A secret is not to be found in a file that nobody has asked for.
+    # A token must not end up in a file that the user does not know of.
     for url in _used:
         path = _memory()
         if path is None or _SECRET.search(url) or "\n" in url:

@@ -41,6 +41,11 @@ def kept(path: Path, make: Callable[[], str]) -> str:
     return path.read_text()
 
 
+def pads_of(vendor: str | None) -> dict[str, Path]:
+    """Return the sources that stand in for portable ones of the same name: none without a vendor."""
+    return {source.name: source for source in (GATEWARE / "pads" / vendor).glob("*.vhd")} if vendor else {}
+
+
 def vhdl_sources(pads: str | None = None) -> list[Path]:
     """Return every VHDL source of the gateware, sorted by path.
 
@@ -50,7 +55,7 @@ def vhdl_sources(pads: str | None = None) -> list[Path]:
     Raises:
         ToolMissingError: where an installation has none.
     """
-    theirs = {source.name: source for source in (GATEWARE / "pads" / pads).glob("*.vhd")} if pads else {}
+    theirs = pads_of(pads)
     found = [theirs.get(source.name, source) for source in sorted((GATEWARE / "rtl").rglob("*.vhd"))]
     if not found:
         raise ToolMissingError(f"the gateware's VHDL is not in {GATEWARE / 'rtl'}: install unity-link anew")

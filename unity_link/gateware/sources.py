@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from unity_link.errors import ArgumentError
-from unity_link.gateware.cache import GATEWARE, board_sources, vhdl_sources
+from unity_link.gateware.cache import GATEWARE, board_sources, pads_of, vhdl_sources
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -37,7 +37,7 @@ def in_compile_order(pads: str | None = None) -> Iterator[str]:
     Args:
         pads: the vendor whose registers the FT245 has at its pins, a folder of `gateware/pads`; None: portable ones.
     """
-    theirs = {path.name: path for path in (GATEWARE / "pads" / pads).glob("*.vhd")} if pads else {}
+    theirs = pads_of(pads)
     for line in (GATEWARE / "unity_link.f").read_text().splitlines():
         if not line.startswith("#"):
             name = Path(line).name

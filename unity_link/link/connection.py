@@ -215,7 +215,7 @@ class Connection:
     # Turns, where nodes share the medium
 
     def _take_turns(self) -> None:
-        """Give the turn back where nothing is owed any more, and ask for the next where there is something to send."""
+        """Release the turn when no answer is outstanding, and request the next one if there is something to send."""
         session = self._session
         if self._turn_timer is not None:
             self._turn_timer.cancel()

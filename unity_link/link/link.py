@@ -143,7 +143,7 @@ class Link(Connection):
             await self.aclose()
 
     def __del__(self) -> None:
-        """Warn of a link that nobody closed."""
+        """Warn of a link that was not closed."""
         if vars(self).get("_stream") is not None and not self._closed:
             warnings.warn(
                 f"{self!r} was not closed: use `async with`, or `aclose`", ResourceWarning, stacklevel=1, source=self

@@ -149,7 +149,7 @@ class Session:
     @property
     def deadline(self) -> float | None:
         """When `expire` must be called; None while there is nothing to wait for."""
-        if self.wants_turn:
+        if self._takes_turns and self.wants_turn:
             # Then the time begins.
             return self._give_up_at
         if self._exchange is not None:

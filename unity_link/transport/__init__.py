@@ -283,7 +283,7 @@ def parse_url(url: str) -> DriverUrl:
 
 
 def _likely_url(text: str) -> str:
-    """Return the URL that was meant by what is none; empty where nobody can know."""
+    """Return the URL that was probably meant by a text that is none; empty if there is no likely one."""
     scheme, colon, rest = text.partition(":")
     if _SERIAL_PORT.match(text):
         return f"serial:{text}"

@@ -161,7 +161,7 @@ class SharedChannel:
             user.on_lost()
 
     def close(self) -> None:
-        """Give up this part; the last one closes the port."""
+        """Release this part of the port; the last one to do so closes it."""
         with _LOCK:
             if self not in self._port.users:
                 return

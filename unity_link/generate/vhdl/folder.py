@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from unity_link.gateware import LICENCE
+from unity_link.gateware.cache import board_sources
 from unity_link.gateware.sources import gateware_files
 from unity_link.generate import GeneratedFile
 
@@ -12,8 +13,6 @@ if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator
 
 GATEWARE_FOLDER = "gateware"
-_BOARDS = tuple(f"{GATEWARE_FOLDER}/boards/{name}.vhd" for name in ("board_reset", "shift_chain"))
-"""What the whole designs have beside the gateware, in their own library."""
 _ADD = {
     "vivado": "read_vhdl -vhdl2008 [file join $here {file}]",
     "quartus": "set_global_assignment -name VHDL_FILE [file join $here {file}] -hdl_version VHDL_2008",
@@ -26,7 +25,8 @@ _ADD = {
 
 def design_files(generated: Iterable[GeneratedFile]) -> list[str]:
     """Return the VHDL of a design beside the gateware in compile order; the bench is no part of it."""
-    return [*_BOARDS, *(file.name for file in generated if not file.name.endswith("_bench.vhd"))]
+    boards = [f"{GATEWARE_FOLDER}/boards/{source.name}" for source in board_sources()]
+    return [*boards, *(file.name for file in generated if not file.name.endswith("_bench.vhd"))]
 
 
 def with_gateware(generated: list[GeneratedFile]) -> Iterator[GeneratedFile]:
