@@ -507,7 +507,16 @@ def test_while_it_loses_it_keeps_less_in_flight_and_grows_again_with_answers() -
     assert window.room(SIZE) == RING // 4 - 26
     for number in range(26):
         window.answered(number, 1, now=0.0)
-    assert window.room(SIZE) == RING // 4 + 26 // module.ANSWERS_FOR_ONE_MORE
+    assert window.room(SIZE) == RING // 4 + 26 // module.DONE_FOR_ONE_MORE
+
+
+def test_posted_writes_that_their_fence_confirms_let_it_grow_as_answers_do() -> None:
+    window: Window[Named] = Window(RING)
+    sent(window, *["p"] * 25, "h")
+    window.damaged(now=0.0)
+    repeated(window)
+    window.answered(25, 1, now=0.0)
+    assert window.room(SIZE) == RING // 4 + 26 // module.DONE_FOR_ONE_MORE
 
 
 def test_the_repetition_sends_no_more_than_the_smaller_window_holds_and_goes_on_with_answers() -> None:

@@ -20,8 +20,8 @@ MOST_REFUSALS = 3
 """Errors 02 and 03 to one request until it is given up."""
 FEWEST_IN_FLIGHT = 8
 """Requests in flight on a line that loses, at least."""
-ANSWERS_FOR_ONE_MORE = 4
-"""Answers that let one more request be in flight, where a loss has made them few."""
+DONE_FOR_ONE_MORE = 4
+"""Requests done, posted writes among them, that let one more be in flight, where a loss has made them few."""
 FIRST_TIMEOUT = 0.25
 """The time out before the first round trip was measured."""
 SHORTEST_TIMEOUT = 0.025

@@ -31,9 +31,9 @@ What comes in, and what the window does:
 
 *Go back* means: send the unanswered requests again, in order, from `oldest`. One damaged request costs all those sent
 behind it. So where it goes back, fewer are kept in flight: half as many, and at most twice as many as came through
-since it went back before; some answers later it is one more. The repetition, too, sends only as many at a time, and new
-requests follow behind its end. What is answered does not count, so that new requests follow also where the oldest alone
-is sent again.
+since it went back before; some that are done later it is one more, and posted writes count as they are confirmed. The
+repetition, too, sends only as many at a time, and new requests follow behind its end. What is answered does not count,
+so that new requests follow also where the oldest alone is sent again.
 
 A damaged answer costs nothing but itself. Both directions keep the order, and the window knows in which order requests
 were sent, repetitions among them. So a response says which others will not come any more.
@@ -62,7 +62,7 @@ from typing import TYPE_CHECKING, Generic, NamedTuple, TypeVar
 
 from unity_link.errors import Outcome
 from unity_link.protocol.constants import (
-    ANSWERS_FOR_ONE_MORE,
+    DONE_FOR_ONE_MORE,
     FENCE_DELAY,
     FEWEST_IN_FLIGHT,
     FEWEST_SILENT_TRIES,
@@ -403,9 +403,7 @@ class Window(Generic[R]):
         sending = self._answered_sending(run, number + count - 1 & self._mask, now) if tells else 0
         self._fill(number, count, None)
         if self.loses:
-            self._came += count
-            self._allowed = min(self._most, self._allowed_after_loss + self._came // ANSWERS_FOR_ONE_MORE)
-            self.loses = self._allowed < self._most
+            self._came_through(count)
         if self._timeout != self._measured_timeout and (number - self._sent_once_from & self._mask) <= self._half:
             self._timeout = self._measured_timeout
         after = number + count & self._mask
@@ -551,15 +549,24 @@ class Window(Generic[R]):
 
     def _confirm(self, expected: int) -> None:
         """Move `executed` up: the posted writes that it passes are done, and their bytes have left the FIFO."""
-        position = self.executed
+        position, posted = self.executed, 0
         while position != expected:
             run = self._slots[position]
             if run is not None:
                 self._bytes -= run.size
                 if run.posted:
                     self._slots[position] = None
+                    posted += 1
             position = position + 1 & self._mask
         self.executed = expected
+        if self.loses:
+            self._came_through(posted)
+
+    def _came_through(self, count: int) -> None:
+        """Record how many more are done since the window went back, and let so many more be in flight."""
+        self._came += count
+        self._allowed = min(self._most, self._allowed_after_loss + self._came // DONE_FOR_ONE_MORE)
+        self.loses = self._allowed < self._most
 
     def _news(self, now: float) -> None:
         """Move `oldest` up over what is done, and start the clock anew."""
