@@ -421,10 +421,11 @@ class Oracle:
 
     @staticmethod
     def _judge_others(ask: Ask) -> None:
-        """Check that a batch of reads goes on behind one that failed."""
+        """Check that a batch of reads goes on behind one that failed, and tells of that when all others are done."""
         assert ask.told is not None
         for address, _ in ask.words:
-            if address not in LIVE and not any(ask.asked - _SLACK <= when for when in ask.link.recorder.reads[address]):
+            reads = ask.link.recorder.reads[address]
+            if address not in LIVE and not any(ask.asked - _SLACK <= when <= ask.told + _SLACK for when in reads):
                 raise WorldError("a read of a batch left out", f"{ask}: {address:#x}")
 
     @staticmethod
