@@ -109,4 +109,4 @@ def _table(title: str, names: int, head: tuple[str, ...], rows: Iterable[tuple[s
 
 
 if __name__ == "__main__":
-    main(app)
+    main(app, "python -m benchmarks.paper")
