@@ -1,6 +1,6 @@
 """Whether each top and each board is synthesised, which is all that a CI has the time for: `make synth-quick`.
 
-GHDL converts each, and Yosys looks for faults in it and maps it to the cells of its FPGA. Nothing is placed: that is for
+GHDL converts each; Yosys looks for faults in it and maps it to the cells of its FPGA. Nothing is placed, which is for
 `make synth` and `make campaign`.
 
     python -m gateware.tools.synth_quick          all

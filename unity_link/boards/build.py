@@ -77,8 +77,7 @@ def build(spec: Spec, board_name: str, board: Board, output: Path, interface: st
     family = FAMILIES[board.family]
     chosen = spec.interface(interface)
     check_generics({**vhdl.gateway_generics(chosen), "clock_hz": board.core_hz})
-    # What is wrong is said at once, not after a minute: a clock, or a tool that is not there.
-    top_text(identifier(chosen.name), board)
+    # What is missing is said at once, not after a minute.
     for tool in (YOSYS, family.nextpnr, family.packer):
         script(tool)
     converting_ghdl()

@@ -54,7 +54,12 @@ def pll(board: Board) -> str:
 
 
 def _within(
-    hz: int, dividers: Iterable[int], factors: Iterable[int], outputs: Iterable[int], detector: tuple[int, int], vco: range
+    hz: int,
+    dividers: Iterable[int],
+    factors: Iterable[int],
+    outputs: Iterable[int],
+    detector: tuple[int, int],
+    vco: range,
 ) -> Iterator[_Settings]:
     """Find settings of a PLL whose oscillator runs at input / divider * factor; frequencies of limits are in MHz."""
     for divider in dividers:

@@ -109,6 +109,8 @@ FAMILIES = {
             "TRELLIS_FF": "registers",
             "DP16KD": "RAM blocks",
             "TRELLIS_IO": "pins",
+            "IOLOGIC": "pads with registers, at the sides",
+            "SIOLOGIC": "pads with registers, at the top",
             "EHXPLLL": "PLLs",
         },
         pads="ecp5",
