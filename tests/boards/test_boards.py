@@ -331,6 +331,8 @@ def test_every_board_leaves_a_bitstream_and_a_report_that_names_what_it_is_made_
     assert built.bitstream.name == f"lamp_{name}.{FAMILIES[board.family].suffix}"
     report = built.report.read_text()
     assert board.title in report
+    link = {"uart": f"a UART of {board.baud} baud", "ft245": "/1?mode=ft245\n", "ft245_sync": "/1?mode=ft245-sync\n"}
+    assert link[board.medium] in report
     assert all(f"| {pin} | {way} | {board.pins[pin]} |" in report for pin, way in PINS[board.medium].items())
 
 

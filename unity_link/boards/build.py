@@ -234,7 +234,9 @@ def _rows(cells: list[tuple[Any, ...]]) -> str:
 
 
 def _link(board: Board) -> str:
-    return f"a UART of {board.baud} baud" if board.medium == "uart" else f"an FT245 ({board.medium})"
+    if board.medium == "uart":
+        return f"a UART of {board.baud} baud"
+    return f"an FT232H, ftdi://ftdi:232h/1?mode={board.medium.replace('_', '-')}"
 
 
 def _keep(files: Mapping[str, bytes], output: Path) -> list[Path]:
