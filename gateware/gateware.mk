@@ -1,6 +1,6 @@
 # Targets of the gateware; the Makefile above includes this file and brings VENV, BIN and ALL.
 
-.PHONY: rtl synth test-rtl lint-vhdl formal verilog lists
+.PHONY: rtl synth synth-quick test-rtl lint-vhdl formal verilog lists
 
 rtl: $(ALL) ## the gateware as C++ into unity_link/virtual/rtl/generated, from VHDL
 	@$(BIN)/python -m gateware.tools.model
@@ -13,6 +13,9 @@ verilog: $(ALL) ## the gateway as Verilog-2005 into build/verilog, one file for 
 
 synth: $(ALL) ## logic cells, RAM and Fmax into gateware/RESULTS.md, checked against gateware/budget.toml
 	@$(BIN)/python -m gateware.tools.synth
+
+synth-quick: $(ALL) ## each top and each board through Yosys, not placed: what a CI has the time for
+	@$(BIN)/python -m gateware.tools.synth_quick
 
 test-rtl: $(ALL) ## the benches of the gateware, in GHDL
 	@$(BIN)/python -m pytest gateware/bench $(PYTEST_ARGS)
