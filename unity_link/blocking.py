@@ -150,6 +150,12 @@ class BlockingLink:
         """Return where it leads, and whether there is a connection now."""
         return f"<blocking {repr(self._link)[1:]}"
 
+    def _repr_html_(self) -> str:
+        """Return the same, what the gateway is, and the statistics, as a table."""
+        from unity_link.link import html
+
+        return html.link_table(self)
+
     @property
     def gateway(self) -> GatewayInfo:
         """What the gateway says of itself."""

@@ -138,7 +138,8 @@ def first_error() -> Iterator[None]:
     try:
         yield
     except BaseExceptionGroup as group:
-        raise group.exceptions[0] from None
+        first = group.exceptions[0]
+        raise first from first.__cause__
 
 
 def did_you_mean(name: object, known: Iterable[str]) -> str:

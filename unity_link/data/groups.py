@@ -14,7 +14,7 @@ from unity_link.data.batch import Values
 from unity_link.data.callbacks import Callback
 from unity_link.data.feed import Feed, Registration
 from unity_link.data.layout import GroupLayout
-from unity_link.data.proxies import BUFFER, Proxy
+from unity_link.data.proxies import BUFFER, Proxy, signals_table
 from unity_link.data.sampling import GroupSubscription, Poll
 from unity_link.data.writing import write_values
 from unity_link.errors import ArgumentError, UnsupportedError
@@ -136,6 +136,10 @@ class Group:
     def __repr__(self) -> str:
         """Return the name and the size."""
         return f"<group {self.name}: {len(self.proxies)} signals>"
+
+    def _repr_html_(self) -> str:
+        """Return the name, and the signals with their last values, as a table."""
+        return signals_table(repr(self)[1:-1], self.proxies)
 
     def __len__(self) -> int:
         """Return the number of signals."""

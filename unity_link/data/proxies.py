@@ -17,7 +17,7 @@ from unity_link.errors import AnswerLostError, ArgumentError, missing
 from unity_link.hardware import link_under
 
 if TYPE_CHECKING:
-    from collections.abc import AsyncIterator, Callable
+    from collections.abc import AsyncIterator, Callable, Sequence
 
     from numpy.typing import NDArray
 
@@ -32,6 +32,10 @@ T = TypeVar("T")
 
 BUFFER = 16_384
 """Samples that wait for a reader, as in `unity_link.Link.subscribe`."""
+
+
+MOST_ROWS = 60
+"""Signals that a notebook shows."""
 
 
 class Proxy(Generic[T]):
@@ -87,6 +91,10 @@ class Proxy(Generic[T]):
         unit = f" {self.unit}" if self.unit else ""
         seen = "never seen" if self.value is None else f"{self.value!r}{unit}, {self.age:.3g} s ago"
         return f"<{self.path}: {seen}>"
+
+    def _repr_html_(self) -> str:
+        """Return what is known of it as a table; it is not read for that."""
+        return signals_table(self.path, [self])
 
     # What was seen
 
@@ -174,6 +182,24 @@ class Proxy(Generic[T]):
                 self.see(value, batch.at)
         else:
             self._batch, self._seen_at = batch, batch.at
+
+
+def signals_table(title: str, proxies: Sequence[Proxy[Any]]) -> str:
+    """Return what is known of signals as a table in HTML; none is read for that."""
+    from unity_link.link import html
+
+    head = ("signal", "value", "unit", "seen", "access", "address", "description")
+    first, last = ([_row(proxies[place]) for place in places] for places in html.ends_of(len(proxies), MOST_ROWS))
+    return html.table(title, [*first, *([["…"] * len(head)] if last else []), *last], head)
+
+
+def _row(proxy: Proxy[Any]) -> tuple[str, ...]:
+    from unity_link.link import html
+
+    signal = proxy.signal
+    seen = "never" if proxy.value is None else f"{html.duration_text(proxy.age)} ago"
+    value = html.value_text(proxy.value)
+    return proxy.path, value, proxy.unit, seen, signal.access.name.lower(), f"{signal.address:#x}", signal.doc
 
 
 def _refuse_as_value(proxy: Proxy[Any], *_: object) -> Never:

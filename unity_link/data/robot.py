@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, Never
 
 from unity_link.data.groups import Group
 from unity_link.data.ports import Port, ReadPort, WritePort
-from unity_link.data.proxies import Proxy, Readable, ReadWrite, Writable
+from unity_link.data.proxies import Proxy, Readable, ReadWrite, Writable, signals_table
 from unity_link.errors import ArgumentError, UnknownNameError, UnsupportedError, did_you_mean
 from unity_link.hardware import Module, module_type
 from unity_link.link.link import NOT_CONNECTED, Link
@@ -75,6 +75,10 @@ class Component:
         """Return the path, and the signals with their last values, one a line."""
         name = self._model.path or self._model.name
         return "\n".join([f"<{type(self).__name__} {name}>", *(f"  {signal!r}" for signal in self.signals)])
+
+    def _repr_html_(self) -> str:
+        """Return the path, and the signals with their last values, as a table."""
+        return signals_table(f"{type(self).__name__} {self._model.path or self._model.name}", self.signals)
 
 
 class Robot(Component):

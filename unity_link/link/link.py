@@ -77,6 +77,12 @@ class Statistics(msgspec.Struct, frozen=True, kw_only=True):
     round_trip: float | None
     """Smoothed round trip in seconds."""
 
+    def _repr_html_(self) -> str:
+        """Return the numbers as a table."""
+        from unity_link.link import html
+
+        return html.table("statistics of a link", html.statistics_rows(self))
+
 
 class Link(Connection):
     """A connection to one gateway; made by `connect`.
@@ -153,6 +159,12 @@ class Link(Connection):
         """Return where it leads, and whether there is a connection now."""
         state = "connected" if self.connected else "closed" if self._closed else "not connected"
         return f"<link to {self._name}, {state}>"
+
+    def _repr_html_(self) -> str:
+        """Return the same, what the gateway is, and the statistics, as a table."""
+        from unity_link.link import html
+
+        return html.link_table(self)
 
     @property
     def statistics(self) -> Statistics:
