@@ -125,6 +125,7 @@ class Recorder:
         return self._away + (0.0 if self._away_since is None else self._clock.now() - self._away_since)
 
     async def __aenter__(self) -> Self:
+        self._check_idle()
         try:
             async with AsyncExitStack() as block:
                 block.enter_context(first_error())
@@ -152,8 +153,7 @@ class Recorder:
             RecordingError: where the disk takes no more.
             LinkLostError: where the link ends.
         """
-        if not self._is_idle:
-            raise ArgumentError(f"the recorder of {self._file.path} has run before: make another one")
+        self._check_idle()
         self._is_idle = False
         loop = asyncio.get_running_loop()
         writer = ThreadPoolExecutor(1, "recorder")
@@ -167,6 +167,10 @@ class Recorder:
                 writer.shutdown()
                 if not self.samples:
                     self._file.discard()
+
+    def _check_idle(self) -> None:
+        if not self._is_idle:
+            raise ArgumentError(f"the recorder of {self._file.path} has run before: make another one")
 
     def _write(self, group: int, batch: Batch) -> None:
         self._file.write(group, batch, self._time.instants(group, batch))
