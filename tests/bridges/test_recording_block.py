@@ -147,8 +147,6 @@ def test_a_task_that_is_cancelled_before_the_block_begins_leaves_no_file(tmp_pat
     assert list(tmp_path.iterdir()) == []
 
 
-
-
 def test_a_recorder_runs_once(tmp_path: Path) -> None:
     async def run_twice() -> None:
         async with unity_link.connect(GATEWAY) as link:
@@ -196,7 +194,7 @@ except Exception as error:
 @pytest.mark.parametrize("room", [100, 60_000])
 def test_a_full_disk_ends_the_block_and_leaves_whole_samples_or_no_file(tmp_path: Path, room: int) -> None:
     path = tmp_path / "run.mcap"
-    command = [sys.executable, "-c", DISK_FULL, SPEC, path, str(room)]
+    command = [sys.executable, "-c", DISK_FULL, str(SPEC), str(path), str(room)]
     result = subprocess.run(command, capture_output=True, text=True, timeout=100, check=True)
     said = f"{RecordingError.__name__} {path} cannot be written on: File too large; what was recorded before is in it\n"
     assert (result.stdout, result.stderr) == (said, "")

@@ -15,7 +15,7 @@ import msgspec
 import numpy as np
 
 from unity_link.data.tables import Table
-from unity_link.errors import UnknownNameError, did_you_mean
+from unity_link.errors import Sealed, UnknownNameError, did_you_mean, missing_attribute, unassignable_attribute
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -74,6 +74,9 @@ class Values(Mapping["Proxy[Any]", Any]):
         """Return the value of a signal."""
         return self._row[find(self._places, proxy)]
 
+    if not TYPE_CHECKING:  # A type checker refuses them by itself.
+        __getattr__ = missing_attribute("the values")
+
     def __iter__(self) -> Iterator[Proxy[Any]]:
         """Return the proxies, in the order of their group."""
         return iter(self._places)
@@ -112,7 +115,12 @@ class GroupSample(NamedTuple):
         return tuple.__getitem__(self, key) if isinstance(key, (int, slice)) else self.values[key]
 
 
-class Batch:
+if not TYPE_CHECKING:  # A type checker refuses them by itself, and knows no more than fields in a NamedTuple.
+    GroupSample.__getattr__ = missing_attribute("a sample")
+    GroupSample.__setattr__ = unassignable_attribute("a sample")
+
+
+class Batch(Sealed):
     """Samples that came together, at least one, in the order of their sampling; all of one gateway.
 
     ``batch[robot.j1.cpos]`` is the column of a signal. Iteration gives the samples one by one.
@@ -124,6 +132,9 @@ class Batch:
         self.at = time.monotonic() - max(0.0, time.time() - samples[-1].arrived)
         """Instant at which the last one arrived, by `time.monotonic`."""
         self._samples = samples
+
+    def _called(self) -> str:
+        return "a batch of samples"
 
     def __len__(self) -> int:
         """Return the number of samples."""

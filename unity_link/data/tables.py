@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
-from unity_link.errors import ArgumentError, UnknownNameError, UnsupportedError, did_you_mean
+from unity_link.errors import ArgumentError, Sealed, UnknownNameError, UnsupportedError, did_you_mean
 from unity_link.link import html
 
 if TYPE_CHECKING:
@@ -30,7 +30,7 @@ TIME = "time"
 """Name of the column that tells when samples were taken."""
 
 
-class Table:
+class Table(Sealed):
     """Samples of one group, a column for each signal.
 
     ``table["j1.cpos"]`` is the column of a signal, ``table.units["j1.cpos"]`` its unit.
@@ -67,6 +67,9 @@ class Table:
         self._counts = dict(counts)
         taken = (TIME, *counts)
         self._columns = dict(zip(column_names(paths, taken), columns, strict=True))
+
+    def _called(self) -> str:
+        return "a table"
 
     def __len__(self) -> int:
         """Return the number of samples."""

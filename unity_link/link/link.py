@@ -23,6 +23,7 @@ from unity_link.errors import (
     UnityLinkError,
     UnsupportedError,
     missing,
+    missing_attribute,
     refusing,
 )
 from unity_link.link.connection import Connection, Reconnect, settle
@@ -76,6 +77,9 @@ class Statistics(msgspec.Struct, frozen=True, kw_only=True):
     reconnections: int
     round_trip: float | None
     """Smoothed round trip in seconds."""
+
+    if not TYPE_CHECKING:  # A type checker refuses them by itself.
+        __getattr__ = missing_attribute("the statistics of a link")
 
     def _repr_html_(self) -> str:
         """Return the numbers as a table."""
