@@ -70,7 +70,11 @@ FAULTS = {
         "wb_cyc & wb_stb & ~wb_ack",
     ),
     "a register bank does not wait for its FIFO": ("bank_registers pipelined in_a_row", "wb_stall", "1'b0"),
-    "a FIFO gives a word that nobody gets": ("bank_registers pipelined in_a_row", "taken", "access_now & ~waits & ~rests"),
+    "a FIFO gives a word that nobody gets": (
+        "bank_registers pipelined in_a_row",
+        "taken",
+        "access_now & ~waits & ~rests",
+    ),
     "a value is torn by reads in a row": ("bank_registers pipelined in_a_row", "position_keeps", "position_kept"),
     "a module's strobe does not fall": ("bank_registers pipelined in_a_row", "rests", "1'b0"),
     "no session is needed": ("ul_request_executor", r"(?P<bit>\w+)(?= = r\[3\];.*\n.* = ~(?P=bit);)", "1'b1"),

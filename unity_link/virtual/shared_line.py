@@ -36,7 +36,11 @@ _DAMAGED = b"\xff"
 
 
 def build_shared_line(
-    nodes: Iterable[int], baud: int = DEFAULT_BAUD, info: GatewayInfo | None = None, delay: float = 0.0
+    nodes: Iterable[int],
+    baud: int = DEFAULT_BAUD,
+    info: GatewayInfo | None = None,
+    delay: float = 0.0,
+    build: Callable[[GatewayInfo, int], Gateway] | None = None,
 ) -> SharedLine:
     """Return a line with a half-duplex gateway of plain memory for each of some nodes.
 
@@ -45,6 +49,7 @@ def build_shared_line(
         baud: of the line.
         info: the configuration of each.
         delay: seconds from a request to the beginning of its answer, beyond what the UART needs.
+        build: makes the gateway of a configuration and a node; None: a model.
 
     Raises:
         ArgumentError: for a number that no node can have, or two have, and for no node at all.
@@ -57,7 +62,7 @@ def build_shared_line(
     for node in nodes:
         if node in gateways:
             raise ArgumentError(f"node {node} is there twice: each node on a line has a number of its own")
-        gateways[node] = VirtualGateway(info, node=node)
+        gateways[node] = VirtualGateway(info, node=node) if build is None else build(info, node)
     return SharedLine(gateways, baud, delay)
 
 

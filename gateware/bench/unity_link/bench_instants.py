@@ -40,7 +40,7 @@ class _Samples:
                 self.reads.append([])
                 self.into_blocks += in_block
             in_block = dut.wb_cyc.value == 1 and dut.sample_access.value == 0
-            if dut.sample_access.value == 1 and dut.wb_taken.value == 1:
+            if self.strobes and dut.sample_access.value == 1 and dut.wb_taken.value == 1:
                 self.reads[-1].append(cycle - self.strobes[-1])
 
     def end(self) -> tuple[set[int], set[tuple[int, ...]]]:
@@ -62,11 +62,13 @@ async def each_word_of_a_sample_is_read_at_its_cycle_behind_the_strobe_also_besi
         await gateway.cycles(10 * PERIOD)
         (place,), (reads,) = alone.end()
         assert len(reads) == WORDS
-        gateway.send(checked(b"RM00FF") * 20)
+        # A response that goes out unevenly lets the words of its block be read at any time.
+        gateway.pause_out = 0.2
+        gateway.send(checked(b"RM00FF") * 30)
         beside = _Samples(dut)
-        await gateway.cycles(100 * PERIOD)
+        await gateway.cycles(80 * PERIOD)
         places, reads_beside = beside.end()
-        assert beside.into_blocks >= 8
+        assert beside.into_blocks > 5
         assert reads_beside == {reads}
         late = {(found - place) % PERIOD for found in places}
         assert max(late) < PERIOD // 2
@@ -74,5 +76,6 @@ async def each_word_of_a_sample_is_read_at_its_cycle_behind_the_strobe_also_besi
         note_figure(f"last word with {wait_states} wait states", reads[-1])
         note_figure(f"strobe late with {wait_states} wait states", max(late))
         gateway.send(checked(b"GX00"))
+        gateway.pause_out = 0.0
         await gateway.quiet(4 * 255 * (4 + wait_states))
         gateway.take()
