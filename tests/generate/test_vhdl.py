@@ -153,7 +153,7 @@ def analyse(folder: Path, spec: Spec, *, warn: bool = True) -> str:
 
 
 def run(folder: Path, name: str) -> subprocess.CompletedProcess[str]:
-    """Run the bench of an interface, which was analysed, as a pipelined master and, if nothing is wrong, a classic one."""
+    """Run the bench of an interface, which was analysed, with a pipelined master; if all is well, with a classic one."""
     made = ghdl(folder, "-e", f"{name}_bench")
     assert (made.returncode, made.stderr) == (0, "")
     for pipelined in ("true", "false"):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import contextlib
 import random
 from typing import TYPE_CHECKING
 
@@ -211,6 +212,22 @@ async def test_a_node_has_one_link() -> None:
         await link.read(0)
     async with unity_link.connect(line.at(1)) as link:
         await link.read(0)
+
+
+@on_simulated_time
+async def test_the_only_link_of_a_line_is_opened_again() -> None:
+    line = build_shared_line(NODES)
+    async with unity_link.connect(line.at(1), reconnect=Reconnect(first_pause=0.1)) as link:
+        await link.write(1, 7)
+        line.gone.add(1)
+        lost = asyncio.ensure_future(link.read(1))
+        while link.connected:
+            await asyncio.sleep(0.1)
+        line.gone.discard(1)
+        with contextlib.suppress(LinkLostError):
+            await lost
+        assert await link.read(1) == 7
+        assert link.statistics.reconnections == 1
 
 
 @on_simulated_time

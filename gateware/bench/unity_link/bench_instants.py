@@ -1,4 +1,4 @@
-"""Inside the simulator: the cycles from the sampling strobe to the read of each word, beside blocks and without them."""
+"""Inside the simulator: the cycles from the sampling strobe to the read of each word, beside blocks and without."""
 
 from __future__ import annotations
 
