@@ -38,7 +38,7 @@ def _search_client(name: str, given: list[str]) -> NoReturn:
             program = build_search(name, Path(folder))
         except FileNotFoundError as error:
             sys.exit(str(error))
-        sys.exit(subprocess.run([program, *given, "-max_len=4096"], check=False).returncode)
+        sys.exit(subprocess.run([program, *given, "-max_len=1024", "-len_control=0"], check=False).returncode)
 
 
 def _search(name: str, given: list[str]) -> None:

@@ -16,6 +16,7 @@ import signal
 import sys
 import tempfile
 import time
+from itertools import accumulate
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -54,14 +55,18 @@ TESTS = [
 ]
 ONE_FACE = "not (blocking or ftdi or mmio or pipes or serve or trio or zenoh)"
 """A link's tests are run on its own medium and face alone."""
-LONGEST_TEST = 4.0
+LONGEST_TEST = 20.0
 """Seconds that a test takes at most that is run on mutants."""
 MOST_EXAMPLES = 25
 """Examples that hypothesis tries in each."""
 FIRST = 25
 """So many tests are run before all others are looked at."""
-PATIENCE = 120
+LONGEST_SEARCH = 90.0
+"""Seconds that the tests of one mutant have together, as they were measured."""
+PATIENCE = 240
 """Seconds after which a mutant hangs."""
+MOST_WORK = 30
+"""Seconds of a processor, the same."""
 MOST_MEMORY = 4 << 30
 QUIETLY = ["-q", "-x", "-p", "no:cacheprovider", "-p", "no:xdist", "--assert=plain", "--hypothesis-seed=0"]
 SURVIVED, KILLED = "survived", "killed"
@@ -130,9 +135,9 @@ def tests_for(mutant: Mutant, seconds: Timed, reached: Reached) -> list[str]:
     """Return the tests that reach a mutant, the quickest first; all tests, where it is run by the import alone."""
     lines = reached.get(mutant.module, {})
     found = {test for line in range(mutant.line, mutant.last_line + 1) for test in lines.get(line, []) if test}
-    return sorted(
-        (test for test in found or seconds if seconds.get(test, LONGEST_TEST) < LONGEST_TEST), key=seconds.__getitem__
-    )
+    quick = sorted((seconds[test], test) for test in found or seconds if seconds.get(test, LONGEST_TEST) < LONGEST_TEST)
+    until = accumulate(taken for taken, _ in quick)
+    return [test for (_, test), all_taken in zip(quick, until, strict=True) if all_taken < LONGEST_SEARCH]
 
 
 def verdict(mutant: Mutant, tests: Sequence[str]) -> tuple[str, str]:
@@ -164,7 +169,7 @@ def _run(mutant: Mutant, tests: Sequence[str]) -> tuple[str, str]:
 
 def _run_here(mutant: Mutant, tests: Sequence[str], noted: str) -> None:
     os.setpgid(0, 0)
-    resource.setrlimit(resource.RLIMIT_CPU, (PATIENCE, PATIENCE))
+    resource.setrlimit(resource.RLIMIT_CPU, (MOST_WORK, MOST_WORK))
     resource.setrlimit(resource.RLIMIT_AS, (MOST_MEMORY, MOST_MEMORY))
     nowhere = os.open(os.devnull, os.O_RDWR)
     for stream in (1, 2):
