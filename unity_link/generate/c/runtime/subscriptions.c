@@ -24,7 +24,8 @@ static uint64_t count_lost(const ul_link *link, ul_subscription *subscription, u
     if (advance == 0) advance = 0x100;
     if (subscription->has_sample && subscription->flags & TIMESTAMP
         && (subscription->flags & (PERIODIC | TRIGGER | ON_CHANGE)) == PERIODIC) {
-        double due = (double)(ticks - subscription->ticks) / link->info.clock_hz * subscription->rate_hz;
+        /* A gateway's clock that goes back is wrong, and has lost nothing. */
+        double due = (double)(int64_t)(ticks - subscription->ticks) / link->info.clock_hz * subscription->rate_hz;
         double rounds = (due - (double)advance) / 0x100 + 0.5;
         if (rounds >= 1) advance += (uint64_t)rounds * 0x100;
     }
