@@ -18,6 +18,7 @@ from unity_link import blocking
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
+
     from playwright.sync_api import Browser, Page
 
     from live_page import Live
