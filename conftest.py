@@ -9,13 +9,9 @@
   everywhere (it needs a board, or does not end) stands after `<!-- skip: next -->` or in a block of `shell`.
 """
 
-import doctest
 import os
 import signal
-import subprocess
-import sys
 from collections.abc import Generator
-from pathlib import Path
 
 import pytest
 from hypothesis import HealthCheck, settings
@@ -23,6 +19,8 @@ from sybil import Example, Sybil
 from sybil.parsers.myst import CodeBlockParser, PythonCodeBlockParser, SkipParser
 from xdist.remote import Producer
 from xdist.scheduler import LoadScopeScheduling
+
+from docs.walkthrough import WALKTHROUGHS, run, typed
 
 # A suite that was started in the background of a script ignores Ctrl-C, and so would the programs that it interrupts.
 if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
@@ -85,29 +83,14 @@ def pytest_runtest_makereport(item: pytest.Item) -> Generator[None, pytest.TestR
 
 
 def run_console_block(example: Example) -> None:
-    """Run each `$ command` of a block and compare what it prints with the lines below it.
-
-    Raises:
-        AssertionError: a command failed, or printed something else.
-    """
-    environment = os.environ | {
-        "PATH": os.pathsep.join([str(Path(sys.executable).parent), os.environ["PATH"]]),
-        "COLUMNS": "120",
-    }
-    for session in ("\n" + example.parsed).split("\n$ ")[1:]:
-        command, _, expected = session.partition("\n")
-        result = subprocess.run(  # noqa: S602 -- the reader types it into a shell, too
-            command, shell=True, capture_output=True, text=True, timeout=120, env=environment, check=False
-        )
-        assert result.returncode == 0, f"`{command}` exits with {result.returncode}: {result.stderr}"
-        flags = doctest.ELLIPSIS | doctest.NORMALIZE_WHITESPACE
-        assert not expected.strip() or doctest.OutputChecker().check_output(expected, result.stdout, flags), (
-            f"`{command}` prints\n{result.stdout}\nwhere the document says\n{expected}"
-        )
+    """Run each `$ command` of a block and compare what it prints with the lines below it."""
+    for command, expected in typed(example.parsed):
+        run(command, expected)
 
 
 pytest_collect_file = Sybil(
     parsers=[PythonCodeBlockParser(), CodeBlockParser("console", run_console_block), SkipParser()],
     patterns=["README.md", "docs/*.md", "docs/**/*.md"],
-    excludes=["docs/_build/**"],
+    # A walkthrough is followed from an empty folder, by tests/test_walkthroughs.py.
+    excludes=["docs/_build/**", *WALKTHROUGHS],
 ).pytest()

@@ -6,6 +6,7 @@ import re
 import shutil
 import socket
 from contextlib import ExitStack, contextmanager
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import pytest
@@ -17,13 +18,13 @@ from unity_link import blocking
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
-    from pathlib import Path
 
     from playwright.sync_api import Browser, Page
 
     from live_page import Live
 
 CHROMIUM = shutil.which("chromium")
+EXAMPLES = Path(SPEC).parent
 
 needs_chromium = pytest.mark.skipif(CHROMIUM is None, reason="needs Chromium: apt install chromium")
 
@@ -89,6 +90,18 @@ def test_the_page_shows_a_robot_that_it_moves(page: Page) -> None:
         expect(page.locator('[data-signal="j2.cpos"] output')).to_have_text("0.000")
         assert colors_in(page, "article >> nth=0") >= 2
         wait_until(lambda: page.locator("#histogram canvas").count() == 1)
+
+
+@needs_chromium
+def test_no_two_cards_of_a_robot_of_ones_own_have_one_heading_and_it_moves(page: Page) -> None:
+    spec = f"{EXAMPLES}/rover.ul"
+    with shown(page, f"sim:{spec}?model={EXAMPLES}/rover.py:Rover", spec, "--allow-writes"):
+        page.locator("#write-left\\.duty").fill("0.5")
+        page.keyboard.press("Enter")
+        expect(page.locator('[data-signal="left.speed"] output')).to_have_text(re.compile(r"^2\.9"))
+        headings = page.locator("article h2").all_inner_texts()
+    assert len(headings) == len(set(headings)) > 5
+    assert "left.speed" in headings
 
 
 def colors_in(page: Page, card: str) -> int:

@@ -33,6 +33,7 @@ from bridge_programs import (
     wait_for,
     wait_until,
 )
+from own_robots import OWN
 from unity_link import ConnectError, blocking
 from unity_link.bridges.ros1 import environment
 from unity_link.bridges.ros1.rows import joint_rows, number_rows
@@ -239,6 +240,12 @@ def test_signals_are_topics_of_their_types_and_commands_are_subscribed_to(ros: i
         assert {"/scara/j1/cpos", "/scara/j4/spd", "/scara/j2/pos_sp", "/scara/joint_states"} <= set(topics)
         assert types == ["std_msgs/Float64", "std_msgs/Float64"]
         assert rostopic("echo", "-n1", "/scara/j1/cpos").split()[:2] == ["data:", "0.0"]
+
+
+def test_a_robot_of_ones_own_has_its_topics(ros: int, tmp_path: Path) -> None:
+    with master(ros), bridge_on_shared("ros1", OWN["sim"].spec, OWN["sim"].url, tmp_path) as (process, _):
+        wait_for(process, "node /unity_link_scara")
+        assert 0 < float(rostopic("echo", "-n1", "/scara/j1/cpos").split()[1]) < 1.001
 
 
 def test_every_sample_arrives_once_in_order_at_the_distance_of_the_gateways_clock(ros: int, tmp_path: Path) -> None:

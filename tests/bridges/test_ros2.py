@@ -33,6 +33,7 @@ from bridge_programs import (
     wait_for,
     wait_until,
 )
+from own_robots import OWN
 from unity_link import ArgumentError, blocking
 from unity_link.bridges.ros2 import Quality, Settings, read_settings
 from unity_link.bridges.ros2.domain import open_participant
@@ -41,6 +42,8 @@ from unity_link.bridges.ros2.rows import joint_rows, number_rows
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
+
+    from own_robots import Own
 
 PEER = str(Path(__file__).with_name("dds_peer.py"))
 SPEC = str(Path(__file__).parents[2] / "examples" / "scara.ul")
@@ -149,6 +152,24 @@ def test_every_sample_arrives_once_and_in_order(tmp_path: Path) -> None:
     assert seen[0]["name"] == ["j1", "j2", "j3", "j4"]
     assert values[-1]["data"] > 0
     assert " 0 lost" in summary
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("own", [OWN["sim"], pytest.param(OWN["rtl"], marks=pytest.mark.campaign)], ids=OWN)
+def test_a_robot_of_ones_own_has_its_topics_and_moves_by_them(own: Own, tmp_path: Path) -> None:
+    domain = next(DOMAINS)
+    with bridge_on_shared("ros2", own.spec, own.url, tmp_path, "--domain", str(domain), "--namespace", "own") as (
+        process,
+        _,
+    ):
+        wait_for(process, "topics published")
+        peer(domain, "talk", topic_of(own.set_point), "std_msgs/msg/Float64", "0.5")
+        positions = [one["data"] for one in listen(domain, topic_of(own.position), "std_msgs/msg/Float64", 300)]
+    assert positions[-1] == pytest.approx(0.5, abs=0.001)
+
+
+def topic_of(path: str) -> str:
+    return f"rt/own/{path.replace('.', '/').replace('[', '_').replace(']', '')}"
 
 
 @pytest.mark.slow

@@ -42,6 +42,9 @@ CASES = [
     # Names.
     ("public x() { @a = b: READ(); }", "unknown-name", "nothing is called 'b' here", "b", ""),
     ("public x(base=1) { @a = bsae: READ(); }", "unknown-name", "nothing is called 'bsae'", "bsae", "mean 'base'?"),
+    ("public x() { @a = 1: READ(PUBLISH(slow)); }", "unknown-name", "nothing is called 'slow'", "slow", "declare it: group slow(RATE=100);"),
+    ("public x() { @a = 1: READ(GROUP(slwo)); }\ngroup slow(1, 10);", "unknown-name", "nothing is called 'slwo'", "slwo", "mean 'slow'?"),
+    ("public x() {}\ngroup slow(1, TIMESTAMP);", "unknown-name", "nothing is called 'TIMESTAMP'", "TIMESTAMP", "mean 'TIMESTAMPS'?"),
     ("public x() { j: joit(1); }" + JOINT, "unknown-component", "there is no component 'joit'", "joit", "mean 'joint'?"),
     ("public x() { MEMROY(BASE=1); }", "unknown-component", "there is no module 'MEMROY'", "MEMROY", "mean 'MEMORY'?"),
     ("public x() { @a = 1: READ(); @a = 2: READ(); }", "name-twice", "'a' stands twice in x", "a", ""),

@@ -113,9 +113,12 @@ class Evaluator:
         try:
             return scope[name.name]
         except KeyError:
-            message = f"nothing is called '{name.name}' here"
-            self.fault(name.place, "unknown-name", message, did_you_mean(name.name, scope))
+            self.report_unknown(name, did_you_mean(name.name, scope))
             return None
+
+    def report_unknown(self, name: Name, advice: str) -> None:
+        """Report a name that is none here."""
+        self.fault(name.place, "unknown-name", f"nothing is called '{name.name}' here", advice)
 
     def _prefixed(self, expression: Prefixed, scope: Mapping[str, Result]) -> Result:
         value = self.evaluate(expression.operand, scope)

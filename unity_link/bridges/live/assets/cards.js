@@ -29,13 +29,13 @@ export class Card {
     this.values = new Map();
     this.visible = false;
     const [first] = signals;
-    const title = first.part || (first.unit ? about.robot : first.id);
-    const alone = signals.length === 1 && (first.unit === "" || first.stream === null);
-    const heading = alone && first.part ? `${first.part}.${first.name}` : alone ? first.id : title;
+    const alone = signals.length === 1;
+    const heading = alone ? (first.part ? `${first.part}.${first.name}` : first.id) : first.part || about.robot;
     const doc = alone ? first.doc : about.parts[first.part];
     this.element = make(
       "article", { class: "card", "aria-label": `${heading} ${first.unit}` },
-      make("h2", {}, heading, doc ? make("small", {}, doc) : null),
+      // Cards of one component differ by the unit.
+      make("h2", {}, heading, alone ? null : make("small", {}, first.unit), doc ? make("small", {}, doc) : null),
       make("ul", { class: "signals" }, ...signals.map((signal, number) => this.row(signal, number))),
     );
     this.curves = signals.filter((signal) => signal.stream !== null);

@@ -1,0 +1,115 @@
+"""A page as its reader follows it, from an empty folder: its files are written, and its commands typed.
+
+A block with a caption is a file of that name. In a block of `console` each `$ command` is typed and must print what
+stands below it, where `...` is any text; those of "Terminal 2" go on beside the others until the end of the page, where
+they are ended by Ctrl-C.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import doctest
+import os
+import re
+import signal
+import subprocess
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+WALKTHROUGHS = ["docs/tutorials/rover.md"]
+"""The pages that are one."""
+BESIDE = "Terminal 2"
+PATIENCE = 120.0
+"""Seconds that a command may take."""
+_BLOCK = re.compile(r"^```(?:\{code-block\} )?(\w+)\n(?::caption: ([^\n]*)\n+)?(.*?)^```$", re.DOTALL | re.MULTILINE)
+_BY_CTRL_C = 128 + signal.SIGINT
+
+
+def follow(page: Path, folder: Path) -> None:
+    """Do what a page says, in a folder.
+
+    Raises:
+        AssertionError: a command failed, or printed something else.
+    """
+    with contextlib.ExitStack() as beside:
+        for language, caption, text in _BLOCK.findall(page.read_text(encoding="utf-8")):
+            if language == "console":
+                for command, expected in typed(text):
+                    if caption == BESIDE:
+                        beside.enter_context(_running(command, expected, folder))
+                    else:
+                        run(command, expected, folder)
+            elif caption:
+                (folder / caption).write_text(text, encoding="utf-8")
+
+
+def typed(block: str) -> Iterator[tuple[str, str]]:
+    """Yield each `$ command` of a block, and what it is to print."""
+    for session in ("\n" + block).split("\n$ ")[1:]:
+        command, _, expected = session.partition("\n")
+        yield command, expected
+
+
+def run(command: str, expected: str, folder: Path | None = None) -> None:
+    """Run a command and compare what it prints.
+
+    Args:
+        command: as it is typed into a shell.
+        expected: what it is to print, where `...` is any text; nothing for whatever it prints.
+        folder: where it is typed; None for the working directory.
+
+    Raises:
+        AssertionError: it failed, or printed something else.
+    """
+    done = subprocess.run(  # noqa: S602  (the reader types it into a shell, too)
+        command,
+        shell=True,
+        cwd=folder,
+        env=_environment(),
+        stdin=subprocess.DEVNULL,
+        capture_output=True,
+        text=True,
+        timeout=PATIENCE,
+        check=False,
+    )
+    assert done.returncode == 0, f"`{command}` exits with {done.returncode}: {done.stdout}{done.stderr}"
+    _compare(command, done.stdout, expected)
+
+
+@contextlib.contextmanager
+def _running(command: str, expected: str, folder: Path) -> Iterator[None]:
+    """Run a command while the block runs, which begins when the command has printed as many lines as are expected."""
+    with subprocess.Popen(  # noqa: S602  (as in `run`)
+        f"exec {command}",
+        shell=True,
+        cwd=folder,
+        env=_environment(),
+        stdin=subprocess.DEVNULL,
+        stdout=subprocess.PIPE,
+        text=True,
+    ) as process:
+        try:
+            assert process.stdout is not None
+            _compare(command, "".join(process.stdout.readline() for _ in expected.splitlines()), expected)
+            yield
+            process.send_signal(signal.SIGINT)
+            assert process.wait(PATIENCE) == _BY_CTRL_C, f"`{command}` exits with {process.returncode} after Ctrl-C"
+        finally:
+            process.kill()
+
+
+def _environment() -> dict[str, str]:
+    """Return an environment in which commands are those of this Python, and lines are as long as in the pages."""
+    path = os.pathsep.join([str(Path(sys.executable).parent), os.environ["PATH"]])
+    return os.environ | {"PATH": path, "COLUMNS": "120"}
+
+
+def _compare(command: str, printed: str, expected: str) -> None:
+    flags = doctest.ELLIPSIS | doctest.NORMALIZE_WHITESPACE
+    assert not expected.strip() or doctest.OutputChecker().check_output(expected, printed, flags), (
+        f"`{command}` prints\n{printed}\nwhere the page says\n{expected}"
+    )

@@ -1,0 +1,70 @@
+"""Robots of the examples as a user would simulate them, and where they are: for what is to run on a robot of one's own.
+
+Their joints begin to move by themselves. The gateware of the walker comes with the package.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any, NamedTuple
+
+from unity_link.virtual.simulated import SimulatedRobot
+
+EXAMPLES = Path(__file__).parents[1] / "examples"
+
+
+class Own(NamedTuple):
+    """Where a robot of one's own is, and which signals a test takes."""
+
+    spec: str
+    url: str
+    position: str
+    set_point: str
+
+
+OWN = {
+    "sim": Own(f"{EXAMPLES}/scara.ul", f"sim:{EXAMPLES}/scara.ul?model={__file__}:Scara", "j1.cpos", "j1.pos_sp"),
+    "rtl": Own(
+        f"{EXAMPLES}/walker.ul",
+        f"rtl:{EXAMPLES}/walker.ul?model={__file__}:Walker",
+        "legs[0].coxa.cpos",
+        "legs[0].coxa.pos_sp",
+    ),
+}
+
+
+class Jointed(SimulatedRobot):
+    """Joints that go to their set points at the speed that they are told."""
+
+    step_seconds = 0.01
+
+    def joints(self) -> list[Any]:
+        raise NotImplementedError
+
+    def start(self) -> None:
+        for joint in self.joints():
+            joint.pos_sp = 1
+            joint.spd_sp = 2
+
+    def step(self, dt: float) -> None:
+        for joint in self.joints():
+            rest = joint.pos_sp - joint.cpos
+            joint.cpos += max(-joint.spd_sp * dt, min(joint.spd_sp * dt, rest))
+            joint.spd = joint.spd_sp if rest else 0
+
+
+class Scara(Jointed):
+    j1: Any
+    j2: Any
+    j3: Any
+    j4: Any
+
+    def joints(self) -> list[Any]:
+        return [self.j1, self.j2, self.j3, self.j4]
+
+
+class Walker(Jointed):
+    legs: Any
+
+    def joints(self) -> list[Any]:
+        return [joint for leg in self.legs for joint in (leg.coxa, leg.femur, leg.tibia)]
