@@ -102,7 +102,12 @@ class RandomAnswers:
 
     def _behind_noise(self, frame: bytes) -> bytes:
         noise = self._chance.randbytes(self._chance.choice((1, 40, 9000))).replace(b"\n", b"\r")
-        said = (noise, noise + b"\n", self._checked(b"X%02d" % self._chance.randrange(16)), self._checked(b"P0" + noise))
+        said = (
+            noise,
+            noise + b"\n",
+            self._checked(b"X%02d" % self._chance.randrange(16)),
+            self._checked(b"P0" + noise),
+        )
         return self._chance.choice(said) + frame
 
     def _other(self, frame: bytes) -> bytes:

@@ -27,7 +27,7 @@ import pytest_asyncio  # noqa: F401
 import sybil.parsers.myst  # noqa: F401
 import trio  # noqa: F401
 import usb.core  # noqa: F401
-import xdist.remote  # noqa: F401
+import xdist.remote
 import xdist.scheduler  # noqa: F401
 from hypothesis import Phase, settings
 from hypothesis import strategies as st  # noqa: F401
@@ -122,7 +122,9 @@ def _observe_here(kept: Path) -> None:
     measured.start()
     observer = _Observer(measured)
     there = [test for test in TESTS if (ROOT / test).exists()]
-    code = pytest.main([*QUIETLY, "-m", "not slow and not campaign and not rtl", "-k", ONE_FACE, *there], plugins=[observer])
+    code = pytest.main(
+        [*QUIETLY, "-m", "not slow and not campaign and not rtl", "-k", ONE_FACE, *there], plugins=[observer]
+    )
     measured.stop()
     if code == pytest.ExitCode.OK:
         data = measured.get_data()

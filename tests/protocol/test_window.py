@@ -360,6 +360,26 @@ def test_damage_alone_gives_the_oldest_up_and_is_lost_when_its_replacement_fares
     assert given_up == [a, a]
 
 
+@pytest.mark.parametrize("late", [0.001, 0.02, 3.0])
+def test_what_is_damaged_each_time_is_given_up_however_long_its_answers_take(late: float) -> None:
+    window: Window[Named] = Window(RING, round_trip=0.02, byte_time=0.001)
+    (a,) = sent(window, "a")
+    given_up, now, tries = None, 0.0, 0
+    while given_up is None:
+        assert tries < 1000
+        arrives = now + late
+        while given_up is None and window.deadline is not None and window.deadline < arrives:
+            now = window.deadline
+            given_up = window.expire(now)
+            repeated(window)
+        window.heard, now = True, max(now, arrives)
+        window.answer_damaged(now)
+        if given_up is None:
+            given_up = window.expire(now)
+        tries += bool(repeated(window))
+    assert given_up is a
+
+
 def test_news_after_a_request_was_given_up_begins_anew() -> None:
     window: Window[Named] = Window(RING, round_trip=0.02)
     sent(window, "a", "b")

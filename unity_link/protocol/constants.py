@@ -12,6 +12,8 @@ FEWEST_SILENT_TRIES = 3
 """Time outs in silence before the link is lost, however long one takes."""
 MOST_QUICK_SIGNS = 6
 """How often signs of loss are followed at the pace of a round trip that is next to nothing."""
+MOST_SIGNS = 12
+"""How often the window goes back for signs of loss of the same request; from there on they count as time outs."""
 SLOWER_SIGNS = 0.001
 """What a round trip counts as, at least, after so many signs."""
 MOST_TRIES = 32
@@ -34,10 +36,9 @@ FENCE_DELAY = 0.001
 """Posted writes are confirmed by an ``h`` after this time, if nothing else with an answer follows them."""
 MEASUREMENT_PAUSE = 0.001
 """Between two measurements of the round trip: one a window is enough, and fast reads are left alone."""
+ANSWER_PATIENCE = 0.1
+"""On a half-duplex medium, and where nodes share a line: how long an answer can be on its way, beyond what its bytes
+need. It is the shortest time out there, too, and what each try of a node that does not answer costs the others."""
 
 TABLE: dict[str, float] = {name: value for name, value in globals().items() if isinstance(value, int | float)}
-"""All of them by name, for clients that have a line for themselves."""
-
-ANSWER_PATIENCE = 0.1
-"""Where nodes share a line: how long an answer can be on its way, beyond what its bytes need. It is the shortest time
-out there, too, and what each try of a node that does not answer costs the others."""
+"""All of them by name, for clients in other languages."""

@@ -25,8 +25,6 @@ if TYPE_CHECKING:
 FIRST_TRY = 0.1
 """Seconds until a question is asked again, doubled each time."""
 LONGEST_TRY = 1.0
-LAST_ANSWER = len("K000CCCC\n")
-"""Bytes of the last answer, at most for the usual widths."""
 CHECKED_TRIES = 4
 """How often the checked `Q` is asked before the plain answer is doubted."""
 RESET_TRIES = 3
@@ -122,6 +120,11 @@ class Handshake:
     def first(self) -> int:
         """The first ID of the session."""
         return self._seed & self.codec.ring - 1
+
+    @property
+    def byte_time(self) -> float:
+        """Seconds that a byte can need on the wire, at most: as the answer to the last question came."""
+        return self.round_trip / len(self._framing.checked(b"K" + self.codec.id_text[self.first]))
 
     @property
     def asks(self) -> bool:

@@ -43,8 +43,9 @@ takes no further sign as long as neither `oldest` nor `executed` has moved and a
 before: for the least round trip seen, and twice as long each time; the first few, for a usual round trip at most. A
 later sign says that the repetition was lost, too. An earlier one may say the same of a line that was quicker than ever
 before: where nothing comes for as long again, the window goes back for that. What brings no sign at all, the time out
-finds. Where no flow control protects the gateway's receive FIFO, only the time out sends the same once more: what waits
-in the FIFO must have left it.
+finds. From `MOST_SIGNS` on, a sign counts as a time out, so that what is damaged each time is given up as well. Where
+no flow control protects the gateway's receive FIFO, only the time out sends the same once more: what waits in the FIFO
+must have left it.
 
 Something was *heard* if it can be about a request; samples are not. A request that is given up, or that is not wanted
 any more, keeps its ID, for those behind it build on it; when it is sent again, it is sent as ``h``.
@@ -72,6 +73,7 @@ from unity_link.protocol.constants import (
     MEASUREMENT_PAUSE,
     MOST_QUICK_SIGNS,
     MOST_REFUSALS,
+    MOST_SIGNS,
     MOST_TRIES,
     SHORTEST_TIMEOUT,
     SLOWER_SIGNS,
@@ -510,12 +512,13 @@ class Window(Generic[R]):
 
         A fence that is due is the matter of `needs_fence`.
         """
+        deadline = self.deadline
         if self._early_sign is not None and now >= self._early_sign[1]:
             self._early_sign = None
-            self._go_back(now)
-            return None
-        deadline = self.deadline
-        if deadline is None or now < deadline or (deadline == self._fence_due and not self.wants_repetition):
+            if self._gone_back < MOST_SIGNS:
+                self._go_back(now)
+                return None
+        elif deadline is None or now < deadline or (deadline == self._fence_due and not self.wants_repetition):
             return None
         given_up = None
         self._tries += 1
@@ -614,6 +617,11 @@ class Window(Generic[R]):
         if known:
             self._note_early_sign(now)
         elif self.oldest != self.next and begun:
+            if self._gone_back == MOST_SIGNS:
+                # `expire` goes back for it, and counts the tries.
+                self._early_sign = (self._sent, now)
+                self._troubled = True
+                return
             self.timed_out = False
             self._repeat_from_oldest(now, ambiguous_until)
 
@@ -686,8 +694,7 @@ class Window(Generic[R]):
         # What waits in a receive FIFO that can overflow must have left it before the same is sent once more.
         self._repeated_at, self._next_sign = now, now + (pause if self._byte_limit is None else LONGEST_TIMEOUT)
         self._early_sign = None
-        # Beyond this the pause is the longest anyway.
-        self._gone_back = min(self._gone_back + 1, MOST_QUICK_SIGNS * 2)
+        self._gone_back = min(self._gone_back + 1, MOST_SIGNS)
         self._refused = False
         if self.loses:
             self._allowed = min(self._allowed, 4 * self._came)

@@ -5,7 +5,7 @@
  * publishes nothing. That is another one each time, so that no answer of a session before is taken for one of this.
  */
 
-enum { PROTOCOL_VERSION = 2, LONGEST_ANSWER = 160, CHECKED_TRIES = 4 };
+enum { PROTOCOL_VERSION = 2, LONGEST_ANSWER = 160, CHECKED_TRIES = 4, SURE = 3 };
 enum { LONGEST_REST = 48 };     /* of a frame, beside its words */
 static const double FIRST_PATIENCE = 0.1, LONGEST_PATIENCE = 1.0;
 
@@ -134,20 +134,20 @@ static bool is_last_answer(const opening *opens, text answer)
     return answer.size == opens->size && memcmp(answer.at, opens->answer, answer.size) == 0;
 }
 
-/* Learn what the gateway is. A plain answer has no check: one that cannot be is asked for again, and believed if it is
- * the same. */
+/* Learn what the gateway is. A plain answer has no check: one that cannot be is asked for again, and believed when it was
+ * the same so many times. */
 static ul_status learn(opening *opens)
 {
     ul_link *link = opens->link;
     ul_status status = UL_NO_CONNECTION;
     char kept[LONGEST_ANSWER];
     text plain = {kept, 0};
-    while (ask(opens, "Q", true, UINT32_MAX)) {
-        bool is_certain = is_last_answer(opens, plain);
+    for (unsigned alike = 0; ask(opens, "Q", true, UINT32_MAX);) {
+        alike = is_last_answer(opens, plain) ? alike + 1 : 1;
         plain.size = opens->size;
         memcpy(kept, opens->answer, plain.size);
         status = believe(link, without_first(plain, 1));
-        if (status == UL_UNSUPPORTED && is_certain) break;
+        if (status == UL_UNSUPPORTED && alike == SURE) break;
         if (status == UL_OK && ask(opens, "Q", false, CHECKED_TRIES) && is_last_answer(opens, plain)) return UL_OK;
     }
     if (status == UL_UNSUPPORTED) return status;
@@ -180,7 +180,7 @@ static ul_status start_session(opening *opens)
     if (!ask(opens, session, false, UINT32_MAX))
         return fail(link, UL_NO_CONNECTION, "", "the gateway does not answer any more");
     double now = now_of(link), least = now - opens->asked;
-    start_window(link, first, least / (double)(strlen(session) + link->crc_digits + 1), now - began);
+    start_window(link, first, least / (double)(strlen(session) + frame_overhead(link)), now - began);
     link->least_round_trip = least;
     return UL_OK;
 }
@@ -238,12 +238,23 @@ const char *ul_status_text(ul_status status)
     return "an error of the gateway that this version does not know";
 }
 
+/* Whether the gateway says that it was built for another map. */
+static bool is_of_another_map(const ul_link *link, uint32_t map)
+{
+    return link->info.features & UL_FEATURE_FINGERPRINT && link->info.build_id != map && !link->any_map;
+}
+
+void ul_allow_any_map(ul_link *link)
+{
+    link->any_map = true;
+}
+
 ul_status ul_check_map(ul_link *link, uint32_t map, const char *name)
 {
-    if (!(link->info.features & UL_FEATURE_FINGERPRINT) || link->info.build_id == map) return UL_OK;
+    if (!is_of_another_map(link, map)) return UL_OK;
     snprintf(link->error, sizeof link->error,
              "the gateway was built for the map %08lX, and %.40s describes the map %08lX: generate the client from the "
-             "spec that the gateway was built from, or build the gateway anew",
+             "spec that the gateway was built from, or build the gateway anew, or write map=any in the URL",
              (unsigned long)link->info.build_id, name, (unsigned long)map);
     return UL_UNSUPPORTED;
 }
