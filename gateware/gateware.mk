@@ -1,12 +1,15 @@
 # Targets of the gateware; the Makefile above includes this file and brings VENV, BIN and ALL.
 
-.PHONY: rtl synth synth-quick test-rtl lint-vhdl formal verilog lists
+.PHONY: rtl synth synth-quick test-rtl lint-vhdl formal verilog lists datasheets
 
 rtl: $(ALL) ## the gateware as C++ into unity_link/virtual/rtl/generated, from VHDL
 	@$(BIN)/python -m gateware.tools.model
 
 lists: $(ALL) ## file list, FuseSoC core and import scripts, after a change of files in gateware/rtl
 	@$(BIN)/python -m gateware.tools.lists
+
+datasheets: $(ALL) ## tables and pictures of docs/reference/gateware, after a change of an entity, its timing or its size
+	@$(BIN)/python -m gateware.tools.datasheets
 
 verilog: $(ALL) ## the gateway as Verilog-2005 into build/verilog, one file for each configuration
 	@$(BIN)/python -m gateware.tools.verilog

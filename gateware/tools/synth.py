@@ -173,6 +173,14 @@ CONFIGURATIONS = {
         package="CABGA381",
         spec=GATEWARE.parent / "examples" / "walker.ul",
     ),
+    # Parts that a design may take alone.
+    "ul_uart": Configuration("ul_uart", {"baud": 3_000_000}),
+    "ul_ft245_async": Configuration("ul_ft245_async"),
+    "ul_ft245_sync": Configuration("ul_ft245_sync"),
+    "ul_wishbone_master": Configuration("ul_wishbone_master", {"pipelined": True}),
+    "ul_axi4_lite_master": Configuration("ul_axi4_lite_master"),
+    "ul_fifo_sync": Configuration("ul_fifo_sync", {"depth": 256}),
+    "ul_fifo_async": Configuration("ul_fifo_async", {"depth": 256}),
 }
 
 
@@ -190,7 +198,7 @@ class Result:
     @property
     def slowest(self) -> float:
         """Fmax of the core's clock: the one that is no pin of the FT245."""
-        own = [mhz for clock, mhz in self.fmax.items() if "fifo_clk" not in clock and "ft_clkout" not in clock]
+        own = [mhz for clock, mhz in self.fmax.items() if "fifo_clk" not in clock and "clkout" not in clock]
         return min(own or self.fmax.values())
 
 
