@@ -14,8 +14,8 @@ from unittest.mock import patch
 from simulation.answers import judge_answers
 from simulation.clock import LivelockError, SimulatedLoop
 from simulation.medium import Network
-from simulation.oracle import MOST_WAITING, LinkLog, Oracle, Tap, WorldError
 from simulation.nodes import Wire
+from simulation.oracle import MOST_WAITING, LinkLog, Oracle, Tap, WorldError
 from simulation.plan import BURST, WIRE, Draw, GatewayPlan, Mishap, Plan, gateway_of, node_of
 from simulation.programs import Program
 from simulation.sendings import watched
