@@ -261,10 +261,11 @@ def place(name: str, configuration: Configuration, device_name: str) -> Result:
 def _converted(configuration: Configuration) -> Path:
     """Return the Verilog of a configuration."""
     sources = [*configuration.sources, *(sorted(_BOARDS.rglob("*.vhd")) if configuration.board else [])]
-    if configuration.spec is not None:
-        folder = cache_folder("generated", configuration.spec.stem)
-        sources += write(generate("vhdl", compile_file(configuration.spec)), folder)
-    return to_verilog(configuration.top, configuration.generics, sources, configuration.pads)
+    # A folder of its own: another run may be of another revision.
+    with tempfile.TemporaryDirectory() as folder:
+        if configuration.spec is not None:
+            sources += write(generate("vhdl", compile_file(configuration.spec)), Path(folder))
+        return to_verilog(configuration.top, configuration.generics, sources, configuration.pads)
 
 
 def _map(top: str, device: Device, verilog: Path, work: Path, *, on_pins: bool) -> None:
