@@ -1,6 +1,6 @@
-"""What every face of a link does, as functions over anything with a link's methods: tests/generate/test_every_face.py runs them.
+"""What every face of a link does, as functions over anything with a link's methods.
 
-Each takes what connects to a URL, and the line to a gateway of the test.
+`tests/generate/test_every_face.py` runs them. Each takes what connects to a URL, and the line to a gateway of the test.
 """
 
 from __future__ import annotations
@@ -181,13 +181,15 @@ async def a_reset_is_told_and_nothing_is_executed_by_a_gateway_without_a_session
 
 
 async def a_lost_line_ends_the_calls(connect: Connect, line: Line) -> None:
-    with line.gateway() as served:
-        with pytest.raises(LinkLostError):
-            async with connect(served.url) as link:
-                await link.write(0x10, 1)
-                served.hang_up()
-                for _ in range(3):
-                    await link.write(0x10, 2)
+    async def write_on(url: str) -> None:
+        async with connect(url) as link:
+            await link.write(0x10, 1)
+            served.hang_up()
+            for _ in range(3):
+                await link.write(0x10, 2)
+
+    with line.gateway() as served, pytest.raises(LinkLostError):
+        await write_on(served.url)
 
 
 async def each_write_is_executed_exactly_once_and_in_order_on_a_noisy_line(connect: Connect, line: Line) -> None:

@@ -142,9 +142,7 @@ class DrivenLink:
 class DrivenSubscription:
     """A subscription of a program."""
 
-    def __init__(
-        self, call: Callable[..., object], number: int, addresses: Sequence[int], rate_hz: float
-    ) -> None:
+    def __init__(self, call: Callable[..., object], number: int, addresses: Sequence[int], rate_hz: float) -> None:
         self._call, self._number, self._addresses, self._rate_hz = call, number, addresses, rate_hz
 
     async def __aenter__(self) -> Self:

@@ -42,7 +42,7 @@ if TYPE_CHECKING:
 
     from anyio.from_thread import BlockingPortal
 
-    from behaviours import Behaviour, Connect
+    from behaviours import Behaviour
     from unity_link.virtual import Gateway
 
 IN_PYTHON = ("asyncio", "uvloop", "trio", "blocking")
