@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import re
 import socket
+import statistics
 from collections import Counter
 from itertools import pairwise
 from typing import TYPE_CHECKING
@@ -637,7 +638,7 @@ def test_it_sends_the_same_bytes_at_the_same_times_as_the_host_in_python(
             else:
                 for value in range(count):
                     client.words(f"write 10 {value:X}")
-            statistics = client.words("statistics")
+            counted = client.words("statistics")
         assert line.first is not None
         host = SimulatedHost(reference.receive, QUICK_TIMEOUT, line.first)
         writes = [host.request("W", 0x10, value) for value in range(count)]
@@ -651,7 +652,7 @@ def test_it_sends_the_same_bytes_at_the_same_times_as_the_host_in_python(
             (round(when - reference_began, 6), data) for when, data in reference.sent
         ]
         counters = host.session.counters
-        assert statistics[2:5] == [counters.repetitions, counters.timeouts, counters.damaged]
+        assert counted[2:5] == [counters.repetitions, counters.timeouts, counters.damaged]
 
 
 def test_what_it_tells_of_requests_at_a_reset_is_what_the_host_in_python_tells(driver: Path) -> None:
@@ -763,6 +764,19 @@ def test_posted_and_answered_writes_are_executed_once_and_in_order_whatever_the_
             assert client.words("statistics")[2] > 0
             client.words("close")
         assert [word for _, word in gateway.bus_log.writes] == list(range(600))
+
+
+def test_a_link_is_opened_on_a_line_that_damages_one_byte_in_a_hundred_without_waiting(driver: Path) -> None:
+    took = []
+    for seed in range(12):
+        line = NoisyLine(VirtualGateway(), Noise(2 * seed, flip=0.01), Noise(2 * seed + 1, flip=0.01))
+        with Simulated(driver, line.receive) as client:
+            client.words(f"connect test:{QUICK_TIMEOUT} 5")
+            took.append(client.now)
+            client("close")
+    # A round trip is a millisecond, and a try that nothing answers a hundred.
+    assert statistics.median(took) < 0.02
+    assert max(took) < 1
 
 
 def test_an_opening_that_noise_has_drawn_out_does_not_have_later_losses_wait(driver: Path) -> None:

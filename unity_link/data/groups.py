@@ -283,8 +283,8 @@ class Group(Sealed):
     def on_sample(self, callback: Callable[[GroupSample], object]) -> Registration:
         """Call a function with each sample, until `Registration.cancel`. To be called where an event loop runs.
 
-        What a callback raises is told to the event loop's exception handler, the first exception of each type; that a
-        link was lost, too.
+        What a callback raises is logged under ``unity_link.link``, the first exception of each type; that a link was
+        lost, too.
 
         Raises:
             ArgumentError: for an asynchronous function.

@@ -140,8 +140,8 @@ class Proxy(Sealed, Generic[T]):
         """Call a function with the value whenever another one is seen than before.
 
         A signal that is published or polled is from now on, until `Registration.cancel`; any other one is seen when it
-        is read or written. To be called where an event loop runs. What a callback raises is told to the event loop's
-        exception handler, the first exception of each type; that the link was lost, too.
+        is read or written. To be called where an event loop runs. What a callback raises is logged under
+        ``unity_link.link``, the first exception of each type; that the link was lost, too.
 
         Raises:
             ArgumentError: for an asynchronous function.

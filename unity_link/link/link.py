@@ -406,7 +406,8 @@ class Link(Connection):
             buffer: most samples that wait for the reader. The default holds all that one read of a socket can bring.
             latest: keep the newest sample alone, for a controller: what it reads is never older than it needs to be.
             overflow: what happens when they are more: ``"drop_oldest"`` and count, or ``"fail"``.
-            callback: is called with each sample as it arrives, in place of iteration.
+            callback: is called with each sample as it arrives, in place of iteration. What it raises is logged under
+                ``unity_link.link`` and stops nothing: the first exception of each type.
 
         Without a rate, a divisor or a trigger, samples come when `Subscription.publish` asks for them.
 

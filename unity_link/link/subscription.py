@@ -28,6 +28,7 @@ from unity_link.errors import (
     missing_attribute,
     refusing,
 )
+from unity_link.link.runtime import report
 from unity_link.protocol.exchange import Sampled, SampledRows, SampledTogether
 from unity_link.protocol.group_table import GroupBegun, GroupRefused, GroupStarted
 from unity_link.protocol.messages import TIMESTAMP_DIGITS, Codec, GroupFlag
@@ -602,7 +603,7 @@ class Subscription:
             if type(error) not in self._told:
                 self._told.add(type(error))
                 what = f"a subscription's callback raised {type(error).__name__} (told once)"
-                self._publishing.runtime.report(what, error)
+                report(what, error)
 
     def _wake(self) -> None:
         if self._waiter is not None and not self._waiter.done():

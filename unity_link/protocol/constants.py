@@ -39,6 +39,20 @@ MEASUREMENT_PAUSE = 0.001
 ANSWER_PATIENCE = 0.1
 """On a half-duplex medium, and where nodes share a line: how long an answer can be on its way, beyond what its bytes
 need. It is the shortest time out there, too, and what each try of a node that does not answer costs the others."""
+FIRST_TRY = 0.1
+"""Seconds until a question of the handshake is asked again, doubled each time."""
+LONGEST_TRY = 1.0
+CHECKED_TRIES = 4
+"""How often the checked `Q` is asked before the plain answer is doubted."""
+DAMAGE_PAUSE = 0.002
+"""Seconds from a line that is no answer to the next question."""
+DAMAGE_PATIENCE = 16
+"""How many times as long as a line took that was no answer, the next answer is waited for."""
+SHORTEST_TRY = 0.002
+DAMAGE_COST = 1 / 16
+"""What part of a try a question counts that was answered by something else."""
+SURE = 3
+"""How often an impossible answer is heard before it is believed: a datagram that was damaged can come twice."""
 
 TABLE: dict[str, float] = {name: value for name, value in globals().items() if isinstance(value, int | float)}
 """All of them by name, for clients in other languages."""

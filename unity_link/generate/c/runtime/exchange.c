@@ -8,6 +8,7 @@ enum { MOST_READS = 16 };
 static const char SILENT[] = "the gateway does not answer any more";
 static const char LINE_GONE[] = "the connection was lost (its port, or its other side, is gone)";
 
+static bool fill(ul_link *link);
 static void receive_bytes(ul_link *link);
 static void take_sample(ul_link *link, text body);
 static size_t sample_size(const ul_link *link, text frame);
@@ -134,7 +135,9 @@ static void flush(ul_link *link)
             lose(link, SILENT);
         } else {
             link->transport.wait(link->transport.context, true, LONGEST_TIMEOUT);
-            receive_bytes(link);
+            /* Before the link is open, who asks looks for the answer. */
+            if (link->open) receive_bytes(link);
+            else fill(link);
         }
     }
     link->send_size = 0;

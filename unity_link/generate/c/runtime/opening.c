@@ -5,13 +5,12 @@
  * publishes nothing. That is another one each time, so that no answer of a session before is taken for one of this.
  */
 
-enum { PROTOCOL_VERSION = 2, LONGEST_ANSWER = 160, CHECKED_TRIES = 4, SURE = 3 };
+enum { PROTOCOL_VERSION = 2, LONGEST_ANSWER = 160 };
 enum { LONGEST_REST = 48 };     /* of a frame, beside its words */
-static const double FIRST_PATIENCE = 0.1, LONGEST_PATIENCE = 1.0;
 
 typedef struct opening {
     ul_link *link;
-    double until, asked;
+    double until, asked, patience;
     size_t heard;
     char answer[LONGEST_ANSWER];
     size_t size;
@@ -26,31 +25,61 @@ static bool is_answer(const opening *opens, text line, bool plain, const char *b
     return take_prefix(opens->link, answer) && starts_with(*answer, beginning) && answer->size <= LONGEST_ANSWER;
 }
 
-/* Ask until an answer comes, at most so many times; it is left in `answer`. */
-static bool ask(opening *opens, const char *question, bool plain, unsigned tries)
+/* Send a question, behind a line end for what an earlier program left unfinished; LF, for CR would execute it unchecked. */
+static void send_question(opening *opens, const char *question, bool plain)
 {
     ul_link *link = opens->link;
-    double patience = FIRST_PATIENCE;
-    for (; tries > 0 && now_of(link) < opens->until && !link->gone; tries--) {
-        /* A line end first, for what an earlier program left unfinished; LF, for CR would execute it unchecked. */
-        char *start = put_text(link->send, "\n"), *at = put_text(put_prefix(link, start), question);
-        at = plain ? put_text(at, "\r") : put_check(link, at, start);
-        link->send_size = (size_t)(at - link->send);
-        flush(link);
-        opens->asked = now_of(link);
-        double end = opens->asked + patience;
+    char *start = put_text(link->send, "\n"), *at = put_text(put_prefix(link, start), question);
+    at = plain ? put_text(at, "\r") : put_check(link, at, start);
+    link->send_size = (size_t)(at - link->send);
+    flush(link);
+    opens->asked = now_of(link);
+}
+
+/* Look for the answer in what has come. False where there is none; a line that is none may be one that was damaged. */
+static bool find_answer(opening *opens, const char *question, bool plain, bool *damaged)
+{
+    text line, answer;
+    while (next_line(opens->link, &line)) {
+        if (!is_answer(opens, line, plain, question, &answer)) {
+            *damaged = true;
+            continue;
+        }
+        memcpy(opens->answer, answer.at, answer.size);
+        opens->size = answer.size;
+        return true;
+    }
+    return false;
+}
+
+/* What has answered soon, be it damaged, will not take much longer for the next one. Where others share the medium, more
+ * may follow it, and the answer is waited for as long as any. */
+static bool shorten(opening *opens, double now, double *end)
+{
+    double patience = DAMAGE_PATIENCE * (now - opens->asked);
+    if (opens->link->node >= 0) return false;
+    opens->patience = patience < SHORTEST_TRY ? SHORTEST_TRY : patience < LONGEST_TRY ? patience : LONGEST_TRY;
+    *end = now + DAMAGE_PAUSE;
+    return true;
+}
+
+/* Ask until an answer comes, about so many times; it is left in `answer`. */
+static bool ask(opening *opens, const char *question, bool plain, double tries)
+{
+    ul_link *link = opens->link;
+    if (opens->patience > FIRST_TRY) opens->patience = FIRST_TRY;
+    while (tries > 0 && now_of(link) < opens->until && !link->gone) {
+        bool damaged = false, shortened = false;
+        send_question(opens, question, plain);
+        double end = opens->asked + opens->patience;
         for (double now; (now = now_of(link)) < end && !link->gone;) {
-            text line, answer;
-            while (next_line(link, &line)) {
-                if (!is_answer(opens, line, plain, question, &answer)) continue;
-                memcpy(opens->answer, answer.at, answer.size);
-                opens->size = answer.size;
-                return true;
-            }
+            if (find_answer(opens, question, plain, &damaged)) return true;
+            if (damaged && !shortened) shortened = shorten(opens, now, &end);
             link->transport.wait(link->transport.context, false, end - now);
             if (fill(link)) opens->heard += link->receive_size;
         }
-        patience = 2 * patience < LONGEST_PATIENCE ? 2 * patience : LONGEST_PATIENCE;
+        if (!shortened) opens->patience = 2 * opens->patience < LONGEST_TRY ? 2 * opens->patience : LONGEST_TRY;
+        tries -= shortened ? DAMAGE_COST : 1;
     }
     return false;
 }
@@ -142,7 +171,7 @@ static ul_status learn(opening *opens)
     ul_status status = UL_NO_CONNECTION;
     char kept[LONGEST_ANSWER];
     text plain = {kept, 0};
-    for (unsigned alike = 0; ask(opens, "Q", true, UINT32_MAX);) {
+    for (unsigned alike = 0; ask(opens, "Q", true, FOR_EVER);) {
         alike = is_last_answer(opens, plain) ? alike + 1 : 1;
         plain.size = opens->size;
         memcpy(kept, opens->answer, plain.size);
@@ -177,7 +206,7 @@ static ul_status start_session(opening *opens)
     uint32_t first = choose_first(link);
     *put_number(put_text(session, "K"), link->info.id_digits, first) = '\0';
     double began = now_of(link);
-    if (!ask(opens, session, false, UINT32_MAX))
+    if (!ask(opens, session, false, FOR_EVER))
         return fail(link, UL_NO_CONNECTION, "", "the gateway does not answer any more");
     double now = now_of(link), least = now - opens->asked;
     start_window(link, first, least / (double)(strlen(session) + frame_overhead(link)), now - began);
@@ -192,7 +221,7 @@ ul_status ul_open(ul_link *link, const ul_transport *transport, int node, double
     if (!(transport->shortest_timeout > 0)) link->transport.shortest_timeout = SHORTEST_TIMEOUT;
     link->node = node;
     link->posts = UL_BATCH;
-    opening opens = {.link = link, .until = now_of(link) + timeout};
+    opening opens = {.link = link, .until = now_of(link) + timeout, .patience = FIRST_TRY};
     ul_status status =
         node > 0xFE ? fail(link, UL_BAD_ARGUMENT, "node", "0 to 254 was expected") : learn(&opens);
     if (status == UL_OK) status = start_session(&opens);
