@@ -23,6 +23,8 @@ if TYPE_CHECKING:
 
 PAGES = GATEWARE.parent / "docs" / "reference" / "gateware"
 _PART = re.compile(r"(<!-- Written by `make datasheets`, (\w+)((?: \w+)*): begin -->\n).*?(<!-- end -->)", re.DOTALL)
+# A literal, or a name that no sentence has: with an underscore, or of a clock.
+_CODE = re.compile(r"""'[01]'|"\w+"|\b[a-z\d]+_[a-z\d_]+|\bclk(?:out)?\b""")
 _CONSTRAINTS = GATEWARE / "constraints"
 _WHOLE = {
     "Quartus": ["quartus/unity_link.sdc"],
@@ -65,9 +67,9 @@ def _generics(name: str, _: Sequence[str]) -> list[str]:
         (
             _stacked(f"`{generic.name}`" for generic in group.declarations),
             group.declarations[0].type,
-            group.range,
+            _marked(group.range),
             _stacked(f"`{generic.default}`" if generic.default else "" for generic in group.declarations),
-            group.meaning,
+            _marked(group.meaning),
         )
         for group in entity(name).generics
     ]
@@ -91,8 +93,13 @@ def _ports(name: str, _: Sequence[str]) -> list[str]:
 
 def _with_defaults(group: Group) -> str:
     """Return what ports mean, and what inputs are that are left open."""
-    defaults = {port.default for port in group.declarations if port.default}
-    return group.meaning + "".join(f" Left open: `{default}`." for default in sorted(defaults))
+    defaults = sorted({f"`{port.default}`" for port in group.declarations if port.default})
+    return _marked(group.meaning) + (f" Left open: {', '.join(defaults)}." if defaults else "")
+
+
+def _marked(text: str) -> str:
+    """Return a sentence with what is VHDL in it marked as code."""
+    return _CODE.sub(lambda found: f"`{found[0]}`", text)
 
 
 def _resources(_: str, configurations: Sequence[str]) -> list[str]:

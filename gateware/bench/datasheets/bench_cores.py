@@ -101,3 +101,26 @@ async def shift_chain(dut: SimHandleBase) -> None:
         await RisingEdge(dut.chain_load_n)
         await ClockCycles(dut.clk, 3)
     assert dut.from_chain.value == 0b111
+
+
+@cocotb.test(timeout_time=1, timeout_unit="ms")
+async def one_bit(dut: SimHandleBase) -> None:
+    """What docs/tutorials/board.md needs: a light at the end of a chain of one bit, which does not flicker."""
+
+    async def wire() -> None:
+        while True:
+            dut.chain_in.value = dut.chain_out.value
+            await dut.chain_out.value_change
+
+    dut.to_chain.value = 0
+    await start(dut.clk, dut.rst)
+    cocotb.start_soon(wire())
+    await RisingEdge(dut.chain_load_n)
+    await ClockCycles(dut.clk, 3)
+    with Picture("one_bit", before=20):
+        dut.to_chain.value = 1
+        await RisingEdge(dut.chain_out)
+        for _ in range(20):
+            await RisingEdge(dut.clk)
+            assert dut.chain_out.value == 1
+    assert dut.from_chain.value == 1

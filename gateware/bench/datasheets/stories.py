@@ -278,6 +278,18 @@ SIMULATIONS = (
         {"bits_out": 4, "bits_in": 3},
         (GATEWARE / "boards" / "shift_chain.vhd",),
     ),
+    Simulation(
+        "shift_chain",
+        "bench_cores",
+        {
+            "one_bit": Picture(
+                "One bit, and a wire from the end to the beginning: the output is the bit",
+                _rows("clk", "to_chain", "chain_load_n", "chain_clk", "chain_out", "chain_in", "from_chain"),
+            )
+        },
+        {"bits_out": 1, "bits_in": 1},
+        (GATEWARE / "boards" / "shift_chain.vhd",),
+    ),
 )
 
 
