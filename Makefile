@@ -26,7 +26,7 @@ PYTEST_ARGS ?=
 # Tests run in so many processes side by side; 0 for none beside pytest's own.
 PYTEST_PROCESSES ?= auto
 
-.PHONY: help venv demo test coverage campaign fuzz mutants lint format bench bench-peers bench-beside bench-noise bench-ros bench-live ros-packages table1 release docs lock upgrade clean
+.PHONY: help venv demo test coverage campaign fuzz mutants lint format bench bench-peers bench-beside bench-noise bench-ros bench-live ros-packages table1 release docs docs-images lock upgrade clean
 
 help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z0-9-]+:.*## / { printf "  make %-12s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
@@ -110,6 +110,11 @@ docs: $(ALL) ## the documentation as HTML, warnings are errors
 	@$(BIN)/sphinx-build --fail-on-warning --keep-going --quiet docs docs/_build/html
 	@$(BIN)/python -m unity_link.cli.manual > docs/_build/unity-link.1
 	@echo "docs/_build/html/index.html docs/_build/unity-link.1"
+
+# Names of docs/images, to make those alone.
+PICTURES ?=
+docs-images: $(ALL) ## the pictures of the documentation, from what they show; two minutes
+	@$(BIN)/python -m docs.images.make $(PICTURES)
 
 # Versions with hashes and nothing else: the files name neither a registry nor a machine.
 UV_LOCK := $(BIN)/uv pip compile pyproject.toml --universal --python-version 3.11 --generate-hashes \

@@ -13,6 +13,7 @@ from typer.core import TyperGroup
 from typer.main import get_group
 
 import unity_link
+from docs.images.make import PICTURES
 from unity_link.cli import app
 from unity_link.cli.families import FAMILIES
 
@@ -95,6 +96,23 @@ def test_every_file_says_at_its_top_why_it_is_there() -> None:
 def test_every_relative_link_of_the_documents_at_the_top_leads_to_a_file(document: str) -> None:
     links = re.findall(r"\]\(([^)#:]+)(?:#[^)]*)?\)", (ROOT / document).read_text(encoding="utf-8"))
     assert [link for link in links if not (ROOT / link).exists()] == []
+
+
+def test_the_first_page_leads_every_user_to_every_tutorial_and_guide() -> None:
+    guide, lists = (ROOT / "docs" / "index.md").read_text(encoding="utf-8").split("```{toctree}", 1)
+    led_to = set(re.findall(r"\]\(([^)#]+\.md)\)", guide))
+    pages = {path.relative_to(ROOT / "docs").as_posix() for path in (ROOT / "docs").glob("[th]*o*/*.md")}
+    assert len(pages) > 25
+    assert pages - led_to == set()
+    assert {page for page in pages if f"\n{page.removesuffix('.md')}\n" not in lists} == set()
+
+
+def test_every_picture_of_the_documents_is_shown_and_made_by_a_command() -> None:
+    pages = [ROOT / "README.md", *(ROOT / "docs").rglob("*.md")]
+    shown = {Path(name).name for page in pages for name in re.findall(r"\]\(([^)]+\.(?:png|svg))\)", page.read_text())}
+    made = {path.name for path in (ROOT / "docs" / "images").glob("*.*g")}
+    assert made <= shown
+    assert made - {"peers.png"} == set(PICTURES)
 
 
 def test_every_make_target_stands_in_the_help() -> None:

@@ -1,52 +1,183 @@
-"""Makes `demo.svg`, the picture of `unity-link demo` in the README: ``python docs/images/make.py``.
+"""Makes the pictures of the documents: ``make docs-images``, or ``python -m docs.images.make [NAME...]`` for some.
 
-It runs the demo without a terminal and draws it as it stands at a good moment.
+Each shows the real thing at a good moment: programs in a terminal, which is tmux, the live page in Chromium, and what
+the rover's tutorial plots. `peers.png` and those of docs/paper.md are made by what measures: `make bench-peers` and
+`make table1`.
 """
 
-import asyncio
+import contextlib
 import io
+import os
 import re
+import shlex
+import subprocess
+import sys
+import tempfile
+import time
+from collections.abc import Callable, Iterator
 from pathlib import Path
+from typing import Self
 
 from rich.console import Console
+from rich.text import Text
 
-import unity_link
-from unity_link.cli.demo import Demo
-from unity_link.cli.demo_view import render
+from docs.images.live import draw_live
+from docs.walkthrough import follow
 
-URL = "sim:scara"
-MOMENT = 6.6
-"""Seconds after the beginning of the motion."""
-WIDTH, HEIGHT = 110, 40
-
-
-async def draw() -> str:
-    """Run the demo and give the picture as SVG."""
-    console = Console(
-        record=True,
-        force_terminal=True,
-        color_system="truecolor",
-        width=WIDTH,
-        height=HEIGHT,
-        file=io.StringIO(),
-        legacy_windows=False,
-    )
-    async with unity_link.connect(URL) as link:
-        demo = Demo(URL, link, 10.0)
-        moment = asyncio.Event()
-        running = asyncio.create_task(demo.run(picture=lambda: moment.set() if demo.elapsed >= MOMENT else None))
-        await moment.wait()
-        console.print(render(demo, console.size))
-        running.cancel()
-        await asyncio.wait([running])
-    # A fixed name instead of one made of the content keeps the difference between two pictures small.
-    return console.export_svg(title="unity-link demo", unique_id="demo")
+HERE = Path(__file__).parent
+ROOT = HERE.parents[1]
+ROVER = "sim:examples/rover.ul?model=examples/rover.py:Rover"
+PATIENCE = 60.0
+"""Seconds after which what a picture waits for has not come."""
 
 
-def without_remote_fonts(svg: str) -> str:
-    """Take out the fonts that rich names on the network: a page must not fetch them, and the reader's own will do."""
-    return re.sub(r"\s*@font-face \{.*?\}", "", svg, flags=re.DOTALL)
+def demo(picture: Path) -> None:
+    """Draw `unity-link demo` in the middle of its motion."""
+    with Terminal(110, 40) as terminal:
+        terminal.enter("unity-link demo")
+        terminal.wait_for("rate_hz")
+        time.sleep(6.6)
+        picture.write_text(terminal.draw("unity-link demo"))
+
+
+def doctor(picture: Path) -> None:
+    """Draw `unity-link doctor` on a line that damages bytes."""
+    with Terminal(110, 40) as terminal:
+        terminal.enter('unity-link doctor "sim:?flip=0.001"')
+        terminal.wait_for(r"throughput[^$]*\n\$$")
+        picture.write_text(terminal.draw("unity-link doctor"))
+
+
+def watch(picture: Path) -> None:
+    """Draw `unity-link watch` of a rover that is being driven."""
+    url = "unix:rover"
+    with Terminal(90, 14) as terminal, _beside("serve", ROVER, "--unix", f"{terminal.folder}/rover"):
+        terminal.enter(f"cd {terminal.folder}; clear")
+        terminal.wait_for(r"\A\$$")
+        terminal.enter(f"unity-link watch {url} {ROOT}/examples/rover.ul left.speed left.position right.speed")
+        terminal.wait_for("right.speed.* 0")
+        for left, right in ((0.5, 0.5), (0.9, 0.2), (-0.3, 0.6)):
+            _run(
+                "set", f"unix:{terminal.folder}/rover", "examples/rover.ul", f"left.duty={left}", f"right.duty={right}"
+            )
+            time.sleep(1)
+        picture.write_text(terminal.draw("unity-link watch"))
+
+
+def rover(picture: Path) -> None:
+    """Take the plot that the tutorial makes."""
+    with tempfile.TemporaryDirectory() as folder:
+        follow(ROOT / "docs" / "tutorials" / "rover.md", Path(folder))
+        picture.write_bytes(Path(folder, "run.png").read_bytes())
+
+
+PICTURES: dict[str, Callable[[Path], None]] = {
+    "demo.svg": demo,
+    "doctor.svg": doctor,
+    "watch.svg": watch,
+    "rover.png": rover,
+    "live.png": draw_live,
+    "live-phone.png": lambda picture: draw_live(picture, on_phone=True),
+}
+
+
+class Terminal:
+    """A shell in a terminal of tmux.
+
+    Args:
+        width: columns.
+        height: rows.
+    """
+
+    def __init__(self, width: int, height: int) -> None:
+        self._width, self._height = width, height
+        self._scratch = tempfile.TemporaryDirectory()
+        self.folder = Path(self._scratch.name)
+        """What is there goes when it is closed."""
+
+    def __enter__(self) -> Self:
+        """Open it."""
+        size = ("-x", str(self._width), "-y", str(self._height))
+        self._tmux("-f", os.devnull, "new-session", "-d", *size, "-c", str(ROOT), "sh")
+        self.enter("PS1='$ '; clear")
+        self.wait_for(r"\A\$$")
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        """Close it."""
+        self._tmux("kill-server")
+        self._scratch.cleanup()
+
+    def enter(self, line: str) -> None:
+        """Type a line."""
+        self._tmux("send-keys", "-l", line)
+        self._tmux("send-keys", "Enter")
+
+    def wait_for(self, pattern: str) -> None:
+        """Wait until a pattern is on the screen.
+
+        Raises:
+            TimeoutError: it does not come.
+        """
+        end = time.monotonic() + PATIENCE
+        while not re.search(pattern, self._tmux("capture-pane", "-p").rstrip()):
+            if time.monotonic() > end:
+                raise TimeoutError(f"{pattern} does not come, this stays:\n{self._tmux('capture-pane', '-p')}")
+            time.sleep(0.05)
+
+    def draw(self, title: str) -> str:
+        """Return what is on the screen as SVG, without lines at the end that are empty or wait for a command."""
+        screen = re.sub(r"(\n\$ ?)?\s*\Z", "", self._tmux("capture-pane", "-p", "-e"))
+        console = Console(
+            record=True,
+            force_terminal=True,
+            color_system="truecolor",
+            width=self._width,
+            file=io.StringIO(),
+            legacy_windows=False,
+        )
+        console.print(Text.from_ansi(screen))
+        # A fixed name instead of one made of the content keeps the difference between two pictures small.
+        svg = console.export_svg(title=title, unique_id=title.rpartition(" ")[2])
+        # A page must not fetch the fonts that rich names on the network, and the reader's own will do.
+        return re.sub(r"\s*@font-face \{.*?\}", "", svg, flags=re.DOTALL) + "\n"
+
+    def _tmux(self, *arguments: str) -> str:
+        command = ["tmux", "-u", "-S", str(self.folder / "tmux"), *arguments]
+        return subprocess.run(command, env=_environment(), capture_output=True, text=True, check=True).stdout  # noqa: S603
+
+
+def _environment() -> dict[str, str]:
+    own = {name: value for name, value in os.environ.items() if name not in {"TMUX", "COLUMNS", "LINES"}}
+    path = os.pathsep.join([str(Path(sys.executable).parent), os.environ["PATH"]])
+    return own | {"PATH": path, "LC_ALL": "C.UTF-8", "COLORTERM": "truecolor"}
+
+
+def _run(*arguments: str) -> None:
+    command = ["unity-link", *arguments]
+    subprocess.run(command, cwd=ROOT, env=_environment(), check=True, stdout=subprocess.DEVNULL)  # noqa: S603
+
+
+@contextlib.contextmanager
+def _beside(*arguments: str) -> Iterator[None]:
+    command = ["unity-link", *arguments]
+    with subprocess.Popen(command, cwd=ROOT, env=_environment(), stdout=subprocess.PIPE) as process:  # noqa: S603
+        try:
+            assert process.stdout is not None
+            process.stdout.readline()
+            yield
+        finally:
+            process.terminate()
+
+
+def main(names: list[str]) -> None:
+    """Make pictures."""
+    for name in names or PICTURES:
+        if name not in PICTURES:
+            sys.exit(f"error: there is no picture {shlex.quote(name)}: those are {', '.join(PICTURES)}")
+        PICTURES[name](HERE / name)
+        print(HERE / name)  # noqa: T201  (a command)
 
 
 if __name__ == "__main__":
-    Path(__file__).with_name("demo.svg").write_text(without_remote_fonts(asyncio.run(draw())) + "\n")
+    main(sys.argv[1:])

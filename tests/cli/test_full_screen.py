@@ -5,6 +5,7 @@ from __future__ import annotations
 import functools
 import re
 from contextlib import contextmanager
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 import pytest
@@ -19,7 +20,6 @@ from unity_link.virtual.serving import serve_unix
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
-    from pathlib import Path
 
     from anyio.from_thread import BlockingPortal
 
@@ -147,6 +147,15 @@ def test_watch_shows_values_as_they_change_through_resizes(terminal: Window, tmp
         terminal.wait_for("^ 0x12 +0 ", r"\b0 lost\b", "[⠁-⣿]")
         terminal.press("C-c")
         assert re.search(r"^\d+ samples in .* 0 lost$", assert_restored(terminal, 130), re.MULTILINE)
+
+
+def test_watch_shows_names_of_any_lengths_and_their_plots_whole(terminal: Window) -> None:
+    rover = Path(__file__).parents[2] / "examples" / "rover.ul"
+    terminal.enter(f"unity-link watch sim:{rover} {rover} lamps left.position; echo code $?")
+    screen = terminal.wait_for(r"^ lamps +0 +0 +0$", r"^ left.position +0 +0 +0$", "0 lost")
+    assert "…" not in screen
+    terminal.press("q")
+    assert_restored(terminal, 0)
 
 
 def test_watch_counts_the_addresses_that_a_small_window_has_no_room_for(terminal: Window) -> None:

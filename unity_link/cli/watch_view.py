@@ -99,7 +99,7 @@ class WatchView:
         height = 2 if 2 * shown <= size.height - frame else 1
         texts = [[self._watched.text(n) for n in (t.newest, t.lowest, t.highest)] for t in self._traces[:shown]]
         widths = [
-            max(len(self._watched.heading), len(self._names[0])),
+            max(map(len, (self._watched.heading, *self._names[:shown]))),
             *(max(5, *map(len, column)) for column in zip(*texts, strict=True)),
         ]
         # The value itself is what is shown where there is no room for all.
