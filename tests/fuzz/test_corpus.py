@@ -36,6 +36,7 @@ def test_any_bytes_are_taken(name: str, data: bytes) -> None:
     TARGETS[name](data)
 
 
+@pytest.mark.slow
 @needs_c
 @needs_cxx
 @pytest.mark.parametrize("name", PROGRAMS)

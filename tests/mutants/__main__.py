@@ -11,6 +11,7 @@ import hashlib
 import os
 import sys
 import time
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import msgspec
@@ -39,19 +40,27 @@ def main() -> int:
     kept = folder / f"results-{_hash(ROOM)}-{options.seed}.json"
     results = msgspec.json.decode(kept.read_bytes(), type=dict[str, Result]) if kept.exists() else {}
     chosen = choose(options.count, options.seed)
+    todo = [mutant for mutant in chosen if _is_open(results.get(mutant.name), again=options.again)]
     until = time.monotonic() + 60 * options.minutes
-    for mutant in chosen:
-        known = results.get(mutant.name)
-        if known is not None and not (options.again and known.status == SURVIVED):
-            continue
+
+    def tried(mutant: Mutant) -> Result | None:
         if time.monotonic() > until:
-            break
+            return None
         began = time.monotonic()
-        status, by = verdict(mutant, tests_for(mutant, seconds, reached))
-        results[mutant.name] = Result(status, by, mutant.difference(), round(time.monotonic() - began, 1))
-        kept.write_bytes(msgspec.json.format(msgspec.json.encode(results)))
-        _say(f"{status:8} {mutant.name} {by}")
+        status, by = verdict(mutant, tests_for(mutant, seconds, reached, options.search))
+        return Result(status, by, mutant.difference(), round(time.monotonic() - began, 1))
+
+    with ThreadPoolExecutor(options.processes) as pool:
+        for mutant, result in zip(todo, pool.map(tried, todo), strict=True):
+            if result is not None:
+                results[mutant.name] = result
+                kept.write_bytes(msgspec.json.format(msgspec.json.encode(results)))
+                _say(f"{result.status:8} {mutant.name} {result.by}")
     return _report([(mutant, results[mutant.name]) for mutant in chosen if mutant.name in results], len(chosen))
+
+
+def _is_open(known: Result | None, *, again: bool) -> bool:
+    return known is None or (again and known.status == SURVIVED)
 
 
 def _options() -> argparse.Namespace:
@@ -60,6 +69,8 @@ def _options() -> argparse.Namespace:
     parser.add_argument("--seed", type=int, default=0, help="which ones (0)")
     parser.add_argument("--minutes", type=float, default=float("inf"), help="stop after so long, to go on later")
     parser.add_argument("--again", action="store_true", help="try those again that survived")
+    parser.add_argument("--search", type=float, default=60, help="seconds of tests, as measured, for a mutant (60)")
+    parser.add_argument("--processes", type=int, default=1, help="mutants tried side by side (1)")
     parser.add_argument("--folder", default=".cache/mutants", help="where results stand (.cache/mutants)")
     return parser.parse_args()
 

@@ -1,4 +1,4 @@
-"""Which wrongs are put into the protocol room: places drawn by chance, and at each of them one operator of Cosmic Ray."""
+"""Which wrongs are put into the protocol room: places drawn by chance, at each of them an operator of Cosmic Ray."""
 
 from __future__ import annotations
 
@@ -79,7 +79,7 @@ def _mutants_of(path: Path) -> Iterator[tuple[Position, Position, Mutant]]:
 
 
 def _tells_nothing(name: str) -> bool:
-    """Whether an operator needs arguments, or asks for identity where equal is meant: of small numbers it is the same."""
+    """Whether an operator needs arguments, or asks for identity in place of equality: the same of small numbers."""
     before, _, after = name.removeprefix("core/ReplaceComparisonOperator_").partition("_")
     return bool(get_operator(name).arguments()) or (after.startswith("Is") and not before.startswith("Is"))
 

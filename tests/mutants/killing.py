@@ -21,16 +21,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 import coverage
-import numpy as np  # noqa: F401  (what the tests import is there already, in each process that is forked)
 import pytest
-import pytest_asyncio  # noqa: F401
-import sybil.parsers.myst  # noqa: F401
-import trio  # noqa: F401
-import usb.core  # noqa: F401
-import xdist.remote
-import xdist.scheduler  # noqa: F401
 from hypothesis import Phase, settings
-from hypothesis import strategies as st  # noqa: F401
 
 from mutants.choosing import ROOM, ROOT, Mutant
 
@@ -38,6 +30,16 @@ if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
     from types import ModuleType
 
+LIBRARIES = [
+    "hypothesis.strategies",
+    "numpy",
+    "pytest_asyncio",
+    "sybil.parsers.myst",
+    "trio",
+    "usb.core",
+    "xdist.scheduler",
+]
+"""What the tests import, and each process that is forked has already."""
 TESTS = [
     "tests/protocol",
     "tests/test_protocol_document.py",
@@ -61,14 +63,22 @@ MOST_EXAMPLES = 25
 """Examples that hypothesis tries in each."""
 FIRST = 25
 """So many tests are run before all others are looked at."""
-LONGEST_SEARCH = 90.0
-"""Seconds that the tests of one mutant have together, as they were measured."""
-PATIENCE = 240
+PATIENCE = 120
 """Seconds after which a mutant hangs."""
 MOST_WORK = 30
 """Seconds of a processor, the same."""
 MOST_MEMORY = 4 << 30
-QUIETLY = ["-q", "-x", "-p", "no:cacheprovider", "-p", "no:xdist", "--assert=plain", "--hypothesis-seed=0"]
+QUIETLY = [
+    "--timeout=15",
+    "-q",
+    "-x",
+    "-p",
+    "no:cacheprovider",
+    "-p",
+    "no:xdist",
+    "--assert=plain",
+    "--hypothesis-seed=0",
+]
 SURVIVED, KILLED = "survived", "killed"
 Timed = dict[str, float]
 Reached = dict[str, dict[int, list[str]]]
@@ -106,6 +116,8 @@ class _Observer(_Steady):
 
 def observe(kept: Path) -> tuple[Timed, Reached]:
     """Return how long each test takes, and which reach each line; that is kept in a file, and taken from there."""
+    for library in LIBRARIES:
+        importlib.import_module(library)
     if not kept.exists():
         kept.parent.mkdir(parents=True, exist_ok=True)
         process = os.fork()
@@ -123,7 +135,8 @@ def _observe_here(kept: Path) -> None:
     observer = _Observer(measured)
     there = [test for test in TESTS if (ROOT / test).exists()]
     code = pytest.main(
-        [*QUIETLY, "-m", "not slow and not campaign and not rtl", "-k", ONE_FACE, *there], plugins=[observer]
+        [*QUIETLY, "--timeout=0", "-m", "not slow and not campaign and not rtl", "-k", ONE_FACE, *there],
+        plugins=[observer],
     )
     measured.stop()
     if code == pytest.ExitCode.OK:
@@ -133,13 +146,20 @@ def _observe_here(kept: Path) -> None:
     os._exit(int(code))
 
 
-def tests_for(mutant: Mutant, seconds: Timed, reached: Reached) -> list[str]:
-    """Return the tests that reach a mutant, the quickest first; all tests, where it is run by the import alone."""
+def tests_for(mutant: Mutant, seconds: Timed, reached: Reached, search: float) -> list[str]:
+    """Return the tests that reach a mutant, the quickest first; any tests, where it is run by the import alone.
+
+    Args:
+        mutant: the mutant.
+        seconds: how long each test takes.
+        reached: which tests reach each line.
+        search: how long all of them may take together.
+    """
     lines = reached.get(mutant.module, {})
     found = {test for line in range(mutant.line, mutant.last_line + 1) for test in lines.get(line, []) if test}
     quick = sorted((seconds[test], test) for test in found or seconds if seconds.get(test, LONGEST_TEST) < LONGEST_TEST)
     until = accumulate(taken for taken, _ in quick)
-    return [test for (_, test), all_taken in zip(quick, until, strict=True) if all_taken < LONGEST_SEARCH]
+    return [test for (_, test), all_taken in zip(quick, until, strict=True) if all_taken < search]
 
 
 def verdict(mutant: Mutant, tests: Sequence[str]) -> tuple[str, str]:

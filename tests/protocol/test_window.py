@@ -427,6 +427,22 @@ def test_what_was_sent_before_a_repetition_that_a_reset_gateway_refuses_may_have
     assert never_executed(window, 2) == "cde"
 
 
+def test_what_a_reset_gateway_refuses_before_the_ring_begins_anew_is_told_from_what_was_sent_behind_it() -> None:
+    window: Window[Named] = Window(RING, first=RING - 2)
+    sent(window, *"abc")
+    window.answered(RING - 1, 1, now=0.001)
+    assert repeated(window) == f"a@{RING - 2}"
+    sent(window, *"de")
+    assert never_executed(window, RING - 2) == "de"
+
+
+def test_the_longest_answer_counts_the_bytes_under_way_and_those_of_the_answer_to_the_oldest() -> None:
+    window: Window[Named] = Window(RING, byte_time=0.001)
+    idle = window.longest_answer
+    sent(window, "a")
+    assert window.longest_answer == pytest.approx(idle + 0.001 * (SIZE + REPLY))
+
+
 # Runs of many
 
 
