@@ -15,6 +15,8 @@ PEERS_VENV := $(VENV)/peers
 PEERS := $(PEERS_VENV)/.installed
 FUZZ_VENV := $(VENV)/fuzz
 FUZZ := $(FUZZ_VENV)/.installed
+MUTANTS_VENV := $(VENV)/mutants
+MUTANTS := $(MUTANTS_VENV)/.installed
 PIP_INSTALL := -m pip install --quiet --disable-pip-version-check
 
 # Python to build .venv with: any from 3.11. Choose another by `make venv PYTHON=...`.
@@ -24,7 +26,7 @@ PYTEST_ARGS ?=
 # Tests run in so many processes side by side; 0 for none beside pytest's own.
 PYTEST_PROCESSES ?= auto
 
-.PHONY: help venv demo test coverage campaign fuzz lint format bench bench-peers bench-beside bench-noise bench-ros bench-live ros-packages table1 release docs docs-images lock upgrade clean
+.PHONY: help venv demo test coverage campaign fuzz mutants lint format bench bench-peers bench-beside bench-noise bench-ros bench-live ros-packages table1 release docs docs-images lock upgrade clean
 
 help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z0-9-]+:.*## / { printf "  make %-12s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
@@ -50,13 +52,18 @@ campaign: $(ALL) ## the searches at length, which `make test` leaves out
 
 # Seconds for each target.
 FUZZ_SECONDS ?= 600
-FUZZ_TARGETS ?= configuration frames gateway page recording session snooped spec
-fuzz: $(FUZZ) ## search for bytes that something cannot take, ten minutes each
+FUZZ_TARGETS ?= client_c client_cpp configuration frames gateway page recording serve session snooped spec
+fuzz: $(FUZZ) ## search for bytes that something cannot take, ten minutes each; clients in C and C++ need clang
 	@cd tests && for target in $(FUZZ_TARGETS); do \
 		echo "$$target for $(FUZZ_SECONDS) s"; \
 		../$(FUZZ_VENV)/bin/python -m fuzz $$target $(FUZZ_SECONDS) 2>../$(FUZZ_VENV)/log || { tail -40 ../$(FUZZ_VENV)/log; exit 1; }; \
 		grep '^stat::number_of_executed_units' ../$(FUZZ_VENV)/log; \
 	done
+
+# More options for it, as in `make mutants MUTANTS_ARGS="--minutes 30"`; the next run goes on where one has ended.
+MUTANTS_ARGS ?=
+mutants: $(MUTANTS) ## put 500 wrongs into the protocol, and count those that no test finds; about an hour
+	@cd tests && OPENBLAS_NUM_THREADS=1 ../$(MUTANTS_VENV)/bin/python -m mutants $(MUTANTS_ARGS)
 
 lint: $(ALL) ## formatting, ruff, types, direction of the imports
 	@$(BIN)/ruff format --check .
@@ -120,6 +127,8 @@ lock: $(ALL) ## lock what pyproject.toml asks for, keeping the versions that are
 		--group build --group peers -o requirements/peers.lock
 	$(UV_LOCK) $(UPGRADE) --constraints requirements/all.lock --extra live --extra record \
 		--group build --group fuzz -o requirements/fuzz.lock
+	$(UV_LOCK) $(UPGRADE) --constraints requirements/all.lock --extra ftdi --extra trio --extra usb \
+		--group build --group mutants -o requirements/mutants.lock
 
 upgrade: UPGRADE := --upgrade
 upgrade: lock ## lock the newest versions
@@ -162,6 +171,11 @@ $(PEERS): requirements/peers.lock pyproject.toml | $(BIN)/python
 $(FUZZ): requirements/fuzz.lock pyproject.toml | $(BIN)/python
 	@$(BIN)/python -m venv $(FUZZ_VENV)
 	$(call install,requirements/fuzz.lock,$(FUZZ_VENV))
+	@touch $@
+
+$(MUTANTS): requirements/mutants.lock pyproject.toml | $(BIN)/python
+	@$(BIN)/python -m venv $(MUTANTS_VENV)
+	$(call install,requirements/mutants.lock,$(MUTANTS_VENV))
 	@touch $@
 
 # The gateware's targets; it also adds its own checks to `lint` and `test`.

@@ -1,6 +1,6 @@
 # Targets of the gateware; the Makefile above includes this file and brings VENV, BIN and ALL.
 
-.PHONY: rtl synth test-rtl lint-vhdl formal verilog lists
+.PHONY: rtl synth synth-quick test-rtl lint-vhdl formal verilog lists datasheets
 
 rtl: $(ALL) ## the gateware as C++ into unity_link/virtual/rtl/generated, from VHDL
 	@$(BIN)/python -m gateware.tools.model
@@ -8,11 +8,17 @@ rtl: $(ALL) ## the gateware as C++ into unity_link/virtual/rtl/generated, from V
 lists: $(ALL) ## file list, FuseSoC core and import scripts, after a change of files in gateware/rtl
 	@$(BIN)/python -m gateware.tools.lists
 
+datasheets: $(ALL) ## tables and pictures of docs/reference/gateware, after a change of an entity, its timing or its size
+	@$(BIN)/python -m gateware.tools.datasheets
+
 verilog: $(ALL) ## the gateway as Verilog-2005 into build/verilog, one file for each configuration
 	@$(BIN)/python -m gateware.tools.verilog
 
 synth: $(ALL) ## logic cells, RAM and Fmax into gateware/RESULTS.md, checked against gateware/budget.toml
 	@$(BIN)/python -m gateware.tools.synth
+
+synth-quick: $(ALL) ## each top and each board through Yosys, not placed: what a CI has the time for
+	@$(BIN)/python -m gateware.tools.synth_quick
 
 test-rtl: $(ALL) ## the benches of the gateware, in GHDL
 	@$(BIN)/python -m pytest gateware/bench $(PYTEST_ARGS)

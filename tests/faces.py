@@ -34,8 +34,6 @@ EMPTY = {
     ("blocking", "test_only_one_task_reads_a_subscription"): "threads call in no order",
     ("blocking", "test_a_reader_that_was_cancelled_loses_no_sample"): "a call in a thread is not cancelled",
     ("blocking", "test_posted_writes_are_confirmed_without_a_fence"): "between two calls nothing runs",
-    ("blocking", "test_a_callback_that_raises_is_reported_and_stops_nothing"): "it is logged: tests/test_blocking.py",
-    ("trio", "test_a_callback_that_raises_is_reported_and_stops_nothing"): "it is logged: tests/test_trio.py",
 }
 """What a face does not promise, and why."""
 _connect = unity_link.connect

@@ -407,20 +407,6 @@ def test_a_link_that_its_own_callback_forgets_is_closed(served: tuple[VirtualGat
     assert threads_of_links() == []
 
 
-def test_a_callback_that_raises_is_logged_and_stops_nothing(
-    served: tuple[VirtualGateway, str], caplog: pytest.LogCaptureFixture
-) -> None:
-    def fail(_: object) -> None:
-        raise ZeroDivisionError
-
-    with blocking.connect(served[1]) as link:
-        with link.subscribe(0x10, callback=fail) as samples:
-            samples.publish()
-        assert link.read(0) == 0
-    (told,) = [record.message for record in caplog.records if record.exc_info]
-    assert told == "a subscription's callback raised ZeroDivisionError (told once)"
-
-
 def test_the_next_call_opens_a_lost_connection_again(tmp_path: Path) -> None:
     gateway = VirtualGateway()
     with start_blocking_portal() as portal:

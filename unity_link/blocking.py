@@ -27,7 +27,7 @@ from collections import deque
 from contextlib import suppress
 from typing import TYPE_CHECKING, Any, Self, TypeVar
 
-from unity_link.errors import LinkClosedError, Outcome, missing, refusing
+from unity_link.errors import LinkClosedError, Outcome, Sealed, missing, refusing
 from unity_link.link import link as asynchronous
 from unity_link.link.calling_thread import CallingThread
 
@@ -91,7 +91,7 @@ async def _close(runtime: CallingThread, link: asynchronous.Link, patience: floa
         await link.aclose()
 
 
-class BlockingLink:
+class BlockingLink(Sealed):
     """A connection to one gateway; made by `connect`. `unity_link.Link` documents the methods of the same names.
 
     A link that is not closed is closed where nothing refers to it any more, and at the end of the program.
@@ -108,6 +108,9 @@ class BlockingLink:
                 "a blocking link",
                 aclose="it is closed where its `with` block ends, or by `close`",
             )
+
+    def _called(self) -> str:
+        return "a blocking link"
 
     def __init__(self, target: str | Medium, *, timeout: float, reconnect: bool | Reconnect) -> None:
         self._runtime = CallingThread()
@@ -149,6 +152,12 @@ class BlockingLink:
     def __repr__(self) -> str:
         """Return where it leads, and whether there is a connection now."""
         return f"<blocking {repr(self._link)[1:]}"
+
+    def _repr_html_(self) -> str:
+        """Return the same, what the gateway is, and the statistics, as a table."""
+        from unity_link.link import html
+
+        return html.link_table(self)
 
     @property
     def gateway(self) -> GatewayInfo:
@@ -222,7 +231,7 @@ class BlockingLink:
         return BlockingSubscription(self._link.subscribe(addresses, **options), self._call)
 
 
-class BlockingSubscription:
+class BlockingSubscription(Sealed):
     """A stream of samples; made by `BlockingLink.subscribe`, to be used in a ``with`` block and iterated over."""
 
     if not TYPE_CHECKING:  # A type checker refuses them by itself.
@@ -233,6 +242,9 @@ class BlockingSubscription:
         self._subscription = subscription
         self._call = call
         self._samples: deque[Sample] = deque()
+
+    def _called(self) -> str:
+        return "a subscription"
 
     def __repr__(self) -> str:
         """Return what is sampled, and what has come of it."""

@@ -9,10 +9,13 @@ from __future__ import annotations
 
 import contextlib
 import enum
-from typing import TYPE_CHECKING, Never, Self
+from typing import TYPE_CHECKING, Any, Never, Self, TypeVar
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Iterator
+
+
+T = TypeVar("T")
 
 
 class UnityLinkError(Exception):
@@ -138,7 +141,8 @@ def first_error() -> Iterator[None]:
     try:
         yield
     except BaseExceptionGroup as group:
-        raise group.exceptions[0] from None
+        first = group.exceptions[0]
+        raise first from first.__cause__
 
 
 def did_you_mean(name: object, known: Iterable[str]) -> str:
@@ -171,3 +175,60 @@ def missing(thing: object, name: str, what: str, **instead: str) -> AttributeErr
     """
     hint = instead.get(name, "") or did_you_mean(name, [known for known in dir(thing) if not known.startswith("_")])
     return AttributeError(f"{what} has no {name!r}" + (f": {hint}" if hint else ""), name=name, obj=thing)
+
+
+def missing_attribute(what: str) -> Callable[[object, str], Never]:
+    """Return a `__getattr__` that tells of names that there are not."""
+
+    def refuse(thing: object, name: str) -> Never:
+        raise AttributeError(name) if name.startswith("_") else missing(thing, name, what)
+
+    return refuse
+
+
+def unassignable_attribute(what: str) -> Callable[[object, str, object], Never]:
+    """Return a `__setattr__` that refuses each assignment."""
+
+    def refuse(thing: object, name: str, _: object) -> Never:
+        raise unassignable(thing, name, what)
+
+    return refuse
+
+
+def unassignable(thing: object, name: str, what: str) -> ArgumentError:
+    """Return the error for an assignment to an attribute: one that is not for programs to set, or that there is not."""
+    if name in dir(thing):
+        return ArgumentError(f"{name!r} of {what} cannot be assigned to")
+    return ArgumentError(str(missing(thing, name, what)))
+
+
+class _Sealing(type):
+    """Makes objects, and seals each when it is made."""
+
+    def __call__(cls: type[T], *arguments: Any, **options: Any) -> T:
+        made: T = cls.__new__(cls, *arguments, **options)
+        seal = object.__setattr__
+        seal(made, "_is_sealed", False)  # noqa: FBT003  (it has no name)
+        made.__init__(*arguments, **options)  # type: ignore[misc]  # that of its class
+        seal(made, "_is_sealed", True)  # noqa: FBT003
+        return made
+
+
+class Sealed(metaclass=_Sealing):
+    """Something whose attributes a program does not set, once it is made: that would hide them, and do nothing else."""
+
+    __slots__ = ("_is_sealed",)
+
+    if not TYPE_CHECKING:  # A type checker refuses them by itself.
+
+        def __setattr__(self, name: str, value: object) -> None:
+            if self._is_sealed and not name.startswith("_"):
+                raise unassignable(self, name, self._called())
+            object.__setattr__(self, name, value)
+
+        def __getattr__(self, name: str) -> Any:
+            raise AttributeError(name) if name.startswith("_") else missing(self, name, self._called())
+
+    def _called(self) -> str:
+        """Return what messages call it."""
+        return repr(self)[1:-1]

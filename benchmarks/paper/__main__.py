@@ -38,7 +38,7 @@ def paper(
 ) -> None:
     """Run the paper's experiment on the virtual FT232H, and show its figures beside the paper's.
 
-    Exits with 1 where one is not what it must be, unless the run was quick.
+    Exits with 1 where one that is the same in every run is not what it must be, unless the run was quick.
     """
     from benchmarks.paper import run_experiment
     from benchmarks.paper.tables import to_markdown
@@ -58,7 +58,7 @@ def paper(
         print_line(to_markdown(results))
     if output is not None:
         _write(results, output)
-    if not quick and not all(check.met for check in results.checks):
+    if not quick and not all(check.met or check.measured for check in results.checks):
         raise typer.Exit(_FAILED)
 
 
@@ -92,7 +92,7 @@ def _show(results: Results) -> None:
     _table("Other media, modelled", 1, head, tables.media_rows(results.media))
     head = ("the 18-DOF walker, in lines", "here", "paper", "its other solution")
     _table("Complexity", 1, head, tables.line_rows(results.lines))
-    _table("What must hold", 4, ("what", "found", "wanted", "met"), tables.check_rows(results.checks))
+    _table("What must hold", 5, ("what", "known", "found", "wanted", "met"), tables.check_rows(results.checks))
 
 
 def _table(title: str, names: int, head: tuple[str, ...], rows: Iterable[tuple[str, ...]]) -> None:
@@ -109,4 +109,4 @@ def _table(title: str, names: int, head: tuple[str, ...], rows: Iterable[tuple[s
 
 
 if __name__ == "__main__":
-    main(app)
+    main(app, "python -m benchmarks.paper")

@@ -265,6 +265,8 @@ class Check(msgspec.Struct, frozen=True, kw_only=True):
     found: str
     wanted: str
     met: bool
+    measured: bool
+    """Whether this machine's processor time is in it, so that another run can find another."""
 
 
 class Parameters(msgspec.Struct, frozen=True, kw_only=True):

@@ -221,9 +221,11 @@ def line_rows(lines: Lines) -> Iterator[Row]:
 
 
 def check_rows(checks: Iterable[Check]) -> Iterator[Row]:
-    """Return what, found, wanted, and whether it is met."""
+    """Return what, how it was found, the figure, what is wanted, and whether it is met."""
     for check in checks:
-        yield check.what, check.found, check.wanted, "yes" if check.met else "NO"
+        missed = "not on this machine" if check.measured else "NO"
+        how = "measured" if check.measured else "in every run"
+        yield check.what, how, check.found, check.wanted, "yes" if check.met else missed
 
 
 def _head(results: Results) -> str:
@@ -408,7 +410,7 @@ def _not_without_a_board() -> str:
 
 
 def _checks(results: Results) -> str:
-    return "## What must hold\n\n" + table(("what", "found", "wanted", "met"), check_rows(results.checks))
+    return "## What must hold\n\n" + table(("what", "known", "found", "wanted", "met"), check_rows(results.checks))
 
 
 def _parameters(results: Results) -> str:

@@ -52,7 +52,7 @@ def rtl_sources() -> list[Path]:
     return sorted((GATEWARE / "rtl").rglob("*.vhd"))
 
 
-def run_bench(
+def run_bench(  # noqa: PLR0913 - each says one thing of the run, by its name
     toplevel: str,
     module: str,
     *,
@@ -62,6 +62,7 @@ def run_bench(
     seed: int | None = None,
     extra_env: Mapping[str, str] | None = None,
     warnings_allowed: bool = False,
+    waves: Path | None = None,
 ) -> None:
     """Run the cocotb tests of one module on one entity.
 
@@ -75,6 +76,7 @@ def run_bench(
             COCOTB_RANDOM_SEED overrides it.
         extra_env: further environment variables that the bench reads.
         warnings_allowed: do not fail on the simulator's warnings; say why where you set it.
+        waves: a file for the waveform (VCD) of all signals.
 
     Raises:
         BenchError: if a test fails, none ran, the sources do not analyse, or the simulator warned.
@@ -105,7 +107,7 @@ def run_bench(
             testcase=testcase,
             seed=os.environ.get("COCOTB_RANDOM_SEED", seed if seed is not None else 1),
             test_args=[_STD, f"--workdir={build_dir}", f"-P{build_dir}"],
-            plusargs=["--ieee-asserts=disable-at-0"],
+            plusargs=["--ieee-asserts=disable-at-0", *([f"--vcd={waves}"] if waves else [])],
             parameters={name: _as_vhdl(value) for name, value in (generics or {}).items()},
             extra_env={**_INSIDE, **(extra_env or {})},
             timescale=("1ns", "1ps"),

@@ -13,10 +13,12 @@ library unity_link;
 
 entity board_reset is
   port (
+    -- Rising edges count.
     clk : in    std_logic;
-    -- From a pin, any timing; leave it open if there is none.
+    -- '1': reset; from a pin. Leave it open if there is none. Clock: none.
     button : in    std_logic := '0';
-    rst    : out   std_logic
+    -- For 16 cycles after the configuration, and while the button is held.
+    rst : out   std_logic
   );
 end entity board_reset;
 

@@ -14,20 +14,31 @@ library ieee;
 
 entity shift_chain is
   generic (
+    -- At least 1: bits that go out.
     bits_out : positive;
-    bits_in  : positive;
-    -- Cycles of clk, 2 or more: a bit that comes in is sampled one cycle before it counts.
+    -- At least 1: bits that come in.
+    bits_in : positive;
+    -- At least 2: cycles of clk for half a cycle of chain_clk. A bit that comes in is sampled one cycle before it
+    -- counts.
     half_period : positive := 2
   );
   port (
-    clk          : in    std_logic;
-    rst          : in    std_logic;
-    to_chain     : in    std_logic_vector(bits_out - 1 downto 0);
-    from_chain   : out   std_logic_vector(bits_in - 1 downto 0);
-    chain_clk    : out   std_logic;
+    -- Rising edges count.
+    clk : in    std_logic;
+    -- Synchronous, active high, for one cycle or more.
+    rst : in    std_logic;
+    -- What is sent, bit 0 first; it is taken as a whole, once a frame.
+    to_chain : in    std_logic_vector(bits_out - 1 downto 0);
+    -- What came in; it changes as a whole, once a frame.
+    from_chain : out   std_logic_vector(bits_in - 1 downto 0);
+    -- SRCLK of a 74HC595, CLK of a 74HC165: they shift at its rising edge.
+    chain_clk : out   std_logic;
+    -- SH/LD# of a 74HC165, RCLK of a 74HC595: inputs are taken while it is '0', outputs change at its rising edge.
     chain_load_n : out   std_logic;
-    chain_out    : out   std_logic;
-    chain_in     : in    std_logic
+    -- SER of the first 74HC595.
+    chain_out : out   std_logic;
+    -- QH of the last 74HC165.
+    chain_in : in    std_logic
   );
 end entity shift_chain;
 

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // What a generated register bank promises (that of bank.ul), whatever a Wishbone master does within the standard and
-// hardware at any time: it keeps to Wishbone B4 as a slave; it answers within the time that a FIFO port may take; all
-// words that are read in a sample are of one instant, that of its strobe, and those of a value in a block are of one; a
-// value of several words changes as a whole; and a FIFO port moves a word where an access is answered by it, and only
-// there.
+// hardware at any time: it keeps to Wishbone B4 as a slave; it takes an access to a register at once and one to a FIFO
+// port within the time that this may take, and answers it in the next cycle, and no other; all words that are read in a
+// sample are of one instant, that of its strobe, and those of a value in a block are of one; a value of several words
+// changes as a whole; a FIFO port moves a word where an access is answered by it, and only there; and a module's strobe
+// falls for a cycle behind its answer.
+//
+// PIPELINED: the master is a pipelined one. IN_A_ROW: the bank is built for that; without, it stalls beside each strobe
+// that it has not answered.
 
 module bank_registers_properties #(
 	parameter STREAM_WAIT = 3
@@ -28,7 +32,8 @@ module bank_registers_properties #(
 	localparam POSITION = 0, SPEED = 2, GOAL = 4, FIELDS = 6, LOG = 7;
 
 	wire [7:0] wb_dat_o;
-	wire wb_ack, wb_err;
+	wire wb_ack, wb_err, wb_stall;
+	wire [2:0] open;
 	wire [15:0] to_hardware_goal;
 	wire [3:0] to_hardware_low, to_hardware_high;
 	wire to_hardware_goal_written, to_hardware_low_written, to_hardware_high_written, to_hardware_log_ready;
@@ -37,15 +42,20 @@ module bank_registers_properties #(
 	wire [7:0] elsewhere_adr, elsewhere_dat_o;
 
 	bank_registers dut (.*);
-	wishbone_b4 #(.MASTER(0), .SLAVE(1)) rules (
+`ifdef PIPELINED
+	localparam PIPELINED = 1;
+`else
+	localparam PIPELINED = 0;
+`endif
+	wishbone_b4 #(.PIPELINED(PIPELINED), .MASTER(0), .SLAVE(1)) rules (
 		.cyc(wb_cyc), .stb(wb_stb), .we(wb_we), .adr(wb_adr), .dat(wb_dat_i), .sel(1'b1),
-		.ack(wb_ack), .err(wb_err), .rty(1'b0), .stall(1'b0), .open(), .*
+		.ack(wb_ack), .err(wb_err), .rty(1'b0), .stall(wb_stall), .*
 	);
 
 	(* hierconn *) wire [1:0] \dut.waited ;
 	(* hierconn *) wire [15:0] \dut.position_sampled , \dut.position_held ;
 	(* hierconn *) wire [7:0] \dut.speed_sampled , \dut.goal_gathered ;
-	(* hierconn *) wire \dut.position_kept ;
+	(* hierconn *) wire \dut.position_kept , \dut.taken , \dut.elsewhere_stood , \dut.rests ;
 
 	reg first = 1;
 	// What hardware gave in the cycle before, or at the instant of the sample; and one cycle before that.
@@ -62,12 +72,22 @@ module bank_registers_properties #(
 	reg [15:0] goal = 0;
 	reg written = 0;
 	reg [2:0] lasts = 0;
+	// An access was taken in the last cycle, and in the one before.
+	reg took = 0, took_before = 0;
+	// An answer of a module stood there in the last cycle, and has ended an access then.
+	reg stood = 0, ended = 0;
 
 	// Cycles since the reset, of two that the registers behind hardware take: nothing is known before, and nothing asked.
 	reg [1:0] settled = 0;
 
 	wire moves = from_hardware_log_valid && to_hardware_log_ready;
+`ifdef IN_A_ROW
+	wire begins = wb_cyc && wb_stb;
+	wire takes = begins && !wb_stall;
+`else
 	wire begins = wb_cyc && wb_stb && !wb_ack && !wb_err;
+	wire takes = begins && \dut.taken ;
+`endif
 	wire is_known = wb_adr <= SPEED || (wb_adr >= GOAL && wb_adr <= LOG);
 	wire is_position = wb_adr[7:1] == POSITION;
 	wire reads_block = begins && !wb_we && is_position && !sample_access;
@@ -77,7 +97,11 @@ module bank_registers_properties #(
 		first <= 0;
 		assume (rst == first);
 		assume (!first || (!wb_cyc && !sample_access));
-		lasts <= begins && is_known ? lasts + 1 : 0;
+		lasts <= begins && is_known && !takes ? lasts + 1 : 0;
+		took <= takes && !rst;
+		took_before <= took;
+		stood <= elsewhere_ack || elsewhere_err;
+		ended <= !rst && elsewhere_stb && (elsewhere_ack || elsewhere_err) && !stood;
 	end
 
 	always @(posedge clk) if (!first) begin
@@ -106,7 +130,21 @@ module bank_registers_properties #(
 			goal <= {wb_dat_i, lower};
 		assert (to_hardware_goal == goal && to_hardware_goal_written == written);
 
-		assert (lasts <= STREAM_WAIT + 1);
+		assert (lasts <= STREAM_WAIT);
+		assert ((wb_ack || wb_err) == took);
+		if (begins && is_known && wb_adr != LOG)
+			assert (takes);
+		if (moves)
+			assert (takes);
+		assert (!(ended && elsewhere_stb));
+`ifdef PIPELINED
+		// One access is open at most, and that is answered now.
+`ifdef IN_A_ROW
+		assert (open == took);
+`else
+		assert (open == 0);
+`endif
+`endif
 
 		// What makes the proof hold without a bound.
 		assert (\dut.goal_gathered == lower);
@@ -118,9 +156,14 @@ module bank_registers_properties #(
 			assert (\dut.position_held == (in_block ? of_block : older));
 		if (begins && is_known)
 			assert (lasts == \dut.waited );
+		assert (first || (stood == \dut.elsewhere_stood && ended == \dut.rests ));
 
 		cover (in_block && sample_access && given && position != of_block);
-		cover (wb_err && lasts == STREAM_WAIT + 1);
+		cover (wb_err && took && $past(lasts) == STREAM_WAIT);
+		cover (ended && wb_cyc && wb_stb && elsewhere_ack);
+`ifdef IN_A_ROW
+		cover (took && took_before && moved && $past(given));
+`endif
 		cover (moved && wb_ack && $past(lasts) == 2);
 		cover (written && goal[15:8] != goal[7:0]);
 	end

@@ -17,127 +17,171 @@ library work;
 
 entity unity_link is
   generic (
-    -- "fifo", "uart", "ft245" (asynchronous) or "ft245_sync".
+    -- "fifo", "uart", "ft245", "ft245_sync": the medium; "ft245" is the asynchronous FIFO.
     physical : string := "uart";
-    -- "uart": bits a second.
+    -- 1 to clock_hz / 4: bits a second, for "uart".
     baud : positive := 1_000_000;
-    -- "uart": whether RTS# and CTS# are used. "fifo": whether the source of bytes waits for in_ready. FT245 always
-    -- waits.
+    -- For "uart": whether RTS# and CTS# are used; for "fifo": whether the source of bytes waits for in_ready. An FT245
+    -- always waits.
     flow_control : boolean := false;
-    -- "wishbone" (B4) or "axi4_lite", which takes data_bits of 32 or 64.
+    -- "wishbone", "axi4_lite": the bus; AXI4-Lite takes data_bits of 32 or 64.
     bus_standard : string := "wishbone";
-    -- Wishbone B4 pipelined instead of classic.
+    -- Whether Wishbone B4 is pipelined instead of classic.
     wb_pipelined : boolean := false;
-    -- Widths: 8 to 64 bits a word, 8 to 32 bits an address (which counts words), 2 or 3 digits an ID.
-    data_bits    : positive := 32;
+    -- 8 to 64: bits of a word.
+    data_bits : positive := 32;
+    -- 8 to 32: bits of an address, which counts words.
     address_bits : positive := 8;
-    id_digits    : positive := 3;
-    -- Without them there is no datalink layer: all frames are plain, for a person at a terminal (a host needs checked
-    -- ones).
+    -- 2, 3: hex digits of a message ID; 128 or 2,048 requests may be under way.
+    id_digits : positive := 3;
+    -- The datalink layer. Without it all frames are plain, for a person at a terminal: a host needs checked ones.
     checked_frames : boolean := true;
-    -- 8, 16 or 32 bits; the polynomial without its highest term, right-aligned.
-    crc_bits       : positive                      := 16;
+    -- 8, 16, 32: bits of a frame's CRC.
+    crc_bits : positive := 16;
+    -- crc_bits bits: its polynomial without the highest term, right-aligned.
     crc_polynomial : std_logic_vector(31 downto 0) := x"00001021";
-    -- Most words in one block or queue request, 1 to 255.
+    -- 1 to 255: most words in one block or queue request.
     block_words : positive := 255;
-    -- Publish groups, 0 to 256, and the most addresses in one, 1 to 255.
-    groups      : natural := 16;
+    -- 0 to 256: publish groups.
+    groups : natural := 16;
+    -- 1 to 255: most addresses in one group.
     group_words : natural := 32;
-    -- Words that the samples of all groups may wait in until they are sent: a power of two.
+    -- A power of two, at least group_words + 2: words in which the samples of all groups wait until they are sent.
     sample_depth : positive := 256;
-    -- Frequency of clk in Hz, and of the base tick of periodic groups in mHz.
-    clock_hz                  : positive := 50_000_000;
+    -- At least 1: frequency of clk in Hz, from which all intervals follow.
+    clock_hz : positive := 50_000_000;
+    -- 1 to 1000 * clock_hz / (groups + 8): the frequency of which periodic groups publish at integer divisions, in mHz.
     base_frequency_millihertz : positive := 100_000_000;
-    -- Bytes; powers of two.
+    -- Powers of two, at least 2: bytes that wait for the gateway, and those that wait for the medium.
     rx_fifo_depth : positive := 256;
     tx_fifo_depth : positive := 256;
-    -- Cycles after which a bus access that is not answered ends with error 05.
+    -- At least 1: cycles after which a bus access that is not answered ends with error 05; the bus then rests as long.
     bus_timeout : positive := 1024;
-    -- Features: what is switched off costs nothing and is answered with error 02 (a command) or 06 (a flag).
-    masked_write   : boolean := true;
+    -- Whether the command WK is there; else it is answered with error 02, as all that is left out.
+    masked_write : boolean := true;
+    -- Whether RQ and WQ are there, for FIFOs at one address.
     queue_commands : boolean := true;
-    timestamps     : boolean := true;
-    triggers       : boolean := true;
+    -- Whether samples may bear the time; else that flag is answered with error 06.
+    timestamps : boolean := true;
+    -- Whether edges of trigger make groups due; else that flag is answered with error 06.
+    triggers : boolean := true;
+    -- Whether the medium is told to send at once behind an answer.
     send_immediate : boolean := true;
-    -- Number of this node on a medium that several share (docs/protocol.md, "Addressed frames"), 0 to 254, or -1: not
-    -- shared.
+    -- -1 to 254: number of this node on a medium that several share; -1: it is not shared.
     node : integer := -1;
-    -- Whether only one side may send at a time (docs/protocol.md, "Half-duplex"): groups publish only when asked by GP.
+    -- Whether only one side may send at a time: groups then publish only when GP asks.
     half_duplex : boolean := false;
-    -- "uart" with half_duplex: bits for which uart_de is '1' before the first start bit and behind the last stop bit.
+    -- 0 to 15: with half_duplex, bits for which uart_de is '1' before the first start bit, and behind the last stop
+    -- bit.
     driver_lead : natural := 1;
     driver_tail : natural := 0;
-    -- What `Q` reports as the build identifier, and whether that is the fingerprint of a spec's map.
-    build_id    : std_logic_vector(31 downto 0) := x"00000000";
-    fingerprint : boolean                       := false
+    -- Any: what Q reports as the build identifier.
+    build_id : std_logic_vector(31 downto 0) := x"00000000";
+    -- Whether that is the fingerprint of a spec's map, which hosts compare with theirs.
+    fingerprint : boolean := false
   );
   port (
+    -- Rising edges count.
     clk : in    std_logic;
-    -- Synchronous, active high; one cycle is enough.
+    -- Synchronous, active high, for one cycle or more.
     rst : in    std_logic;
-    -- "uart".
-    uart_rxd   : in    std_logic := '1';
-    uart_txd   : out   std_logic;
+    -- The line from the host, '1' while idle. Clock: none.
+    uart_rxd : in    std_logic := '1';
+    -- The line to the host.
+    uart_txd : out   std_logic;
+    -- RTS#, with flow_control. '0': the host may send.
     uart_rts_n : out   std_logic;
+    -- CTS#, with flow_control. '0': the gateway may send. Clock: none.
     uart_cts_n : in    std_logic := '0';
-    -- "uart": '1' while the transceiver is to drive the line; always, unless half_duplex.
+    -- '1': the transceiver drives the line; always, unless half_duplex.
     uart_de : out   std_logic;
-    -- "ft245" and "ft245_sync"; ft_clkout and ft_oe_n with the latter only.
-    ft_clkout   : in    std_logic                    := '0';
-    ft_data_in  : in    std_logic_vector(7 downto 0) := (others => '0');
+    -- CLKOUT, 60 MHz, for "ft245_sync".
+    ft_clkout : in    std_logic := '0';
+    -- Data pins as they are. The board's top joins the next three to them, bit by bit. Clock: ft_clkout.
+    ft_data_in : in    std_logic_vector(7 downto 0) := (others => '0');
+    -- What the data pins are to show. Clock: ft_clkout.
     ft_data_out : out   std_logic_vector(7 downto 0);
-    ft_data_oe  : out   std_logic_vector(7 downto 0);
-    ft_rxf_n    : in    std_logic                    := '1';
-    ft_txe_n    : in    std_logic                    := '1';
-    ft_rd_n     : out   std_logic;
-    ft_wr_n     : out   std_logic;
-    ft_oe_n     : out   std_logic;
-    ft_siwu_n   : out   std_logic;
-    -- "fifo": bytes in and out, with the handshake that all parts of the gateware use.
-    in_data   : in    std_logic_vector(7 downto 0) := (others => '0');
-    in_lost   : in    std_logic                    := '0';
-    in_valid  : in    std_logic                    := '0';
-    in_ready  : out   std_logic;
-    out_data  : out   std_logic_vector(7 downto 0);
+    -- '1': drive that pin. Clock: ft_clkout.
+    ft_data_oe : out   std_logic_vector(7 downto 0);
+    -- RXF#: the chip has a byte. Clock: ft_clkout.
+    ft_rxf_n : in    std_logic := '1';
+    -- TXE#: the chip takes a byte. Clock: ft_clkout.
+    ft_txe_n : in    std_logic := '1';
+    -- RD#. Clock: ft_clkout.
+    ft_rd_n : out   std_logic;
+    -- WR#. Clock: ft_clkout.
+    ft_wr_n : out   std_logic;
+    -- OE#, for "ft245_sync". Clock: ft_clkout.
+    ft_oe_n : out   std_logic;
+    -- SIWU#: send at once. Clock: ft_clkout.
+    ft_siwu_n : out   std_logic;
+    -- A byte in, for "fifo": it has moved at the edge at which in_valid and in_ready are both '1'.
+    in_data : in    std_logic_vector(7 downto 0) := (others => '0');
+    -- With a byte: some before it were lost.
+    in_lost : in    std_logic := '0';
+    -- A byte stands at in_data.
+    in_valid : in    std_logic := '0';
+    -- The gateway takes a byte.
+    in_ready : out   std_logic;
+    -- A byte out, for "fifo".
+    out_data : out   std_logic_vector(7 downto 0);
+    -- A byte stands at out_data.
     out_valid : out   std_logic;
-    out_ready : in    std_logic                    := '0';
+    -- The medium takes a byte.
+    out_ready : in    std_logic := '0';
+    -- '1' for one cycle: what was sent should not wait for more.
     out_flush : out   std_logic;
-    -- A rising edge makes the group of that number due (docs/protocol.md, "Groups", flag 02).
+    -- A rising edge makes the group of that number due; high and low for two cycles at least. Clock: none.
     trigger : in    std_logic_vector(maximum(groups, 1) - 1 downto 0) := (others => '0');
-    -- Wishbone B4 master; wb_sel is all ones, wb_stall counts with wb_pipelined only.
-    wb_cyc   : out   std_logic;
-    wb_stb   : out   std_logic;
-    wb_we    : out   std_logic;
-    wb_sel   : out   std_logic_vector((data_bits + 7) / 8 - 1 downto 0);
-    wb_adr   : out   std_logic_vector(address_bits - 1 downto 0);
+    -- A transaction is under way; it stands over all accesses that must not be parted.
+    wb_cyc : out   std_logic;
+    -- An access is asked for, in a cycle in which the lines below stand still.
+    wb_stb : out   std_logic;
+    -- '1': a write, '0': a read.
+    wb_we : out   std_logic;
+    -- All '1': words are accessed whole.
+    wb_sel : out   std_logic_vector((data_bits + 7) / 8 - 1 downto 0);
+    -- The address, counted in words.
+    wb_adr : out   std_logic_vector(address_bits - 1 downto 0);
+    -- The word that is written.
     wb_dat_o : out   std_logic_vector(data_bits - 1 downto 0);
+    -- The word that is read, with wb_ack.
     wb_dat_i : in    std_logic_vector(data_bits - 1 downto 0) := (others => '0');
-    wb_ack   : in    std_logic                                := '0';
-    wb_err   : in    std_logic                                := '0';
-    wb_rty   : in    std_logic                                := '0';
-    wb_stall : in    std_logic                                := '0';
-    -- AXI4-Lite master; addresses count bytes.
+    -- The access is made.
+    wb_ack : in    std_logic := '0';
+    -- The access has failed: error 04.
+    wb_err : in    std_logic := '0';
+    -- The access is not made: it is repeated, for bus_timeout cycles at most.
+    wb_rty : in    std_logic := '0';
+    -- With wb_pipelined: the access is not taken yet.
+    wb_stall : in    std_logic := '0';
+    -- AW channel; addresses count bytes, and a protection of "000".
     axi_awaddr  : out   std_logic_vector(address_bits + log2_ceil(data_bits / 8) - 1 downto 0);
     axi_awprot  : out   std_logic_vector(2 downto 0);
     axi_awvalid : out   std_logic;
-    axi_awready : in    std_logic                                := '0';
-    axi_wdata   : out   std_logic_vector(data_bits - 1 downto 0);
-    axi_wstrb   : out   std_logic_vector(data_bits / 8 - 1 downto 0);
-    axi_wvalid  : out   std_logic;
-    axi_wready  : in    std_logic                                := '0';
-    axi_bresp   : in    std_logic_vector(1 downto 0)             := (others => '0');
-    axi_bvalid  : in    std_logic                                := '0';
-    axi_bready  : out   std_logic;
+    axi_awready : in    std_logic := '0';
+    -- W channel; all bytes of a word are written.
+    axi_wdata  : out   std_logic_vector(data_bits - 1 downto 0);
+    axi_wstrb  : out   std_logic_vector(data_bits / 8 - 1 downto 0);
+    axi_wvalid : out   std_logic;
+    axi_wready : in    std_logic := '0';
+    -- B channel; SLVERR and DECERR are error 04.
+    axi_bresp  : in    std_logic_vector(1 downto 0) := (others => '0');
+    axi_bvalid : in    std_logic                    := '0';
+    axi_bready : out   std_logic;
+    -- AR channel, as AW.
     axi_araddr  : out   std_logic_vector(address_bits + log2_ceil(data_bits / 8) - 1 downto 0);
     axi_arprot  : out   std_logic_vector(2 downto 0);
     axi_arvalid : out   std_logic;
-    axi_arready : in    std_logic                                := '0';
-    axi_rdata   : in    std_logic_vector(data_bits - 1 downto 0) := (others => '0');
-    axi_rresp   : in    std_logic_vector(1 downto 0)             := (others => '0');
-    axi_rvalid  : in    std_logic                                := '0';
-    axi_rready  : out   std_logic;
-    -- '1' in the cycle of which a group's sample tells, and while its words are read.
+    axi_arready : in    std_logic := '0';
+    -- R channel, as B.
+    axi_rdata  : in    std_logic_vector(data_bits - 1 downto 0) := (others => '0');
+    axi_rresp  : in    std_logic_vector(1 downto 0)             := (others => '0');
+    axi_rvalid : in    std_logic                                := '0';
+    axi_rready : out   std_logic;
+    -- '1' in the one cycle of which a sample's timestamp tells: modules latch their values at its end.
     sample_strobe : out   std_logic;
+    -- '1' from the next cycle on, until the last word of the sample is read.
     sample_access : out   std_logic
   );
 end entity unity_link;

@@ -28,77 +28,102 @@ library work;
 
 entity unity_link_core is
   generic (
-    -- Whether the medium stops the host when this side is full: `Q` reports it.
+    -- Whether the medium stops the host when this side is full; Q reports it.
     flow_control : boolean := true;
-    -- Widths: 8 to 64 bits a word, 8 to 32 bits an address (which counts words), 2 or 3 digits an ID.
-    data_bits    : positive := 32;
+    -- 8 to 64: bits of a word.
+    data_bits : positive := 32;
+    -- 8 to 32: bits of an address, which counts words.
     address_bits : positive := 8;
-    id_digits    : positive := 3;
-    -- Without them there is no datalink layer: all frames are plain, for a person at a terminal (a host needs checked
-    -- ones).
+    -- 2, 3: hex digits of a message ID; 128 or 2,048 requests may be under way.
+    id_digits : positive := 3;
+    -- The datalink layer. Without it all frames are plain, for a person at a terminal: a host needs checked ones.
     checked_frames : boolean := true;
-    -- 8, 16 or 32 bits; the polynomial without its highest term, right-aligned.
-    crc_bits       : positive                      := 16;
+    -- 8, 16, 32: bits of a frame's CRC.
+    crc_bits : positive := 16;
+    -- crc_bits bits: its polynomial without the highest term, right-aligned.
     crc_polynomial : std_logic_vector(31 downto 0) := x"00001021";
-    -- Most words in one block or queue request, 1 to 255.
+    -- 1 to 255: most words in one block or queue request.
     block_words : positive := 255;
-    -- Publish groups, 0 to 256, and the most addresses in one, 1 to 255.
-    groups      : natural := 16;
+    -- 0 to 256: publish groups.
+    groups : natural := 16;
+    -- 1 to 255: most addresses in one group.
     group_words : natural := 32;
-    -- Words that the samples of all groups may wait in until they are sent: a power of two.
+    -- A power of two, at least group_words + 2: words in which the samples of all groups wait until they are sent.
     sample_depth : positive := 256;
-    -- Frequency of clk in Hz, and of the base tick of periodic groups in mHz.
-    clock_hz                  : positive := 50_000_000;
+    -- At least 1: frequency of clk in Hz, from which all intervals follow.
+    clock_hz : positive := 50_000_000;
+    -- 1 to 1000 * clock_hz / (groups + 8): the frequency of which periodic groups publish at integer divisions, in mHz.
     base_frequency_millihertz : positive := 100_000_000;
-    -- Bytes; powers of two.
+    -- Powers of two, at least 2: bytes that wait for the gateway, and those that wait for the medium.
     rx_fifo_depth : positive := 256;
     tx_fifo_depth : positive := 256;
-    -- Cycles after which a bus access that is not answered ends with error 05.
+    -- At least 1: cycles after which a bus access that is not answered ends with error 05; the bus then rests as long.
     bus_timeout : positive := 1024;
-    -- Features: what is switched off costs nothing and is answered with error 02 (a command) or 06 (a flag).
-    masked_write   : boolean := true;
+    -- Whether the command WK is there; else it is answered with error 02, as all that is left out.
+    masked_write : boolean := true;
+    -- Whether RQ and WQ are there, for FIFOs at one address.
     queue_commands : boolean := true;
-    timestamps     : boolean := true;
-    triggers       : boolean := true;
+    -- Whether samples may bear the time; else that flag is answered with error 06.
+    timestamps : boolean := true;
+    -- Whether edges of trigger make groups due; else that flag is answered with error 06.
+    triggers : boolean := true;
+    -- Whether the medium is told to send at once behind an answer.
     send_immediate : boolean := true;
-    -- Number of this node on a medium that several share (docs/protocol.md, "Addressed frames"), 0 to 254, or -1: not
-    -- shared.
+    -- -1 to 254: number of this node on a medium that several share; -1: it is not shared.
     node : integer := -1;
-    -- Whether only one side may send at a time (docs/protocol.md, "Half-duplex"): groups publish only when asked by GP.
+    -- Whether only one side may send at a time: groups then publish only when GP asks.
     half_duplex : boolean := false;
-    -- What `Q` reports as the build identifier, and whether that is the fingerprint of a spec's map.
-    build_id    : std_logic_vector(31 downto 0) := x"00000000";
-    fingerprint : boolean                       := false
+    -- Any: what Q reports as the build identifier.
+    build_id : std_logic_vector(31 downto 0) := x"00000000";
+    -- Whether that is the fingerprint of a spec's map, which hosts compare with theirs.
+    fingerprint : boolean := false
   );
   port (
+    -- Rising edges count.
     clk : in    std_logic;
-    -- Synchronous, active high; one cycle is enough.
+    -- Synchronous, active high, for one cycle or more.
     rst : in    std_logic;
-    -- Bytes from the physical layer; rx_lost: bytes were lost before this one.
-    rx_data  : in    std_logic_vector(7 downto 0);
-    rx_lost  : in    std_logic := '0';
+    -- A byte from the medium: it has moved at the edge at which rx_valid and rx_ready are both '1'.
+    rx_data : in    std_logic_vector(7 downto 0);
+    -- With a byte: some before it were lost.
+    rx_lost : in    std_logic := '0';
+    -- A byte stands at rx_data.
     rx_valid : in    std_logic;
+    -- The gateway takes a byte.
     rx_ready : out   std_logic;
-    -- Bytes to the physical layer; flush: one cycle, send what was given so far at once.
-    tx_data  : out   std_logic_vector(7 downto 0);
+    -- A byte for the medium.
+    tx_data : out   std_logic_vector(7 downto 0);
+    -- A byte stands at tx_data.
     tx_valid : out   std_logic;
+    -- The medium takes a byte.
     tx_ready : in    std_logic;
-    flush    : out   std_logic;
-    -- A rising edge makes the group of that number due (docs/protocol.md, "Groups", flag 02).
+    -- '1' for one cycle: send what was given so far at once.
+    flush : out   std_logic;
+    -- A rising edge makes the group of that number due; high and low for two cycles at least. Clock: none.
     trigger : in    std_logic_vector(maximum(groups, 1) - 1 downto 0) := (others => '0');
-    -- Bus-independent interface.
-    bus_request    : out   std_logic;
-    bus_write      : out   std_logic;
-    bus_lock       : out   std_logic;
-    bus_ahead      : out   std_logic;
-    bus_next       : in    std_logic := '0';
-    bus_address    : out   std_logic_vector(address_bits - 1 downto 0);
+    -- An access is asked for; the next three stand still until it is done. '0' for a cycle at least between accesses.
+    bus_request : out   std_logic;
+    -- '1': a write.
+    bus_write : out   std_logic;
+    -- '1' over all accesses of one atomic transaction.
+    bus_lock : out   std_logic;
+    -- Other reads of the same transaction may follow before the answer.
+    bus_ahead : out   std_logic;
+    -- A read is taken, and its answer comes later; leave it '0' where the bus has one access at a time.
+    bus_next : in    std_logic := '0';
+    -- The address, counted in words.
+    bus_address : out   std_logic_vector(address_bits - 1 downto 0);
+    -- The word that is written.
     bus_write_data : out   std_logic_vector(data_bits - 1 downto 0);
-    bus_read_data  : in    std_logic_vector(data_bits - 1 downto 0);
-    bus_done       : in    std_logic;
-    bus_error      : in    std_logic;
-    -- The instant of a sample, and the accesses that take it.
+    -- With bus_done: the word that is read.
+    bus_read_data : in    std_logic_vector(data_bits - 1 downto 0);
+    -- '1' at the edge at which the access ends, which may be its first.
+    bus_done : in    std_logic;
+    -- With bus_done: the access has failed.
+    bus_error : in    std_logic;
+    -- '1' in the one cycle of which a sample's timestamp tells: modules latch their values at its end.
     sample_strobe : out   std_logic;
+    -- '1' from the next cycle on, until the last word of the sample is read.
     sample_access : out   std_logic
   );
 end entity unity_link_core;

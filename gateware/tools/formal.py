@@ -76,7 +76,18 @@ PROOFS = [
         induction_steps=4,
     ),
     Proof("ul_axi4_lite_master", rules="axi4_lite", induction_steps=4),
-    Proof("bank_registers", {"stream_wait": 3}, rules="wishbone_b4", spec="bank", induction_steps=4),
+    *(
+        Proof(
+            "bank_registers",
+            {"stream_wait": 3, "wb_pipelined": "IN_A_ROW" in ways},
+            rules="wishbone_b4",
+            spec="bank",
+            defines=ways,
+            induction_steps=4,
+        )
+        # A classic bank also stands behind a pipelined master.
+        for ways in ((), ("PIPELINED",), ("PIPELINED", "IN_A_ROW"))
+    ),
     Proof("ul_request_executor", {"data_bits": 8, "id_digits": 2, "room_bits": 3}),
     Proof(
         "at_most_once",

@@ -16,9 +16,12 @@ from typing import TYPE_CHECKING
 import unity_link
 from unity_link.gateware import LICENCE
 from unity_link.gateware.cache import GATEWARE, LIBRARY, vhdl_sources
+from unity_link.gateware.vendors import add_vhdl
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
+
+    from unity_link.gateware.vendors import Tool
 
 TOP = "unity_link"
 _UNIT = re.compile(r"^(?:entity|package) (\w+) is$", re.MULTILINE)
@@ -50,41 +53,27 @@ def lists() -> dict[str, str]:
         "unity_link.core": _core(files),
         "import/vivado.tcl": _script(
             "Vivado, in a project or without: source import/vivado.tcl",
-            (f"read_vhdl -vhdl2008 -library {LIBRARY} [file join $gateware {file}]" for file in files),
+            _add("vivado", files),
         ),
         "import/quartus.tcl": _script(
             "Quartus, in an open project: source import/quartus.tcl",
-            (
-                f"set_global_assignment -name VHDL_FILE [file join $gateware {file}] -library {LIBRARY} "
-                "-hdl_version VHDL_2008"
-                for file in files
-            ),
+            _add("quartus", files),
         ),
         "import/radiant.tcl": _script(
             "Radiant, in an open project: source import/radiant.tcl. Set VHDL 2008 in the strategy.",
-            (f"prj_add_source -work {LIBRARY} [file join $gateware {file}]" for file in files),
+            _add("radiant", files),
         ),
         "import/diamond.tcl": _script(
             "Diamond, in an open project: source import/diamond.tcl",
             (
                 "prj_strgy set_value -strategy Strategy1 syn_vhdl2008=True",
                 "prj_strgy set_value -strategy Strategy1 lse_vhdl2008=True",
-                *(f"prj_src add -work {LIBRARY} [file join $gateware {file}]" for file in files),
+                *_add("diamond", files),
             ),
         ),
         "import/gowin.tcl": _script(
             "Gowin EDA, in an open project: source import/gowin.tcl",
-            (
-                "set_option -vhdl_std vhd2008",
-                *(
-                    line
-                    for file in files
-                    for line in (
-                        f"add_file -type vhdl [file join $gateware {file}]",
-                        f"set_file_prop -lib {LIBRARY} [file join $gateware {file}]",
-                    )
-                ),
-            ),
+            ("set_option -vhdl_std vhd2008", *_add("gowin", files)),
         ),
         "import/efinity.xml": _lines(
             f"<!-- {LICENCE} -->",
@@ -95,6 +84,10 @@ def lists() -> dict[str, str]:
             "</efx:design_info>",
         ),
     }
+
+
+def _add(tool: Tool, files: Iterable[str]) -> list[str]:
+    return [add_vhdl(tool, f"[file join $gateware {file}]", LIBRARY) for file in files]
 
 
 def _lines(*lines: str) -> str:

@@ -14,9 +14,7 @@ import sys
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
-import tree_sitter_vhdl
-from tree_sitter import Language, Parser
-
+from gateware.tools.syntax import child, is_within, nodes, parse, text_of
 from unity_link.gateware.cache import GATEWARE, vhdl_sources
 
 if TYPE_CHECKING:
@@ -24,7 +22,6 @@ if TYPE_CHECKING:
 
     from tree_sitter import Node
 
-_PARSER = Parser(Language(tree_sitter_vhdl.language()))
 _REFUSED = {
     "else_generate": "an `else generate` (write a second `if generate`)",
     "elsif_generate": "an `elsif generate` (write a second `if generate`)",
@@ -72,15 +69,15 @@ class Fault(NamedTuple):
 
 def faults(text: str) -> list[Fault]:
     """Return what is wrong with a VHDL file, in the order of its lines; nothing, if every tool reads it."""
-    root = _PARSER.parse(text.encode()).root_node
-    broken = [Fault(_line(node), "it is no VHDL-2008") for node in _all(root) if node.is_error or node.is_missing]
+    root = parse(text)
+    broken = [Fault(_line(node), "it is no VHDL-2008") for node in nodes(root) if node.is_error or node.is_missing]
     moving = set(_moving(root))
     functions = {
-        _text(name).lower()
-        for node in _all(root)
-        if node.type == "function_specification" and (name := _child(node, "identifier")) is not None
+        text_of(name).lower()
+        for node in nodes(root)
+        if node.type == "function_specification" and (name := child(node, "identifier")) is not None
     }
-    found = [fault for node in _all(root) for fault in _of(node, moving, functions)]
+    found = [fault for node in nodes(root) for fault in _of(node, moving, functions)]
     return sorted({*broken, *found})
 
 
@@ -90,13 +87,13 @@ def _of(node: Node, moving: set[str], functions: set[str]) -> Iterator[Fault]:
         yield Fault(line, f"not every tool reads {_REFUSED[node.type]}")
     yield from (Fault(line, sentence) for sentence in (*_arithmetic(node, moving), *_of_2008(node)))
     if node.type == "simple_range" and _is_slice(node):
-        bounds = [child for child in node.named_children if child.type == "simple_expression"]
+        bounds = [part for part in node.named_children if part.type == "simple_expression"]
         if len(bounds) == 2 and all(_moves(bound, moving) for bound in bounds):
-            yield Fault(line, f"both ends of the slice ({_text(node)}) move")
+            yield Fault(line, f"both ends of the slice ({text_of(node)}) move")
     if node.type == "when_element" and node.parent is not None and node.parent.type == "case_statement_alternative":
         for choice in node.named_children:
-            if any(part.type in (*_OPERATORS, "parenthesis_group") for part in _all(choice)):
-                yield Fault(_line(choice), f"the choice {_text(choice)} is an expression: name a constant")
+            if any(part.type in (*_OPERATORS, "parenthesis_group") for part in nodes(choice)):
+                yield Fault(_line(choice), f"the choice {text_of(choice)} is an expression: name a constant")
     if node.type == "port_map_aspect":
         yield from _actuals(node, functions)
 
@@ -105,53 +102,53 @@ def _arithmetic(node: Node, moving: set[str]) -> Iterator[str]:
     whole = node.parent
     if whole is None or not _moves(whole, moving):
         return
-    left, right = _text(whole.children[0]), _text(whole.children[-1])
-    if node.type == "multiplying_operator" and _text(node).lower() in _DIVIDING and not _is_power_of_two(right):
-        yield f"{_text(node)} by {right}, which is no power of two as a number"
+    left, right = text_of(whole.children[0]), text_of(whole.children[-1])
+    if node.type == "multiplying_operator" and text_of(node).lower() in _DIVIDING and not _is_power_of_two(right):
+        yield f"{text_of(node)} by {right}, which is no power of two as a number"
     if node.type == "exponentiate" and left != "2":
-        yield f"{_text(whole)} is a power of another number than 2"
+        yield f"{text_of(whole)} is a power of another number than 2"
 
 
 def _of_2008(node: Node) -> Iterator[str]:
-    if node.type in ("case_expression", "with_expression") and "?" in _text(node):
+    if node.type in ("case_expression", "with_expression") and "?" in text_of(node):
         yield "not every tool reads a `case?`"
-    if node.type == "relational_operator" and _text(node).startswith("?"):
-        yield f"not every tool reads {_text(node)}"
-    if node.type == "simple_variable_assignment" and any(child.type == "when_expression" for child in _all(node)):
+    if node.type == "relational_operator" and text_of(node).startswith("?"):
+        yield f"not every tool reads {text_of(node)}"
+    if node.type == "simple_variable_assignment" and any(part.type == "when_expression" for part in nodes(node)):
         yield "not every tool reads a conditional assignment in a process (write `if`)"
 
 
 def _actuals(node: Node, functions: set[str]) -> Iterator[Fault]:
-    for element in (part for part in _all(node) if part.type == "association_element"):
+    for element in (part for part in nodes(node) if part.type == "association_element"):
         actual = element.named_children[-1]
-        if _is_within(element, "parenthesis_group", node) or actual.type != "conditional_expression":
+        if is_within(element, "parenthesis_group", node) or actual.type != "conditional_expression":
             continue
-        named = re.match(r"(\w+)\s*\(", _text(actual))
+        named = re.match(r"(\w+)\s*\(", text_of(actual))
         is_call = any(
-            part.type == "library_function" or _text(part).lower() in functions
-            for part in _all(actual)
+            part.type == "library_function" or text_of(part).lower() in functions
+            for part in nodes(actual)
             if part.next_named_sibling is not None and part.next_named_sibling.type == "parenthesis_group"
         )
         is_conversion = named is not None and named[1].lower() in _CONVERSIONS
         is_expression = any(part.type in _OPERATORS for part in _outside_indices(actual))
         if (is_call or is_expression) and not is_conversion:
-            yield Fault(_line(element), f"the actual {_text(actual)} is an expression: name a signal")
+            yield Fault(_line(element), f"the actual {text_of(actual)} is an expression: name a signal")
 
 
 def _moving(root: Node) -> Iterator[str]:
     """Yield the names of what can change: signals, variables, ports, and parameters that are one of those."""
-    for node in _all(root):
-        is_port = node.type in ("interface_declaration", "interface_signal_declaration") and _is_within(
+    for node in nodes(root):
+        is_port = node.type in ("interface_declaration", "interface_signal_declaration") and is_within(
             node, "port_clause", root
         )
         if node.type in _MOVING or is_port:
-            names = _child(node, "identifier_list")
-            yield from (_text(name).lower() for name in (names.named_children if names is not None else ()))
+            names = child(node, "identifier_list")
+            yield from (text_of(name).lower() for name in (names.named_children if names is not None else ()))
 
 
 def _moves(node: Node, moving: set[str]) -> bool:
     """Whether an expression mentions something that moves, other than its length or bounds."""
-    text = re.sub(r"\w+'(length|high|low|left|right|range)\b", "", re.sub(r"\.\w+", "", _text(node)))
+    text = re.sub(r"\w+'(length|high|low|left|right|range)\b", "", re.sub(r"\.\w+", "", text_of(node)))
     return any(word.lower() in moving for word in re.findall(r"[a-z]\w*", text, re.IGNORECASE))
 
 
@@ -166,32 +163,9 @@ def _is_power_of_two(text: str) -> bool:
 
 def _outside_indices(node: Node) -> Iterator[Node]:
     yield node
-    for child in node.children:
-        if child.type != "parenthesis_group":
-            yield from _outside_indices(child)
-
-
-def _is_within(node: Node, kind: str, end: Node) -> bool:
-    parent = node.parent
-    while parent is not None and parent != end:
-        if parent.type == kind:
-            return True
-        parent = parent.parent
-    return False
-
-
-def _all(node: Node) -> Iterator[Node]:
-    yield node
-    for child in node.children:
-        yield from _all(child)
-
-
-def _child(node: Node, kind: str) -> Node | None:
-    return next((child for child in node.named_children if child.type == kind), None)
-
-
-def _text(node: Node) -> str:
-    return (node.text or b"").decode()
+    for part in node.children:
+        if part.type != "parenthesis_group":
+            yield from _outside_indices(part)
 
 
 def _line(node: Node) -> int:

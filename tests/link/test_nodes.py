@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import contextlib
 import random
 from typing import TYPE_CHECKING
 
@@ -16,9 +17,13 @@ from simulated_time import on_simulated_time
 from unity_link import BusError, ConnectError, LinkLostError, Reconnect, UnsupportedError
 from unity_link.protocol.constants import ANSWER_PATIENCE
 from unity_link.virtual import VirtualGateway
+from unity_link.virtual.build import compiled_node
+from unity_link.virtual.rtl import RtlGateway, configurations
 from unity_link.virtual.shared_line import SharedLine, build_shared_line
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     from unity_link import Link
 
 NODES = (1, 2, 5, 0xFE)
@@ -29,7 +34,7 @@ def buses(line: SharedLine) -> dict[int, RecordedBus]:
     return {
         node: RecordedBus(gateway, failing=frozenset({FAILING}))
         for node, gateway in line.gateways.items()
-        if isinstance(gateway, VirtualGateway)
+        if isinstance(gateway, VirtualGateway | RtlGateway)
     }
 
 
@@ -57,9 +62,20 @@ def in_order(bus: RecordedBus, values: range = range(12)) -> bool:
     return all([value for where, value in bus.writes if where == address] == list(values) for address in (1, 2, 3))
 
 
+def models() -> SharedLine:
+    return build_shared_line(NODES, delay=0.002)
+
+
+def compiled() -> SharedLine:
+    return build_shared_line(NODES, delay=0.002, info=configurations()["default"].info, build=compiled_node)
+
+
+@pytest.mark.parametrize("build", [models, pytest.param(compiled, marks=[pytest.mark.campaign, pytest.mark.rtl])])
 @on_simulated_time
-async def test_four_links_share_a_line_and_nobody_sends_while_an_answer_is_owed() -> None:
-    line = build_shared_line(NODES, delay=0.002)
+async def test_four_links_share_a_line_and_nobody_sends_while_an_answer_is_owed(
+    build: Callable[[], SharedLine],
+) -> None:
+    line = build()
     seen = buses(line)
     async with asyncio.TaskGroup() as tasks:
 
@@ -195,6 +211,22 @@ async def test_a_node_has_one_link() -> None:
         await link.read(0)
     async with unity_link.connect(line.at(1)) as link:
         await link.read(0)
+
+
+@on_simulated_time
+async def test_the_only_link_of_a_line_is_opened_again() -> None:
+    line = build_shared_line(NODES)
+    async with unity_link.connect(line.at(1), reconnect=Reconnect(first_pause=0.1)) as link:
+        await link.write(1, 7)
+        line.gone.add(1)
+        lost = asyncio.ensure_future(link.read(1))
+        await asyncio.sleep(30)
+        assert not link.connected
+        line.gone.discard(1)
+        with contextlib.suppress(LinkLostError):
+            await lost
+        assert await link.read(1) == 7
+        assert link.statistics.reconnections == 1
 
 
 @on_simulated_time

@@ -157,6 +157,14 @@ def test_the_word_of_a_numbered_write_is_never_short(body: bytes) -> None:
     assert refusal.value.code == ErrorCode.MALFORMED
 
 
+def test_a_block_has_at_most_as_many_words_as_two_digits_count() -> None:
+    assert len(DEFAULT.decode_request(b"wm00010" + b"0000002A" * 255).values[1]) == 255
+    for count in (0, 256):
+        with pytest.raises(RequestError) as refusal:
+            DEFAULT.decode_request(b"wm00010" + b"0000002A" * count)
+        assert refusal.value.code == ErrorCode.MALFORMED
+
+
 # Many at once
 
 

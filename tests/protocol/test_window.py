@@ -360,6 +360,26 @@ def test_damage_alone_gives_the_oldest_up_and_is_lost_when_its_replacement_fares
     assert given_up == [a, a]
 
 
+@pytest.mark.parametrize("late", [0.001, 0.02, 3.0])
+def test_what_is_damaged_each_time_is_given_up_however_long_its_answers_take(late: float) -> None:
+    window: Window[Named] = Window(RING, round_trip=0.02, byte_time=0.001)
+    (a,) = sent(window, "a")
+    given_up, now, tries = None, 0.0, 0
+    while given_up is None:
+        assert tries < 1000
+        arrives = now + late
+        while given_up is None and window.deadline is not None and window.deadline < arrives:
+            now = window.deadline
+            given_up = window.expire(now)
+            repeated(window)
+        window.heard, now = True, max(now, arrives)
+        window.answer_damaged(now)
+        if given_up is None:
+            given_up = window.expire(now)
+        tries += bool(repeated(window))
+    assert given_up is a
+
+
 def test_news_after_a_request_was_given_up_begins_anew() -> None:
     window: Window[Named] = Window(RING, round_trip=0.02)
     sent(window, "a", "b")
@@ -405,6 +425,22 @@ def test_what_was_sent_before_a_repetition_that_a_reset_gateway_refuses_may_have
     sent(window, *"de")
     assert never_executed(window, 0) == "de"
     assert never_executed(window, 2) == "cde"
+
+
+def test_what_a_reset_gateway_refuses_before_the_ring_begins_anew_is_told_from_what_was_sent_behind_it() -> None:
+    window: Window[Named] = Window(RING, first=RING - 2)
+    sent(window, *"abc")
+    window.answered(RING - 1, 1, now=0.001)
+    assert repeated(window) == f"a@{RING - 2}"
+    sent(window, *"de")
+    assert never_executed(window, RING - 2) == "de"
+
+
+def test_the_longest_answer_counts_the_bytes_under_way_and_those_of_the_answer_to_the_oldest() -> None:
+    window: Window[Named] = Window(RING, byte_time=0.001)
+    idle = window.longest_answer
+    sent(window, "a")
+    assert window.longest_answer == pytest.approx(idle + 0.001 * (SIZE + REPLY))
 
 
 # Runs of many
@@ -507,7 +543,16 @@ def test_while_it_loses_it_keeps_less_in_flight_and_grows_again_with_answers() -
     assert window.room(SIZE) == RING // 4 - 26
     for number in range(26):
         window.answered(number, 1, now=0.0)
-    assert window.room(SIZE) == RING // 4 + 26 // module.ANSWERS_FOR_ONE_MORE
+    assert window.room(SIZE) == RING // 4 + 26 // module.DONE_FOR_ONE_MORE
+
+
+def test_posted_writes_that_their_fence_confirms_let_it_grow_as_answers_do() -> None:
+    window: Window[Named] = Window(RING)
+    sent(window, *["p"] * 25, "h")
+    window.damaged(now=0.0)
+    repeated(window)
+    window.answered(25, 1, now=0.0)
+    assert window.room(SIZE) == RING // 4 + 26 // module.DONE_FOR_ONE_MORE
 
 
 def test_the_repetition_sends_no_more_than_the_smaller_window_holds_and_goes_on_with_answers() -> None:

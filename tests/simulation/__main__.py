@@ -29,10 +29,11 @@ def main() -> int:
     parser.add_argument("--json", action="store_true", help="print the report for programs")
     parser.add_argument("--trace", action="store_true", help="print all that happens")
     parser.add_argument("--build", action="append", default=[], help="a build of the gateware to run on, compiled")
+    parser.add_argument("--nodes", action="store_true", help="the gateways are nodes that share a half-duplex line")
     options = parser.parse_args()
     report, kinds = Report(), Counter[str]()
     for seed in range(options.first, options.first + options.count):
-        outcome = run_seed(seed, options.build)
+        outcome = run_seed(seed, options.build, nodes=options.nodes)
         report.add(outcome)
         if options.trace:
             say(*(f"{when:.6f} {what}" for when, *what in outcome.trace))

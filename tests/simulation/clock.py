@@ -96,6 +96,12 @@ class SimulatedLoop(asyncio.BaseEventLoop):
         self._ready.append(planned)
         return planned
 
+    def call_soon_threadsafe(  # type: ignore[override]
+        self, callback: Callable[..., object], *args: Any, context: Context | None = None
+    ) -> _Planned:
+        """Call in the next turn: there is no other thread."""
+        return self.call_soon(callback, *args, context=context)
+
     def call_at(  # type: ignore[override]
         self, when: float, callback: Callable[..., object], *args: Any, context: Context | None = None
     ) -> _Planned:

@@ -113,6 +113,8 @@ class Plan(NamedTuple):
     programs: tuple[ProgramPlan, ...]
     faults: tuple[Fault, ...]
     mishaps: tuple[Mishap, ...]
+    baud: int | None = None
+    """Rate of the line that all gateways share as nodes, half-duplex; None: each is for itself."""
 
     def url(self, line: str) -> str:
         """Return the URL of who listens at the end of a line."""
@@ -164,6 +166,13 @@ def gateway_of(line: str, gateways: Sequence[T], servers: Sequence[int]) -> T:
     return gateways[servers[number] if _is_of_server(line) else number]
 
 
+def node_of(gateway: int) -> int:
+    """Return the number of a gateway as a node."""
+    return gateway + 1
+
+
+WIRE = "wire"
+"""The name of the line that nodes share."""
 _POLYNOMIALS = {8: 0x07, 16: 0x1021, 32: 0x04C11DB7}
 _SPACING = 1_500
 """Bytes between two faults of a direction, so that a frame with a short CRC is hit once at most."""
@@ -175,11 +184,13 @@ class Draw:
     Args:
         seed: chooses everything.
         builds: of the gateware, by name: the gateways are of these; none for models.
+        nodes: whether the gateways are nodes that share a half-duplex line.
     """
 
-    def __init__(self, seed: int, builds: Sequence[str] = ()) -> None:
+    def __init__(self, seed: int, builds: Sequence[str] = (), *, nodes: bool = False) -> None:
         self._random = random.Random(seed)
         self._builds = builds
+        self._nodes = nodes
         self._seed = seed
         self._value = FIRST_VALUE
         self._listened: set[tuple[str, tuple[int, ...]]] = set()
@@ -187,7 +198,7 @@ class Draw:
     def plan(self) -> Plan:
         """Return the plan."""
         draw = self._random
-        count = draw.choice((1, 1, 1, 2, 2, 3))
+        count = draw.choice((2, 2, 3, 4) if self._nodes else (1, 1, 1, 2, 2, 3))
         gateways = tuple(self._gateway() for _ in range(count))
         servers = tuple(number for number in range(count) if draw.random() < 0.4)
         lines = [self._line(f"server{place}.gateway{gateway}") for place, gateway in enumerate(servers)]
@@ -202,21 +213,36 @@ class Draw:
             line = f"p{number}.{listener}"
             lines.append(self._line(line))
             programs.append(self._program(line, gateway_of(line, gateways, servers).info, len(listeners)))
+        if self._nodes:
+            return self._shared(Plan(self._seed, gateways, servers, tuple(lines), tuple(programs), (), ()))
         faults = [fault for line in lines for fault in self._faults(line.name, gateways, servers)]
         mishaps = self._mishaps(count, len(servers))
         mishaps += self._hang_ups(mishaps, servers, [program.line for program in programs])
         return Plan(self._seed, gateways, servers, tuple(lines), tuple(programs), tuple(faults), tuple(mishaps))
 
+    def _shared(self, plan: Plan) -> Plan:
+        """Return a plan with its gateways on one line, and what happens there."""
+        draw = self._random
+        baud = draw.choice((115_200, 1_000_000, 3_000_000))
+        faults = self._course(WIRE, _WIRE_FAULTS, _SPACING, HIGH) if draw.random() < _BAD_WIRES else []
+        faults += [fault for line in plan.lines if _is_of_server(line.name) for fault in self._of_socket(line.name)]
+        mishaps = self._mishaps(len(plan.gateways), 0) if draw.random() < _BAD_WIRES else []
+        lines = (*plan.lines, Line(WIRE, 0.0, HIGH, HIGH))
+        return plan._replace(lines=lines, faults=tuple(faults), mishaps=tuple(mishaps), baud=baud)
+
     # The world
 
     def _gateway(self) -> GatewayPlan:
         draw = self._random
-        crc_bits = draw.choice((8, 16, 32))
+        # Where two send at a time, a frame is damaged all over.
+        crc_bits = LONG_CRC if self._nodes else draw.choice((8, 16, 32))
         features = GatewayInfo().features
         slow = draw.random() < 0.15
         fifo = draw.choice((64, 256))
-        if draw.random() < (0.6 if slow else 0.1):
+        if draw.random() < (0.6 if slow else 0.1) or self._nodes:
             features &= ~Feature.FLOW_CONTROL
+        if self._nodes:
+            features |= Feature.HALF_DUPLEX | Feature.ADDRESSED
         info = GatewayInfo(
             data_bits=draw.choice((32, 32, 36)),
             id_digits=2 if draw.random() < 0.93 else 3,
@@ -236,6 +262,8 @@ class Draw:
         if self._builds:
             build = draw.choice(self._builds)
             info, rate = configurations()[build].info, None
+        if self._nodes:
+            rate, datagrams = None, False
         return GatewayPlan(info, rate, triggers, datagrams, build)
 
     def _line(self, name: str) -> Line:
@@ -254,6 +282,13 @@ class Draw:
         elif gateway.datagrams:
             kinds, spacing = _DATAGRAM_FAULTS, 0
         most = 1000 if gateway.info.crc_bits == LONG_CRC or gateway.datagrams else 1
+        return self._course(line, kinds, spacing, most)
+
+    def _of_socket(self, line: str) -> list[Fault]:
+        return self._course(line, _SOCKET_FAULTS, _SPACING, 1)
+
+    def _course(self, line: str, kinds: tuple[str, ...], spacing: int, most: int) -> list[Fault]:
+        draw = self._random
         faults: list[Fault] = []
         for back in (False, True):
             place = 0
@@ -394,7 +429,7 @@ class Draw:
 
     def _listen(self, info: GatewayInfo) -> Step:
         draw = self._random
-        kind = draw.choice(("periodic", "periodic", "periodic", "asked", "changed", "triggered"))
+        kind = draw.choice(("asked",) if self._nodes else _GROUPS)
         while True:
             # Words that change in turns are taken from those of the same turn.
             pool = BURSTS[draw.randrange(2) :: 2] if kind == "changed" else LIVE
@@ -424,6 +459,11 @@ class Draw:
         return Step("listen", (addresses, tuple(sorted(arguments.items())), seconds, pace, publishes, manner))
 
 
+_GROUPS = ("periodic", "periodic", "periodic", "asked", "changed", "triggered")
+"""What makes groups publish."""
+_BAD_WIRES = 0.7
+"""How often something happens to nodes, or to their line."""
+_WIRE_FAULTS = ("lose", "lose", "flip", "flip", "double")
 _FAULTS = ("lose", "lose", "flip", "flip", "double", "stall", "cut", "mute")
 _DATAGRAM_FAULTS = ("lose", "lose", "flip", "copy", "copy", "late", "late", "mute")
 _SOCKET_FAULTS = ("stall", "stall", "cut")

@@ -26,6 +26,7 @@ if TYPE_CHECKING:
 
     from simulation.oracle import Ask, Tap
     from simulation.plan import Life, ProgramPlan, Step
+    from unity_link.transport import Medium
 
 _MORE = re.compile(r"(\d+) more posted writes failed")
 PAUSES = Reconnect(first_pause=0.02, longest_pause=1.0)
@@ -76,7 +77,7 @@ class Program:
     Args:
         name: in stories.
         plan: what it does.
-        url: what it opens.
+        target: what it opens.
         tap: before its gateway.
         logs: takes what it asks.
         trace: takes what happens.
@@ -86,7 +87,7 @@ class Program:
         self,
         name: str,
         plan: ProgramPlan,
-        url: str,
+        target: str | Medium,
         tap: Tap,
         logs: list[LinkLog],
         trace: list[Any],
@@ -95,7 +96,7 @@ class Program:
         self.links: list[Link] = []
         self.line = plan.line
         self._plan = plan
-        self._url = url
+        self._target = target
         self._tap = tap
         self._logs = logs
         self._own_logs: list[LinkLog] = []
@@ -119,7 +120,7 @@ class Program:
         log = LinkLog(
             f"{self.name} link {len(self.links)}",
             self._tap.recorder,
-            shared=".server" in self._url,
+            shared=".server" in self.line,
             reconnect=life.reconnect,
             block_words=link.gateway.block_words,
         )
@@ -147,7 +148,7 @@ class Program:
     async def _connect(self, life: Life) -> Link:
         for _ in range(CONNECT_TRIES):
             try:
-                return await unity_link.connect(self._url, timeout=3, reconnect=PAUSES if life.reconnect else False)
+                return await unity_link.connect(self._target, timeout=3, reconnect=PAUSES if life.reconnect else False)
             except ConnectError as error:
                 self._note("not connected", str(error))
                 await asyncio.sleep(0.25)

@@ -50,6 +50,7 @@ def tell(outcome: Outcome, shortest: Outcome) -> str:
         for number, life in enumerate(program.lives):
             lines.append(f"  {program.line}, life {number}: reconnect={life.reconnect}, close_after={life.close_after}")
             lines += [f"    task {place}: {_steps(task)}" for place, task in enumerate(life.tasks)]
+    lines += [f"  all gateways are nodes at {plan.baud} baud"] * (plan.baud is not None)
     lines += [f"  {fault}" for fault in plan.faults]
     lines += [f"  {mishap}" for mishap in plan.mishaps]
     lines.append("events:")

@@ -15,6 +15,7 @@ from simulation.gallery import BUGS, UNSEEN, Bug
 from simulation.report import Report
 from simulation.story import shrink, tell
 from simulation.world import run_seed
+from unity_link.transport.turns import Seat
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -29,6 +30,8 @@ BUILDS = ("default", "crc_32", "short", "short_ids", "slow")
 """The gateware, compiled, with as many features as a model has."""
 BUILD_SEEDS = 200
 """Seeds that are run on it."""
+NODE_SEEDS = 100
+"""Seeds whose gateways are nodes of one line."""
 TESTS = Path(__file__).parents[1]
 
 
@@ -63,6 +66,22 @@ def test_no_world_breaks_a_rule_and_the_worlds_are_eventful() -> None:
 def test_no_world_of_the_gateware_itself_breaks_a_rule() -> None:
     failed = [outcome for seed in range(BUILD_SEEDS) if (outcome := run_seed(seed, builds=BUILDS)).error]
     assert not failed, "\n".join(f"seed {outcome.plan.seed}: {outcome.error}" for outcome in failed)
+
+
+@pytest.mark.slow
+def test_no_world_of_nodes_on_one_line_breaks_a_rule_and_two_who_send_at_a_time_do(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    failed = [outcome for seed in range(NODE_SEEDS) if (outcome := run_seed(seed, nodes=True)).error]
+    assert not failed, "\n".join(f"seed {outcome.plan.seed}: {outcome.error}" for outcome in failed)
+
+    def take_the_turn(seat: Seat) -> bool:
+        seat._line.give_to(seat)
+        return True
+
+    monkeypatch.setattr(Seat, "ask", take_the_turn)
+    kinds = {outcome.error.kind for seed in range(20) if (outcome := run_seed(seed, nodes=True)).error}
+    assert "two who send at a time" in kinds
 
 
 def test_a_seed_repeats_its_world_to_the_byte_also_in_another_process() -> None:

@@ -14,8 +14,9 @@ from unittest.mock import patch
 from simulation.answers import judge_answers
 from simulation.clock import LivelockError, SimulatedLoop
 from simulation.medium import Network
+from simulation.nodes import Wire
 from simulation.oracle import MOST_WAITING, LinkLog, Oracle, Tap, WorldError
-from simulation.plan import BURST, Draw, GatewayPlan, Mishap, Plan, gateway_of
+from simulation.plan import BURST, WIRE, Draw, GatewayPlan, Mishap, Plan, gateway_of, node_of
 from simulation.programs import Program
 from simulation.sendings import watched
 from unity_link.bridges.serve import Server, serve
@@ -32,6 +33,7 @@ if TYPE_CHECKING:
 
     from simulation.medium import Line
     from simulation.sendings import Sendings
+    from unity_link.transport import Medium
     from unity_link.virtual import BareGateway, Gateway
 
 CALM_AFTER = 10.0
@@ -72,6 +74,8 @@ class World:
         self._logs: list[LinkLog] = []
         self._faults: list[str] = []
         """What raised where nothing waits for it."""
+        self._wire: Wire | None = None
+        """The line that the gateways share, if they do."""
         self._anew: dict[str, asyncio.Event] = {}
         """By the names of those that are reached by datagrams: set when they are to begin anew."""
 
@@ -118,11 +122,14 @@ class World:
     async def _live(self, loop: SimulatedLoop) -> None:
         plan = self._plan
         async with contextlib.AsyncExitStack() as stack:
-            for number, gateway in enumerate(plan.gateways):
-                await stack.enter_async_context(self._gateway(loop, number, gateway))
+            if plan.baud is not None:
+                self._wire = Wire(self._nodes(), plan.baud, self._network)
+            else:
+                for number, gateway in enumerate(plan.gateways):
+                    await stack.enter_async_context(self._gateway(loop, number, gateway))
             for place, number in enumerate(plan.servers):
-                url = plan.url(f"server{place}.gateway{number}")
-                server = await stack.enter_async_context(serve(url, tcp=1, host=f"server{place}"))
+                target = self._target(f"server{place}.gateway{number}")
+                server = await stack.enter_async_context(serve(target, tcp=1, host=f"server{place}"))
                 stack.callback(loop.create_task(self._watch(place, server)).cancel)
             for mishap in plan.mishaps:
                 if mishap.kind != "hang up":
@@ -134,6 +141,8 @@ class World:
             if course.most_waiting > MOST_WAITING:
                 raise WorldError("a buffer that grows", f"{course.most_waiting} bytes waited in {course.name}")
         self._judge_undisturbed()
+        if self._wire is not None and self._wire.collisions and not self._was_disturbed(WIRE):
+            raise WorldError("two who send at a time", self._wire.collisions[0])
         self._judge_sessions()
         judge_answers(self._trace, plan.digits_behind_servers())
         Oracle().judge([tap.recorder for tap in self._taps], self._logs)
@@ -162,6 +171,9 @@ class World:
     def _was_disturbed(self, line: str) -> bool:
         """Return whether something has happened to a line, or to who listens at its end."""
         network = self._network
+        if self._wire is not None and "server" not in line.rpartition(".")[2]:
+            # What happens to a node, or a program of one, may cost the others a turn.
+            return bool(self._plan.mishaps) or self._wire.was_disturbed
         faults = sum(network.courses[line, back].fired for back in (False, True))
         return faults > 0 or any(mishap.whom in (line, line.rpartition(".")[2]) for mishap in self._plan.mishaps)
 
@@ -170,6 +182,22 @@ class World:
             await server.wait()
         except UnityLinkError as error:
             self._faults.append(f"server{place} ended: {error}")
+
+    def _nodes(self) -> dict[int, Gateway]:
+        """Return all gateways as nodes of a line."""
+        nodes: dict[int, Gateway] = {}
+        for number, gateway in enumerate(self._plan.gateways):
+            node = node_of(number)
+            tap = Tap(VirtualGateway(gateway.info, node=node), self._trace, f"gateway{number}", node=node)
+            self._taps.append(tap)
+            nodes[node] = cast("Gateway", tap)
+        return nodes
+
+    def _target(self, line: str) -> str | Medium:
+        """Return what is opened by who is at the beginning of a line."""
+        if self._wire is None or ".server" in line:
+            return self._plan.url(line)
+        return self._wire.at(node_of(int(line[-1])))
 
     def _gateway(
         self, loop: SimulatedLoop, number: int, plan: GatewayPlan
@@ -209,7 +237,7 @@ class World:
         plan = self._plan
         for program in plan.programs:
             name, tap = program.line.partition(".")[0], gateway_of(program.line, self._taps, plan.servers)
-            self._programs.append(Program(name, program, plan.url(program.line), tap, self._logs, self._trace))
+            self._programs.append(Program(name, program, self._target(program.line), tap, self._logs, self._trace))
         tasks = [loop.create_task(program.run()) for program in self._programs]
         _, pending = await asyncio.wait(tasks, timeout=SETTLED_AFTER)
         if self._faults:
@@ -254,6 +282,10 @@ class World:
             network.drop(mishap.whom)
         else:
             network.cut(mishap.whom)
+        if self._wire is not None and mishap.kind == "away":
+            node = node_of(int(mishap.whom[-1]))
+            self._wire.gone.add(node)
+            network.loop.call_later(mishap.seconds, self._wire.gone.discard, node)
         if mishap.whom.startswith("gateway"):
             self._taps[int(mishap.whom[-1])].reset()
         if mishap.kind == "away":
@@ -274,6 +306,6 @@ def _describe(context: dict[str, Any]) -> str:
     return f"{context.get('message')}: {error!r}"
 
 
-def run_seed(seed: int, builds: Sequence[str] = ()) -> Outcome:
-    """Draw the plan of a seed and run it, on builds of the gateware if some are named."""
-    return World(Draw(seed, builds).plan()).run()
+def run_seed(seed: int, builds: Sequence[str] = (), *, nodes: bool = False) -> Outcome:
+    """Draw the plan of a seed and run it, on builds of the gateware if some are named, or as nodes of one line."""
+    return World(Draw(seed, builds, nodes=nodes).plan()).run()

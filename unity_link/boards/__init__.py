@@ -2,7 +2,7 @@
 
 - `board`: what a board is, read from a file of `data` or of the user
 - `clocks`: how a PLL makes the frequency that a board's file asks for
-- `families`: how Yosys, nextpnr and a packer are called for iCE40, ECP5 and Gowin
+- `families`: how Yosys, nextpnr and a packer are called for iCE40, ECP5, Gowin and GateMate
 - `build`: the way from an interface to a bitstream and its report, and into the board
 - `projects`: boards that only Vivado or Quartus places
 

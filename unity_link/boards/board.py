@@ -43,7 +43,7 @@ class Board(msgspec.Struct, frozen=True, forbid_unknown_fields=True, kw_only=Tru
     """A board, as its file says it."""
 
     title: str
-    family: Literal["ice40", "ecp5", "gowin", "artix7", "cyclonev"]
+    family: Literal["ice40", "ecp5", "gowin", "gatemate", "artix7", "cyclonev"]
     device: str
     """As the family's nextpnr calls it; the whole part number where the vendor's tool places."""
     package: str

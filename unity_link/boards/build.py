@@ -77,18 +77,14 @@ def build(spec: Spec, board_name: str, board: Board, output: Path, interface: st
     family = FAMILIES[board.family]
     chosen = spec.interface(interface)
     check_generics({**vhdl.gateway_generics(chosen), "clock_hz": board.core_hz})
-    wrapper = top_text(identifier(chosen.name), board)
     # What is missing is said at once, not after a minute.
     for tool in (YOSYS, family.nextpnr, family.packer):
         script(tool)
     converting_ghdl()
     with tempfile.TemporaryDirectory() as scratch:
         work = Path(scratch)
-        _convert(spec, chosen, board, work)
-        (work / "top.v").write_text(wrapper)
+        synthesise(spec, chosen, board, work)
         (work / "pins").write_text(family.pin_file(board))
-        passes = f"read_verilog design.v top.v; {family.synthesis(board)} -top board -json mapped.json"
-        run(work, YOSYS, "-q", "-p", passes, explained=_ANY)
         placed = _place(chosen.name, board_name, board, work)
         run(work, family.packer, *family.pack(board), explained=_ANY)
         name = f"{identifier(chosen.name)}_{board_name}"
@@ -97,6 +93,20 @@ def build(spec: Spec, board_name: str, board: Board, output: Path, interface: st
             f"{name}.md": report_text(spec, chosen, board, placed).encode(),
         }
     return Built(*_keep(made, output))
+
+
+def synthesise(spec: Spec, interface: Interface, board: Board, work: Path) -> None:
+    """Write the whole design, mapped to the cells of the board's FPGA, into `work` as `mapped.json`.
+
+    Raises:
+        ArgumentError: where the board's clock cannot be made.
+        ConversionError: where a tool refuses the design.
+        ToolMissingError: where a tool is not there.
+    """
+    (work / "top.v").write_text(top_text(identifier(interface.name), board))
+    _convert(spec, interface, board, work)
+    passes = f"read_verilog design.v top.v; {FAMILIES[board.family].synthesis(board)} -top board -json mapped.json"
+    run(work, YOSYS, "-q", "-p", passes, explained=_ANY)
 
 
 def top_text(design: str, board: Board) -> str:
@@ -224,7 +234,9 @@ def _rows(cells: list[tuple[Any, ...]]) -> str:
 
 
 def _link(board: Board) -> str:
-    return f"a UART of {board.baud} baud" if board.medium == "uart" else f"an FT245 ({board.medium})"
+    if board.medium == "uart":
+        return f"a UART of {board.baud} baud"
+    return f"an FT232H, ftdi://ftdi:232h/1?mode={board.medium.replace('_', '-')}"
 
 
 def _keep(files: Mapping[str, bytes], output: Path) -> list[Path]:

@@ -1,7 +1,7 @@
 """Frequencies of PLLs: the settings that make exactly what a board asks for.
 
 Exactly, because baud rates and instants are counted in cycles of this clock. The limits are those of the data sheets:
-Lattice TN1251 (iCE40) and TN1263 (ECP5), Gowin UG286 and the devices' own.
+Lattice TN1251 (iCE40) and TN1263 (ECP5), Gowin UG286 and the devices' own, Cologne Chip DS1001 (GateMate).
 """
 
 from __future__ import annotations
@@ -38,18 +38,28 @@ def pll(board: Board) -> str:
     Raises:
         ArgumentError: where the board's FPGA cannot make the frequency.
     """
-    candidates = {"ice40": _ice40, "ecp5": _ecp5, "gowin": _gowin}[board.family]
+    candidates, text = {
+        "ice40": (_ice40, _ice40_text),
+        "ecp5": (_ecp5, _ecp5_text),
+        "gowin": (_gowin, _gowin_text),
+        "gatemate": (_gatemate, _gatemate_text),
+    }[board.family]
     wanted = board.core_hz
     best = min(candidates(board.clock.hz), key=lambda one: abs(one.hz - wanted), default=None)
     if best is None or best.hz != wanted:
         nearest = f"; the nearest is {float(best.hz) / _MHZ:.6f} MHz" if best is not None else ""
         given = f"{board.clock.hz / _MHZ:g} MHz"
         raise ArgumentError(f"the PLL of an {board.device} cannot make {wanted / _MHZ:.9g} MHz of {given}{nearest}")
-    return {"ice40": _ice40_text, "ecp5": _ecp5_text, "gowin": _gowin_text}[board.family](board, best)
+    return text(board, best)
 
 
 def _within(
-    hz: int, dividers: Iterable[int], factors: range, outputs: Iterable[int], detector: tuple[int, int], vco: range
+    hz: int,
+    dividers: Iterable[int],
+    factors: Iterable[int],
+    outputs: Iterable[int],
+    detector: tuple[int, int],
+    vco: range,
 ) -> Iterator[_Settings]:
     """Find settings of a PLL whose oscillator runs at input / divider * factor; frequencies of limits are in MHz."""
     for divider in dividers:
@@ -82,6 +92,12 @@ def _gowin(hz: int) -> Iterator[_Settings]:
     outputs = (2, 4, 8, 16, 32, 48, 64, 80, 96, 112, 128)
     # What all of GW1N, GW1NR, GW2A and GW2AR can.
     return _feedback(hz, range(1, 65), range(1, 65), outputs, (3, 400), range(500, 1200))
+
+
+def _gatemate(hz: int) -> Iterator[_Settings]:
+    # Two dividers in a row make the factor, of which the first one halves at least and ends at 64.
+    factors = [factor for factor in range(2, 201) if any(factor % first == 0 for first in range(2, 65))]
+    return _within(hz, (1,), factors, range(4, 4097, 4), (5, 50), range(500, 1000))
 
 
 def _ice40_text(board: Board, found: _Settings) -> str:
@@ -123,5 +139,17 @@ def _gowin_text(board: Board, found: _Settings) -> str:
   ) pll (
     .CLKIN(clk), .CLKOUT(core_clk), .LOCK(ready), .RESET(1'b0), .RESET_P(1'b0), .CLKFB(1'b0), .FBDSEL(6'b0),
     .IDSEL(6'b0), .ODSEL(6'b0), .PSDA(4'b0), .DUTYDA(4'b0), .FDLY(4'b0)
+  );
+"""
+
+
+def _gatemate_text(board: Board, found: _Settings) -> str:  # noqa: ARG001  (nextpnr looks for the dividers itself)
+    return f"""\
+  CC_PLL #(
+    .REF_CLK("{board.clock.hz / _MHZ:g}"), .OUT_CLK("{board.core_hz / _MHZ:.9g}"), .PERF_MD("ECONOMY"),
+    .LOW_JITTER(1), .LOCK_REQ(1), .CI_FILTER_CONST(2), .CP_FILTER_CONST(4)
+  ) pll (
+    .CLK_REF(clk), .USR_CLK_REF(1'b0), .CLK_FEEDBACK(1'b0), .USR_LOCKED_STDY_RST(1'b0), .CLK0(core_clk),
+    .USR_PLL_LOCKED(ready), .CLK90(), .CLK180(), .CLK270(), .CLK_REF_OUT(), .USR_PLL_LOCKED_STDY()
   );
 """

@@ -58,6 +58,16 @@ def _cst(board: Board) -> str:
     return "\n".join(lines) + "\n"
 
 
+def _into_gowin_pads(board: Board) -> tuple[str, ...]:
+    """Return what has nextpnr put registers into pads: of an FT245 alone, as others need no such place."""
+    return () if board.medium == "uart" else ("ireg_in_iob", "oreg_in_iob", "ioreg_in_iob")
+
+
+def _ccf(board: Board) -> str:
+    pulls = {"UP": " | PULLUP=true", "DOWN": " | PULLDOWN=true", "NONE": ""}
+    return "".join(f'Net "{pin}" Loc = "{site}"{pulls[pull_of(pin)]};\n' for pin, site in board.pins.items())
+
+
 def _ice40_kind(board: Board) -> str:
     """Return what Yosys calls the device: hx, lp or u."""
     return "u" if board.device.startswith("u") else board.device[:2]
@@ -99,6 +109,8 @@ FAMILIES = {
             "TRELLIS_FF": "registers",
             "DP16KD": "RAM blocks",
             "TRELLIS_IO": "pins",
+            "IOLOGIC": "pads with registers, at the sides",
+            "SIOLOGIC": "pads with registers, at the top",
             "EHXPLLL": "PLLs",
         },
         pads="ecp5",
@@ -111,6 +123,7 @@ FAMILIES = {
         place=lambda board: (
             *("--device", board.package, "--vopt", f"family={board.device}"),
             *("--vopt", "cst=pins", "--write", "placed"),
+            *(word for way in _into_gowin_pads(board) for word in ("--vopt", way)),
         ),
         pack=lambda board: ("-d", board.device, "-o", "bitstream", "placed"),
         pin_file=_cst,
@@ -125,5 +138,26 @@ FAMILIES = {
             "rPLL": "PLLs",
         },
         pads="gowin",
+    ),
+    "gatemate": Family(
+        nextpnr="yowasp-nextpnr-himbaechel-gatemate",
+        packer="yowasp-gmpack",
+        package={"yowasp-gmpack": "yowasp-nextpnr-himbaechel-gatemate"},
+        synthesis=lambda board: "synth_gatemate -luttree -nomx8",  # noqa: ARG005
+        place=lambda board: (
+            *("--device", board.device, "--vopt", "ccf=pins", "--vopt", "out=placed", "--router", "router2"),
+            *("--vopt", "fpga_mode=economy", "--vopt", "time_mode=worst"),
+        ),
+        # A bitstream holds only what is used: without a reset the rest would be of the one before.
+        pack=lambda board: ("--reset", "placed", "bitstream"),  # noqa: ARG005
+        pin_file=_ccf,
+        suffix="bit",
+        resources={
+            "CPE_LT": "LUTs",
+            "CPE_FF": "registers",
+            "RAM_HALF": "halves of RAM blocks",
+            "GPIO": "pins",
+            "PLL": "PLLs",
+        },
     ),
 }

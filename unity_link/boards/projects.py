@@ -12,6 +12,7 @@ from unity_link.errors import ArgumentError
 from unity_link.gateware import LICENCE
 from unity_link.gateware.cache import LIBRARY
 from unity_link.gateware.sources import in_compile_order
+from unity_link.gateware.vendors import add_vhdl
 from unity_link.generate import GeneratedFile, Templates, vhdl, write
 from unity_link.generate.vhdl.folder import GATEWARE_FOLDER, design_files, with_gateware
 from unity_link.generate.vhdl.names import identifier
@@ -118,10 +119,7 @@ def _vivado(design: Design) -> Iterator[GeneratedFile]:
             f"# {_ATTENTION}",
             "set here [file dirname [file normalize [info script]]]",
             f"create_project -force {name} [file join $here vivado] -part {board.device}",
-            *(
-                f"read_vhdl -vhdl2008 {'' if library is None else f'-library {library} '}[file join $here {path}]"
-                for path, library in design.sources
-            ),
+            *(add_vhdl("vivado", f"[file join $here {path}]", library) for path, library in design.sources),
             f"read_xdc [file join $here {name}.xdc]",
             *(f"read_xdc -ref {entity} {constraints} {entity}.xdc]" for entity in _SCOPED[board.medium]),
             *([f"read_xdc {constraints} ul_ft245_sync_pins.xdc]"] if board.medium == "ft245_sync" else ()),
@@ -170,11 +168,7 @@ def _quartus(design: Design) -> Iterator[GeneratedFile]:
             f"set_global_assignment -name DEVICE {board.device}",
             f"set_global_assignment -name TOP_LEVEL_ENTITY {design.top}",
             *(f"set_parameter -name {generic} {value}" for generic, value in design.generics.items()),
-            *(
-                f"set_global_assignment -name VHDL_FILE {path}{'' if library is None else f' -library {library}'} "
-                "-hdl_version VHDL_2008"
-                for path, library in design.sources
-            ),
+            *(add_vhdl("quartus", path, library) for path, library in design.sources),
             f"set_global_assignment -name SDC_FILE {name}.sdc",
             f"set_global_assignment -name SDC_FILE {GATEWARE_FOLDER}/constraints/quartus/unity_link.sdc",
             *(

@@ -38,6 +38,8 @@ class Carrier:
     ) -> None:
         self.carried = 0
         """Samples that were handed over."""
+        self.begun = asyncio.Event()
+        """Set when all groups are sampled."""
         self._groups = groups
         self._hand_over = hand_over
         self._buffer = buffer
@@ -68,6 +70,7 @@ class Carrier:
                     self._subscriptions = [
                         await stack.enter_async_context(group.subscribe(buffer=self._buffer)) for group in self._groups
                     ]
+                    self.begun.set()
                     for number, subscription in enumerate(self._subscriptions):
                         tasks.create_task(self._carry(number, subscription, thread))
         except asyncio.CancelledError:

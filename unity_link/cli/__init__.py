@@ -79,11 +79,11 @@ _UNWRITABLE = {errno.EBADF, errno.EDQUOT, errno.EFBIG, errno.EIO, errno.ENOSPC, 
 """What a file, pipe or terminal says to a write that it cannot take."""
 
 
-def main(program: typer.Typer = app) -> None:
-    """Run a command line, and exit with its code."""
+def main(program: typer.Typer = app, name: str = "unity-link") -> None:
+    """Run a command line, and exit with its code; `name` is what users type to get there."""
     _open_what_is_closed()
     with words_of_bash():
-        sys.exit(_run(program))
+        sys.exit(_run(program, name))
 
 
 def _open_what_is_closed() -> None:
@@ -93,12 +93,12 @@ def _open_what_is_closed() -> None:
             setattr(sys, name, Path(os.devnull).open("w"))  # noqa: SIM115  (it stays open to the end)
 
 
-def _run(program: typer.Typer) -> int:
+def _run(program: typer.Typer, name: str) -> int:
     # A character that the terminal does not know, such as the µ of µs, is no reason to end.
     if isinstance(sys.stdout, io.TextIOWrapper):
         sys.stdout.reconfigure(errors="backslashreplace")
     try:
-        code: int | None = program(standalone_mode=False, prog_name="unity-link")
+        code: int | None = program(standalone_mode=False, prog_name=name)
         sys.stdout.flush()
     except typer.TyperException as error:
         from unity_link.cli.wrong_use import sentence_about

@@ -170,7 +170,7 @@ def simulate(  # noqa: PLR0913  (each is an option)
         faults=tuple(faults or ()),
         triggers=dict(map(parse_trigger, triggers or ())),
     )
-    if rtl:
+    if rtl and not nodes:
         run(compile_gateway(wanted))
     console = None
     if nodes:
@@ -200,11 +200,11 @@ def simulate(  # noqa: PLR0913  (each is an option)
 def _line(nodes: list[int], baud: int, wanted: Wanted, chances: dict[str, float], seed: int) -> Gateway:
     from unity_link.virtual.build import build_nodes
 
-    if wanted.rtl or wanted.robot or wanted.faults or wanted.triggers:
-        raise ArgumentError(
-            "--node goes with gateways of plain memory: leave out --rtl, the robot and what is about it"
-        )
-    return build_nodes(nodes, baud, wanted.configuration, chances=chances, seed=seed, on_collision=print_note)
+    if wanted.robot or wanted.faults or wanted.triggers:
+        raise ArgumentError("--node goes with gateways of plain memory: leave out the robot and what is about it")
+    return build_nodes(
+        nodes, baud, wanted.configuration, chances=chances, seed=seed, on_collision=print_note, rtl=wanted.rtl
+    )
 
 
 def _serving(way: str, gateway: Gateway, *place: Any) -> AbstractAsyncContextManager[str]:

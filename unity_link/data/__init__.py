@@ -12,7 +12,7 @@
 
 - `proxies`, `ports`: one signal: a value, or a queue
 - `groups`: many signals at once, of one or several gateways, by `layout` (which words they take) and `writing`
-- `sampling`, `batch`: samples of groups, one by one and many at a time
+- `sampling`, `batch`: samples of groups, one by one and many at a time; `tables`: the same for numpy, pandas and polars
 - `feed`: samples that several readers and callbacks share
 - `robot`, `loading`: the tree of components, made from a checked model; `unity_link.load` and generated modules alike
 """
@@ -25,6 +25,7 @@ from unity_link.data.ports import Port, ReadPort, WritePort
 from unity_link.data.proxies import Proxy, Readable, ReadWrite, Writable
 from unity_link.data.robot import Component, Robot, python_names
 from unity_link.data.sampling import GroupSubscription
+from unity_link.data.tables import Table
 
 __all__ = [
     "Batch",
@@ -39,6 +40,7 @@ __all__ = [
     "Readable",
     "Registration",
     "Robot",
+    "Table",
     "Values",
     "Writable",
     "WritePort",

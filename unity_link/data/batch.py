@@ -14,15 +14,19 @@ from typing import TYPE_CHECKING, Any, NamedTuple, TypeVar, overload
 import msgspec
 import numpy as np
 
-from unity_link.errors import UnknownNameError, did_you_mean
+from unity_link.data.tables import Table
+from unity_link.errors import Sealed, UnknownNameError, did_you_mean, missing_attribute, unassignable_attribute
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
+    import pandas as pd
+    import polars as pl
     from numpy.typing import NDArray
 
     from unity_link.data.layout import GroupLayout
     from unity_link.data.proxies import Proxy
+    from unity_link.data.tables import Clock
     from unity_link.link.subscription import Sample
     from unity_link.protocol.arrays import Words
 
@@ -70,6 +74,9 @@ class Values(Mapping["Proxy[Any]", Any]):
         """Return the value of a signal."""
         return self._row[find(self._places, proxy)]
 
+    if not TYPE_CHECKING:  # A type checker refuses them by itself.
+        __getattr__ = missing_attribute("the values")
+
     def __iter__(self) -> Iterator[Proxy[Any]]:
         """Return the proxies, in the order of their group."""
         return iter(self._places)
@@ -81,6 +88,13 @@ class Values(Mapping["Proxy[Any]", Any]):
     def __repr__(self) -> str:
         """Return the values by their paths."""
         return f"{{{', '.join(f'{proxy.path}: {value!r}' for proxy, value in self.items())}}}"
+
+    def _repr_html_(self) -> str:
+        """Return the values by their paths as a table."""
+        from unity_link.link import html
+
+        rows = [(proxy.path, html.value_text(value), proxy.unit) for proxy, value in self.items()]
+        return html.table("values", rows, ("signal", "value", "unit"))
 
 
 class GroupSample(NamedTuple):
@@ -101,7 +115,12 @@ class GroupSample(NamedTuple):
         return tuple.__getitem__(self, key) if isinstance(key, (int, slice)) else self.values[key]
 
 
-class Batch:
+if not TYPE_CHECKING:  # A type checker refuses them by itself, and knows no more than fields in a NamedTuple.
+    GroupSample.__getattr__ = missing_attribute("a sample")
+    GroupSample.__setattr__ = unassignable_attribute("a sample")
+
+
+class Batch(Sealed):
     """Samples that came together, at least one, in the order of their sampling; all of one gateway.
 
     ``batch[robot.j1.cpos]`` is the column of a signal. Iteration gives the samples one by one.
@@ -114,6 +133,9 @@ class Batch:
         """Instant at which the last one arrived, by `time.monotonic`."""
         self._samples = samples
 
+    def _called(self) -> str:
+        return "a batch of samples"
+
     def __len__(self) -> int:
         """Return the number of samples."""
         return len(self._samples)
@@ -121,6 +143,10 @@ class Batch:
     def __repr__(self) -> str:
         """Return how many samples of which signals it has."""
         return f"<{len(self)} samples of {', '.join(proxy.path for proxy in self.proxies)}>"
+
+    def _repr_html_(self) -> str:
+        """Return the first and the last samples as a table."""
+        return self.table._repr_html_()
 
     def __getitem__(self, proxy: Proxy[Any] | str) -> NDArray[Any]:
         """Return the values of a signal; shape (samples,), those of an enumeration as numbers."""
@@ -140,6 +166,42 @@ class Batch:
         lost += count + int(self.lost[: count + 1].sum())
         first, *others = self._samples[count:]
         return Batch(self.layout, [msgspec.structs.replace(first, lost=lost), *others])
+
+    # As tables
+
+    @functools.cached_property
+    def table(self) -> Table:
+        """The samples with a column for each signal, under its path; it has the units.
+
+        Its time is the gateway's clock where samples have timestamps, else `time.monotonic` at their arrival. In UTC
+        the sample that was on its way for the shortest time says when the gateway's clock was 0.
+        """
+        arrived = self.arrived
+        if self.time is None:
+            seconds, instants = _never_back(self.at + (arrived - arrived[-1]), self.at), arrived
+        else:
+            seconds, instants = self.time, self.time + float((arrived - self.time).min())
+        return Table(
+            [proxy.signal for proxy in self.proxies],
+            [self.columns[proxy] for proxy in self.proxies],
+            seconds=seconds,
+            instants=np.rint(instants * 1e9).astype(np.int64),
+            counts={"sequence": self.sequence, "lost": self.lost, "epoch": self.epoch},
+        )
+
+    def to_numpy(self, *, time: Clock = "seconds", counts: bool = False) -> NDArray[np.void]:
+        """Return a structured array with a column for each signal; `Table.to_numpy` says more."""
+        return self.table.to_numpy(time=time, counts=counts)
+
+    def to_pandas(self, *, time: Clock = "seconds", counts: bool = False) -> pd.DataFrame:
+        """Return a DataFrame of pandas; `Table.to_pandas` says more."""
+        return self.table.to_pandas(time=time, counts=counts)
+
+    def to_polars(self, *, time: Clock = "seconds", counts: bool = False) -> pl.DataFrame:
+        """Return a DataFrame of polars; `Table.to_polars` says more."""
+        return self.table.to_polars(time=time, counts=counts)
+
+    # What it has
 
     @property
     def proxies(self) -> tuple[Proxy[Any], ...]:
@@ -178,3 +240,13 @@ class Batch:
     def lost(self) -> NDArray[np.int64]:
         """How many samples were lost before each, shape (samples,)."""
         return np.array([sample.lost for sample in self._samples], np.int64)
+
+    @functools.cached_property
+    def epoch(self) -> NDArray[np.int64]:
+        """Numbers of the sessions that the samples came in, shape (samples,)."""
+        return np.array([sample.epoch for sample in self._samples], np.int64)
+
+
+def _never_back(instants: NDArray[np.float64], latest: float) -> NDArray[np.float64]:
+    """Return instants as they are, but none before one in front of it, and none after `latest`."""
+    return np.maximum.accumulate(np.minimum(instants, latest))

@@ -110,6 +110,11 @@ class View:
         """Show the thing."""
         return repr(self._thing)
 
+    def _repr_html_(self) -> str | None:
+        """Show the thing as a table, where it is one."""
+        shown = getattr(self._thing, "_repr_html_", None)
+        return None if shown is None else shown()
+
 
 def _operator(name: str) -> Any:
     """Return an operator of values, which tells of a signal that it is none."""

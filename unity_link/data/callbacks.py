@@ -6,7 +6,7 @@ import inspect
 from typing import TYPE_CHECKING, Generic, TypeVar
 
 from unity_link.errors import ArgumentError
-from unity_link.link.running import running
+from unity_link.link.runtime import report
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -17,8 +17,8 @@ T = TypeVar("T")
 class Callback(Generic[T]):
     """A function that is called from the event loop.
 
-    What it raises is told to the event loop's exception handler and stops nothing: the first exception of each type,
-    since one that is raised with each sample would be told thousands of times a second.
+    What it raises is logged under ``unity_link.link`` and stops nothing: the first exception of each type, since one
+    that is raised with each sample would be told thousands of times a second.
     """
 
     def __init__(self, function: Callable[[T], object], what: str) -> None:
@@ -54,7 +54,7 @@ class Callback(Generic[T]):
         if type(error) in self._told:
             return
         self._told.add(type(error))
-        running().report(f"{self._what} raised {type(error).__name__} (told once)", error)
+        report(f"{self._what} raised {type(error).__name__} (told once)", error)
 
 
 def _asynchronous(what: str) -> ArgumentError:

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Self
 
 from unity_link.errors import LinkClosedError, LinkLostError, SamplesLostError
 from unity_link.link.running import running
+from unity_link.link.runtime import report
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -206,4 +207,4 @@ class Feed:
         for listener in listeners:
             listener.fail(error)
         if any(listener.is_deaf() for listener in listeners) and not isinstance(error, LinkClosedError):
-            running().report(f"the samples of {self._name}, which callbacks wait for, have ended", error)
+            report(f"the samples of {self._name}, which callbacks wait for, have ended", error)

@@ -14,10 +14,10 @@ from unity_link.data.batch import Values
 from unity_link.data.callbacks import Callback
 from unity_link.data.feed import Feed, Registration
 from unity_link.data.layout import GroupLayout
-from unity_link.data.proxies import BUFFER, Proxy
+from unity_link.data.proxies import BUFFER, Proxy, signals_table
 from unity_link.data.sampling import GroupSubscription, Poll
 from unity_link.data.writing import write_values
-from unity_link.errors import ArgumentError, UnsupportedError
+from unity_link.errors import ArgumentError, Sealed, UnsupportedError
 from unity_link.link.running import gather
 from unity_link.protocol.configuration import Feature
 
@@ -57,7 +57,7 @@ class Plan(msgspec.Struct, frozen=True, kw_only=True):
         return self.rate_hz is not None or self.divisor is not None or self.trigger
 
 
-class Group:
+class Group(Sealed):
     """Signals that are read, written and published together.
 
     ::
@@ -95,8 +95,7 @@ class Group:
         ]
         self.name = name
         self.proxies: tuple[Proxy[Any], ...] = tuple(proxies)
-        self.model: model.Group | None = None
-        """What the spec says of it; None for a group that a program made."""
+        self._model: model.Group | None = None
         self._read = _readable(members)
         self._places = {proxy: place for place, proxy in enumerate(self._read)}
         self._members = frozenset(proxies)
@@ -107,13 +106,13 @@ class Group:
         self._layouts: list[GroupLayout] | None = None
         self._feed: Feed | None = None
 
-    __slots__ = ("_feed", "_layouts", "_members", "_places", "_plan", "_read", "model", "name", "proxies")
+    __slots__ = ("_feed", "_layouts", "_members", "_model", "_places", "_plan", "_read", "name", "proxies")
 
     @classmethod
     def declared(cls, group: model.Group, proxies: Sequence[Proxy[Any]]) -> Group:
         """Make a group that a spec declares."""
         made = cls(*proxies, name=group.name)
-        made.model = group
+        made._model = group
         made._plan = Plan(
             rate_hz=group.rate_hz,
             divisor=group.divisor,
@@ -133,9 +132,21 @@ class Group:
         made._plan = Plan(rate_hz=rate_hz, polled=True)
         return made
 
+    @property
+    def model(self) -> model.Group | None:
+        """What the spec says of it; None for a group that a program made."""
+        return self._model
+
+    def _called(self) -> str:
+        return f"the group {self.name}" if self.model else self.name
+
     def __repr__(self) -> str:
         """Return the name and the size."""
         return f"<group {self.name}: {len(self.proxies)} signals>"
+
+    def _repr_html_(self) -> str:
+        """Return the name, and the signals with their last values, as a table."""
+        return signals_table(repr(self)[1:-1], self.proxies)
 
     def __len__(self) -> int:
         """Return the number of signals."""
@@ -272,8 +283,8 @@ class Group:
     def on_sample(self, callback: Callable[[GroupSample], object]) -> Registration:
         """Call a function with each sample, until `Registration.cancel`. To be called where an event loop runs.
 
-        What a callback raises is told to the event loop's exception handler, the first exception of each type; that a
-        link was lost, too.
+        What a callback raises is logged under ``unity_link.link``, the first exception of each type; that a link was
+        lost, too.
 
         Raises:
             ArgumentError: for an asynchronous function.

@@ -13,11 +13,11 @@ from typing import TYPE_CHECKING, Any, Generic, Never, TypeVar, cast
 
 from unity_link.data.callbacks import Callback
 from unity_link.data.feed import Registration
-from unity_link.errors import AnswerLostError, ArgumentError, missing
+from unity_link.errors import AnswerLostError, ArgumentError, Sealed, missing
 from unity_link.hardware import link_under
 
 if TYPE_CHECKING:
-    from collections.abc import AsyncIterator, Callable
+    from collections.abc import AsyncIterator, Callable, Sequence
 
     from numpy.typing import NDArray
 
@@ -34,10 +34,27 @@ BUFFER = 16_384
 """Samples that wait for a reader, as in `unity_link.Link.subscribe`."""
 
 
-class Proxy(Generic[T]):
+MOST_ROWS = 60
+"""Signals that a notebook shows."""
+
+
+class _Last(Generic[T]):
+    """The last value of a signal that was seen: with each read or batch another one."""
+
+    __slots__ = ("at", "batch", "value")
+
+    def __init__(self) -> None:
+        self.value: T | None = None
+        self.at = -math.inf
+        """Instant by `time.monotonic`."""
+        self.batch: Batch | None = None
+        """What has the value, if it was not decoded yet."""
+
+
+class Proxy(Sealed, Generic[T]):
     """A signal of a robot; `Readable`, `Writable`, `ReadWrite` and the ports of queues are."""
 
-    __slots__ = ("_batch", "_callbacks", "_names", "_seen", "_seen_at", "bus", "link", "robot", "signal")
+    __slots__ = ("_callbacks", "_last", "_names", "bus", "link", "robot", "signal")
 
     def __init__(self, signal: Signal, robot: Robot, bus: Bus) -> None:
         self.signal = signal
@@ -50,9 +67,7 @@ class Proxy(Generic[T]):
         if signal.kind.enumeration is not None:
             known = robot.enumeration(signal.kind.enumeration)
             self._names = {int(member): member for member in known}
-        self._seen: T | None = None
-        self._seen_at = -math.inf
-        self._batch: Batch | None = None
+        self._last: _Last[T] = _Last()
         self._callbacks: tuple[Callback[T], ...] = ()
 
     if not TYPE_CHECKING:  # A type checker refuses them by itself.
@@ -60,12 +75,21 @@ class Proxy(Generic[T]):
         def __getattr__(self, name: str) -> Any:
             raise _no_attribute(self, name)
 
+        def __setattr__(self, name: str, value: object) -> None:
+            if name == "value":
+                written = f"`await {self.path}.set({value!r})` writes it"
+                raise ArgumentError(f"{self.path}.value is what was seen last: {written}")
+            super().__setattr__(name, value)
+
         def __eq__(self, other: object) -> Any:
             if isinstance(other, (bool, int, float, str)):
                 _refuse_as_value(self)
             return True if self is other else NotImplemented
 
         __hash__ = object.__hash__
+
+    def _called(self) -> str:
+        return self.path
 
     @property
     def path(self) -> str:
@@ -88,35 +112,36 @@ class Proxy(Generic[T]):
         seen = "never seen" if self.value is None else f"{self.value!r}{unit}, {self.age:.3g} s ago"
         return f"<{self.path}: {seen}>"
 
+    def _repr_html_(self) -> str:
+        """Return what is known of it as a table; it is not read for that."""
+        return signals_table(self.path, [self])
+
     # What was seen
 
     @property
     def value(self) -> T | None:
         """The last value that was seen, by whatever way; None where there was none yet."""
         # The link may live in another thread, and bring the next batch meanwhile.
-        batch = self._batch
+        last = self._last
+        batch = last.batch
         if batch is None:
-            return self._seen
+            return last.value
         value = self.scalars(batch[self][-1:])[0]
-        if self._batch is batch:
-            self._seen, self._batch = value, None
+        if last.batch is batch:
+            last.value, last.batch = value, None
         return value
-
-    @value.setter
-    def value(self, given: Never) -> None:
-        raise ArgumentError(f"{self.path}.value is what was seen last: `await {self.path}.set({given!r})` writes it")
 
     @property
     def age(self) -> float:
         """Seconds since that value arrived, or was written; infinite where there was none yet."""
-        return time.monotonic() - self._seen_at
+        return time.monotonic() - self._last.at
 
     def on_change(self, callback: Callable[[T], object]) -> Registration:
         """Call a function with the value whenever another one is seen than before.
 
         A signal that is published or polled is from now on, until `Registration.cancel`; any other one is seen when it
-        is read or written. To be called where an event loop runs. What a callback raises is told to the event loop's
-        exception handler, the first exception of each type; that the link was lost, too.
+        is read or written. To be called where an event loop runs. What a callback raises is logged under
+        ``unity_link.link``, the first exception of each type; that the link was lost, too.
 
         Raises:
             ArgumentError: for an asynchronous function.
@@ -157,11 +182,11 @@ class Proxy(Generic[T]):
             value: what was read or written.
             at: instant by `time.monotonic`; None for now.
         """
+        last = self._last
+        before = self.value if self._callbacks else None
+        last.value, last.at, last.batch = value, time.monotonic() if at is None else at, None
         if not self._callbacks:
-            self._seen, self._seen_at, self._batch = value, time.monotonic() if at is None else at, None
             return
-        before = self.value
-        self._seen, self._seen_at = value, time.monotonic() if at is None else at
         if value == before or (value != value and before != before):  # noqa: PLR0124  (NaN, twice)
             return
         for callback in self._callbacks:
@@ -173,7 +198,25 @@ class Proxy(Generic[T]):
             for value in self.scalars(batch[self]):
                 self.see(value, batch.at)
         else:
-            self._batch, self._seen_at = batch, batch.at
+            self._last.batch, self._last.at = batch, batch.at
+
+
+def signals_table(title: str, proxies: Sequence[Proxy[Any]]) -> str:
+    """Return what is known of signals as a table in HTML; none is read for that."""
+    from unity_link.link import html
+
+    head = ("signal", "value", "unit", "seen", "access", "address", "description")
+    first, last = ([_row(proxies[place]) for place in places] for places in html.ends_of(len(proxies), MOST_ROWS))
+    return html.table(title, [*first, *([["…"] * len(head)] if last else []), *last], head)
+
+
+def _row(proxy: Proxy[Any]) -> tuple[str, ...]:
+    from unity_link.link import html
+
+    signal = proxy.signal
+    seen = "never" if proxy.value is None else f"{html.duration_text(proxy.age)} ago"
+    value = html.value_text(proxy.value)
+    return proxy.path, value, proxy.unit, seen, signal.access.name.lower(), f"{signal.address:#x}", signal.doc
 
 
 def _refuse_as_value(proxy: Proxy[Any], *_: object) -> Never:

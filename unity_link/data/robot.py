@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, Never
 
 from unity_link.data.groups import Group
 from unity_link.data.ports import Port, ReadPort, WritePort
-from unity_link.data.proxies import Proxy, Readable, ReadWrite, Writable
+from unity_link.data.proxies import Proxy, Readable, ReadWrite, Writable, signals_table
 from unity_link.errors import ArgumentError, UnknownNameError, UnsupportedError, did_you_mean
 from unity_link.hardware import Module, module_type
 from unity_link.link.link import NOT_CONNECTED, Link
@@ -43,24 +43,26 @@ class Component:
         """All signals in it and in its parts, in the order of the spec."""
         return tuple(_walk(self._members))
 
-    def __setattr__(self, name: str, value: object) -> None:
-        """Set an attribute that a subclass declares, or that begins with ``_``.
-
-        Raises:
-            ArgumentError: for a signal, a part or a module, which it would hide, and for a name that nothing declares.
-        """
-        member = self.__dict__.get(name)
-        if isinstance(member, Proxy) and member.signal.access.writes:
-            raise ArgumentError(f"{member.path} is not assigned to: await {member.path}.set({value!r}) writes it")
-        first = member[0] if isinstance(member, tuple) and member else member
-        if isinstance(first, (Proxy, Component, Module)) or name in Robot.__annotations__:
-            raise ArgumentError(f"{name!r} of {self._model.path or self._model.name} cannot be assigned to")
-        declared = name in {known for kind in type(self).__mro__ for known in (*vars(kind), *_annotations(kind))}
-        if not declared and not name.startswith("_"):
-            raise ArgumentError(str(self._missing(name)))
-        super().__setattr__(name, value)
-
     if not TYPE_CHECKING:  # A type checker knows the names.
+
+        def __setattr__(self, name: str, value: object) -> None:
+            """Set an attribute that a subclass declares, or that begins with ``_``.
+
+            Raises:
+                ArgumentError: for a signal, a part, a module or a method, which it would hide, and for a name that
+                    nothing declares.
+            """
+            member = self.__dict__.get(name)
+            if isinstance(member, Proxy) and member.signal.access.writes:
+                raise ArgumentError(f"{member.path} is not assigned to: await {member.path}.set({value!r}) writes it")
+            first = member[0] if isinstance(member, tuple) and member else member
+            is_own = hasattr(Robot, name) or name in Robot.__annotations__ or callable(getattr(type(self), name, None))
+            if not name.startswith("_") and (is_own or isinstance(first, (Proxy, Component, Module))):
+                raise ArgumentError(f"{name!r} of {self._model.path or self._model.name} cannot be assigned to")
+            declared = name in {known for kind in type(self).__mro__ for known in (*vars(kind), *_annotations(kind))}
+            if not declared and not name.startswith("_"):
+                raise ArgumentError(str(self._missing(name)))
+            super().__setattr__(name, value)
 
         def __getattr__(self, name: str) -> Any:
             raise AttributeError(name) if name.startswith("_") else self._missing(name)
@@ -75,6 +77,10 @@ class Component:
         """Return the path, and the signals with their last values, one a line."""
         name = self._model.path or self._model.name
         return "\n".join([f"<{type(self).__name__} {name}>", *(f"  {signal!r}" for signal in self.signals)])
+
+    def _repr_html_(self) -> str:
+        """Return the path, and the signals with their last values, as a table."""
+        return signals_table(f"{type(self).__name__} {self._model.path or self._model.name}", self.signals)
 
 
 class Robot(Component):

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Protocol, Self
 import numpy as np
 
 from unity_link.data.batch import Batch
-from unity_link.errors import ArgumentError, GatewayError, SamplesLostError, refusing
+from unity_link.errors import ArgumentError, GatewayError, SamplesLostError, Sealed, refusing
 from unity_link.link.running import Event, gather, running
 from unity_link.link.subscription import NOT_OPEN, Sample, so_many
 
@@ -144,7 +144,7 @@ class Poll:
         return sample
 
 
-class GroupSubscription:
+class GroupSubscription(Sealed):
     """A stream of samples of a group; made by `Group.subscribe`, to be used in an ``async with`` block.
 
     Iteration gives `GroupSample`, one by one. A group of several gateways gets samples of each as they come, with the
@@ -154,7 +154,7 @@ class GroupSubscription:
     def __init__(self, sources: Sequence[tuple[GroupLayout, SampleSource]]) -> None:
         self._sources = sources
         self._stack = AsyncExitStack()
-        self._entered = False
+        self._entered = self._is_over = False
         self._waiting: dict[asyncio.Task[Batch], int] = {}
         self._rest: list[GroupSample] = []
 
@@ -182,9 +182,12 @@ class GroupSubscription:
         __enter__ = __exit__ = refusing("write `async with` before this subscription: its link is not a blocking one")
         __iter__ = refusing("write `async for` over the samples: their link is not a blocking one")
 
+    def _called(self) -> str:
+        return "a subscription of a group"
+
     def __repr__(self) -> str:
         """Return what has come of it."""
-        state = "open" if self._entered else "not open"
+        state = "over" if self._is_over else "open" if self._entered else "not open"
         return f"<subscription of a group, {state}: {self.received} samples, {self.lost} lost>"
 
     async def take(self, count: int | None = None) -> Batch:
@@ -229,6 +232,7 @@ class GroupSubscription:
     async def __aexit__(
         self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
     ) -> None:
+        self._is_over = True
         waiting, self._waiting = self._waiting, {}
         for task in waiting:
             task.cancel()

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, ClassVar
 
 import numpy as np
 
-from unity_link.errors import ArgumentError
+from unity_link.errors import ArgumentError, Sealed
 from unity_link.hardware.bus import link_under
 
 if TYPE_CHECKING:
@@ -27,7 +27,7 @@ _KINDS: dict[str, type[Module]] = {}
 """The classes of modules by their words in a spec."""
 
 
-class Module:
+class Module(Sealed):
     """A module on the bus. Addresses in it are offsets: 0 is its first word.
 
     A subclass is a kind of module. With ``word="STEPPER"`` in its list of bases, specs can name it, with ``slots`` for
@@ -63,6 +63,15 @@ class Module:
         self.parameters = parameters
         if self.size is not None and self.size < 1:
             raise ArgumentError(f"a module of {self.size} words was asked for, at least 1 is needed")
+
+    if not TYPE_CHECKING:  # A type checker refuses them by itself.
+
+        def __setattr__(self, name: str, value: object) -> None:
+            """Set what it has already, which a module of one's own may do by itself."""
+            if name in vars(self) or getattr(getattr(type(self), name, None), "fset", None) is not None:
+                object.__setattr__(self, name, value)
+            else:
+                super().__setattr__(name, value)
 
     def __repr__(self) -> str:
         """Return the kind and where it is."""

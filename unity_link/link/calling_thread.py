@@ -9,7 +9,6 @@ thread of one (`relay`).
 from __future__ import annotations
 
 import asyncio
-import logging
 import math
 import socket
 import threading
@@ -21,6 +20,7 @@ from typing import TYPE_CHECKING, Any, TypeVar
 from unity_link.errors import ArgumentError
 from unity_link.link.relay import Relay, run_in_loop
 from unity_link.link.running import CALLING
+from unity_link.link.runtime import report
 from unity_link.link.timers import Timers
 from unity_link.link.waiter import Result
 from unity_link.transport import DriverUrl, has_channel, load_driver, observed, open_channel
@@ -36,7 +36,6 @@ if TYPE_CHECKING:
     from unity_link.transport.stream import Stream
 
 T = TypeVar("T")
-log = logging.getLogger("unity_link.link")
 
 
 class CallWaiter(Result):
@@ -83,7 +82,7 @@ class _Job(_Run):
             self._end()
         except Exception as error:  # noqa: BLE001  (no call is there that could raise it)
             self._end()
-            self._runtime.report("what runs beside the calls of a link has failed", error)
+            report("what runs beside the calls of a link has failed", error)
         else:
             waiter.on_done = lambda: self._runtime.call_soon(self.step)
             if self._cancelled:
@@ -314,10 +313,6 @@ class CallingThread:
         finally:
             run.deadline = None
             timer.cancel()
-
-    def report(self, message: str, error: Exception) -> None:
-        """Report an error that no call raises."""
-        log.error(message, exc_info=error)
 
     # Media
 

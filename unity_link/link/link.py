@@ -23,6 +23,7 @@ from unity_link.errors import (
     UnityLinkError,
     UnsupportedError,
     missing,
+    missing_attribute,
     refusing,
 )
 from unity_link.link.connection import Connection, Reconnect, settle
@@ -76,6 +77,15 @@ class Statistics(msgspec.Struct, frozen=True, kw_only=True):
     reconnections: int
     round_trip: float | None
     """Smoothed round trip in seconds."""
+
+    if not TYPE_CHECKING:  # A type checker refuses them by itself.
+        __getattr__ = missing_attribute("the statistics of a link")
+
+    def _repr_html_(self) -> str:
+        """Return the numbers as a table."""
+        from unity_link.link import html
+
+        return html.table("statistics of a link", html.statistics_rows(self))
 
 
 class Link(Connection):
@@ -153,6 +163,12 @@ class Link(Connection):
         """Return where it leads, and whether there is a connection now."""
         state = "connected" if self.connected else "closed" if self._closed else "not connected"
         return f"<link to {self._name}, {state}>"
+
+    def _repr_html_(self) -> str:
+        """Return the same, what the gateway is, and the statistics, as a table."""
+        from unity_link.link import html
+
+        return html.link_table(self)
 
     @property
     def statistics(self) -> Statistics:
@@ -390,7 +406,8 @@ class Link(Connection):
             buffer: most samples that wait for the reader. The default holds all that one read of a socket can bring.
             latest: keep the newest sample alone, for a controller: what it reads is never older than it needs to be.
             overflow: what happens when they are more: ``"drop_oldest"`` and count, or ``"fail"``.
-            callback: is called with each sample as it arrives, in place of iteration.
+            callback: is called with each sample as it arrives, in place of iteration. What it raises is logged under
+                ``unity_link.link`` and stops nothing: the first exception of each type.
 
         Without a rate, a divisor or a trigger, samples come when `Subscription.publish` asks for them.
 

@@ -7,6 +7,7 @@ Their coroutines are the same in every kind of program. `AsyncioRuntime` is the 
 from __future__ import annotations
 
 import asyncio
+import logging
 from typing import TYPE_CHECKING, Any, Protocol, cast
 
 from unity_link.transport import open_medium, prepare
@@ -17,6 +18,13 @@ if TYPE_CHECKING:
 
     from unity_link.transport import DriverUrl, Medium
     from unity_link.transport.stream import Stream
+
+log = logging.getLogger("unity_link.link")
+
+
+def report(message: str, error: Exception) -> None:
+    """Log an error that no call can raise: of a program's own callback, or of what runs beside the calls."""
+    log.error(message, exc_info=error)
 
 
 class Waiter(Protocol):
@@ -100,16 +108,12 @@ class Runtime(Protocol):
     def leave(self) -> None:
         """End what one call of `attend` has begun."""
 
-    def report(self, message: str, error: Exception) -> None:
-        """Report an error of a program's own callback."""
-
 
 class AsyncioRuntime:
     """The event loop that is running."""
 
     def __init__(self) -> None:
         loop = asyncio.get_running_loop()
-        self._loop = loop
         # The loop's own methods: nothing stands between them and the calls.
         self.time = loop.time
         self.create_future = loop.create_future
@@ -135,7 +139,3 @@ class AsyncioRuntime:
 
     def leave(self) -> None:
         """Do nothing."""
-
-    def report(self, message: str, error: Exception) -> None:
-        """Report an error of a program's own callback by the exception handler of the loop."""
-        self._loop.call_exception_handler({"message": message, "exception": error})

@@ -6,7 +6,6 @@ waited for by anyio; another one is opened in the thread of an event loop (`rela
 
 from __future__ import annotations
 
-import logging
 import math
 from collections import deque
 from contextlib import AsyncExitStack, asynccontextmanager, suppress
@@ -17,6 +16,7 @@ from anyio.from_thread import BlockingPortal
 
 from unity_link.link.relay import Relay, run_in_loop
 from unity_link.link.running import STRUCTURED
+from unity_link.link.runtime import report
 from unity_link.link.timers import Timers
 from unity_link.link.waiter import Result
 from unity_link.transport import DriverUrl, has_channel, load_driver, observed, open_channel
@@ -30,8 +30,6 @@ if TYPE_CHECKING:
     from unity_link.link.runtime import Job
     from unity_link.transport import Medium
     from unity_link.transport.stream import Stream
-
-log = logging.getLogger("unity_link.link")
 
 
 class TaskWaiter(Result):
@@ -67,7 +65,7 @@ class _TaskJob:
             with self._scope:
                 await self._coroutine
         except Exception as error:  # noqa: BLE001  (no call is there that could raise it)
-            self._runtime.report("what runs beside the calls of a link has failed", error)
+            report("what runs beside the calls of a link has failed", error)
         finally:
             self.ended.set()
 
@@ -159,10 +157,6 @@ class Structured:
 
     def leave(self) -> None:
         """Do nothing."""
-
-    def report(self, message: str, error: Exception) -> None:
-        """Report an error that no call raises."""
-        log.error(message, exc_info=error)
 
     # Media
 

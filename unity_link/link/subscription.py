@@ -9,6 +9,7 @@ from __future__ import annotations
 import contextlib
 import inspect
 import time
+import warnings
 from collections import deque
 from operator import itemgetter
 from typing import TYPE_CHECKING, Any, Literal, Self
@@ -24,8 +25,10 @@ from unity_link.errors import (
     OutOfRangeError,
     SamplesLostError,
     UnityLinkError,
+    missing_attribute,
     refusing,
 )
+from unity_link.link.runtime import report
 from unity_link.protocol.exchange import Sampled, SampledRows, SampledTogether
 from unity_link.protocol.group_table import GroupBegun, GroupRefused, GroupStarted
 from unity_link.protocol.messages import TIMESTAMP_DIGITS, Codec, GroupFlag
@@ -69,6 +72,9 @@ class Sample(msgspec.Struct, frozen=True, gc=False):
     """How many samples were lost between the one that was read before and this one."""
     epoch: int = 0
     """Number of the link's session that it came in: 0, and one more after each reconnection."""
+
+    if not TYPE_CHECKING:  # A type checker refuses them by itself.
+        __getattr__ = missing_attribute("a sample")
 
 
 class GatewayClock:
@@ -311,7 +317,7 @@ class Subscription:
         self._dropped = 0
         self._waiter: Waiter | None = None
         self._entered = False
-        self._group: Any = None
+        self._group = None
         self._started: Waiter = publishing.runtime.create_future()
         self._error: UnityLinkError | None = None
         self._ended = False
@@ -319,11 +325,25 @@ class Subscription:
         self._sampled_at: float | None = None
         self._due_hz: float | None = None
         """The rate, where time alone says how many samples are due."""
+        self._waits_for_block = callback is not None
+
+    _group: Any = None
+    _waits_for_block = False
+    """Whether it has a callback, and nothing was done yet to have that called."""
+
+    def __del__(self) -> None:
+        """Warn of one that was not closed, and of one whose callback was never to be called."""
+        if self._group is not None:
+            warnings.warn(f"{self!r} was not closed: use `async with`", ResourceWarning, stacklevel=1, source=self)
+        elif self._waits_for_block:
+            # One that only iterates is told when it does.
+            warnings.warn(f"no callback was called: {NOT_OPEN}", RuntimeWarning, stacklevel=1, source=self)
 
     if not TYPE_CHECKING:  # A type checker refuses them by itself.
         __await__ = refusing(NOT_OPEN)
         __enter__ = __exit__ = refusing("write `async with` before this subscription: its link is not a blocking one")
         __iter__ = refusing("write `async for` over the samples: their link is not a blocking one")
+        __getattr__ = missing_attribute("a subscription")
 
     def __repr__(self) -> str:
         """Return what is sampled, and what has come of it."""
@@ -347,7 +367,7 @@ class Subscription:
     async def __aenter__(self) -> Self:
         if self._entered:
             raise ArgumentError("this subscription has been entered before: make another one by `subscribe`")
-        self._entered = True
+        self._entered, self._waits_for_block = True, False
         timestamped = GroupFlag.TIMESTAMP in self.schedule.flags
         self.words_at = HEAD + (TIMESTAMP_DIGITS if timestamped else 0)
         self.length = self.words_at + self._publishing.info.data_digits * len(self.schedule.addresses)
@@ -583,7 +603,7 @@ class Subscription:
             if type(error) not in self._told:
                 self._told.add(type(error))
                 what = f"a subscription's callback raised {type(error).__name__} (told once)"
-                self._publishing.runtime.report(what, error)
+                report(what, error)
 
     def _wake(self) -> None:
         if self._waiter is not None and not self._waiter.done():

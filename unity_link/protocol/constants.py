@@ -12,6 +12,8 @@ FEWEST_SILENT_TRIES = 3
 """Time outs in silence before the link is lost, however long one takes."""
 MOST_QUICK_SIGNS = 6
 """How often signs of loss are followed at the pace of a round trip that is next to nothing."""
+MOST_SIGNS = 12
+"""How often the window goes back for signs of loss of the same request; from there on they count as time outs."""
 SLOWER_SIGNS = 0.001
 """What a round trip counts as, at least, after so many signs."""
 MOST_TRIES = 32
@@ -20,8 +22,8 @@ MOST_REFUSALS = 3
 """Errors 02 and 03 to one request until it is given up."""
 FEWEST_IN_FLIGHT = 8
 """Requests in flight on a line that loses, at least."""
-ANSWERS_FOR_ONE_MORE = 4
-"""Answers that let one more request be in flight, where a loss has made them few."""
+DONE_FOR_ONE_MORE = 4
+"""Requests done, posted writes among them, that let one more be in flight, where a loss has made them few."""
 FIRST_TIMEOUT = 0.25
 """The time out before the first round trip was measured."""
 SHORTEST_TIMEOUT = 0.025
@@ -34,10 +36,23 @@ FENCE_DELAY = 0.001
 """Posted writes are confirmed by an ``h`` after this time, if nothing else with an answer follows them."""
 MEASUREMENT_PAUSE = 0.001
 """Between two measurements of the round trip: one a window is enough, and fast reads are left alone."""
+ANSWER_PATIENCE = 0.1
+"""On a half-duplex medium, and where nodes share a line: how long an answer can be on its way, beyond what its bytes
+need. It is the shortest time out there, too, and what each try of a node that does not answer costs the others."""
+FIRST_TRY = 0.1
+"""Seconds until a question of the handshake is asked again, doubled each time."""
+LONGEST_TRY = 1.0
+CHECKED_TRIES = 4
+"""How often the checked `Q` is asked before the plain answer is doubted."""
+DAMAGE_PAUSE = 0.002
+"""Seconds from a line that is no answer to the next question."""
+DAMAGE_PATIENCE = 16
+"""How many times as long as a line took that was no answer, the next answer is waited for."""
+SHORTEST_TRY = 0.002
+DAMAGE_COST = 1 / 16
+"""What part of a try a question counts that was answered by something else."""
+SURE = 3
+"""How often an impossible answer is heard before it is believed: a datagram that was damaged can come twice."""
 
 TABLE: dict[str, float] = {name: value for name, value in globals().items() if isinstance(value, int | float)}
-"""All of them by name, for clients that have a line for themselves."""
-
-ANSWER_PATIENCE = 0.1
-"""Where nodes share a line: how long an answer can be on its way, beyond what its bytes need. It is the shortest time
-out there, too, and what each try of a node that does not answer costs the others."""
+"""All of them by name, for clients in other languages."""

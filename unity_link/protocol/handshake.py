@@ -15,6 +15,16 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from unity_link.errors import ConnectError, UnsupportedError
 from unity_link.protocol.configuration import GatewayInfo
+from unity_link.protocol.constants import (
+    CHECKED_TRIES,
+    DAMAGE_COST,
+    DAMAGE_PATIENCE,
+    DAMAGE_PAUSE,
+    FIRST_TRY,
+    LONGEST_TRY,
+    SHORTEST_TRY,
+    SURE,
+)
 from unity_link.protocol.crc import Crc
 from unity_link.protocol.frames import LF, FrameError, Framing
 from unity_link.protocol.messages import Codec, ErrorCode
@@ -22,24 +32,8 @@ from unity_link.protocol.messages import Codec, ErrorCode
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-FIRST_TRY = 0.1
-"""Seconds until a question is asked again, doubled each time."""
-LONGEST_TRY = 1.0
-LAST_ANSWER = len("K000CCCC\n")
-"""Bytes of the last answer, at most for the usual widths."""
-CHECKED_TRIES = 4
-"""How often the checked `Q` is asked before the plain answer is doubted."""
 RESET_TRIES = 3
 """How often a gateway is asked whether it was reset: behind datagrams, it does not answer outside of a session."""
-DAMAGE_PAUSE = 0.002
-"""Seconds from a line that is no answer to the next question."""
-DAMAGE_PATIENCE = 16
-"""How many times as long as a line took that was no answer, the next answer is waited for."""
-SHORTEST_TRY = 0.002
-DAMAGE_COST = 1 / 16
-"""What part of a try a question counts that was answered by something else."""
-SURE = 3
-"""How often an impossible answer is heard before it is believed: a datagram that was damaged can come twice."""
 ECHO = "what is sent comes back as it is: is TX wired to RX, or an echo switched on?"
 ECHO_PATIENCE = 0.5
 """Seconds for which nothing but an echo is heard before it is believed: on a pair of wires an answer may follow."""
@@ -122,6 +116,11 @@ class Handshake:
     def first(self) -> int:
         """The first ID of the session."""
         return self._seed & self.codec.ring - 1
+
+    @property
+    def byte_time(self) -> float:
+        """Seconds that a byte can need on the wire, at most: as the answer to the last question came."""
+        return self.round_trip / len(self._framing.checked(b"K" + self.codec.id_text[self.first]))
 
     @property
     def asks(self) -> bool:

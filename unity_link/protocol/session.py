@@ -37,7 +37,7 @@ from unity_link.protocol.constants import ANSWER_PATIENCE, LONGEST_SILENCE
 from unity_link.protocol.exchange import Counters, Exchange
 from unity_link.protocol.frames import LONGEST_FRAME
 from unity_link.protocol.group_table import GroupTable, HeldGroup
-from unity_link.protocol.handshake import LAST_ANSWER, Handshake
+from unity_link.protocol.handshake import Handshake
 from unity_link.protocol.requests import Events, Fence, Request, Source, Step
 from unity_link.protocol.window import Window
 
@@ -470,12 +470,11 @@ class Session:
             self._fail_handshake(UnsupportedError(message), events)
             return
         credit = None if Feature.FLOW_CONTROL in info.features else info.receive_fifo_bytes
-        byte_time = handshake.round_trip / LAST_ANSWER
         window: Window[Any] = Window(
             codec.ring,
             handshake.first,
             credit,
-            byte_time,
+            handshake.byte_time,
             handshake.round_trip,
             self._shortest_timeout,
             1 if Feature.HALF_DUPLEX in info.features else None,

@@ -31,9 +31,9 @@ What comes in, and what the window does:
 
 *Go back* means: send the unanswered requests again, in order, from `oldest`. One damaged request costs all those sent
 behind it. So where it goes back, fewer are kept in flight: half as many, and at most twice as many as came through
-since it went back before; some answers later it is one more. The repetition, too, sends only as many at a time, and new
-requests follow behind its end. What is answered does not count, so that new requests follow also where the oldest alone
-is sent again.
+since it went back before; some that are done later it is one more, and posted writes count as they are confirmed. The
+repetition, too, sends only as many at a time, and new requests follow behind its end. What is answered does not count,
+so that new requests follow also where the oldest alone is sent again.
 
 A damaged answer costs nothing but itself. Both directions keep the order, and the window knows in which order requests
 were sent, repetitions among them. So a response says which others will not come any more.
@@ -43,8 +43,9 @@ takes no further sign as long as neither `oldest` nor `executed` has moved and a
 before: for the least round trip seen, and twice as long each time; the first few, for a usual round trip at most. A
 later sign says that the repetition was lost, too. An earlier one may say the same of a line that was quicker than ever
 before: where nothing comes for as long again, the window goes back for that. What brings no sign at all, the time out
-finds. Where no flow control protects the gateway's receive FIFO, only the time out sends the same once more: what waits
-in the FIFO must have left it.
+finds. From `MOST_SIGNS` on, a sign counts as a time out, so that what is damaged each time is given up as well. Where
+no flow control protects the gateway's receive FIFO, only the time out sends the same once more: what waits in the FIFO
+must have left it.
 
 Something was *heard* if it can be about a request; samples are not. A request that is given up, or that is not wanted
 any more, keeps its ID, for those behind it build on it; when it is sent again, it is sent as ``h``.
@@ -62,7 +63,7 @@ from typing import TYPE_CHECKING, Generic, NamedTuple, TypeVar
 
 from unity_link.errors import Outcome
 from unity_link.protocol.constants import (
-    ANSWERS_FOR_ONE_MORE,
+    DONE_FOR_ONE_MORE,
     FENCE_DELAY,
     FEWEST_IN_FLIGHT,
     FEWEST_SILENT_TRIES,
@@ -72,6 +73,7 @@ from unity_link.protocol.constants import (
     MEASUREMENT_PAUSE,
     MOST_QUICK_SIGNS,
     MOST_REFUSALS,
+    MOST_SIGNS,
     MOST_TRIES,
     SHORTEST_TIMEOUT,
     SLOWER_SIGNS,
@@ -403,9 +405,7 @@ class Window(Generic[R]):
         sending = self._answered_sending(run, number + count - 1 & self._mask, now) if tells else 0
         self._fill(number, count, None)
         if self.loses:
-            self._came += count
-            self._allowed = min(self._most, self._allowed_after_loss + self._came // ANSWERS_FOR_ONE_MORE)
-            self.loses = self._allowed < self._most
+            self._came_through(count)
         if self._timeout != self._measured_timeout and (number - self._sent_once_from & self._mask) <= self._half:
             self._timeout = self._measured_timeout
         after = number + count & self._mask
@@ -512,12 +512,13 @@ class Window(Generic[R]):
 
         A fence that is due is the matter of `needs_fence`.
         """
+        deadline = self.deadline
         if self._early_sign is not None and now >= self._early_sign[1]:
             self._early_sign = None
-            self._go_back(now)
-            return None
-        deadline = self.deadline
-        if deadline is None or now < deadline or (deadline == self._fence_due and not self.wants_repetition):
+            if self._gone_back < MOST_SIGNS:
+                self._go_back(now)
+                return None
+        elif deadline is None or now < deadline or (deadline == self._fence_due and not self.wants_repetition):
             return None
         given_up = None
         self._tries += 1
@@ -551,15 +552,24 @@ class Window(Generic[R]):
 
     def _confirm(self, expected: int) -> None:
         """Move `executed` up: the posted writes that it passes are done, and their bytes have left the FIFO."""
-        position = self.executed
+        position, posted = self.executed, 0
         while position != expected:
             run = self._slots[position]
             if run is not None:
                 self._bytes -= run.size
                 if run.posted:
                     self._slots[position] = None
+                    posted += 1
             position = position + 1 & self._mask
         self.executed = expected
+        if self.loses:
+            self._came_through(posted)
+
+    def _came_through(self, count: int) -> None:
+        """Record how many more are done since the window went back, and let so many more be in flight."""
+        self._came += count
+        self._allowed = min(self._most, self._allowed_after_loss + self._came // DONE_FOR_ONE_MORE)
+        self.loses = self._allowed < self._most
 
     def _news(self, now: float) -> None:
         """Move `oldest` up over what is done, and start the clock anew."""
@@ -607,6 +617,11 @@ class Window(Generic[R]):
         if known:
             self._note_early_sign(now)
         elif self.oldest != self.next and begun:
+            if self._gone_back == MOST_SIGNS:
+                # `expire` goes back for it, and counts the tries.
+                self._early_sign = (self._sent, now)
+                self._troubled = True
+                return
             self.timed_out = False
             self._repeat_from_oldest(now, ambiguous_until)
 
@@ -679,8 +694,7 @@ class Window(Generic[R]):
         # What waits in a receive FIFO that can overflow must have left it before the same is sent once more.
         self._repeated_at, self._next_sign = now, now + (pause if self._byte_limit is None else LONGEST_TIMEOUT)
         self._early_sign = None
-        # Beyond this the pause is the longest anyway.
-        self._gone_back = min(self._gone_back + 1, MOST_QUICK_SIGNS * 2)
+        self._gone_back = min(self._gone_back + 1, MOST_SIGNS)
         self._refused = False
         if self.loses:
             self._allowed = min(self._allowed, 4 * self._came)

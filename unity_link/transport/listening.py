@@ -9,18 +9,72 @@ from __future__ import annotations
 import asyncio
 import contextlib
 import errno
+import functools
 import os
 import socket
+import warnings
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, ParamSpec, TypeVar
 
-from unity_link.errors import ConnectError
+from unity_link.errors import ConnectError, refusing
 
 if TYPE_CHECKING:
     from collections.abc import AsyncIterator, Callable
+    from types import TracebackType
 
+P = ParamSpec("P")
+T = TypeVar("T")
+T_co = TypeVar("T_co", covariant=True)
 LOOPBACK = "127.0.0.1"
 _OWNER_ONLY = 0o177
+
+
+class Serving(contextlib.AbstractAsyncContextManager[T_co]):
+    """What is served while its ``async with`` block runs; warns where that is never left.
+
+    Args:
+        what: how messages call it.
+        block: serves.
+    """
+
+    def __init__(self, what: str, block: contextlib.AbstractAsyncContextManager[T_co]) -> None:
+        self._what = what
+        self._block = block
+        self._is_open = False
+
+    if not TYPE_CHECKING:  # A type checker refuses them by itself.
+        __await__ = __enter__ = __exit__ = refusing("nothing is served yet: write `async with serve...(...) as url:`")
+
+    def __del__(self) -> None:
+        """Warn of what was not closed."""
+        if self._is_open:
+            warnings.warn(f"{self._what} is still served: use `async with`", ResourceWarning, stacklevel=1, source=self)
+
+    async def __aenter__(self) -> T_co:
+        served = await self._block.__aenter__()
+        self._is_open = True
+        return served
+
+    async def __aexit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> bool | None:
+        self._is_open = False
+        return await self._block.__aexit__(kind, error, trace)
+
+
+def serving(what: str) -> Callable[[Callable[P, AsyncIterator[T]]], Callable[P, Serving[T]]]:
+    """Make of a generator what serves while an ``async with`` block runs, as `contextlib.asynccontextmanager` does."""
+
+    def decorate(generate: Callable[P, AsyncIterator[T]]) -> Callable[P, Serving[T]]:
+        make = contextlib.asynccontextmanager(generate)
+
+        @functools.wraps(generate)
+        def serve(*arguments: P.args, **options: P.kwargs) -> Serving[T]:
+            return Serving(what, make(*arguments, **options))
+
+        return serve
+
+    return decorate
 
 
 @contextlib.asynccontextmanager

@@ -171,6 +171,7 @@ def build_nodes(
     chances: Mapping[str, float],
     seed: int,
     on_collision: Callable[[str], object],
+    rtl: bool = False,
 ) -> Gateway:
     """Build an RS-485 line with a gateway for each node.
 
@@ -181,11 +182,15 @@ def build_nodes(
         chances: as of `build_gateway`, of the line.
         seed: as of `build_gateway`.
         on_collision: is told in a sentence when two send at the same time.
+        rtl: take the compiled gateware instead of the model of it.
 
     Raises:
         ArgumentError: for a value that no gateway can have.
+        ConnectError: where the gateware can't be compiled here.
     """
-    line = build_shared_line(nodes, baud, _info(configuration))
+    line = build_shared_line(
+        nodes, baud, _info(configuration, _compiled_default() if rtl else None), build=compiled_node if rtl else None
+    )
     line.on_collision = on_collision
     return _noisy(line, chances, seed)
 
@@ -297,6 +302,25 @@ def _compiled(wanted: Wanted) -> BareGateway:
     from unity_link.virtual.rtl.specs import made
 
     return RtlGateway(made(_build_of(wanted)))
+
+
+def _compiled_default() -> GatewayInfo:
+    from unity_link.virtual.rtl.configurations import DEFAULT, find
+
+    return find(DEFAULT).info
+
+
+def compiled_node(info: GatewayInfo, node: int) -> BareGateway:
+    """Build the compiled gateware of a node on a medium that several share.
+
+    Raises:
+        ArgumentError: for a value that no gateway can have.
+        ConnectError: where the gateware can't be compiled here.
+    """
+    from unity_link.virtual.rtl import RtlGateway
+    from unity_link.virtual.rtl.specs import configuration_of_node, made
+
+    return RtlGateway(made(configuration_of_node(info, node)))
 
 
 def _build_of(wanted: Wanted) -> Configuration:

@@ -12,7 +12,7 @@ import socket
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 from unity_link.transport import parse_url
-from unity_link.transport.listening import LOOPBACK
+from unity_link.transport.listening import LOOPBACK, serving
 from unity_link.transport.tcp import address
 
 if TYPE_CHECKING:
@@ -26,7 +26,7 @@ Parcel: TypeAlias = "tuple[bytes, Address]"
 _LARGEST = 65_536
 
 
-@contextlib.asynccontextmanager
+@serving("a network")
 async def relay_udp(url: str, towards: Straying[Parcel], back: Straying[Parcel]) -> AsyncIterator[str]:
     """Relay the datagrams of clients to a gateway. Gives the URL for clients, a port of this machine.
 

@@ -23,7 +23,7 @@ from typing import TYPE_CHECKING, Any, cast
 from unity_link.errors import ConnectError
 from unity_link.protocol.datagrams import GatewayDatagrams
 from unity_link.protocol.messages import Codec
-from unity_link.transport.listening import LOOPBACK, listen_tcp, listen_unix, port_error
+from unity_link.transport.listening import LOOPBACK, listen_tcp, listen_unix, port_error, serving
 from unity_link.virtual.transport import GatewayTransport
 from unity_link.virtual.uart import UartLine
 
@@ -150,7 +150,7 @@ def _hanging_up(counter: ClientCounter) -> Iterator[None]:
             counter.sender.abort()
 
 
-@contextlib.asynccontextmanager
+@serving("a gateway")
 async def serve_tcp(gateway: Gateway, port: int = 0, host: str = LOOPBACK) -> AsyncIterator[str]:
     """Serve a gateway on a TCP port; 0 chooses a free one. Gives its URL.
 
@@ -162,7 +162,7 @@ async def serve_tcp(gateway: Gateway, port: int = 0, host: str = LOOPBACK) -> As
             yield url
 
 
-@contextlib.asynccontextmanager
+@serving("a gateway")
 async def serve_unix(gateway: Gateway, path: str | os.PathLike[str]) -> AsyncIterator[str]:
     """Serve a gateway on a Unix socket that only this user may open, and that is removed at the end. Gives its URL.
 
@@ -223,7 +223,7 @@ class _DatagramClients(asyncio.DatagramProtocol, asyncio.Transport):
         self._socket.sendto(datagram, address)
 
 
-@contextlib.asynccontextmanager
+@serving("a gateway")
 async def serve_udp(
     gateway: Gateway, port: int = 0, host: str = LOOPBACK, *, node: int | None = None
 ) -> AsyncIterator[str]:
@@ -267,7 +267,7 @@ class _PtySide(_Client):
             self._counter.reader = transport
 
 
-@contextlib.asynccontextmanager
+@serving("a gateway")
 async def serve_pty(
     gateway: Gateway, link: str | os.PathLike[str] | None = None, *, baud: float | None = None
 ) -> AsyncIterator[str]:

@@ -36,7 +36,11 @@ _DAMAGED = b"\xff"
 
 
 def build_shared_line(
-    nodes: Iterable[int], baud: int = DEFAULT_BAUD, info: GatewayInfo | None = None, delay: float = 0.0
+    nodes: Iterable[int],
+    baud: int = DEFAULT_BAUD,
+    info: GatewayInfo | None = None,
+    delay: float = 0.0,
+    build: Callable[[GatewayInfo, int], Gateway] | None = None,
 ) -> SharedLine:
     """Return a line with a half-duplex gateway of plain memory for each of some nodes.
 
@@ -45,6 +49,7 @@ def build_shared_line(
         baud: of the line.
         info: the configuration of each.
         delay: seconds from a request to the beginning of its answer, beyond what the UART needs.
+        build: makes the gateway of a configuration and a node; None: a model.
 
     Raises:
         ArgumentError: for a number that no node can have, or two have, and for no node at all.
@@ -57,7 +62,7 @@ def build_shared_line(
     for node in nodes:
         if node in gateways:
             raise ArgumentError(f"node {node} is there twice: each node on a line has a number of its own")
-        gateways[node] = VirtualGateway(info, node=node)
+        gateways[node] = VirtualGateway(info, node=node) if build is None else build(info, node)
     return SharedLine(gateways, baud, delay)
 
 
@@ -101,9 +106,13 @@ class SharedLine(Gateway):
 
     def at(self, node: int) -> Place:
         """Return the medium of a link to a node: what `unity_link.connect` takes in place of a URL."""
+        return Place(self, node)
+
+    def places(self) -> _Places:
+        """Return where links in the running loop take their places."""
         if self._places is None or self._places.is_over:
             self._places = _Places(self)
-        return Place(self._places, node)
+        return self._places
 
     @property
     def memory(self) -> MutableMapping[int, int]:
@@ -187,24 +196,29 @@ class _Sending:
         self.node, self.begins, self.until, self.data = node, begins, until, data
 
 
-class Place(BufferedTransport):
-    """The medium of a link to one node, in the loop in which it is opened; made by `SharedLine.at`."""
+class Place:
+    """The medium of a link to one node, in the loop in which it is opened, again and again; made by `SharedLine.at`."""
 
-    def __init__(self, places: _Places, node: int) -> None:
+    def __init__(self, line: SharedLine, node: int) -> None:
         self.node = node
-        self._places = places
-        self._seat: Seat
+        self._line = line
 
     async def open(self, protocol: asyncio.Protocol) -> asyncio.Transport:
         """Connect a protocol to the line."""
-        seat = self._places.line.join(self.node)
-        super().__init__(
-            protocol, {"seat": seat, "byte_time": self._places.byte_time, "shortest_timeout": QUICK_TIMEOUT}
-        )
+        places = self._line.places()
+        transport = _PlaceTransport(places, places.line.join(self.node), protocol)
+        places.protocols[self.node] = protocol
+        protocol.connection_made(transport)
+        return transport
+
+
+class _PlaceTransport(BufferedTransport):
+    """The connection of a link to one node."""
+
+    def __init__(self, places: _Places, seat: Seat, protocol: asyncio.Protocol) -> None:
+        super().__init__(protocol, {"seat": seat, "byte_time": places.byte_time, "shortest_timeout": QUICK_TIMEOUT})
+        self._places = places
         self._seat = seat
-        self._places.protocols[self.node] = protocol
-        protocol.connection_made(self)
-        return self
 
     def write(self, data: bytes | bytearray | memoryview) -> None:
         """Send a frame, in the turn of the link."""
@@ -220,7 +234,7 @@ class Place(BufferedTransport):
         if self._closing:
             return
         self._closing = True
-        self._places.leave(self.node)
+        self._places.leave(self._seat.node)
         self._seat.leave()
         self._loop.call_soon(self._protocol.connection_lost, None)
 

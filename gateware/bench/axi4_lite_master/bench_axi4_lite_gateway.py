@@ -6,6 +6,7 @@ import random
 from typing import TYPE_CHECKING
 
 import cocotb
+from cocotb.utils import get_sim_time
 
 from gateware.bench.axi4_lite_master.bench_axi4_lite_master import FROM_SLAVE, Slave
 from gateware.bench.streams import Sink, Source, start
@@ -13,6 +14,10 @@ from gateware.bench.unity_link.gateway import checked, with_id
 
 if TYPE_CHECKING:
     from cocotb.handle import SimHandleBase
+
+
+MOST_NS = 20 * (3 * 64 + 200)
+"""An access waits for the rest behind the one before it, as long as the timeout of 64 cycles, and times out."""
 
 
 class _Gateway:
@@ -64,5 +69,29 @@ async def errors_of_the_bus_are_answered_and_the_next_request_works(dut: SimHand
     gateway.slave.silent = True
     await gateway.ask(b"R0A", b"X05")
     gateway.slave.silent = False
+    await gateway.ask(b"W0A00000007", b"W0A")
+    await gateway.ask(b"R0A", b"R0A00000007")
+
+
+@cocotb.test
+async def a_slave_that_never_answers_costs_each_access_an_error_and_no_request_its_answer(dut: SimHandleBase) -> None:
+    gateway = await _begin(dut, 0.0)
+    await gateway.ask(with_id(b"K", 0), with_id(b"K", 0))
+    await gateway.ask(b"GS00000001022021", b"GS00")
+    gateway.slave.silent = True
+    # The first access stands at the slave for ever, a read or a write; none behind it gets there.
+    for number, (letters, fields) in enumerate(
+        ((b"r", b"0A"), (b"w", b"0B00000001"), (b"rm", b"2014"), (b"wm", b"20" + b"%08X" % 1 * 3), (b"r", b"30")) * 2
+    ):
+        asked_at = get_sim_time("ns")
+        await gateway.ask(with_id(letters, number, fields), with_id(b"x", number, b"05"))
+        assert get_sim_time("ns") - asked_at < MOST_NS
+    for _ in range(2):
+        await gateway.ask(b"R0A", b"X05")
+        await gateway.ask(b"WK0A0000000F00000005", b"X05")
+        # A sample that cannot be read is not published.
+        await gateway.ask(b"GP00", b"GP00")
+    gateway.slave.end()
+    gateway = await _begin(dut, 0.0)
     await gateway.ask(b"W0A00000007", b"W0A")
     await gateway.ask(b"R0A", b"R0A00000007")

@@ -40,7 +40,11 @@ class Slave:
         self._write_data: int | None = None
         self._read_address: int | None = None
         self._held: dict[str, tuple[int, ...]] = {}
-        cocotb.start_soon(self._run())
+        self._running = cocotb.start_soon(self._run())
+
+    def end(self) -> None:
+        """Leave the bus, as where a reset of both ends comes."""
+        self._running.cancel()
 
     def _sometimes(self) -> int:
         return int(self._rng.random() >= self.pause and not self.silent)

@@ -151,7 +151,11 @@ entity unity_link_bench is
     wb_dat_i : out   std_logic_vector(data_bits - 1 downto 0);
     wb_ack   : out   std_logic;
     wb_err   : out   std_logic;
-    wb_stall : out   std_logic
+    wb_stall : out   std_logic;
+    -- An access is taken, and the samples that it may be of.
+    wb_taken      : out   std_logic;
+    sample_strobe : out   std_logic;
+    sample_access : out   std_logic
   );
 end entity unity_link_bench;
 
@@ -200,6 +204,7 @@ begin
               '1';
   answered <= wb_cyc and wb_stb and answers when waited >= unsigned(wait_states) else
               '0';
+  wb_taken <= answered;
 
   classic : if not wb_pipelined generate
 
@@ -300,7 +305,10 @@ begin
       wb_dat_i  => wb_dat_i,
       wb_ack    => wb_ack,
       wb_err    => wb_err,
-      wb_stall  => wb_stall
+      wb_stall  => wb_stall,
+
+      sample_strobe => sample_strobe,
+      sample_access => sample_access
     );
 
 end architecture bench;

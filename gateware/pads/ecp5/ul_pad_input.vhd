@@ -9,11 +9,14 @@ library ieee;
 
 entity ul_pad_input is
   port (
+    -- Rising edges count.
     clk : in    std_logic;
-    -- At once, as in the output of the same pin.
+    -- '1': forget at once what was taken in, as in the output of the same pin. Clock: none.
     quiet : in    std_logic;
-    d     : in    std_logic;
-    q     : out   std_logic
+    -- From the pin. Clock: none.
+    d : in    std_logic;
+    -- What the pin showed at the last edge.
+    q : out   std_logic
   );
 end entity ul_pad_input;
 

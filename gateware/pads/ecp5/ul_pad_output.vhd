@@ -7,11 +7,14 @@ library ieee;
 
 entity ul_pad_output is
   port (
+    -- Rising edges count.
     clk : in    std_logic;
-    -- At once, whatever clk does.
+    -- '1': the pin rests at once, whatever clk does. Clock: none.
     quiet : in    std_logic;
-    d     : in    std_logic;
-    q     : out   std_logic
+    -- What the pin is to show from the next edge on.
+    d : in    std_logic;
+    -- To the pin.
+    q : out   std_logic
   );
 end entity ul_pad_output;
 

@@ -19,41 +19,54 @@ library work;
 
 entity ul_axi4_lite_master is
   generic (
-    -- 32 or 64.
-    data_bits    : positive := 32;
+    -- 32, 64: bits of a word.
+    data_bits : positive := 32;
+    -- 8 to 32: bits of the core's address, which counts words.
     address_bits : positive := 8
   );
   port (
+    -- Rising edges count.
     clk : in    std_logic;
+    -- Synchronous, active high, for one cycle or more.
     rst : in    std_logic;
-    -- Bus-independent interface.
-    bus_request    : in    std_logic;
-    bus_write      : in    std_logic;
-    bus_address    : in    std_logic_vector(address_bits - 1 downto 0);
+    -- An access is asked for by the core.
+    bus_request : in    std_logic;
+    -- '1': a write.
+    bus_write : in    std_logic;
+    -- The address, counted in words.
+    bus_address : in    std_logic_vector(address_bits - 1 downto 0);
+    -- The word that is written.
     bus_write_data : in    std_logic_vector(data_bits - 1 downto 0);
-    bus_read_data  : out   std_logic_vector(data_bits - 1 downto 0);
-    bus_done       : out   std_logic;
-    bus_error      : out   std_logic;
-    -- AXI4-Lite.
+    -- With bus_done: the word that is read.
+    bus_read_data : out   std_logic_vector(data_bits - 1 downto 0);
+    -- The access ends at this edge.
+    bus_done : out   std_logic;
+    -- With bus_done: the access has failed.
+    bus_error : out   std_logic;
+    -- AW channel; the address counts bytes, the protection is "000".
     awaddr  : out   std_logic_vector(address_bits + log2_ceil(data_bits / 8) - 1 downto 0);
     awprot  : out   std_logic_vector(2 downto 0);
     awvalid : out   std_logic;
     awready : in    std_logic;
-    wdata   : out   std_logic_vector(data_bits - 1 downto 0);
-    wstrb   : out   std_logic_vector(data_bits / 8 - 1 downto 0);
-    wvalid  : out   std_logic;
-    wready  : in    std_logic;
-    bresp   : in    std_logic_vector(1 downto 0);
-    bvalid  : in    std_logic;
-    bready  : out   std_logic;
+    -- W channel; all bytes of a word are written.
+    wdata  : out   std_logic_vector(data_bits - 1 downto 0);
+    wstrb  : out   std_logic_vector(data_bits / 8 - 1 downto 0);
+    wvalid : out   std_logic;
+    wready : in    std_logic;
+    -- B channel; SLVERR and DECERR are failures.
+    bresp  : in    std_logic_vector(1 downto 0);
+    bvalid : in    std_logic;
+    bready : out   std_logic;
+    -- AR channel, as AW.
     araddr  : out   std_logic_vector(address_bits + log2_ceil(data_bits / 8) - 1 downto 0);
     arprot  : out   std_logic_vector(2 downto 0);
     arvalid : out   std_logic;
     arready : in    std_logic;
-    rdata   : in    std_logic_vector(data_bits - 1 downto 0);
-    rresp   : in    std_logic_vector(1 downto 0);
-    rvalid  : in    std_logic;
-    rready  : out   std_logic
+    -- R channel, as B.
+    rdata  : in    std_logic_vector(data_bits - 1 downto 0);
+    rresp  : in    std_logic_vector(1 downto 0);
+    rvalid : in    std_logic;
+    rready : out   std_logic
   );
 end entity ul_axi4_lite_master;
 

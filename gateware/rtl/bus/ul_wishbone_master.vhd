@@ -24,35 +24,59 @@ library work;
 
 entity ul_wishbone_master is
   generic (
-    data_bits    : positive := 32;
+    -- 8 to 64: bits of a word.
+    data_bits : positive := 32;
+    -- 8 to 32: bits of an address, which counts words.
     address_bits : positive := 8;
-    pipelined    : boolean  := false
+    -- Whether Wishbone B4 is pipelined instead of classic.
+    pipelined : boolean := false
   );
   port (
+    -- Rising edges count.
     clk : in    std_logic;
+    -- Synchronous, active high, for one cycle or more.
     rst : in    std_logic;
-    -- Bus-independent interface.
-    bus_request    : in    std_logic;
-    bus_write      : in    std_logic;
-    bus_lock       : in    std_logic;
-    bus_ahead      : in    std_logic;
-    bus_next       : out   std_logic;
-    bus_address    : in    std_logic_vector(address_bits - 1 downto 0);
+    -- An access is asked for by the core.
+    bus_request : in    std_logic;
+    -- '1': a write.
+    bus_write : in    std_logic;
+    -- '1' over all accesses of one atomic transaction.
+    bus_lock : in    std_logic;
+    -- Other reads of the same transaction may follow before the answer.
+    bus_ahead : in    std_logic;
+    -- A read is taken, and its answer comes later.
+    bus_next : out   std_logic;
+    -- The address, counted in words.
+    bus_address : in    std_logic_vector(address_bits - 1 downto 0);
+    -- The word that is written.
     bus_write_data : in    std_logic_vector(data_bits - 1 downto 0);
-    bus_read_data  : out   std_logic_vector(data_bits - 1 downto 0);
-    bus_done       : out   std_logic;
-    bus_error      : out   std_logic;
-    -- Wishbone.
-    cyc   : out   std_logic;
-    stb   : out   std_logic;
-    we    : out   std_logic;
-    sel   : out   std_logic_vector((data_bits + 7) / 8 - 1 downto 0);
-    adr   : out   std_logic_vector(address_bits - 1 downto 0);
+    -- With bus_done: the word that is read.
+    bus_read_data : out   std_logic_vector(data_bits - 1 downto 0);
+    -- The access ends at this edge.
+    bus_done : out   std_logic;
+    -- With bus_done: the access has failed.
+    bus_error : out   std_logic;
+    -- A transaction is under way.
+    cyc : out   std_logic;
+    -- An access is asked for.
+    stb : out   std_logic;
+    -- '1': a write.
+    we : out   std_logic;
+    -- All '1': words are accessed whole.
+    sel : out   std_logic_vector((data_bits + 7) / 8 - 1 downto 0);
+    -- The address, counted in words.
+    adr : out   std_logic_vector(address_bits - 1 downto 0);
+    -- The word that is written.
     dat_o : out   std_logic_vector(data_bits - 1 downto 0);
+    -- The word that is read, with ack.
     dat_i : in    std_logic_vector(data_bits - 1 downto 0);
-    ack   : in    std_logic;
-    err   : in    std_logic;
-    rty   : in    std_logic;
+    -- The access is made.
+    ack : in    std_logic;
+    -- The access has failed.
+    err : in    std_logic;
+    -- The access is not made, and is repeated.
+    rty : in    std_logic;
+    -- Pipelined: the access is not taken yet.
     stall : in    std_logic
   );
 end entity ul_wishbone_master;

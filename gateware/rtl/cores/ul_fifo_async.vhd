@@ -23,24 +23,35 @@ library work;
 
 entity ul_fifo_async is
   generic (
+    -- At least 1: bits of an entry.
     width : positive := 8;
-    -- Entries; a power of two, at least 4. One more waits in the output register.
+    -- A power of two, at least 4: entries. One more waits in the output register.
     depth : positive := 16;
-    -- Registers in a row that a pointer passes, 2 or more.
+    -- At least 2: registers in a row that a pointer passes.
     stages : positive := 2
   );
   port (
-    in_clk   : in    std_logic;
-    in_rst   : in    std_logic;
-    in_data  : in    std_logic_vector(width - 1 downto 0);
+    -- The writing side's clock.
+    in_clk : in    std_logic;
+    -- Synchronous, active high; it must overlap out_rst. Clock: in_clk.
+    in_rst : in    std_logic;
+    -- An entry: it has moved at the edge at which in_valid and in_ready are both '1'. Clock: in_clk.
+    in_data : in    std_logic_vector(width - 1 downto 0);
+    -- An entry stands at in_data. Clock: in_clk.
     in_valid : in    std_logic;
+    -- There is room. Clock: in_clk.
     in_ready : out   std_logic;
-    -- The most entries that can be inside, as far as the writing side knows; may be left open.
-    in_level  : out   unsigned(log2_ceil(depth) downto 0);
-    out_clk   : in    std_logic;
-    out_rst   : in    std_logic;
-    out_data  : out   std_logic_vector(width - 1 downto 0);
+    -- The most entries that can be inside, as far as this side knows; may be left open. Clock: in_clk.
+    in_level : out   unsigned(log2_ceil(depth) downto 0);
+    -- The reading side's clock.
+    out_clk : in    std_logic;
+    -- Synchronous, active high; it must overlap in_rst. Clock: out_clk.
+    out_rst : in    std_logic;
+    -- The oldest entry. Clock: out_clk.
+    out_data : out   std_logic_vector(width - 1 downto 0);
+    -- An entry stands at out_data. Clock: out_clk.
     out_valid : out   std_logic;
+    -- It is taken. Clock: out_clk.
     out_ready : in    std_logic
   );
 end entity ul_fifo_async;

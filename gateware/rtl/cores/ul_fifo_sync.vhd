@@ -19,20 +19,30 @@ library work;
 
 entity ul_fifo_sync is
   generic (
+    -- At least 1: bits of an entry.
     width : positive := 8;
-    -- Entries; a power of two, at least 2.
+    -- A power of two, at least 2: entries.
     depth : positive := 16
   );
   port (
-    clk       : in    std_logic;
-    rst       : in    std_logic;
-    in_data   : in    std_logic_vector(width - 1 downto 0);
-    in_valid  : in    std_logic;
-    in_ready  : out   std_logic;
-    out_data  : out   std_logic_vector(width - 1 downto 0);
+    -- Rising edges count.
+    clk : in    std_logic;
+    -- Synchronous, active high, for one cycle or more.
+    rst : in    std_logic;
+    -- An entry: it has moved at the edge at which in_valid and in_ready are both '1'.
+    in_data : in    std_logic_vector(width - 1 downto 0);
+    -- An entry stands at in_data.
+    in_valid : in    std_logic;
+    -- There is room.
+    in_ready : out   std_logic;
+    -- The oldest entry.
+    out_data : out   std_logic_vector(width - 1 downto 0);
+    -- An entry stands at out_data.
     out_valid : out   std_logic;
+    -- It is taken.
     out_ready : in    std_logic;
-    level     : out   unsigned(log2_ceil(depth) downto 0)
+    -- Entries inside, 0 to depth; may be left open.
+    level : out   unsigned(log2_ceil(depth) downto 0)
   );
 end entity ul_fifo_sync;
 

@@ -12,14 +12,16 @@ library ieee;
 
 entity ul_reset_synchroniser is
   generic (
-    -- Registers in a row, at least 2.
+    -- At least 2: registers in a row.
     stages : positive := 3
   );
   port (
+    -- The clock of what is reset.
     clk : in    std_logic;
-    -- Out of a register of its own, so that no hazard of logic is a reset.
+    -- '1': reset. Out of a register of its own, so that no hazard of logic is a reset. Clock: none.
     cause : in    std_logic;
-    rst   : out   std_logic
+    -- '1' at once, and until some edges of clk after the cause has ended.
+    rst : out   std_logic
   );
 end entity ul_reset_synchroniser;
 

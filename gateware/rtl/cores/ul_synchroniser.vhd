@@ -16,17 +16,22 @@ library ieee;
 
 entity ul_synchroniser is
   generic (
+    -- At least 1: signals, which know nothing of each other.
     width : positive := 1;
-    -- Registers in a row. One is enough only behind a register that is the first itself, as in a pad.
+    -- At least 1: registers in a row. One is enough only behind a register that is the first itself, as in a pad.
     stages : positive := 2;
-    -- What comes out during a reset.
+    -- '0', '1': what comes out during a reset.
     idle : std_logic := '0'
   );
   port (
+    -- The clock into which the signals are taken.
     clk : in    std_logic;
+    -- Synchronous, active high.
     rst : in    std_logic := '0';
-    d   : in    std_logic_vector(width - 1 downto 0);
-    q   : out   std_logic_vector(width - 1 downto 0)
+    -- The signals as they come. Clock: none.
+    d : in    std_logic_vector(width - 1 downto 0);
+    -- The same, in step with clk.
+    q : out   std_logic_vector(width - 1 downto 0)
   );
 end entity ul_synchroniser;
 

@@ -28,32 +28,48 @@ library ieee;
 
 entity ul_ft245_async is
   generic (
-    -- Hz.
+    -- At least 1: frequency of clk in Hz.
     clock_hz : positive := 50_000_000;
-    -- The most by which the delays of two pins of the FPGA differ, board included.
+    -- At least 0: ns by which the delays of two pins of the FPGA differ at most, board included.
     skew_ns : natural := 5
   );
   port (
+    -- Rising edges count.
     clk : in    std_logic;
+    -- Synchronous, active high, for one cycle or more.
     rst : in    std_logic;
-    -- Pins; the top joins data_in, data_out and data_oe ('1': drive), bit by bit, to the bidirectional bus.
-    data_in  : in    std_logic_vector(7 downto 0);
+    -- The data pins as they are. The board's top joins the next three to them, bit by bit. Clock: none.
+    data_in : in    std_logic_vector(7 downto 0);
+    -- What the data pins are to show.
     data_out : out   std_logic_vector(7 downto 0);
-    data_oe  : out   std_logic_vector(7 downto 0);
-    rxf_n    : in    std_logic;
-    txe_n    : in    std_logic;
-    rd_n     : out   std_logic;
-    wr_n     : out   std_logic;
-    siwu_n   : out   std_logic;
-    -- Core.
-    rx_data  : out   std_logic_vector(7 downto 0);
-    rx_lost  : out   std_logic;
+    -- '1': drive that pin.
+    data_oe : out   std_logic_vector(7 downto 0);
+    -- RXF#: the chip has a byte. Clock: none.
+    rxf_n : in    std_logic;
+    -- TXE#: the chip takes a byte. Clock: none.
+    txe_n : in    std_logic;
+    -- RD#.
+    rd_n : out   std_logic;
+    -- WR#.
+    wr_n : out   std_logic;
+    -- SIWU#: send at once.
+    siwu_n : out   std_logic;
+    -- A byte for the core: it has moved at the edge at which rx_valid and rx_ready are both '1'.
+    rx_data : out   std_logic_vector(7 downto 0);
+    -- With a byte: some before it were lost.
+    rx_lost : out   std_logic;
+    -- A byte stands at rx_data.
     rx_valid : out   std_logic;
+    -- The core takes a byte.
     rx_ready : in    std_logic;
-    tx_data  : in    std_logic_vector(7 downto 0);
+    -- A byte of the core.
+    tx_data : in    std_logic_vector(7 downto 0);
+    -- A byte stands at tx_data.
     tx_valid : in    std_logic;
+    -- This layer takes a byte.
     tx_ready : out   std_logic;
-    flush    : in    std_logic
+    -- '1' for one cycle: when all bytes that were accepted so far are written, pull SIWU# low.
+    flush : in    std_logic
   );
 end entity ul_ft245_async;
 

@@ -41,35 +41,53 @@ library work;
 
 entity ul_ft245_sync is
   generic (
-    -- Bytes; powers of two, at least 16.
+    -- Powers of two, at least 16: bytes between the chip's clock and clk, to the core and from it.
     rx_depth : positive := 64;
     tx_depth : positive := 64;
-    -- Bytes moved in one direction while the other one waits, at most.
+    -- At least 1: most bytes that move in one direction while the other one waits.
     burst : positive := 256
   );
   port (
+    -- The core's clock: rising edges count.
     clk : in    std_logic;
+    -- Synchronous, active high, for one cycle or more.
     rst : in    std_logic;
-    -- Pins; the top joins data_in, data_out and data_oe ('1': drive), bit by bit, to the bidirectional bus.
-    clkout   : in    std_logic;
-    data_in  : in    std_logic_vector(7 downto 0);
+    -- CLKOUT, 60 MHz, which may stand still.
+    clkout : in    std_logic;
+    -- The data pins as they are. The board's top joins the next three to them, bit by bit. Clock: clkout.
+    data_in : in    std_logic_vector(7 downto 0);
+    -- What the data pins are to show. Clock: clkout.
     data_out : out   std_logic_vector(7 downto 0);
-    data_oe  : out   std_logic_vector(7 downto 0);
-    rxf_n    : in    std_logic;
-    txe_n    : in    std_logic;
-    rd_n     : out   std_logic;
-    wr_n     : out   std_logic;
-    oe_n     : out   std_logic;
-    siwu_n   : out   std_logic;
-    -- Core, in the domain of clk.
-    rx_data  : out   std_logic_vector(7 downto 0);
-    rx_lost  : out   std_logic;
+    -- '1': drive that pin. Clock: clkout.
+    data_oe : out   std_logic_vector(7 downto 0);
+    -- RXF#: the chip has a byte. Clock: clkout.
+    rxf_n : in    std_logic;
+    -- TXE#: the chip takes a byte. Clock: clkout.
+    txe_n : in    std_logic;
+    -- RD#. Clock: clkout.
+    rd_n : out   std_logic;
+    -- WR#. Clock: clkout.
+    wr_n : out   std_logic;
+    -- OE#. Clock: clkout.
+    oe_n : out   std_logic;
+    -- SIWU#: send at once. Clock: clkout.
+    siwu_n : out   std_logic;
+    -- A byte for the core: it has moved at the edge at which rx_valid and rx_ready are both '1'.
+    rx_data : out   std_logic_vector(7 downto 0);
+    -- With a byte: some before it were lost.
+    rx_lost : out   std_logic;
+    -- A byte stands at rx_data.
     rx_valid : out   std_logic;
+    -- The core takes a byte.
     rx_ready : in    std_logic;
-    tx_data  : in    std_logic_vector(7 downto 0);
+    -- A byte of the core.
+    tx_data : in    std_logic_vector(7 downto 0);
+    -- A byte stands at tx_data.
     tx_valid : in    std_logic;
+    -- This layer takes a byte.
     tx_ready : out   std_logic;
-    flush    : in    std_logic
+    -- '1' for one cycle: when all bytes that were accepted so far are written, pull SIWU# low.
+    flush : in    std_logic
   );
 end entity ul_ft245_sync;
 

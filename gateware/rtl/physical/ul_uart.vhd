@@ -35,38 +35,51 @@ library work;
 
 entity ul_uart is
   generic (
-    -- Hz.
+    -- At least 1: frequency of clk in Hz.
     clock_hz : positive := 50_000_000;
-    -- Bits a second, at most clock_hz / 4.
-    baud         : positive := 115_200;
-    flow_control : boolean  := false;
-    -- Bytes of the receiver's FIFO, where there is flow control; a power of two, at least 8.
+    -- 1 to clock_hz / 4: bits a second.
+    baud : positive := 115_200;
+    -- Whether RTS# and CTS# are used.
+    flow_control : boolean := false;
+    -- A power of two, at least 8: bytes of the receiver's FIFO, which is there with flow_control.
     rx_slack : positive := 64;
-    -- Whether both directions share one pair of wires; then there is no flow control. Bits for which the driver holds
-    -- the line before the first start bit and behind the last stop bit, 0 to 15.
+    -- Whether both directions share one pair of wires; then there is no flow control.
     half_duplex : boolean := false;
+    -- 0 to 15: bits for which the driver holds the line before the first start bit, and behind the last stop bit.
     driver_lead : natural := 1;
     driver_tail : natural := 0
   );
   port (
+    -- Rising edges count.
     clk : in    std_logic;
+    -- Synchronous, active high, for one cycle or more.
     rst : in    std_logic;
-    -- Pins; RTS# and CTS# may be left open without flow control.
-    rxd   : in    std_logic;
-    txd   : out   std_logic;
+    -- The line in, '1' while idle. Clock: none.
+    rxd : in    std_logic;
+    -- The line out.
+    txd : out   std_logic;
+    -- RTS#: '0' while the far end may send.
     rts_n : out   std_logic;
+    -- CTS#: '0' while this end may send. Clock: none.
     cts_n : in    std_logic := '0';
     -- '1': the transceiver drives the line; always, unless half_duplex.
     driver_enable : out   std_logic;
-    -- Core.
-    rx_data  : out   std_logic_vector(7 downto 0);
-    rx_lost  : out   std_logic;
+    -- A byte for the core: it has moved at the edge at which rx_valid and rx_ready are both '1'.
+    rx_data : out   std_logic_vector(7 downto 0);
+    -- With a byte: some before it were lost.
+    rx_lost : out   std_logic;
+    -- A byte stands at rx_data.
     rx_valid : out   std_logic;
+    -- The core takes a byte.
     rx_ready : in    std_logic;
-    tx_data  : in    std_logic_vector(7 downto 0);
+    -- A byte of the core.
+    tx_data : in    std_logic_vector(7 downto 0);
+    -- A byte stands at tx_data.
     tx_valid : in    std_logic;
+    -- This layer takes a byte.
     tx_ready : out   std_logic;
-    flush    : in    std_logic := '0'
+    -- Without effect: a UART holds nothing back.
+    flush : in    std_logic := '0'
   );
 end entity ul_uart;
 

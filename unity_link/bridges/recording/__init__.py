@@ -7,12 +7,14 @@
 - `recorder`: from a robot into a file, over interruptions
 - `reader`: back, of a file that was finished, cut or damaged
 - `replay`: a gateway that answers as the recorded one did
-- `tables`: to Parquet and CSV
+- `tables`: to Parquet and CSV; `Recording[...]` is a table in memory
 
 ::
 
     async with unity_link.connect("sim:scara") as link:
-        await Recorder(Scara(link), Path("run.mcap")).run()
+        async with Recorder(Scara(link), "run.mcap"):
+            await asyncio.sleep(10)
+    Recording("run.mcap")["state"].to_pandas()
 
 A file has all that it takes to understand it: two attachments, ``interface.json`` (the checked spec) and
 ``gateway.json`` (`GatewayInfo`), and a channel for each group. Each message has the values of its signals, and the

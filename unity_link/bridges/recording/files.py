@@ -90,7 +90,11 @@ class RecordingFile:
         self._bits = interface.data_bits
         self._encoders = [Encoder([proxy.signal for proxy in group.group.proxies]) for group in groups]
         self._channels: list[int] = []
-        self._attempt(lambda: self._begin(interface, gateway, groups))
+        try:
+            self._attempt(lambda: self._begin(interface, gateway, groups))
+        except RecordingError:
+            self.discard()
+            raise
 
     @property
     def size(self) -> int:
@@ -139,6 +143,13 @@ class RecordingFile:
             RecordingError: where the disk does not take it.
         """
         self._attempt(self._finish)
+
+    def discard(self) -> None:
+        """Remove the file, if it is none of a device."""
+        if self.path.is_file():
+            self.path.unlink(missing_ok=True)
+        with contextlib.suppress(OSError, ValueError):
+            self._raw.close()
 
     # The inside
 

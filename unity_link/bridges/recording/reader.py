@@ -15,8 +15,11 @@ import numpy as np
 
 from unity_link.bridges.messages import RecordedMessage, hex_to_words
 from unity_link.bridges.recording.files import GATEWAY, INTERFACE, RecordingError, check_extra, path_of
+from unity_link.data import Table
+from unity_link.errors import UnknownNameError, did_you_mean
 from unity_link.protocol.configuration import GatewayInfo
 from unity_link.spec import Interface
+from unity_link.spec.columns import Columns
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator
@@ -99,6 +102,32 @@ class Recording:
     def size(self) -> int:
         """Bytes."""
         return self.path.stat().st_size
+
+    def __getitem__(self, name: str) -> Table:
+        """Return all samples of a group, for numpy, pandas and polars: ``recording["state"].to_pandas()``.
+
+        They are in memory then; `export` writes files of any size. The time in seconds is the gateway's clock where
+        samples have timestamps, else the same as in UTC, since 1970.
+
+        Raises:
+            UnknownNameError: for a group that was not recorded.
+            RecordingError: where the recording cannot be read.
+        """
+        group = next((group for group in self.groups if group.name == name), None)
+        if group is None:
+            names = [known.name for known in self.groups]
+            hint = did_you_mean(name, names) or f"there are {', '.join(names) or 'none'}"
+            raise UnknownNameError(f"{self.path} has no group {name!r:.80}: {hint}")
+        found = [samples for samples, _ in self.samples() if samples.group is group] or [_no_samples(group)]
+        parts = zip(*(samples[1:] for samples in found), strict=True)
+        at, time, sequence, lost, words = (np.concatenate(part) for part in parts)
+        return Table(
+            group.signals,
+            Columns(group.signals, group.addresses).columns(words),
+            seconds=at / 1e9 if np.isnan(time).any() else time,
+            instants=at,
+            counts={"sequence": sequence, "lost": lost},
+        )
 
     def samples(self) -> Iterator[tuple[RecordedSamples, int]]:
         """Read all samples, those of each group in the order of the file; with each, the bytes of the file read so far.
@@ -242,6 +271,11 @@ class Recording:
             )
         except (msgspec.DecodeError, ValueError, OverflowError) as error:
             raise RecordingError(f"{self.path} has a message of {group.name} that is not ours: {error}") from None
+
+
+def _no_samples(group: RecordedGroup) -> RecordedSamples:
+    none = np.empty(0, np.int64)
+    return RecordedSamples(group, none, np.empty(0), none, none, np.empty((0, len(group.addresses)), np.uint64))
 
 
 class _Waiting:

@@ -8,17 +8,21 @@ from __future__ import annotations
 
 import asyncio
 import time
+import warnings
 from concurrent.futures import ThreadPoolExecutor
-from typing import TYPE_CHECKING
+from contextlib import AsyncExitStack
+from typing import TYPE_CHECKING, Self
 
 from unity_link.bridges.carrying import Carrier
 from unity_link.bridges.gateway_time import GatewayTime, SteadyClock
 from unity_link.bridges.recording.files import RecordingFile, path_of
 from unity_link.bridges.sampled import sampled_groups
+from unity_link.errors import ArgumentError, first_error, refusing
 
 if TYPE_CHECKING:
     from collections.abc import Callable
     from pathlib import Path
+    from types import TracebackType
 
     from unity_link.data import Batch, Robot
 
@@ -33,7 +37,16 @@ REST = 0.02
 
 
 class Recorder:
-    """Records all that a robot publishes.
+    """Records all that a robot publishes, while its ``async with`` block runs.
+
+    ::
+
+        async with Recorder(Scara(link), "run.mcap") as recorder:
+            await asyncio.sleep(10)
+        print(recorder.samples, "samples")
+
+    When the block begins, all groups are sampled; when it ends, in whatever way, the file is finished, and removed
+    where it has no samples. What ends the recording meanwhile ends the block at once, and is raised by it.
 
     Args:
         robot: what is recorded, behind an open link.
@@ -67,6 +80,29 @@ class Recorder:
         """How often the gateway was away."""
         self._away = 0.0
         self._away_since: float | None = None
+        self._block = AsyncExitStack()
+        self._is_idle = True
+
+    _is_idle = False
+    """Whether its file waits for `run`."""
+
+    if not TYPE_CHECKING:  # A type checker refuses them by itself.
+        __enter__ = __exit__ = refusing("write `async with` before a recorder")
+
+    def __del__(self) -> None:
+        """Warn of a recorder that has recorded nothing, and remove its file."""
+        if self._is_idle:
+            self._file.discard()
+            warnings.warn(
+                f"the recorder of {self._file.path} was never run: use `async with`",
+                ResourceWarning,
+                stacklevel=1,
+                source=self,
+            )
+
+    def __repr__(self) -> str:
+        """Return the file, and what is in it."""
+        return f"<recorder of {self._file.path}: {self.samples} samples, {self.lost} lost>"
 
     @property
     def samples(self) -> int:
@@ -88,23 +124,53 @@ class Recorder:
         """Seconds for which the gateway was away."""
         return self._away + (0.0 if self._away_since is None else self._clock.now() - self._away_since)
 
+    async def __aenter__(self) -> Self:
+        self._check_idle()
+        try:
+            async with AsyncExitStack() as block:
+                block.enter_context(first_error())
+                tasks = await block.enter_async_context(asyncio.TaskGroup())
+                block.callback(tasks.create_task(self.run()).cancel)
+                await self._carrier.begun.wait()
+                self._block = block.pop_all()
+        finally:
+            # What is cancelled before it begins does not run to its end.
+            if self._is_idle:
+                self._is_idle = False
+                self._file.discard()
+        return self
+
+    async def __aexit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        await self._block.__aexit__(kind, error, trace)
+
     async def run(self) -> None:
         """Record until it is cancelled; the file is finished whatever ends it, and removed where it has no samples.
 
         Raises:
+            ArgumentError: where it has run before.
             RecordingError: where the disk takes no more.
             LinkLostError: where the link ends.
         """
+        self._check_idle()
+        self._is_idle = False
         loop = asyncio.get_running_loop()
         writer = ThreadPoolExecutor(1, "recorder")
         try:
             await self._carrier.run(writer, self._sync(writer), self._watch(writer))
         finally:
-            # The thread does one thing after another: all that it was given comes first.
-            await asyncio.shield(loop.run_in_executor(writer, self._file.close))
-            writer.shutdown()
-            if not self.samples:
-                self._file.path.unlink(missing_ok=True)
+            try:
+                # The thread does one thing after another: all that it was given comes first.
+                await asyncio.shield(loop.run_in_executor(writer, self._file.close))
+            finally:
+                writer.shutdown()
+                if not self.samples:
+                    self._file.discard()
+
+    def _check_idle(self) -> None:
+        if not self._is_idle:
+            raise ArgumentError(f"the recorder of {self._file.path} has run before: make another one")
 
     def _write(self, group: int, batch: Batch) -> None:
         self._file.write(group, batch, self._time.instants(group, batch))

@@ -6,6 +6,7 @@ import contextlib
 from typing import TYPE_CHECKING, Any
 
 from unity_link.bridges.recording.files import RecordingError
+from unity_link.data.tables import column_names
 from unity_link.errors import ArgumentError
 from unity_link.spec.columns import Columns
 
@@ -24,8 +25,8 @@ def export(
     """Write a recording as tables ``NAME.GROUP.parquet`` or ``.csv``; files of these names are replaced, by whole ones.
 
     The columns are ``time`` (UTC, instant of sampling), ``gateway_time`` (seconds of the gateway's clock),
-    ``sequence``, ``lost`` and the paths of the signals; enumerations are numbers. Parquet has the units and
-    descriptions as metadata.
+    ``sequence``, ``lost`` and the paths of the signals, with ``_`` behind one that is taken; enumerations are numbers.
+    Parquet has the units and descriptions as metadata.
 
     Args:
         recording: what is exported.
@@ -98,17 +99,22 @@ class _Table:
     def _fields(self) -> Iterator[Any]:
         import pyarrow as pa
 
-        yield pa.field("time", pa.timestamp("ns", tz="UTC"))
-        yield pa.field("gateway_time", pa.float64(), metadata={"unit": "s"})
-        yield pa.field("sequence", pa.int64())
-        yield pa.field("lost", pa.int64())
-        for signal in self._group.signals:
-            names = signal.kind.enumeration.values if signal.kind.enumeration else ()
+        known = [
+            pa.field("time", pa.timestamp("ns", tz="UTC")),
+            pa.field("gateway_time", pa.float64(), metadata={"unit": "s"}),
+            pa.field("sequence", pa.int64()),
+            pa.field("lost", pa.int64()),
+        ]
+        yield from known
+        signals = self._group.signals
+        names = column_names([signal.path for signal in signals], [field.name for field in known])
+        for name, signal in zip(names, signals, strict=True):
+            values = signal.kind.enumeration.values if signal.kind.enumeration else ()
             metadata = {
                 "id": signal.id,
                 "unit": signal.unit,
                 "description": signal.doc,
-                "values": ", ".join(f"{value.value}: {value.name}" for value in names),
+                "values": ", ".join(f"{value.value}: {value.name}" for value in values),
             }
-            known = {name: text for name, text in metadata.items() if text}
-            yield pa.field(signal.path, pa.from_numpy_dtype(signal.kind.dtype), metadata=known)
+            told = {key: text for key, text in metadata.items() if text}
+            yield pa.field(name, pa.from_numpy_dtype(signal.kind.dtype), metadata=told)

@@ -23,7 +23,7 @@ from unity_link.bridges.serve.door import LONGEST_TOKEN, Door
 from unity_link.bridges.serve.shared import SharedLink
 from unity_link.errors import ArgumentError
 from unity_link.transport import DriverUrl, check_target, parse_url, prepare
-from unity_link.transport.listening import LOOPBACK, listen_tcp, listen_unix
+from unity_link.transport.listening import LOOPBACK, listen_tcp, listen_unix, serving
 
 if TYPE_CHECKING:
     import os
@@ -71,7 +71,7 @@ class Server:
         await self._shared.ended
 
 
-@contextlib.asynccontextmanager
+@serving("a link")
 async def serve(
     target: str | Medium,
     *,

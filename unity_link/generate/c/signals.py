@@ -62,6 +62,7 @@ def signal_initializer(layout: Layout, signal: Signal) -> str:
         _kind(signal),
         _properties(signal, layout),
         *map(number, (step, offset, low, high)),
+        f"0x{layout.interface.fingerprint:08X}",
     ]
     return f"{{{', '.join(fields)}}}"
 

@@ -7,20 +7,13 @@ from typing import TYPE_CHECKING
 from unity_link.gateware import LICENCE
 from unity_link.gateware.cache import board_sources
 from unity_link.gateware.sources import gateware_files
+from unity_link.gateware.vendors import TOOLS, add_vhdl
 from unity_link.generate import GeneratedFile
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator
 
 GATEWARE_FOLDER = "gateware"
-_ADD = {
-    "vivado": "read_vhdl -vhdl2008 [file join $here {file}]",
-    "quartus": "set_global_assignment -name VHDL_FILE [file join $here {file}] -hdl_version VHDL_2008",
-    "radiant": "prj_add_source [file join $here {file}]",
-    "diamond": "prj_src add [file join $here {file}]",
-    "gowin": "add_file -type vhdl [file join $here {file}]",
-}
-"""How each tool adds a file to its usual library."""
 
 
 def design_files(generated: Iterable[GeneratedFile]) -> list[str]:
@@ -34,12 +27,12 @@ def with_gateware(generated: list[GeneratedFile]) -> Iterator[GeneratedFile]:
     yield from generated
     for name, text in gateware_files().items():
         yield GeneratedFile(f"{GATEWARE_FOLDER}/{name}", text)
-    for tool, add in _ADD.items():
+    for tool in TOOLS:
         lines = (
             f"# {LICENCE}",
             f"# The gateware and this design: source {tool}.tcl in an open project. Choose the top by yourself.",
             "set here [file dirname [file normalize [info script]]]",
             f"source [file join $here {GATEWARE_FOLDER} import {tool}.tcl]",
-            *(add.format(file=file) for file in design_files(generated)),
+            *(add_vhdl(tool, f"[file join $here {file}]") for file in design_files(generated)),
         )
         yield GeneratedFile(f"{tool}.tcl", "".join(f"{line}\n" for line in lines))

@@ -60,6 +60,7 @@ class Stimuli:
             *((f"What hardware gives can be read, round {one}.", self._reads(one)) for one in range(1, ROUNDS + 1)),
             *((f"What is written reaches hardware, round {one}.", self._writes(one)) for one in range(1, ROUNDS + 1)),
             ("Fields of one word are written by reading it first.", self._fields()),
+            ("Accesses in a row take a cycle each.", self._rows()),
             ("A value of several words is read from one instant.", self._instants()),
             ("A sample is read from one instant, also between the words of a block.", self._samples()),
             ("A FIFO port moves each word once, and refuses what it cannot move.", self._streams()),
@@ -126,15 +127,20 @@ class Stimuli:
         """Write a word, and see what hardware gets of it."""
         struck = self._struck(word)
         first = self._first_strobe[word.address]
+        self._store(word, value)
+        yield f"write({self._at(word.address)}, {self._data(value)}, {first}, {len(struck)});"
+        yield from (self._see(register) for register in word.written if register.is_register)
+        if struck and any(register.reads_back for register in struck):
+            yield self._read(word.address)
+
+    def _store(self, word: BankWord, value: int) -> None:
+        """Note what a word was written."""
+        struck = self._struck(word)
         for register in struck:
             part = register.signal.mask_at(word.address) & value
             self._stored[register.signal.path] = _joined(register.signal, self._gathered, word.address, part)
         if not struck:
             self._gathered[word.address] = value
-        yield f"write({self._at(word.address)}, {self._data(value)}, {first}, {len(struck)});"
-        yield from (self._see(register) for register in word.written if register.is_register)
-        if struck and any(register.reads_back for register in struck):
-            yield self._read(word.address)
 
     # Sections
 
@@ -183,6 +189,18 @@ class Stimuli:
                 yield self._read(word.address, keep=True)
                 yield from self._write(word, changed)
                 yield from (self._see(register) for register in fields)
+
+    def _rows(self) -> Iterator[str]:
+        words = [word for word in self._bank.words if word.written and not any(one.signal.fifo for one in word.written)]
+        for word in words:
+            value = self._number(self._data_bits, ROUNDS + 1, word.address)
+            self._store(word, value)
+            yield f"go_on({self._at(word.address)}, '1', {self._data(value)});"
+        readable = self._readable()
+        yield from (f"go_on({self._at(one.address)}, '0', {self._data(self._word(one.address))});" for one in readable)
+        if words or readable:
+            yield "end_row;"
+        yield from (self._see(register) for register in self._bank.registers if register.is_register)
 
     def _instants(self) -> Iterator[str]:
         for register in self._bank.registers:

@@ -13,9 +13,9 @@ from __future__ import annotations
 import asyncio
 import errno
 import struct
-from contextlib import asynccontextmanager
 from typing import TYPE_CHECKING
 
+from unity_link.transport.listening import serving
 from unity_link.virtual.ft232h import descriptors
 from unity_link.virtual.ft232h.bus import BUS_NUMBER, VirtualFt232h
 from unity_link.virtual.ft232h.chip import StallError
@@ -59,7 +59,7 @@ _ERRORS = {
 }
 
 
-@asynccontextmanager
+@serving("an FT232H")
 async def serve_usbip(device: VirtualFt232h, port: int = PORT, host: str = "127.0.0.1") -> AsyncIterator[str]:
     """Serve a chip; gives how a Linux attaches it."""
     device.address = device.address or 2

@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING
 
 from unity_link.errors import ConnectError
 from unity_link.gateware.limits import check_generics
-from unity_link.protocol.configuration import Feature
+from unity_link.protocol.configuration import Feature, GatewayInfo
 from unity_link.virtual.generics import FEATURES, generics_of, info_of
 from unity_link.virtual.rtl.compiling import cache_folder, compiler, running
 from unity_link.virtual.rtl.configurations import Configuration, configurations
@@ -34,6 +34,12 @@ _LEAST_CLOCK_HZ = 500_000
 """A clock that a PC keeps pace with."""
 _ROUND_CYCLES = 8
 """Clock cycles of a base tick beside one for each group (gateware/rtl/application/ul_subscription_manager.vhd)."""
+_KINDS = {
+    **FEATURES,
+    "flow_control": Feature.FLOW_CONTROL,
+    "fingerprint": Feature.FINGERPRINT,
+    "half_duplex": Feature.HALF_DUPLEX,
+}
 _FIFOS = {"receive_fifo_bytes": "rx_fifo_depth", "transmit_fifo_bytes": "tx_fifo_depth"}
 
 
@@ -66,12 +72,23 @@ def configuration_of(interface: Interface, fields: Mapping[str, int], node: int 
     return Configuration(interface.name, info, "", node, json.dumps(generics, sort_keys=True))
 
 
+def configuration_of_node(info: GatewayInfo, node: int) -> Configuration:
+    """Return the configuration of a node on a medium that several share, which is to be made.
+
+    Raises:
+        ArgumentError: for a configuration that the gateware does not have.
+    """
+    fields = {name: getattr(info, name) for name in GatewayInfo.__struct_fields__ if name != "protocol_version"}
+    generics = {**_as_generics(fields), "node": node}
+    check_generics(generics)
+    return Configuration(f"node_{node}", info_of(generics), "", node, json.dumps(generics, sort_keys=True))
+
+
 def _as_generics(fields: Mapping[str, int]) -> dict[str, int]:
     generics = {_FIFOS.get(name, name): value for name, value in fields.items() if name != "features"}
     if "features" in fields:
         features = Feature(fields["features"])
-        kinds = {**FEATURES, "flow_control": Feature.FLOW_CONTROL, "fingerprint": Feature.FINGERPRINT}
-        generics |= {generic: feature in features for generic, feature in kinds.items()}
+        generics |= {generic: feature in features for generic, feature in _KINDS.items()}
     return generics
 
 

@@ -8,8 +8,10 @@ enum { MOST_READS = 16 };
 static const char SILENT[] = "the gateway does not answer any more";
 static const char LINE_GONE[] = "the connection was lost (its port, or its other side, is gone)";
 
+static bool fill(ul_link *link);
 static void receive_bytes(ul_link *link);
 static void take_sample(ul_link *link, text body);
+static size_t sample_size(const ul_link *link, text frame);
 
 static double now_of(const ul_link *link)
 {
@@ -76,21 +78,19 @@ static void refuse(ul_batch *batch, ul_status status, const char *what, uint32_t
     batch->reason = reason;
 }
 
-/* The session has ended, and all its requests with it: those from a place in the window on are known not to be executed,
- * unless they were sent more than once. */
+/* The session has ended, and all its requests with it: those from an ID on are known not to be executed. */
 static void end_session(ul_link *link, uint32_t never, const char *end)
 {
-    uint32_t executed = distance(link, link->executed), sent_once = distance(link, link->sent_once);
+    uint32_t executed = distance(link, link->executed), unknown = distance(link, never);
     if (!link->gone) link->end = end;
     link->gone = true;
-    if (never < sent_once) never = sent_once;
     for (uint32_t place = 0; place < in_flight(link); place++) {
         ul_request *request = slot_of(link, link->oldest + place);
-        ul_status status = place < executed ? UL_LOST_EXECUTED : place < never ? UL_LOST : UL_LOST_NOT_EXECUTED;
+        ul_status status = place < executed ? UL_LOST_EXECUTED : place < unknown ? UL_LOST : UL_LOST_NOT_EXECUTED;
         if (request->waiting) settle(request, status);
         request->waiting = false;
     }
-    link->oldest = link->executed = link->sent_once = link->to_repeat = link->next;
+    link->oldest = link->executed = link->to_repeat = link->repeat_end = link->next;
     link->unfenced = 0;
     link->bytes = 0;
 }
@@ -98,7 +98,7 @@ static void end_session(ul_link *link, uint32_t never, const char *end)
 /* The line has ended, of which nothing is known about the requests under way. */
 static void lose(ul_link *link, const char *end)
 {
-    end_session(link, in_flight(link), end);
+    end_session(link, link->next, end);
 }
 
 /* End the link. From here on its transport is the caller's again, and not used any more. */
@@ -113,10 +113,17 @@ static void shut(ul_link *link)
 
 /* Sending */
 
+/* End what is sent together with an empty frame, so that damage to the end of the last one is found. */
+static void end_output(ul_link *link)
+{
+    if (link->send_size > 0 && !is_half_duplex(link)) link->send[link->send_size++] = CHECKED_END;
+}
+
 static void flush(ul_link *link)
 {
     size_t sent = 0;
     double stuck_since = now_of(link);
+    if (link->loses) end_output(link);
     while (sent < link->send_size && !link->gone) {
         ptrdiff_t taken = link->transport.send(link->transport.context, link->send + sent, link->send_size - sent);
         if (taken < 0) {
@@ -128,15 +135,18 @@ static void flush(ul_link *link)
             lose(link, SILENT);
         } else {
             link->transport.wait(link->transport.context, true, LONGEST_TIMEOUT);
-            receive_bytes(link);
+            /* Before the link is open, who asks looks for the answer. */
+            if (link->open) receive_bytes(link);
+            else fill(link);
         }
     }
     link->send_size = 0;
 }
 
+/* Put a request behind those that are to be sent, and leave room for an empty frame. */
 static void send_request(ul_link *link, const ul_request *request, uint32_t id)
 {
-    if (link->send_size + request_size(link, request) > sizeof link->send) flush(link);
+    if (link->send_size + request_size(link, request) >= sizeof link->send) flush(link);
     char *start = link->send + link->send_size;
     link->send_size += (size_t)(put_request(link, start, request, id) - start);
 }
@@ -151,19 +161,35 @@ static void send_fence(ul_link *link)
 static void repeat(ul_link *link)
 {
     unsigned room = repetition_room(link);
+    uint64_t before = link->statistics.repetitions;
     while (is_repeating(link) && !link->gone) {
         uint32_t id = link->to_repeat;
-        const ul_request *request = slot_of(link, id);
-        if (request->waiting && room == 0) return;
+        bool is_wanted = find(link, id) != NULL;
+        if (is_wanted && room == 0) break;
         link->to_repeat = after(link, id);
-        if (!request->waiting) continue;
+        if (!is_wanted) continue;
         room--;
         link->statistics.repetitions++;
-        send_request(link, request, id);
+        send_request(link, note_repetition(link, id), id);
     }
+    if (link->statistics.repetitions > before && !link->loses) end_output(link);
 }
 
-/* Send what is to be sent, wait for something to happen, up to a time, and see to it. */
+/* See what the time says, and send again what was lost. */
+static void recover(ul_link *link)
+{
+    ul_request given_up = {.batch = NULL};
+    uint64_t before = link->statistics.repetitions;
+    double deadline, now = now_of(link);
+    bool is_due = has_deadline(link, &deadline) && now >= deadline;
+    if (note_time(link, now, &given_up)) lose(link, SILENT);
+    settle(&given_up, UL_UNANSWERED);
+    if (is_repeating(link)) repeat(link);
+    if (is_due && link->waited && link->statistics.repetitions > before) link->statistics.timeouts++;
+}
+
+/* Send what is to be sent, wait for something to happen, up to a time, and see to it. Who waits no more flushes what is
+ * sent again then. */
 static void turn(ul_link *link, double until)
 {
     double deadline;
@@ -173,10 +199,7 @@ static void turn(ul_link *link, double until)
     if (has_deadline(link, &deadline) && deadline < until) until = deadline;
     if (until > now) link->transport.wait(link->transport.context, false, until - now);
     receive_bytes(link);
-    ul_request given_up = {.batch = NULL};
-    if (note_time(link, now_of(link), &given_up)) lose(link, SILENT);
-    settle(&given_up, UL_UNANSWERED);
-    if (is_repeating(link)) repeat(link);
+    recover(link);
 }
 
 /* Say what is wrong with a request, or NULL. */
@@ -226,10 +249,10 @@ static void start(ul_link *link, ul_batch *batch, ul_request request)
 static void note_error(ul_link *link, text code, uint32_t id, double now)
 {
     uint64_t number;
-    ul_request *request = find(link, id);
+    const ul_request *request = find(link, id);
     bool sound = take_number(&code, 2, &number) && code.size == 0;
     if (sound && number == UL_NO_SESSION) {
-        end_session(link, distance(link, id), "the gateway was reset, which ends the link");
+        end_session(link, never_executed_from(link, id), "the gateway was reset, which ends the link");
         return;
     }
     if (!sound || request == NULL) {
@@ -243,13 +266,22 @@ static void note_error(ul_link *link, text code, uint32_t id, double now)
     note_answer(link, id, now);
 }
 
+/* Take the command with which a message begins, of one letter or two; what stands behind it. */
+static text take_command(text body, char command[3])
+{
+    size_t letters = body.size > 1 && body.at[1] >= 'g' ? 2 : 1;
+    memcpy(command, body.at, letters);
+    command[letters] = '\0';
+    return without_first(body, letters);
+}
+
 /* A message with an ID. */
 static void take_response(ul_link *link, text body, double now)
 {
-    size_t letters = body.size > 1 && is_lower_command(body.at[1]) ? 2 : 1;
-    char command[3] = {body.at[0], letters == 2 ? body.at[1] : '\0', '\0'};
-    text fields = without_first(body, letters);
+    char command[3];
+    text fields = take_command(body, command);
     uint64_t id;
+    link->heard = true;
     if (!take_number(&fields, link->info.id_digits, &id)) {
         link->statistics.stray++;
         return;
@@ -262,7 +294,7 @@ static void take_response(ul_link *link, text body, double now)
         note_error(link, fields, (uint32_t)id, now);
         return;
     }
-    ul_request *request = find(link, (uint32_t)id);
+    const ul_request *request = find(link, (uint32_t)id);
     if (request != NULL && strcmp(command, request->command) == 0 && take_answer(link, request, fields)) {
         settle(request, UL_OK);
         link->statistics.responses++;
@@ -276,8 +308,9 @@ static void take_response(ul_link *link, text body, double now)
 static void take_nameless_error(ul_link *link, text code, double now)
 {
     uint64_t number;
+    link->heard = true;
     if (!take_number(&code, 2, &number)) return;
-    if (number == UL_DAMAGED || number == UL_TOO_LONG || number == UL_RECEIVE_OVERFLOW) note_loss(link, now);
+    if (number == UL_DAMAGED || number == UL_TOO_LONG || number == UL_RECEIVE_OVERFLOW) note_damaged_request(link, now);
     if (number == UL_UNKNOWN_COMMAND || number == UL_MALFORMED) {
         ul_request given_up = {.batch = NULL};
         if (note_refusal(link, now, &given_up)) lose(link, SILENT);
@@ -285,39 +318,130 @@ static void take_nameless_error(ul_link *link, text code, double now)
     }
 }
 
-/* Whether a line begins as a sample does, which is about no request. */
-static bool is_sample(const ul_link *link, text line)
+static void take_body(ul_link *link, text body, double now)
 {
-    size_t head = link->node < 0 ? 0 : PREFIX_DIGITS;
-    return line.size > head && line.at[head] == 'P';
+    if (body.size < 2) link->statistics.stray++;
+    else if (is_lower_command(body.at[0])) take_response(link, body, now);
+    else if (body.at[0] == 'P') take_sample(link, without_first(body, 1));
+    else if (body.at[0] == 'X') take_nameless_error(link, without_first(body, 1), now);
 }
 
-static void take_line(ul_link *link, text line)
+/* Frames. What a frame begins as says how long it is. So one that has another byte in the place of its LF is known to be
+ * damaged when that byte has come, and the next one begins behind it. */
+
+/* Characters of the body of a frame, as its beginning says; 0 where that does not. */
+static size_t body_size(const ul_link *link, text frame)
 {
-    double now = now_of(link);
-    bool sample = is_sample(link, line);
-    if (!sample) link->heard = true;
-    if (line.size == 0) return;
-    if (!take_check(link, &line)) {
-        link->statistics.damaged++;
-        if (!sample) note_loss(link, now);
-        return;
+    char command[3];
+    uint64_t id;
+    if (frame.at[0] == 'P') return sample_size(link, frame);
+    text fields = take_command(frame, command);
+    size_t head = strlen(command) + link->info.id_digits;
+    /* So begins a sample whose first letter was damaged, too; where sides take turns, its end is waited for. */
+    if (strcmp(command, "X") == 0) return is_half_duplex(link) ? 0 : 3;
+    if (strcmp(command, "n") == 0) return head;
+    if (strcmp(command, "x") == 0) return head + 2;
+    const shape *is = shape_of(command);
+    if (is == NULL || strcmp(command, "ws") == 0) return 0;
+    if (!is->reads_words) return head + (is->reads_word ? link->data_digits : 0);
+    if (!take_number(&fields, link->info.id_digits, &id)) return 0;
+    const ul_request *request = find(link, (uint32_t)id);
+    if (request == NULL || strcmp(command, request->command) != 0) return 0;
+    return head + (size_t)request->count * link->data_digits;
+}
+
+/* Characters of a frame beside its body, the LF included. */
+static size_t frame_overhead(const ul_link *link)
+{
+    return (link->node < 0 ? 0 : PREFIX_DIGITS) + link->crc_digits + 1;
+}
+
+/* Characters of a frame, the LF included, as its beginning says; 0 where that does not. */
+static size_t frame_size(const ul_link *link, text frame)
+{
+    size_t body = take_prefix(link, &frame) && frame.size > 0 ? body_size(link, frame) : 0;
+    return body == 0 ? 0 : body + frame_overhead(link);
+}
+
+/* Whether a frame begins as a sample does, which is about no request. */
+static bool is_sample(const ul_link *link, text frame)
+{
+    return take_prefix(link, &frame) && frame.size > 0 && frame.at[0] == 'P';
+}
+
+/* Take a damaged frame off the beginning of what came; how many characters that are. */
+static size_t cut(ul_link *link, text frame, size_t size)
+{
+    /* What is as short as an error is one of which the X was damaged: one bit makes a P of it. */
+    bool sample = is_sample(link, frame) && frame.size >= frame_overhead(link) + 3;
+    link->statistics.damaged++;
+    if (!sample) {
+        link->heard = true;
+        /* Where sides take turns, more of it may follow: the time shows its end. */
+        if (!is_half_duplex(link)) note_damaged_answer(link, now_of(link));
     }
-    if (!take_prefix(link, &line) || line.size < 2) return;
-    if (is_lower_command(line.at[0])) take_response(link, line, now);
-    else if (line.at[0] == 'P') take_sample(link, without_first(line, 1));
-    else if (line.at[0] == 'X') take_nameless_error(link, without_first(line, 1), now);
+    return size == 0 || size > frame.size + 1 ? frame.size + 1 : size;
+}
+
+/* Take what stands before an LF; how many characters were taken. */
+static size_t take_line(ul_link *link, text line)
+{
+    text body = line;
+    bool plain = line.at[line.size - 1] == PLAIN_END;
+    if (plain) body.size--;
+    else if (!take_check(link, &body)) return cut(link, line, frame_size(link, line));
+    if (!take_prefix(link, &body)) {
+        link->statistics.stray++;
+        return line.size + 1;
+    }
+    /* Without a check, its length is what tells a plain frame from damaged ones. */
+    size_t size = plain ? frame_size(link, line) : 0;
+    if (size > 0 && line.size >= size) return cut(link, line, size);
+    take_body(link, body, now_of(link));
+    return line.size + 1;
+}
+
+/* Take a frame about a request that has no LF where it should stand; how many characters were taken. */
+static size_t take_endless(ul_link *link, text rest)
+{
+    /* No request waits for a sample: its end may come with what follows it. */
+    size_t size = is_sample(link, rest) ? 0 : frame_size(link, rest);
+    return size == 0 || rest.size < size ? 0 : cut(link, rest, size);
+}
+
+static text unread(const ul_link *link)
+{
+    return (text){link->receive + link->receive_start, link->receive_size - link->receive_start};
 }
 
 /* Give the next whole line of what was received, without its end; false where there is none. */
 static bool next_line(ul_link *link, text *line)
 {
-    const char *at = link->receive + link->receive_start;
-    const char *end = memchr(at, CHECKED_END, link->receive_size - link->receive_start);
+    text rest = unread(link);
+    const char *end = memchr(rest.at, CHECKED_END, rest.size);
     if (end == NULL) return false;
-    *line = (text){at, (size_t)(end - at)};
+    *line = (text){rest.at, (size_t)(end - rest.at)};
     link->receive_start += line->size + 1;
     return true;
+}
+
+/* Take a frame of what was received; false where there is no whole one. */
+static bool take_frame(ul_link *link)
+{
+    text rest = unread(link);
+    const char *end = memchr(rest.at, CHECKED_END, rest.size);
+    size_t taken;
+    if (end == NULL) {
+        taken = take_endless(link, rest);
+    } else if (end == rest.at) {
+        /* A server's sign that what was repeated is still under way. */
+        link->heard = true;
+        taken = 1;
+    } else {
+        taken = take_line(link, (text){rest.at, (size_t)(end - rest.at)});
+    }
+    link->receive_start += taken;
+    return taken > 0;
 }
 
 /* Fill the buffer; false where nothing came. A line longer than the buffer is none. */
@@ -338,11 +462,10 @@ static bool fill(ul_link *link)
 
 static void receive_bytes(ul_link *link)
 {
-    text line;
     /* Not for ever, where samples come as fast as they are taken. */
     for (int reads = 0; reads < MOST_READS && !link->gone && fill(link); reads++) {
-        while (next_line(link, &line)) take_line(link, line);
-        text rest = {link->receive + link->receive_start, link->receive_size - link->receive_start};
+        while (!link->gone && take_frame(link)) continue;
+        text rest = unread(link);
         /* Perhaps the beginning of a long answer on a slow line. */
         if (rest.size > 0 && !is_sample(link, rest)) link->heard = true;
     }

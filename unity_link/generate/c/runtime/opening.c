@@ -5,13 +5,12 @@
  * publishes nothing. That is another one each time, so that no answer of a session before is taken for one of this.
  */
 
-enum { PROTOCOL_VERSION = 2, LONGEST_ANSWER = 160, CHECKED_TRIES = 4 };
+enum { PROTOCOL_VERSION = 2, LONGEST_ANSWER = 160 };
 enum { LONGEST_REST = 48 };     /* of a frame, beside its words */
-static const double FIRST_PATIENCE = 0.1, LONGEST_PATIENCE = 1.0;
 
 typedef struct opening {
     ul_link *link;
-    double until, asked;
+    double until, asked, patience;
     size_t heard;
     char answer[LONGEST_ANSWER];
     size_t size;
@@ -26,31 +25,61 @@ static bool is_answer(const opening *opens, text line, bool plain, const char *b
     return take_prefix(opens->link, answer) && starts_with(*answer, beginning) && answer->size <= LONGEST_ANSWER;
 }
 
-/* Ask until an answer comes, at most so many times; it is left in `answer`. */
-static bool ask(opening *opens, const char *question, bool plain, unsigned tries)
+/* Send a question, behind a line end for what an earlier program left unfinished; LF, for CR would execute it unchecked. */
+static void send_question(opening *opens, const char *question, bool plain)
 {
     ul_link *link = opens->link;
-    double patience = FIRST_PATIENCE;
-    for (; tries > 0 && now_of(link) < opens->until && !link->gone; tries--) {
-        /* A line end first, for what an earlier program left unfinished; LF, for CR would execute it unchecked. */
-        char *start = put_text(link->send, "\n"), *at = put_text(put_prefix(link, start), question);
-        at = plain ? put_text(at, "\r") : put_check(link, at, start);
-        link->send_size = (size_t)(at - link->send);
-        flush(link);
-        opens->asked = now_of(link);
-        double end = opens->asked + patience;
+    char *start = put_text(link->send, "\n"), *at = put_text(put_prefix(link, start), question);
+    at = plain ? put_text(at, "\r") : put_check(link, at, start);
+    link->send_size = (size_t)(at - link->send);
+    flush(link);
+    opens->asked = now_of(link);
+}
+
+/* Look for the answer in what has come. False where there is none; a line that is none may be one that was damaged. */
+static bool find_answer(opening *opens, const char *question, bool plain, bool *damaged)
+{
+    text line, answer;
+    while (next_line(opens->link, &line)) {
+        if (!is_answer(opens, line, plain, question, &answer)) {
+            *damaged = true;
+            continue;
+        }
+        memcpy(opens->answer, answer.at, answer.size);
+        opens->size = answer.size;
+        return true;
+    }
+    return false;
+}
+
+/* What has answered soon, be it damaged, will not take much longer for the next one. Where others share the medium, more
+ * may follow it, and the answer is waited for as long as any. */
+static bool shorten(opening *opens, double now, double *end)
+{
+    double patience = DAMAGE_PATIENCE * (now - opens->asked);
+    if (opens->link->node >= 0) return false;
+    opens->patience = patience < SHORTEST_TRY ? SHORTEST_TRY : patience < LONGEST_TRY ? patience : LONGEST_TRY;
+    *end = now + DAMAGE_PAUSE;
+    return true;
+}
+
+/* Ask until an answer comes, about so many times; it is left in `answer`. */
+static bool ask(opening *opens, const char *question, bool plain, double tries)
+{
+    ul_link *link = opens->link;
+    if (opens->patience > FIRST_TRY) opens->patience = FIRST_TRY;
+    while (tries > 0 && now_of(link) < opens->until && !link->gone) {
+        bool damaged = false, shortened = false;
+        send_question(opens, question, plain);
+        double end = opens->asked + opens->patience;
         for (double now; (now = now_of(link)) < end && !link->gone;) {
-            text line, answer;
-            while (next_line(link, &line)) {
-                if (!is_answer(opens, line, plain, question, &answer)) continue;
-                memcpy(opens->answer, answer.at, answer.size);
-                opens->size = answer.size;
-                return true;
-            }
+            if (find_answer(opens, question, plain, &damaged)) return true;
+            if (damaged && !shortened) shortened = shorten(opens, now, &end);
             link->transport.wait(link->transport.context, false, end - now);
             if (fill(link)) opens->heard += link->receive_size;
         }
-        patience = 2 * patience < LONGEST_PATIENCE ? 2 * patience : LONGEST_PATIENCE;
+        if (!shortened) opens->patience = 2 * opens->patience < LONGEST_TRY ? 2 * opens->patience : LONGEST_TRY;
+        tries -= shortened ? DAMAGE_COST : 1;
     }
     return false;
 }
@@ -134,20 +163,20 @@ static bool is_last_answer(const opening *opens, text answer)
     return answer.size == opens->size && memcmp(answer.at, opens->answer, answer.size) == 0;
 }
 
-/* Learn what the gateway is. A plain answer has no check: one that cannot be is asked for again, and believed if it is
- * the same. */
+/* Learn what the gateway is. A plain answer has no check: one that cannot be is asked for again, and believed when it was
+ * the same so many times. */
 static ul_status learn(opening *opens)
 {
     ul_link *link = opens->link;
     ul_status status = UL_NO_CONNECTION;
     char kept[LONGEST_ANSWER];
     text plain = {kept, 0};
-    while (ask(opens, "Q", true, UINT32_MAX)) {
-        bool is_certain = is_last_answer(opens, plain);
+    for (unsigned alike = 0; ask(opens, "Q", true, FOR_EVER);) {
+        alike = is_last_answer(opens, plain) ? alike + 1 : 1;
         plain.size = opens->size;
         memcpy(kept, opens->answer, plain.size);
         status = believe(link, without_first(plain, 1));
-        if (status == UL_UNSUPPORTED && is_certain) break;
+        if (status == UL_UNSUPPORTED && alike == SURE) break;
         if (status == UL_OK && ask(opens, "Q", false, CHECKED_TRIES) && is_last_answer(opens, plain)) return UL_OK;
     }
     if (status == UL_UNSUPPORTED) return status;
@@ -177,10 +206,10 @@ static ul_status start_session(opening *opens)
     uint32_t first = choose_first(link);
     *put_number(put_text(session, "K"), link->info.id_digits, first) = '\0';
     double began = now_of(link);
-    if (!ask(opens, session, false, UINT32_MAX))
+    if (!ask(opens, session, false, FOR_EVER))
         return fail(link, UL_NO_CONNECTION, "", "the gateway does not answer any more");
     double now = now_of(link), least = now - opens->asked;
-    start_window(link, first, least / (double)(strlen(session) + link->crc_digits + 1), now - began);
+    start_window(link, first, least / (double)(strlen(session) + frame_overhead(link)), now - began);
     link->least_round_trip = least;
     return UL_OK;
 }
@@ -192,7 +221,7 @@ ul_status ul_open(ul_link *link, const ul_transport *transport, int node, double
     if (!(transport->shortest_timeout > 0)) link->transport.shortest_timeout = SHORTEST_TIMEOUT;
     link->node = node;
     link->posts = UL_BATCH;
-    opening opens = {.link = link, .until = now_of(link) + timeout};
+    opening opens = {.link = link, .until = now_of(link) + timeout, .patience = FIRST_TRY};
     ul_status status =
         node > 0xFE ? fail(link, UL_BAD_ARGUMENT, "node", "0 to 254 was expected") : learn(&opens);
     if (status == UL_OK) status = start_session(&opens);
@@ -238,12 +267,23 @@ const char *ul_status_text(ul_status status)
     return "an error of the gateway that this version does not know";
 }
 
+/* Whether the gateway says that it was built for another map. */
+static bool is_of_another_map(const ul_link *link, uint32_t map)
+{
+    return link->info.features & UL_FEATURE_FINGERPRINT && link->info.build_id != map && !link->any_map;
+}
+
+void ul_allow_any_map(ul_link *link)
+{
+    link->any_map = true;
+}
+
 ul_status ul_check_map(ul_link *link, uint32_t map, const char *name)
 {
-    if (!(link->info.features & UL_FEATURE_FINGERPRINT) || link->info.build_id == map) return UL_OK;
+    if (!is_of_another_map(link, map)) return UL_OK;
     snprintf(link->error, sizeof link->error,
              "the gateway was built for the map %08lX, and %.40s describes the map %08lX: generate the client from the "
-             "spec that the gateway was built from, or build the gateway anew",
+             "spec that the gateway was built from, or build the gateway anew, or write map=any in the URL",
              (unsigned long)link->info.build_id, name, (unsigned long)map);
     return UL_UNSUPPORTED;
 }

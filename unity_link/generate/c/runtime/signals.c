@@ -232,8 +232,13 @@ static bool cannot(const ul_link *link, ul_batch *batch, const ul_signal *signal
         refuse(batch, UL_BAD_ARGUMENT, signal->path, signal->address, "the network around it is not in use yet");
         return true;
     }
-    if (!link->open || signal->word_bits == link->info.data_bits) return false;
-    refuse(batch, UL_UNSUPPORTED, signal->path, signal->address, "the gateway's words are not as wide as the spec's");
+    if (!link->open) return false;
+    if (signal->word_bits != link->info.data_bits) {
+        refuse(batch, UL_UNSUPPORTED, signal->path, signal->address, "the gateway's words are not as wide as the spec's");
+        return true;
+    }
+    if (signal->map == 0 || !is_of_another_map(link, signal->map)) return false;
+    refuse(batch, UL_UNSUPPORTED, signal->path, signal->address, "the gateway was built from another spec than this");
     return true;
 }
 

@@ -24,7 +24,8 @@ static uint64_t count_lost(const ul_link *link, ul_subscription *subscription, u
     if (advance == 0) advance = 0x100;
     if (subscription->has_sample && subscription->flags & TIMESTAMP
         && (subscription->flags & (PERIODIC | TRIGGER | ON_CHANGE)) == PERIODIC) {
-        double due = (double)(ticks - subscription->ticks) / link->info.clock_hz * subscription->rate_hz;
+        /* A gateway's clock that goes back is wrong, and has lost nothing. */
+        double due = (double)(int64_t)(ticks - subscription->ticks) / link->info.clock_hz * subscription->rate_hz;
         double rounds = (due - (double)advance) / 0x100 + 0.5;
         if (rounds >= 1) advance += (uint64_t)rounds * 0x100;
     }
@@ -37,12 +38,30 @@ static uint64_t *stored(const ul_subscription *subscription, size_t index)
     return subscription->storage + index * (WORDS + subscription->count);
 }
 
+/* Who has a group, or NULL. */
+static ul_subscription *holder_of(const ul_link *link, uint64_t group)
+{
+    ul_subscription *one = link->subscriptions;
+    while (one != NULL && one->group != group + 1) one = one->next;
+    return one;
+}
+
+/* Characters of the body of a sample, as it begins; 0 where nobody has the group. */
+static size_t sample_size(const ul_link *link, text frame)
+{
+    uint64_t group;
+    text fields = without_first(frame, 1);
+    const ul_subscription *one = take_number(&fields, 2, &group) ? holder_of(link, group) : NULL;
+    if (one == NULL) return 0;
+    size_t head = one->flags & TIMESTAMP ? 13 : 5;
+    return head + (size_t)one->count * link->data_digits;
+}
+
 static void take_sample(ul_link *link, text body)
 {
     uint64_t group, sequence, timestamp = 0, word;
-    ul_subscription *subscription = link->subscriptions;
     if (!take_number(&body, 2, &group) || !take_number(&body, 2, &sequence)) return;
-    while (subscription != NULL && subscription->group != group + 1) subscription = subscription->next;
+    ul_subscription *subscription = holder_of(link, group);
     if (subscription == NULL) return;
     if (subscription->flags & TIMESTAMP && !take_number(&body, 8, &timestamp)) return;
     if (body.size != (size_t)subscription->count * link->data_digits) return;
@@ -98,13 +117,6 @@ static bool is_subscribed(const ul_link *link, const ul_subscription *subscripti
     return one != NULL;
 }
 
-static bool is_held(const ul_link *link, unsigned group)
-{
-    const ul_subscription *one = link->subscriptions;
-    while (one != NULL && one->group != group + 1) one = one->next;
-    return one != NULL;
-}
-
 /* Choose a group that is free, from the last one down. What was chosen on a link that was lost is chosen anew. Samples
  * of whoever had the group before come before the answer to `GS`, and so find nobody. */
 static ul_status choose_group(ul_link *link, ul_subscription *subscription)
@@ -112,11 +124,11 @@ static ul_status choose_group(ul_link *link, ul_subscription *subscription)
     char reason[96];
     unsigned groups = link->info.groups, group = groups;
     if (subscription->group != 0 && !subscription->chosen) {
-        if (subscription->group <= groups && !is_held(link, subscription->group - 1)) return UL_OK;
+        if (subscription->group <= groups && holder_of(link, subscription->group - 1) == NULL) return UL_OK;
         snprintf(reason, sizeof reason, "group %u of the gateway is in use, or there is none", subscription->group - 1);
         return fail(link, UL_BAD_ARGUMENT, "subscription", reason);
     }
-    while (group > 0 && is_held(link, group - 1)) group--;
+    while (group > 0 && holder_of(link, group - 1) != NULL) group--;
     subscription->group = group;
     subscription->chosen = group > 0;
     if (subscription->chosen) return UL_OK;
@@ -215,9 +227,10 @@ ul_status ul_await(ul_link *link, ul_subscription *subscription, size_t count, d
     while (subscription->waiting < count) {
         if (link->gone) return fail_plainly(link, UL_LOST);
         turn_idle(link, until);
-        if (subscription->waiting < count && now_of(link) >= until) return fail_plainly(link, UL_NO_SAMPLE);
+        if (subscription->waiting < count && now_of(link) >= until) break;
     }
-    return UL_OK;
+    flush(link);
+    return subscription->waiting < count ? fail_plainly(link, UL_NO_SAMPLE) : UL_OK;
 }
 
 ul_status ul_next(ul_link *link, ul_subscription *subscription, ul_sample *sample, double seconds)
@@ -256,5 +269,6 @@ ul_status ul_poll(ul_link *link, double seconds)
         dispatch(link);
         link->dispatching = false;
     } while (now_of(link) < until);
+    flush(link);
     return UL_OK;
 }

@@ -9,23 +9,34 @@
  *                   oldest                  executed                 next
  *
  * A response to ID k, and `n k`, say that all before k were executed. Posted writes have no answer: they are done when
- * `executed` passes them. To *go back* is to send what is not answered again, from `oldest` on: of what is in flight
- * then, a reset of the gateway leaves unknown whether it was executed, unlike of what stands from `sent_once` on. While
- * the line loses, fewer requests are kept in flight, as one damaged frame costs all those behind it: half as many, and
- * at most twice as many as came through since the loss before. The repetition, too, sends only as many at a time, and
- * `to_repeat` is how far it has come. What is answered does not count, so that new requests follow also where the oldest
- * alone is sent again: where the end of a lone frame is damaged, only what follows it can show that.
+ * `executed` passes them. To *go back* is to send what is not answered again, in order, from `oldest` on.
  *
- * A loss brings many signs. After going back, no further one counts as long as it must still be about what was sent
- * before: for the least round trip seen, and twice as long each time; a later one says that the repetition was lost,
- * too. What brings no sign, the time out finds. Where no flow control protects the gateway's receive FIFO, only the time
- * out sends the same once more: what waits in the FIFO must have left it.
+ * Both directions keep the order, and each request knows its place among all that were sent, repetitions among them. So
+ * a response says which others will not come any more: where the gateway has executed these, they alone are sent again;
+ * else the window goes back. A damaged answer was perhaps that to the oldest, which alone is sent again; the next such
+ * sign is about the next. `to_repeat` and `repeat_end` are the marks between which is sent again what is not answered.
+ *
+ * One damaged request costs all those behind it. So where the window goes back, fewer are kept in flight: half as many,
+ * and at most twice as many as came through since it went back before; some that are done later it is one more, and
+ * posted writes count as they are confirmed. The repetition, too, sends only as many at a time. What is answered does not
+ * count, so that new requests follow also where the oldest alone is sent again.
+ *
+ * A loss brings many signs. After going back, no further one counts as long as neither `oldest` nor `executed` has moved
+ * and a sign must still be about what was sent before: for the least round trip seen, and twice as long each time; the
+ * first few, for a usual round trip at most. A later one says that the repetition was lost, too. An earlier one may say
+ * the same of a line that was quicker than ever before: where nothing comes for as long again, the window goes back for
+ * that. What brings no sign, the time out finds. From MOST_SIGNS on, a sign counts as a time out. Where no flow control
+ * protects the gateway's receive FIFO, only the time out sends the same once more: what waits in the FIFO must have left
+ * it.
  *
  * The time out is RFC 6298's, but never less than twice the round trip. What was sent twice is not timed. The doubling is
  * undone by the answer to what was sent once, and by progress after a sign.
+ *
+ * It does what `unity_link/protocol/window.py` does, for the host in Python, and its tests compare the two.
  */
 
 static const ul_request FENCE = {.command = "h"};
+static const double FOR_EVER = 1e300;
 
 static uint32_t distance(const ul_link *link, uint32_t id)
 {
@@ -42,9 +53,19 @@ static uint32_t after(const ul_link *link, uint32_t id)
     return (id + 1) & link->ring_mask;
 }
 
+static bool is_half_duplex(const ul_link *link)
+{
+    return link->info.features & UL_FEATURE_HALF_DUPLEX;
+}
+
 static bool is_repeating(const ul_link *link)
 {
-    return link->to_repeat != link->next;
+    return link->to_repeat != link->repeat_end;
+}
+
+static bool is_to_be_repeated(const ul_link *link, uint32_t id)
+{
+    return ((id - link->to_repeat) & link->ring_mask) < ((link->repeat_end - link->to_repeat) & link->ring_mask);
 }
 
 static ul_request *slot_of(ul_link *link, uint32_t id)
@@ -53,10 +74,10 @@ static ul_request *slot_of(ul_link *link, uint32_t id)
 }
 
 /* The request that an answer names, or NULL where nothing waits for it: the answer to a repetition. */
-static ul_request *find(ul_link *link, uint32_t id)
+static const ul_request *find(const ul_link *link, uint32_t id)
 {
     if (distance(link, id) >= in_flight(link)) return NULL;
-    ul_request *request = slot_of(link, id);
+    const ul_request *request = &link->slots[id % UL_WINDOW];
     return request->waiting ? request : NULL;
 }
 
@@ -73,6 +94,23 @@ static unsigned outstanding(const ul_link *link)
 {
     unsigned unknown = (link->next - link->executed) & link->ring_mask;
     return unknown + waiting_between(link, link->oldest, link->executed);
+}
+
+/* The ID behind the next request that has an answer; the next one of all where there are posted writes alone. */
+static uint32_t behind_next_with_answer(const ul_link *link, uint32_t id)
+{
+    while (id != link->next) {
+        const ul_request *request = find(link, id);
+        id = after(link, id);
+        if (request != NULL && !request->posted) break;
+    }
+    return id;
+}
+
+/* Whether one of all sendings came before another. Their places go round, but two in one window are never so far apart. */
+static bool came_before(uint32_t one, uint32_t other)
+{
+    return one != other && other - one < UINT32_C(1) << 31;
 }
 
 static void measure(ul_link *link, double round_trip)
@@ -93,17 +131,24 @@ static void measure(ul_link *link, double round_trip)
     link->measured_timeout = link->timeout = timeout < LONGEST_TIMEOUT ? timeout : LONGEST_TIMEOUT;
 }
 
+/* Wait for answers so long at least. */
+static void wait_at_least(ul_link *link, double seconds)
+{
+    if (link->transport.shortest_timeout < seconds) link->transport.shortest_timeout = seconds;
+}
+
 /* Begin a session with its first ID. Where both directions share a pair of wires, one request is under way at a time. */
 static void start_window(ul_link *link, uint32_t first, double byte_time, double round_trip)
 {
     uint32_t half = (link->ring_mask + 1) / 2;
-    link->oldest = link->executed = link->next = link->sent_once = link->to_repeat = first;
-    link->most_in_flight = half < UL_WINDOW ? half : UL_WINDOW;
-    if (link->info.features & UL_FEATURE_HALF_DUPLEX) link->most_in_flight = 1;
+    link->oldest = link->executed = link->next = first;
+    link->to_repeat = link->repeat_end = link->sent_once_from = link->asked_to = link->gap = first;
+    link->repeated_at = link->next_sign = link->next_measurement = -FOR_EVER;
+    link->most_in_flight = is_half_duplex(link) ? 1 : half < UL_WINDOW ? half : UL_WINDOW;
     link->allowed = link->most_in_flight;
     link->byte_limit = link->info.features & UL_FEATURE_FLOW_CONTROL ? SIZE_MAX : link->info.receive_fifo_bytes;
-    if (link->byte_limit != SIZE_MAX && link->transport.shortest_timeout < SHORTEST_TIMEOUT)
-        link->transport.shortest_timeout = SHORTEST_TIMEOUT;
+    if (link->byte_limit != SIZE_MAX) wait_at_least(link, SHORTEST_TIMEOUT);
+    if (is_half_duplex(link)) wait_at_least(link, ANSWER_PATIENCE);
     link->byte_time = link->reply_byte_time = byte_time;
     measure(link, round_trip);
 }
@@ -118,6 +163,17 @@ static bool has_room(const ul_link *link, size_t size, bool posted)
     return link->bytes + size * (posted ? 2 : 1) <= link->byte_limit;
 }
 
+/* Begin to measure the round trip of a request that was just sent; one at a time. */
+static void time_request(ul_link *link, const ul_request *request, uint32_t id, double now)
+{
+    if (link->is_timed || now < link->next_measurement) return;
+    link->is_timed = true;
+    link->timed = id;
+    link->timed_at = now;
+    link->timed_bytes = link->bytes;
+    link->timed_reply = reply_size(link, request);
+}
+
 /* Give an ID to a request that is now sent. */
 static uint32_t number_request(ul_link *link, const ul_request *request, double now)
 {
@@ -126,23 +182,14 @@ static uint32_t number_request(ul_link *link, const ul_request *request, double 
     ul_request *slot = slot_of(link, id);
     *slot = *request;
     slot->waiting = true;
+    slot->first_sending = slot->last_sending = link->sent++;
+    slot->ambiguous_until = -FOR_EVER;
     link->bytes += size;
-    if (request->posted) {
-        link->unfenced++;
-        link->unfenced_bytes += size;
-    } else {
-        link->unfenced = 0;
-        link->unfenced_bytes = 0;
-        if (!link->is_timed && now >= link->next_measurement) {
-            link->is_timed = true;
-            link->timed = id;
-            link->timed_at = now;
-            link->timed_bytes = link->bytes;
-            link->timed_reply = reply_size(link, request);
-        }
-    }
-    if (link->oldest == id) link->since = link->silent_since = now;
-    link->next = link->to_repeat = after(link, id);
+    link->unfenced = request->posted ? link->unfenced + 1 : 0;
+    link->unfenced_bytes = request->posted ? link->unfenced_bytes + size : 0;
+    if (!request->posted) time_request(link, request, id, now);
+    if (link->oldest == id) link->since = now;
+    link->next = after(link, id);
     return id;
 }
 
@@ -160,99 +207,222 @@ static bool needs_fence(const ul_link *link)
         || (link->byte_limit != SIZE_MAX && 4 * link->unfenced_bytes >= link->byte_limit);
 }
 
+/* Sending again */
+
 /* How many requests may be sent again now: at least the posted writes, which nothing answers, that stand before the
  * first request with an answer, and that one. */
 static unsigned repetition_room(const ul_link *link)
 {
-    unsigned most = 1, sent = waiting_between(link, link->oldest, link->to_repeat);
-    for (uint32_t id = link->oldest; id != link->next; id = after(link, id)) {
-        const ul_request *request = &link->slots[id % UL_WINDOW];
-        if (request->waiting && !request->posted) break;
-        most += request->waiting;
-    }
+    unsigned most = waiting_between(link, link->oldest, behind_next_with_answer(link, link->oldest));
+    unsigned sent = waiting_between(link, link->oldest, link->to_repeat);
     if (most < link->allowed) most = link->allowed;
     return sent < most ? most - sent : 0;
 }
 
-static void go_back(ul_link *link, double now, bool waited)
+/* The next request is sent again. */
+static const ul_request *note_repetition(ul_link *link, uint32_t id)
 {
-    double pause = link->least_round_trip;
-    if (link->gone_back >= MOST_QUICK_SIGNS && pause < SLOWER_SIGNS) pause = SLOWER_SIGNS;
-    pause *= (double)(1u << link->gone_back);
-    if (pause > LONGEST_TIMEOUT || link->byte_limit != SIZE_MAX) pause = LONGEST_TIMEOUT;
-    link->next_sign = now + pause;
-    if (link->gone_back < 2 * MOST_QUICK_SIGNS) link->gone_back++;
-    link->waited = waited;
-    link->refused = link->is_timed = false;
-    /* Each answer has let one more be in flight. */
-    unsigned fewest = FEWEST_IN_FLIGHT < link->most_in_flight ? FEWEST_IN_FLIGHT : link->most_in_flight;
-    unsigned came = 2 * (link->allowed - link->allowed_after_loss), half = link->allowed / 2;
-    link->allowed = came < half ? came : half;
-    if (link->allowed < fewest) link->allowed = fewest;
-    link->allowed_after_loss = link->allowed;
-    link->to_repeat = link->oldest;
-    link->sent_once = link->next;
+    ul_request *request = slot_of(link, id);
+    request->last_sending = link->sent++;
+    request->ambiguous_until = link->repeat_ambiguous_until;
+    return request;
+}
+
+/* The first ID from which on nothing was sent again. */
+static uint32_t sent_once(const ul_link *link)
+{
+    return distance(link, link->sent_once_from) <= in_flight(link) ? link->sent_once_from : link->oldest;
+}
+
+/* Have what is not answered from one ID on and before another sent again, besides what is to be. Until an instant, an
+ * answer may be to what was sent before. */
+static void repeat_part(ul_link *link, uint32_t start, uint32_t end, double now, double ambiguous_until)
+{
+    if (!is_repeating(link)) {
+        link->to_repeat = start;
+        link->repeat_end = end;
+    } else {
+        if (distance(link, start) < distance(link, link->to_repeat)) link->to_repeat = start;
+        if (distance(link, end) > distance(link, link->repeat_end)) link->repeat_end = end;
+        if (start != link->to_repeat || end != link->repeat_end) ambiguous_until = FOR_EVER;
+    }
+    link->repeat_ambiguous_until = ambiguous_until;
+    if (distance(link, end) > distance(link, sent_once(link))) link->sent_once_from = end;
+    link->is_timed = false;
     link->since = now;
 }
 
-/* A sign of loss, which may be one of the loss before. */
-static void note_loss(ul_link *link, double now)
+/* Seconds from going back until a sign can be about that. */
+static double pause_of(const ul_link *link)
 {
-    bool has_begun = link->to_repeat != link->oldest;
-    if (has_begun && (link->gone_back == 0 || now >= link->next_sign)) go_back(link, now, false);
+    bool quick = link->gone_back < MOST_QUICK_SIGNS;
+    double pause = link->least_round_trip, most = quick ? link->round_trip : LONGEST_TIMEOUT;
+    if (link->byte_limit != SIZE_MAX) return LONGEST_TIMEOUT;
+    if (!quick && pause < SLOWER_SIGNS) pause = SLOWER_SIGNS;
+    pause *= (double)(1u << link->gone_back);
+    return pause < most ? pause : most;
 }
+
+/* Keep fewer in flight. */
+static void allow_fewer(ul_link *link)
+{
+    unsigned fewest = FEWEST_IN_FLIGHT < link->most_in_flight ? FEWEST_IN_FLIGHT : link->most_in_flight;
+    if (link->loses && 4 * link->came < link->allowed) link->allowed = 4 * link->came;
+    link->allowed /= 2;
+    if (link->allowed < fewest) link->allowed = fewest;
+    link->allowed_after_loss = link->allowed;
+    link->loses = link->allowed < link->most_in_flight;
+    link->came = 0;
+}
+
+/* Allow more again: one more is done. */
+static void allow_more(ul_link *link)
+{
+    if (!link->loses) return;
+    link->allowed = link->allowed_after_loss + ++link->came / DONE_FOR_ONE_MORE;
+    if (link->allowed > link->most_in_flight) link->allowed = link->most_in_flight;
+    link->loses = link->allowed < link->most_in_flight;
+}
+
+static void go_back(ul_link *link, double now, double ambiguous_until)
+{
+    link->repeated_at = now;
+    link->next_sign = now + pause_of(link);
+    link->has_early_sign = false;
+    if (link->gone_back < MOST_SIGNS) link->gone_back++;
+    link->refused = false;
+    allow_fewer(link);
+    link->gap = link->executed;
+    repeat_part(link, link->oldest, link->next, now, ambiguous_until);
+}
+
+/* Have `note_time` take a sign at a time. */
+static void keep_sign(ul_link *link, double due)
+{
+    link->has_early_sign = true;
+    link->early_sent = link->sent;
+    link->early_due = due;
+}
+
+/* Keep a sign that came before `next_sign`, if it can be about the repetition at all. */
+static void note_early_sign(ul_link *link, double now)
+{
+    if (link->has_early_sign || now <= link->repeated_at) return;
+    keep_sign(link, now + link->next_sign - link->repeated_at);
+}
+
+/* Go back for a sign of loss, unless it may be one of the loss before. */
+static void note_loss(ul_link *link, double now, double ambiguous_until)
+{
+    bool begun = link->to_repeat != link->oldest || link->repeat_end != link->next;
+    if (link->gone_back > 0 && link->executed == link->gap && now < link->next_sign) {
+        note_early_sign(link, now);
+    } else if (link->oldest == link->next || !begun) {
+        return;
+    } else if (link->gone_back == MOST_SIGNS) {
+        keep_sign(link, now);
+    } else {
+        link->waited = false;
+        go_back(link, now, ambiguous_until);
+    }
+}
+
+/* Whether a request waits for its answer, and was sent before another that was answered. */
+static bool is_overtaken(const ul_link *link, uint32_t id, uint32_t sending)
+{
+    const ul_request *request = find(link, id);
+    return request != NULL && came_before(request->last_sending, sending) && !is_to_be_repeated(link, id);
+}
+
+/* Send again what was sent before a request that is answered now, and is not: it or its answer was lost. Where the
+ * gateway has executed it, only the answer was lost, and what is behind it is on its way. */
+static void find_lost(ul_link *link, uint32_t sending, double now)
+{
+    if (!is_overtaken(link, link->oldest, sending)) return;
+    link->waited = false;
+    if (is_overtaken(link, link->executed, sending)) {
+        go_back(link, now, now);
+        return;
+    }
+    uint32_t end = link->oldest;
+    while (end != link->executed && (find(link, end) == NULL || is_overtaken(link, end, sending))) end = after(link, end);
+    repeat_part(link, link->oldest, end, now, now);
+}
+
+/* What arrives */
 
 /* Move `executed` up to an ID: posted writes before it are done. */
 static void confirm(ul_link *link, uint32_t expected)
 {
     for (; link->executed != expected; link->executed = after(link, link->executed)) {
         ul_request *request = slot_of(link, link->executed);
-        if (request->waiting) link->bytes -= request_size(link, request);
-        if (request->posted) request->waiting = false;
+        if (!request->waiting) continue;
+        link->bytes -= request_size(link, request);
+        if (!request->posted) continue;
+        request->waiting = false;
+        allow_more(link);
     }
+}
+
+/* Where an early sign may still be about the oldest request, which has changed, its time begins again. */
+static void renew_early_sign(ul_link *link, double now)
+{
+    const ul_request *request = find(link, link->oldest);
+    if (!link->has_early_sign) return;
+    link->has_early_sign = request != NULL && came_before(request->last_sending, link->early_sent);
+    link->early_due = now + link->next_sign - link->repeated_at;
+}
+
+/* Begin anew with another oldest request. */
+static void begin_anew(ul_link *link, double now)
+{
+    link->refused = link->gave_up = false;
+    link->gone_back = link->refusals = 0;
+    /* Where the time had run out, it may be a late answer to what was sent before. */
+    if (!link->waited) link->timeout = link->measured_timeout;
+    if (is_repeating(link) && distance(link, link->to_repeat) > in_flight(link)) {
+        link->to_repeat = link->oldest;
+        if (distance(link, link->repeat_end) > in_flight(link)) link->repeat_end = link->oldest;
+    }
+    renew_early_sign(link, now);
 }
 
 /* Something was confirmed: move `oldest` up over what is done, and start the clock anew. */
 static void note_news(ul_link *link, double now)
 {
     uint32_t before = link->oldest;
-    while (link->oldest != link->executed && !slot_of(link, link->oldest)->waiting) {
-        uint32_t behind = after(link, link->oldest);
-        if (link->sent_once == link->oldest) link->sent_once = behind;
-        if (link->to_repeat == link->oldest) link->to_repeat = behind;
-        link->oldest = behind;
-    }
-    if (link->oldest != before) {
-        /* Where the time had run out, it may be a late answer to what was sent before. */
-        if (!link->waited) link->timeout = link->measured_timeout;
-        link->refused = link->gave_up = false;
-        link->gone_back = link->refusals = 0;
-    }
+    while (link->oldest != link->executed && !slot_of(link, link->oldest)->waiting)
+        link->oldest = after(link, link->oldest);
+    if (link->oldest != before) begin_anew(link, now);
     link->tries = link->silent_tries = 0;
-    link->since = link->silent_since = now;
+    link->since = now;
+}
+
+/* The answer to the request that is timed. */
+static void note_round_trip(ul_link *link, double now)
+{
+    double round_trip = now - link->timed_at;
+    double per_byte = round_trip / (double)link->timed_bytes, per_reply = round_trip / (double)link->timed_reply;
+    measure(link, round_trip);
+    if (per_byte < link->byte_time) link->byte_time = per_byte;
+    if (per_reply < link->reply_byte_time) link->reply_byte_time = per_reply;
+    link->is_timed = false;
+    link->next_measurement = now + MEASUREMENT_PAUSE;
 }
 
 /* The answer to a request has come. */
 static void note_answer(ul_link *link, uint32_t id, double now)
 {
     ul_request *request = slot_of(link, id);
-    if (link->is_timed && link->timed == id) {
-        double round_trip = now - link->timed_at;
-        double per_byte = round_trip / (double)link->timed_bytes, per_reply = round_trip / (double)link->timed_reply;
-        measure(link, round_trip);
-        if (per_byte < link->byte_time) link->byte_time = per_byte;
-        if (per_reply < link->reply_byte_time) link->reply_byte_time = per_reply;
-        link->is_timed = false;
-        link->next_measurement = now + MEASUREMENT_PAUSE;
-    }
-    if (link->allowed < link->most_in_flight) link->allowed++;
-    if (distance(link, id) >= distance(link, link->sent_once)) link->timeout = link->measured_timeout;
-    bool overtook = id != link->oldest;
+    uint32_t sending = now < request->ambiguous_until ? request->first_sending : request->last_sending;
+    if (link->is_timed && link->timed == id) note_round_trip(link, now);
+    allow_more(link);
+    if (((id - link->sent_once_from) & link->ring_mask) <= (link->ring_mask + 1) / 2)
+        link->timeout = link->measured_timeout;
     if (distance(link, id) >= distance(link, link->executed)) confirm(link, after(link, id));
     request->waiting = false;
     note_news(link, now);
-    /* The answer to the oldest says nothing of those behind it, which were perhaps sent again together with it. */
-    if (overtook && link->oldest != link->executed) note_loss(link, now);
+    find_lost(link, sending, now);
 }
 
 /* `n`: the gateway expects this ID, so a request was lost. */
@@ -263,7 +433,41 @@ static void note_gap(ul_link *link, uint32_t expected, double now)
         confirm(link, expected);
         note_news(link, now);
     }
-    note_loss(link, now);
+    const ul_request *request = find(link, expected);
+    if (expected != link->executed || request == NULL) return;
+    /* Nothing behind a request that was lost is executed before that was sent again. */
+    note_loss(link, now, request->first_sending == request->last_sending ? now : FOR_EVER);
+}
+
+/* Something arrived damaged: perhaps the answer to the oldest request, or to the next one if it came before. */
+static void note_damaged_answer(ul_link *link, double now)
+{
+    uint32_t asked = distance(link, link->asked_to);
+    if (link->gone_back > 0 && now < link->next_sign) {
+        note_early_sign(link, now);
+        return;
+    }
+    if (asked == 0 || asked > in_flight(link)) {
+        link->asked_to = link->oldest;
+    } else if (now >= link->next_sign) {
+        note_loss(link, now, FOR_EVER);
+        return;
+    }
+    uint32_t start = link->asked_to, end = behind_next_with_answer(link, start);
+    link->asked_to = end;
+    if (start == end || is_to_be_repeated(link, start)) return;
+    link->repeated_at = now;
+    link->next_sign = now + link->least_round_trip;
+    link->waited = false;
+    repeat_part(link, start, end, now, link->next_sign);
+}
+
+/* Errors 01, 07 and 09: a request arrived damaged. */
+static void note_damaged_request(ul_link *link, double now)
+{
+    /* Else it is perhaps the repetition of one of which the answer was lost; of another, `n` will tell. */
+    if (link->oldest == link->executed) note_loss(link, now, FOR_EVER);
+    else note_damaged_answer(link, now);
 }
 
 /* The oldest request cannot be had. An `h` takes its place, for those behind it build on its ID; what it was is put
@@ -274,10 +478,12 @@ static bool give_up(ul_link *link, ul_request *given_up)
     *given_up = *place;
     *place = FENCE;
     place->waiting = true;
+    place->first_sending = given_up->first_sending;
+    place->last_sending = given_up->last_sending;
+    place->ambiguous_until = given_up->ambiguous_until;
     if (link->oldest == link->executed) link->bytes -= request_size(link, given_up) - request_size(link, place);
     bool lost = link->gave_up;
-    link->tries = link->refusals = 0;
-    link->gone_back = 0;
+    link->tries = link->refusals = link->gone_back = 0;
     link->gave_up = true;
     return lost;
 }
@@ -290,9 +496,25 @@ static bool note_refusal(ul_link *link, double now, ul_request *given_up)
         link->refused = true;
         if (++link->refusals == MOST_REFUSALS) lost = give_up(link, given_up);
     }
-    note_loss(link, now);
+    note_loss(link, now, FOR_EVER);
     return lost;
 }
+
+/* The first ID in flight that was first sent when the request that a gateway without a session refuses was sent last, or
+ * later: from there on, nothing was executed. */
+static uint32_t never_executed_from(const ul_link *link, uint32_t refused)
+{
+    const ul_request *request = find(link, refused);
+    if (request == NULL) return link->next;
+    uint32_t last = request->last_sending;
+    while (refused != link->next && (request == NULL || came_before(request->first_sending, last))) {
+        refused = after(link, refused);
+        request = find(link, refused);
+    }
+    return refused;
+}
+
+/* Time */
 
 /* When `note_time` must be called; posted writes alone have no answer to wait for. */
 static bool has_deadline(ul_link *link, double *deadline)
@@ -302,27 +524,40 @@ static bool has_deadline(ul_link *link, double *deadline)
     double reply = (double)reply_size(link, slot_of(link, link->oldest));
     double wire_time = link->byte_time * (double)link->bytes + link->reply_byte_time * reply;
     *deadline = link->since + link->timeout + wire_time;
+    if (link->has_early_sign && link->early_due < *deadline) *deadline = link->early_due;
     return true;
+}
+
+/* Count a time out; once too often gives the request up. Whether the gateway is gone. */
+static bool count_try(ul_link *link, double now, ul_request *given_up)
+{
+    link->tries++;
+    if (link->heard) {
+        link->silent_tries = 0;
+        return link->tries > MOST_TRIES && give_up(link, given_up);
+    }
+    if (link->silent_tries++ == 0) link->silent_since = link->since;
+    return link->silent_tries >= FEWEST_SILENT_TRIES && now - link->silent_since >= LONGEST_SILENCE;
 }
 
 /* Go back where it is time to; once too often gives the request up. Whether the gateway is gone. */
 static bool note_time(ul_link *link, double now, ul_request *given_up)
 {
     double deadline;
-    if (!has_deadline(link, &deadline) || now < deadline) return false;
-    bool lost = false;
-    link->tries++;
-    link->statistics.timeouts++;
+    if (link->has_early_sign && now >= link->early_due) {
+        link->has_early_sign = false;
+        if (link->gone_back < MOST_SIGNS) {
+            note_loss(link, now, FOR_EVER);
+            return false;
+        }
+    } else if (!has_deadline(link, &deadline) || now < deadline) {
+        return false;
+    }
+    bool lost = count_try(link, now, given_up);
     /* Also where something was heard: it may be the beginning of a long answer on a slow line. */
     link->timeout = 2 * link->timeout < LONGEST_TIMEOUT ? 2 * link->timeout : LONGEST_TIMEOUT;
-    if (!link->heard) {
-        lost = ++link->silent_tries >= FEWEST_SILENT_TRIES && now - link->silent_since >= LONGEST_SILENCE;
-    } else {
-        link->silent_tries = 0;
-        link->silent_since = now;
-        if (link->tries > MOST_TRIES) lost = give_up(link, given_up);
-    }
     link->heard = false;
-    go_back(link, now, true);
+    link->waited = true;
+    go_back(link, now, FOR_EVER);
     return lost;
 }

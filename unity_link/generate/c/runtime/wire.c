@@ -73,10 +73,10 @@ static uint32_t check_of(const ul_link *link, text body)
     return rest;
 }
 
-/* Take the check off the end; false where it is wrong. */
+/* Take the check off the end; false where it is wrong, or nothing is known of it yet. */
 static bool take_check(const ul_link *link, text *line)
 {
-    if (line->size < link->crc_digits) return false;
+    if (link->crc_digits == 0 || line->size < link->crc_digits) return false;
     text digits = {line->at + line->size - link->crc_digits, link->crc_digits};
     text body = {line->at, line->size - link->crc_digits};
     uint64_t check;

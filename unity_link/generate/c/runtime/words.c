@@ -4,6 +4,7 @@ ul_status ul_finish(ul_link *link, ul_batch *batch)
 {
     commit_changes(link, batch);
     while (batch->pending > 0 && !link->gone) turn(link, now_of(link) + LONGEST_TIMEOUT);
+    flush(link);
     return batch->status == UL_OK ? UL_OK : fail_batch(link, batch);
 }
 

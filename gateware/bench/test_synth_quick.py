@@ -1,0 +1,56 @@
+"""The quick synthesis knows every top and every board, and finds what a tool refuses."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import pytest
+
+from gateware.tools.synth import CONFIGURATIONS, Configuration, map_only
+from gateware.tools.synth_quick import designs, faults
+from unity_link.boards.board import board_names, load_board
+from unity_link.boards.families import FAMILIES
+from unity_link.gateware.ghdl import ToolMissingError, converting_ghdl
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+_ENTITY = """\
+library ieee;
+  use ieee.std_logic_1164.all;
+entity tried is port (clk, d : in std_logic; q : out std_logic); end entity tried;
+architecture rtl of tried is
+  signal s : std_logic;
+begin
+  {statements}
+end architecture rtl;
+"""
+
+
+def test_each_top_and_each_board_is_tried_once_and_together_where_only_their_places_differ() -> None:
+    tried = [together.split(", ") for together in designs()]
+    boards = [name for name in board_names() if load_board(name)[1].family in FAMILIES]
+    assert sorted(name for together in tried for name in together) == sorted([*CONFIGURATIONS, *boards])
+    assert ["ulx3s", "ulx3s_85f"] in tried
+
+
+def test_what_a_tool_refuses_is_found_and_what_is_right_is_not(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    try:
+        converting_ghdl()
+    except ToolMissingError as error:
+        pytest.skip(str(error))
+    right = "q <= s; s <= d when rising_edge(clk);"
+    tops = {"right": right, "latch": "q <= d when clk = '1';", "circle": "s <= not s; q <= s;"}
+    tried = {}
+    for name, statements in tops.items():
+        source = tmp_path / f"{name}.vhd"
+        source.write_text(_ENTITY.format(statements=statements))
+        top = Configuration("tried", devices=("ice40",), sources=(source,))
+        tried[name] = lambda top=top: map_only(top)
+    found = faults(tried)
+    assert found.keys() == {"latch", "circle"}
+    assert "latch" in found["latch"]
+    assert "check -assert" in found["circle"]
+    assert capsys.readouterr().out == "right\n"

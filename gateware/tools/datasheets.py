@@ -1,0 +1,190 @@
+"""The parts of docs/reference/gateware that follow from the sources, and its pictures: written by `make datasheets`.
+
+A page is written by hand, but for what stands between comments that say what is to be there: the tables of generics and
+ports, from the VHDL; what it takes and how fast it is, from `gateware/RESULTS.md`; the files of constraints. Pictures
+are drawn of simulations (`gateware.bench.datasheets`). Tests hold both equal to what is in the tree.
+
+    python -m gateware.tools.datasheets
+"""
+
+from __future__ import annotations
+
+import re
+import sys
+from typing import TYPE_CHECKING
+
+from gateware.tools.entity import Entity, Group, read_entity
+from gateware.tools.synth import CONFIGURATIONS, DEVICES, RESULTS
+from unity_link.gateware.cache import GATEWARE, board_sources, vhdl_sources
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Sequence
+    from pathlib import Path
+
+PAGES = GATEWARE.parent / "docs" / "reference" / "gateware"
+_PART = re.compile(r"(<!-- Written by `make datasheets`, (\w+)((?: \w+)*): begin -->\n).*?(<!-- end -->)", re.DOTALL)
+# A literal, or a name that no sentence has: with an underscore, or of a clock.
+_CODE = re.compile(r"""'[01]'|"\w+"|\b[a-z\d]+_[a-z\d_]+|\bclk(?:out)?\b""")
+_CONSTRAINTS = GATEWARE / "constraints"
+_WHOLE = {
+    "Quartus": ["quartus/unity_link.sdc"],
+    "Gowin EDA": ["gowin/unity_link.sdc"],
+    "Diamond": ["lattice/unity_link.lpf"],
+    "Radiant": ["lattice/unity_link.pdc"],
+}
+"""The files of all entities, of tools that have no others."""
+
+
+def entity(name: str) -> Entity:
+    """Return an entity of the gateware or of its boards.
+
+    Raises:
+        ValueError: if there is none, or what it has bears no comment.
+    """
+    for source in [*vhdl_sources(), *board_sources()]:
+        if source.stem == name:
+            return read_entity(source.read_text(), name)
+    raise ValueError(f"{name} is in no file of its name")
+
+
+def pages() -> dict[str, str]:
+    """Return each page by the name of its file, with the parts that are not written by hand as they should be."""
+    return {path.name: _filled(path) for path in sorted(PAGES.glob("*.md"))}
+
+
+def _filled(page: Path) -> str:
+    return _PART.sub(lambda part: _written(page.stem, part), page.read_text())
+
+
+def _written(name: str, part: re.Match[str]) -> str:
+    write = {"generics": _generics, "ports": _ports, "resources": _resources, "constraints": _constraints}[part[2]]
+    lines = write(name, part[3].split())
+    return "\n".join([part[1], *lines, "", part[4]]).replace("\n\n\n", "\n\n")
+
+
+def _generics(name: str, _: Sequence[str]) -> list[str]:
+    rows = [
+        (
+            _stacked(f"`{generic.name}`" for generic in group.declarations),
+            group.declarations[0].type,
+            _marked(group.range),
+            _stacked(f"`{generic.default}`" if generic.default else "" for generic in group.declarations),
+            _marked(group.meaning),
+        )
+        for group in entity(name).generics
+    ]
+    return _table(("generic", "type", "range", "default", "meaning"), rows)
+
+
+def _ports(name: str, _: Sequence[str]) -> list[str]:
+    groups = entity(name).ports
+    rows = [
+        (
+            _stacked(f"`{port.name}`" for port in group.declarations),
+            _stacked(port.direction for port in group.declarations),
+            _stacked(port.width if port.width.isdigit() else f"`{port.width}`" for port in group.declarations),
+            f"`{group.clock}`" if group.clock else "-",
+            _with_defaults(group),
+        )
+        for group in groups
+    ]
+    return _table(("port", "direction", "bits", "clock", "meaning"), rows)
+
+
+def _with_defaults(group: Group) -> str:
+    """Return what ports mean, and what inputs are that are left open."""
+    defaults = sorted({f"`{port.default}`" for port in group.declarations if port.default})
+    return _marked(group.meaning) + (f" Left open: {', '.join(defaults)}." if defaults else "")
+
+
+def _marked(text: str) -> str:
+    """Return a sentence with what is VHDL in it marked as code."""
+    return _CODE.sub(lambda found: f"`{found[0]}`", text)
+
+
+def _resources(_: str, configurations: Sequence[str]) -> list[str]:
+    text = RESULTS.read_text()
+    lines = []
+    for device in DEVICES.values():
+        section = text.split(f"\n## {device.title}\n")[1].split("\n#")[0]
+        for configuration in configurations:
+            found = re.search(
+                rf"^\| {configuration} \| (\d+) \(.*?\) \| (\d+) \(.*?\) \| ([\d.]+) ", section, re.MULTILINE
+            )
+            if found is not None:
+                logic = f"{found[1]} {device.logic_title}"
+                lines.append((f"`{configuration}`", device.title, logic, found[2], f"{found[3]} MHz"))
+    chosen = [
+        f"- `{name}`: {', '.join(f'`{generic}` {_plain(value)}' for generic, value in generics.items())}"
+        for name in configurations
+        if (generics := CONFIGURATIONS[name].generics)
+    ]
+    return [*_table(("configuration", "family", "logic", "RAM blocks", "Fmax"), lines), "", *chosen]
+
+
+def _plain(value: object) -> str:
+    if not isinstance(value, str):
+        return str(value).lower()
+    return f'x"{int(value, 2):08X}"' if set(value) <= {"0", "1"} else f'"{value}"'
+
+
+def _constraints(name: str, _: Sequence[str]) -> list[str]:
+    below = sorted(_with_all_below(name))
+    scoped = [f"`vivado/{part}.xdc`" for part in below if (_CONSTRAINTS / "vivado" / f"{part}.xdc").exists()]
+    pins = ["`vivado/ul_ft245_sync_pins.xdc` once for the top"] if "ul_ft245_sync" in below else []
+    if not scoped:
+        return ["The period of its clock, and no more: nothing in it crosses from one clock to another."]
+    rows = [
+        ("Vivado", ", ".join([*scoped, *pins])),
+        *((tool, ", ".join(f"`{path}`" for path in paths)) for tool, paths in _WHOLE.items()),
+    ]
+    return [
+        "The period of each clock, and these of `gateware/constraints`; its `README.md` says what they hold, and that",
+        "no vendor's tool has read them here.",
+        "",
+        *_table(("tool", "files"), rows),
+    ]
+
+
+def _with_all_below(name: str) -> set[str]:
+    """Return the names of an entity and of all that it is made of."""
+    found: set[str] = set()
+    waiting = [name]
+    while waiting:
+        part = waiting.pop()
+        if part not in found:
+            found.add(part)
+            waiting += entity_names(part)
+    return found
+
+
+def entity_names(name: str) -> list[str]:
+    """Return the names of the entities that an entity instantiates."""
+    source = next(path for path in [*vhdl_sources(), *board_sources()] if path.stem == name)
+    return re.findall(r"\bentity (?:work|unity_link)\.(\w+)", source.read_text())
+
+
+def _stacked(lines: Iterable[str]) -> str:
+    return "<br>".join(lines)
+
+
+def _table(head: Sequence[str], rows: Iterable[Sequence[str]]) -> list[str]:
+    return ["| " + " | ".join(cells) + " |" for cells in (head, ["---"] * len(head), *rows)]
+
+
+def main() -> int:
+    """Write all pages and pictures; returns the exit status."""
+    from gateware.bench.datasheets.stories import PICTURES, pictures
+
+    for name, text in pages().items():
+        (PAGES / name).write_text(text)
+        sys.stdout.write(f"{name}\n")
+    PICTURES.mkdir(parents=True, exist_ok=True)
+    for name, text in pictures().items():
+        (PICTURES / name).write_text(text)
+        sys.stdout.write(f"{name}\n")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

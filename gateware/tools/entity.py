@@ -1,0 +1,133 @@
+"""The generics and ports of an entity, and what its comments say of them.
+
+A comment above a generic or port says what it means, and what those below it mean up to the next comment. That of a
+generic other than a boolean begins with what it may be, up to a colon; that of a port of another clock than `clk` ends
+with `Clock: NAME.`, or `Clock: none.` where it belongs to no clock.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import re
+from typing import TYPE_CHECKING
+
+from gateware.tools.syntax import nodes, parse, text_of
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from tree_sitter import Node
+
+_CLOCK = re.compile(r"\s*Clock: (\w+)\.$")
+_CLOCK_NAMES = re.compile(r"(?:^|_)(?:clk|clkout)$")
+_WIDTH = re.compile(r"\((.+) downto 0\)$", re.DOTALL)
+
+
+@dataclasses.dataclass(frozen=True)
+class Declaration:
+    """A generic or a port."""
+
+    name: str
+    direction: str
+    """`in` or `out`; empty for a generic."""
+    type: str
+    default: str
+    """Empty where there is none."""
+
+    @property
+    def width(self) -> str:
+        """How many bits a port has; the name of its type, where that is no vector."""
+        found = _WIDTH.search(self.type)
+        if found is None:
+            return "1" if self.type == "std_logic" else self.type
+        high = found[1]
+        if high.isdigit():
+            return str(int(high) + 1)
+        return high.removesuffix(" - 1") if high.endswith(" - 1") else f"{high} + 1"
+
+
+@dataclasses.dataclass(frozen=True)
+class Group:
+    """Generics or ports with one comment."""
+
+    comment: str
+    declarations: tuple[Declaration, ...]
+
+    @property
+    def range(self) -> str:
+        """What generics of the group may be."""
+        if self.declarations[0].type == "boolean":
+            return "false, true"
+        return self.comment.partition(": ")[0]
+
+    @property
+    def clock(self) -> str:
+        """The clock of ports of the group; empty where they belong to none, or are one."""
+        found = _CLOCK.search(self.comment)
+        if found is not None:
+            return "" if found[1] == "none" else found[1]
+        return "" if _CLOCK_NAMES.search(self.declarations[0].name) else "clk"
+
+    @property
+    def meaning(self) -> str:
+        """What the group is."""
+        declared = self.declarations[0]
+        if declared.direction:
+            return _CLOCK.sub("", self.comment)
+        meaning = self.comment if declared.type == "boolean" else self.comment.partition(": ")[2]
+        return meaning[:1].upper() + meaning[1:]
+
+
+@dataclasses.dataclass(frozen=True)
+class Entity:
+    """What a design sees of an entity."""
+
+    name: str
+    generics: tuple[Group, ...]
+    ports: tuple[Group, ...]
+
+
+def read_entity(text: str, name: str) -> Entity:
+    """Return an entity of a file of VHDL.
+
+    Raises:
+        ValueError: if the file has none of this name, or a generic or port has no comment.
+    """
+    for node in nodes(parse(text)):
+        if node.type == "entity_declaration" and text_of(node.named_children[0]) == name:
+            clauses = {below.type: below for below in nodes(node) if below.type in ("generic_clause", "port_clause")}
+            generics, ports = (
+                tuple(_groups(clauses[kind], name)) if kind in clauses else ()
+                for kind in ("generic_clause", "port_clause")
+            )
+            return Entity(name, generics, ports)
+    raise ValueError(f"the file has no entity {name}")
+
+
+def _groups(clause: Node, entity: str) -> Iterator[Group]:
+    comment: list[str] = []
+    declared: list[Declaration] = []
+    for node in nodes(clause):
+        if node.type == "line_comment":
+            if declared:
+                yield Group(" ".join(comment), tuple(declared))
+                comment, declared = [], []
+            comment.append(text_of(node).removeprefix("--").strip())
+        elif node.type == "interface_declaration":
+            declaration = _declaration(node)
+            if not comment:
+                raise ValueError(f"{declaration.name} of {entity} has no comment that says what it means")
+            declared.append(declaration)
+    if declared:
+        yield Group(" ".join(comment), tuple(declared))
+
+
+def _declaration(node: Node) -> Declaration:
+    names, mode = node.named_children
+    found = {below.type: text_of(below) for below in mode.named_children}
+    return Declaration(
+        text_of(names),
+        found.get("mode", ""),
+        found["subtype_indication"],
+        found.get("initialiser", "").removeprefix(":=").strip(),
+    )

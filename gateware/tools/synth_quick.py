@@ -1,0 +1,94 @@
+"""Whether each top and each board is synthesised, which is all that a CI has the time for: `make synth-quick`.
+
+GHDL converts each; Yosys looks for faults in it and maps it to the cells of its FPGA. Nothing is placed, which is for
+`make synth` and `make campaign`.
+
+    python -m gateware.tools.synth_quick          all
+    python -m gateware.tools.synth_quick ulx3s    only those whose name holds "ulx3s"
+"""
+
+from __future__ import annotations
+
+import os
+import sys
+import tempfile
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from gateware.tools.synth import CONFIGURATIONS, Configuration, map_only
+from unity_link.boards.board import Board, board_names, load_board
+from unity_link.boards.build import synthesise, top_text
+from unity_link.boards.families import FAMILIES
+from unity_link.errors import UnityLinkError
+from unity_link.spec import compile_text
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+# A register of each kind.
+_SPEC = """
+public lamp() {
+  @on = 0[7:0]: unsigned READWRITE();
+  @current = 1: signed 16 READ(PUBLISH(1, 100));
+  @energy = 2: unsigned 64 READ();
+}
+"""
+
+
+def designs() -> dict[str, Callable[[], None]]:
+    """Return what is tried, by its name; each raises where a tool refuses it.
+
+    Boards that only differ in how a design is placed are tried together.
+    """
+    alike: dict[tuple[str, str, int, int | None], dict[str, Board]] = {}
+    for name in board_names():
+        _, board = load_board(name)
+        if board.family in FAMILIES:
+            passes = FAMILIES[board.family].synthesis(board)
+            alike.setdefault((top_text("", board), passes, board.core_hz, board.baud), {})[name] = board
+    boards = {", ".join(names): _board(next(iter(names.values()))) for names in alike.values()}
+    return {name: _top(configuration) for name, configuration in CONFIGURATIONS.items()} | boards
+
+
+def _top(configuration: Configuration) -> Callable[[], None]:
+    return lambda: map_only(configuration)
+
+
+def _board(board: Board) -> Callable[[], None]:
+    def attempt() -> None:
+        spec = compile_text(_SPEC)
+        with tempfile.TemporaryDirectory() as work:
+            synthesise(spec, spec.interface(), board, Path(work))
+
+    return attempt
+
+
+def faults(tried: dict[str, Callable[[], None]]) -> dict[str, str]:
+    """Try designs, one on each processor, and return what is wrong with those that fail."""
+
+    def fault(name: str) -> str:
+        try:
+            tried[name]()
+        except UnityLinkError as error:
+            return str(error)
+        sys.stdout.write(f"{name}\n")
+        sys.stdout.flush()
+        return ""
+
+    with ThreadPoolExecutor(os.cpu_count()) as pool:
+        found = dict(zip(tried, pool.map(fault, tried), strict=True))
+    return {name: text for name, text in found.items() if text}
+
+
+def main() -> int:
+    """Try them; returns the exit status."""
+    wanted = sys.argv[1] if len(sys.argv) > 1 else ""
+    found = faults({name: attempt for name, attempt in designs().items() if wanted in name})
+    for name, text in found.items():
+        sys.stderr.write(f"{name}: {text}\n")
+    return int(bool(found))
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,63 @@
+"""What docs/tutorials/board.md has one type does what it says, as far as that needs no board."""
+
+from __future__ import annotations
+
+import re
+import shlex
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from unity_link.boards.board import load_board
+
+TEXT = (Path(__file__).resolve().parents[2] / "docs" / "tutorials" / "board.md").read_text()
+BOARD_URL = "serial:/dev/ttyUSB1?baud=3000000"
+_SHELL = re.findall(r"^```shell\n(.*?)^```$", TEXT, re.MULTILINE | re.DOTALL)
+TYPED = dict.fromkeys(
+    # A virtual gateway stands in for the board.
+    line.replace(f'"{BOARD_URL}"', "sim:lamp.ul")
+    for line in "".join(_SHELL).splitlines()
+    if re.match(r"unity-link (?!build)|python ", line)
+)
+"""The lines that one types and that need neither a board nor a minute."""
+
+
+@pytest.fixture
+def folder(tmp_path: Path) -> Path:
+    """Return a folder with the files that the tutorial has one save."""
+    saved = dict(re.findall(r"^```\{code-block\} \w+\n:caption: (\S+)\n\n(.*?)^```$", TEXT, re.MULTILINE | re.DOTALL))
+    assert sorted(saved) == ["blink.py", "lamp.ul"]
+    for name, text in saved.items():
+        (tmp_path / name).write_text(text)
+    return tmp_path
+
+
+def _type(folder: Path, line: str) -> str:
+    """Run a line of the tutorial, and return what it prints."""
+    words = shlex.split(line)
+    program = [] if words[0] == "python" else ["-m", "unity_link"]
+    done = subprocess.run(
+        [sys.executable, *program, *words[1:]], cwd=folder, check=False, capture_output=True, text=True, timeout=60
+    )
+    assert done.returncode == 0, done.stderr
+    return done.stdout
+
+
+def test_what_is_typed_works_and_prints_what_the_tutorial_shows(folder: Path) -> None:
+    printed = [_type(folder, line) for line in TYPED]
+    assert all(printed)
+    shown = re.findall(r"^```text\n(.*?)^```$", TEXT, re.MULTILINE | re.DOTALL)
+    # Where a line is empty to its end, and how wide a column is, does not matter.
+    assert (printed[0] + printed[1]).split() == shown[0].split()
+    assert printed[2].split() == shown[1].split()
+
+
+def test_the_board_is_what_the_tutorial_says_of_it() -> None:
+    (name,) = set(re.findall(r"--board (\w+)", TEXT))
+    _, board = load_board(name)
+    assert f"baud={board.baud}" in BOARD_URL
+    assert BOARD_URL in TEXT
+    for pin in ("chain_out", "chain_in"):
+        assert re.search(rf"`{pin}`\s+is {board.pins[pin]}|`{pin}` {board.pins[pin]}", TEXT), pin

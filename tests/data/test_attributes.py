@@ -1,0 +1,196 @@
+"""A name that there is not: reading it says which is near, and an assignment is never accepted and does nothing."""
+
+from __future__ import annotations
+
+import asyncio
+import sys
+from types import ModuleType
+from typing import Any
+
+import pytest
+
+import unity_link
+from unity_link import ArgumentError, blocking
+from unity_link.data.blocking import put
+from unity_link.generate import generate
+from unity_link.hardware import Module
+from unity_link.spec import compile_text
+
+SPEC = compile_text("""
+group state(1, 10);
+joint(): @(base) { @pos = base: READWRITE(PUBLISH(state)); @speed = base + 1: READ(PUBLISH(state)); }
+public rover() {
+  left: joint() @(0x10);
+  wheels[2]: joint() @(0x20 + 2 * i);
+  leds: PWM(BASE=0x40, CHANNELS=2);
+  @port = 0x50: READWRITE();
+}
+""")
+FACES = ("loaded", "generated", "blocking")
+NEAR = {
+    "robot": ("lfet", "'left'"),
+    "robot.left": ("psition", None),
+    "robot.left.pos": ("valeu", "'value'"),
+    "robot.wheels[1].speed": ("vlaue", "'value'"),
+    "robot.groups['state']": ("subscirbe", "'subscribe'"),
+    "robot.leds": ("set_al", "'set_all'"),
+    "link": ("raed_block", "'read_block'"),
+    "batch": ("lsot", "'lost'"),
+    "batch.table": ("untis", "'units'"),
+    "sample": ("vlaues", "'values'"),
+    "sample.values": ("itmes", "'items'"),
+    "samples": ("receivd", "'received'"),
+    "plain": ("sequenc", "'sequence'"),
+    "plain_samples": ("recieved", "'received'"),
+    "link.statistics": ("round_tirp", "'round_trip'"),
+}
+"""Things, names that they do not have, and what is near."""
+KNOWN = {
+    "robot": "signals",
+    "robot.left": "speed",
+    "robot.left.pos": "unit",
+    "robot.wheels[0].pos": "set",
+    "robot.groups['state']": "name",
+    "robot.leds": "get",
+    "batch": "proxies",
+    "batch.table": "units",
+    "sample": "lost",
+    "samples": "take",
+}
+"""Things, and names that they have and that are not for programs to set."""
+OPEN = {"link", "plain_samples", "plain", "sample.values", "link.statistics"}
+"""These are refused by Python itself, which knows of no near names; or, on the way of every request, by nothing."""
+
+
+def generated_class() -> Any:
+    module = ModuleType("generated_rover")
+    sys.modules[module.__name__] = module
+    (file,) = generate("python", SPEC)
+    exec(file.text, vars(module))
+    return module.Rover
+
+
+def names_on(face: str) -> dict[str, Any]:
+    if face == "blocking":
+        with blocking.connect("sim:") as link:
+            robot = put(unity_link.load(SPEC), link)
+            with robot.groups["state"].subscribe() as samples:
+                batch = samples.take(2)
+            with link.subscribe(0x10, rate_hz=1000) as plain_samples:
+                (plain,) = plain_samples.take(1)
+        return {**locals(), "sample": next(iter(batch))}
+
+    async def take() -> dict[str, Any]:
+        robot_type = unity_link.load(SPEC) if face == "loaded" else generated_class()
+        async with unity_link.connect("sim:") as link:
+            robot = robot_type(link)
+            async with robot.groups["state"].subscribe() as samples:
+                batch = await samples.take(2)
+            async with link.subscribe(0x10, rate_hz=1000) as plain_samples:
+                (plain,) = await plain_samples.take(1)
+            return {**locals(), "sample": next(iter(batch))}
+
+    return asyncio.run(take())
+
+
+@pytest.fixture(scope="module", params=FACES)
+def names(request: pytest.FixtureRequest) -> dict[str, Any]:
+    return names_on(request.param)
+
+
+@pytest.mark.parametrize("thing", NEAR)
+def test_a_name_that_there_is_not_is_told_with_the_near_one(names: dict[str, Any], thing: str) -> None:
+    name, near = NEAR[thing]
+    found = eval(thing, names)
+
+    with pytest.raises(AttributeError) as error:
+        getattr(found, name)
+
+    assert f" {name!r}" in str(error.value)
+    assert near is None or f"did you mean {near}" in str(error.value)
+    assert "object has no" not in str(error.value)
+    assert not hasattr(found, name)
+
+
+@pytest.mark.parametrize("thing", sorted(NEAR.keys() - OPEN))
+def test_an_assignment_to_it_is_refused_by_the_same_sentence(names: dict[str, Any], thing: str) -> None:
+    name, near = NEAR[thing]
+    found = eval(thing, names)
+
+    with pytest.raises(ArgumentError) as error:
+        setattr(found, name, 1)
+
+    assert f"has no {name!r}" in str(error.value)
+    assert near is None or near in str(error.value)
+    assert not hasattr(found, name)
+
+
+@pytest.mark.parametrize("thing", sorted(OPEN - {"link", "plain_samples"}))
+def test_what_python_refuses_to_set_stays_as_it_is(names: dict[str, Any], thing: str) -> None:
+    found = eval(thing, names)
+    with pytest.raises(AttributeError):
+        setattr(found, NEAR[thing][0], 1)
+
+
+@pytest.mark.parametrize("thing", KNOWN)
+def test_what_a_thing_has_is_not_replaced(names: dict[str, Any], thing: str) -> None:
+    found = eval(thing, names)
+    before = getattr(found, KNOWN[thing])
+
+    with pytest.raises(ArgumentError, match="cannot be assigned to"):
+        setattr(found, KNOWN[thing], 1)
+
+    assert callable(before) or getattr(found, KNOWN[thing]) == before
+
+
+def test_a_value_is_not_assigned_but_set(names: dict[str, Any]) -> None:
+    robot = names["robot"]
+    with pytest.raises(ArgumentError, match=r"^left\.pos is not assigned to: (await )?left\.pos\.set\(5\) writes it$"):
+        robot.left.pos = 5
+    with pytest.raises(
+        ArgumentError, match=r"left\.pos\.value is what was seen last: .*left\.pos\.set\(5\)` writes it"
+    ):
+        robot.left.pos.value = 5
+
+
+def test_a_module_of_ones_own_sets_what_it_has() -> None:
+    class Lift(Module):
+        speed = 1
+
+        def __init__(self, *arguments: Any) -> None:
+            super().__init__(*arguments)
+            self.goal = 0
+            self._height = 0
+
+        @property
+        def height(self) -> int:
+            return self._height
+
+        @height.setter
+        def height(self, height: int) -> None:
+            self.goal = self._height = height
+
+    async def use() -> None:
+        async with unity_link.connect("sim:") as link:
+            lift = Lift(link, 0x10)
+            lift.height = 3
+            assert (lift.goal, lift.height) == (3, 3)
+            lift.goal = 4
+            with pytest.raises(ArgumentError, match=r"^Lift at 0x10 has no 'gaol': did you mean 'goal'\?$"):
+                lift.gaol = 5  # type: ignore[attr-defined]
+
+    asyncio.run(use())
+
+
+def test_a_robot_of_ones_own_sets_what_its_class_declares() -> None:
+    class Rover(unity_link.load(SPEC)):  # type: ignore[misc]
+        goal: float
+        limit = 3
+
+    async def use() -> None:
+        async with unity_link.connect("sim:") as link:
+            rover = Rover(link)
+            rover.goal, rover.limit, rover._own = 1.5, 4, 5
+            assert (rover.goal, rover.limit, rover._own) == (1.5, 4, 5)
+
+    asyncio.run(use())

@@ -1,0 +1,112 @@
+"""Which wrongs are put into the protocol room: places drawn by chance, at each of them an operator of Cosmic Ray."""
+
+from __future__ import annotations
+
+import ast
+import difflib
+import random
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import msgspec
+from cosmic_ray.ast import ast_nodes, get_ast
+from cosmic_ray.mutating import mutate_code
+from cosmic_ray.plugins import get_operator, operator_names
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+ROOT = Path(__file__).parents[2]
+ROOM = Path("unity_link", "protocol")
+Position = tuple[int, int]
+
+
+class Mutant(msgspec.Struct, frozen=True):
+    """One wrong: the occurrence of an operator in a module."""
+
+    module: str
+    operator: str
+    occurrence: int
+    line: int
+    last_line: int
+
+    @property
+    def name(self) -> str:
+        """What it is called in results."""
+        return f"{self.module}:{self.line}:{self.operator.removeprefix('core/')}:{self.occurrence}"
+
+    @property
+    def path(self) -> Path:
+        """The module, seen from the top of the repository."""
+        return ROOM / f"{self.module}.py"
+
+    def source(self) -> str:
+        """Return the module with the wrong in it."""
+        mutated = mutate_code((ROOT / self.path).read_text("utf-8"), get_operator(self.operator)(), self.occurrence)
+        assert isinstance(mutated, str)
+        return mutated
+
+    def difference(self) -> str:
+        """Return the lines that it changes."""
+        before, after = (text.split("\n") for text in ((ROOT / self.path).read_text("utf-8"), self.source()))
+        lines = difflib.unified_diff(before, after, lineterm="", n=0)
+        return "\n".join(line for line in lines if not line.startswith(("---", "+++", "@@")))
+
+
+def choose(count: int, seed: int) -> list[Mutant]:
+    """Return so many mutants, of which no two are at one place; the first are the same for every count."""
+    by_place: dict[tuple[str, Position, Position], list[Mutant]] = {}
+    for path in sorted((ROOT / ROOM).glob("*.py")):
+        for start, end, mutant in _mutants_of(path):
+            by_place.setdefault((path.stem, start, end), []).append(mutant)
+    chance = random.Random(seed)
+    places = sorted(by_place)
+    chance.shuffle(places)
+    return [chance.choice(by_place[place]) for place in places][:count]
+
+
+def _mutants_of(path: Path) -> Iterator[tuple[Position, Position, Mutant]]:
+    text = path.read_text("utf-8")
+    nodes, left_alone = list(ast_nodes(get_ast(text))), list(_left_alone(ast.parse(text)))
+    for name in operator_names():
+        if _tells_nothing(name):
+            continue
+        operator = get_operator(name)()
+        places = (place for node in nodes for place in operator.mutation_positions(node))
+        for occurrence, (start, end) in enumerate(places):
+            if not any(first <= start and end <= last for first, last in left_alone):
+                yield start, end, Mutant(path.stem, name, occurrence, start[0], end[0])
+
+
+def _tells_nothing(name: str) -> bool:
+    """Whether an operator needs arguments, or asks for identity in place of equality: the same of small numbers."""
+    before, _, after = name.removeprefix("core/ReplaceComparisonOperator_").partition("_")
+    return bool(get_operator(name).arguments()) or (after.startswith("Is") and not before.startswith("Is"))
+
+
+def _left_alone(tree: ast.Module) -> Iterator[tuple[Position, Position]]:
+    """Return what no program runs: texts for people, types, and statements about them."""
+    for node in ast.walk(tree):
+        match node:
+            case ast.Assert():
+                yield _place(node)
+            case ast.Constant(value=str() as text) if " " in text:
+                yield _place(node)
+            case ast.JoinedStr():
+                yield _place(node)
+            case ast.Expr(value=ast.Constant()):
+                yield _place(node)
+            case ast.AnnAssign():
+                yield _place(node.annotation)
+            case ast.arg(annotation=ast.expr() as annotation):
+                yield _place(annotation)
+            case ast.FunctionDef(returns=ast.expr() as returns):
+                yield _place(returns)
+            case ast.If(test=ast.Name(id="TYPE_CHECKING")):
+                yield _place(node)
+
+
+def _place(node: ast.stmt | ast.expr) -> tuple[Position, Position]:
+    assert node.end_lineno is not None
+    assert node.end_col_offset is not None
+    return (node.lineno, node.col_offset), (node.end_lineno, node.end_col_offset)

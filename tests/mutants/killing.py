@@ -1,0 +1,246 @@
+"""Running tests on a mutant, in a process of its own: those that reach its lines, the quickest first, until one fails.
+
+A process is forked for each mutant. It has the test tools and libraries already, and takes the mutated module in place
+of the one on disk; nothing in the repository is changed.
+"""
+
+from __future__ import annotations
+
+import importlib.abc
+import importlib.machinery
+import importlib.util
+import json
+import os
+import resource
+import signal
+import sys
+import tempfile
+import time
+from itertools import accumulate
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import coverage
+import pytest
+from hypothesis import Phase, settings
+
+from mutants.choosing import ROOM, ROOT, Mutant
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Sequence
+    from types import ModuleType
+
+LIBRARIES = [
+    "hypothesis.strategies",
+    "numpy",
+    "pytest_asyncio",
+    "sybil.parsers.myst",
+    "trio",
+    "usb.core",
+    "xdist.scheduler",
+]
+"""What the tests import, and each process that is forked has already."""
+TESTS = [
+    "tests/protocol",
+    "tests/test_protocol_document.py",
+    "tests/virtual/test_gateway.py",
+    "tests/virtual/test_groups.py",
+    "tests/link/test_exactly_once.py",
+    "tests/link/test_half_duplex.py",
+    "tests/link/test_post_many.py",
+    "tests/link/test_reads_of_any_cut.py",
+    "tests/link/test_recovery.py",
+    "tests/link/test_requests.py",
+    "tests/link/test_resets.py",
+    "tests/link/test_samples_together.py",
+    "tests/link/test_subscriptions.py",
+]
+ONE_FACE = "not (blocking or ftdi or mmio or pipes or serve or trio or zenoh)"
+"""A link's tests are run on its own medium and face alone."""
+LONGEST_TEST = 20.0
+"""Seconds that a test takes at most that is run on mutants."""
+MOST_EXAMPLES = 25
+"""Examples that hypothesis tries in each."""
+FIRST = 25
+"""So many tests are run before all others are looked at."""
+PATIENCE = 120
+"""Seconds after which a mutant hangs."""
+MOST_WORK = 30
+"""Seconds of a processor, the same."""
+MOST_MEMORY = 4 << 30
+QUIETLY = [
+    "--timeout=15",
+    "-q",
+    "-x",
+    "-p",
+    "no:cacheprovider",
+    "-p",
+    "no:xdist",
+    "--assert=plain",
+    "--hypothesis-seed=0",
+]
+SURVIVED, KILLED = "survived", "killed"
+Timed = dict[str, float]
+Reached = dict[str, dict[int, list[str]]]
+
+
+class _Steady:
+    """Has hypothesis search the same way each time, and not for the smallest example: one is enough."""
+
+    @pytest.hookimpl
+    def pytest_sessionstart(self) -> None:
+        """Settle how hypothesis searches."""
+        phases = (Phase.explicit, Phase.generate)
+        settings.register_profile(
+            "mutants", settings.get_profile("quick"), phases=phases, database=None, max_examples=MOST_EXAMPLES
+        )
+        settings.load_profile("mutants")
+
+
+class _Observer(_Steady):
+    """Notes how long each test takes and what it reaches."""
+
+    def __init__(self, measured: coverage.Coverage) -> None:
+        self.seconds: Timed = {}
+        self._measured = measured
+
+    @pytest.hookimpl(wrapper=True)
+    def pytest_runtest_protocol(self, item: pytest.Item) -> object:
+        """Run a test."""
+        self._measured.switch_context(item.nodeid)
+        began = time.monotonic()
+        done = yield
+        self.seconds[item.nodeid] = time.monotonic() - began
+        return done
+
+
+def observe(kept: Path) -> tuple[Timed, Reached]:
+    """Return how long each test takes, and which reach each line; that is kept in a file, and taken from there."""
+    for library in LIBRARIES:
+        importlib.import_module(library)
+    if not kept.exists():
+        kept.parent.mkdir(parents=True, exist_ok=True)
+        process = os.fork()
+        if process == 0:
+            _observe_here(kept)
+        if os.waitpid(process, 0)[1] or not kept.exists():
+            raise SystemExit("the tests fail without a mutant: see above")
+    seconds, reached = json.loads(kept.read_text())
+    return seconds, {module: {int(line): tests for line, tests in lines.items()} for module, lines in reached.items()}
+
+
+def _observe_here(kept: Path) -> None:
+    measured = coverage.Coverage(data_file=None, config_file=False, include=[str(ROOT / ROOM / "*")])
+    measured.start()
+    observer = _Observer(measured)
+    there = [test for test in TESTS if (ROOT / test).exists()]
+    code = pytest.main(
+        [*QUIETLY, "--timeout=0", "-m", "not slow and not campaign and not rtl", "-k", ONE_FACE, *there],
+        plugins=[observer],
+    )
+    measured.stop()
+    if code == pytest.ExitCode.OK:
+        data = measured.get_data()
+        reached = {Path(file).stem: data.contexts_by_lineno(file) for file in data.measured_files()}
+        kept.write_text(json.dumps([observer.seconds, reached]))
+    os._exit(int(code))
+
+
+def tests_for(mutant: Mutant, seconds: Timed, reached: Reached, search: float) -> list[str]:
+    """Return the tests that reach a mutant, the quickest first; any tests, where it is run by the import alone.
+
+    Args:
+        mutant: the mutant.
+        seconds: how long each test takes.
+        reached: which tests reach each line.
+        search: how long all of them may take together.
+    """
+    lines = reached.get(mutant.module, {})
+    found = {test for line in range(mutant.line, mutant.last_line + 1) for test in lines.get(line, []) if test}
+    quick = sorted((seconds[test], test) for test in found or seconds if seconds.get(test, LONGEST_TEST) < LONGEST_TEST)
+    until = accumulate(taken for taken, _ in quick)
+    return [test for (_, test), all_taken in zip(quick, until, strict=True) if all_taken < search]
+
+
+def verdict(mutant: Mutant, tests: Sequence[str]) -> tuple[str, str]:
+    """Return whether tests kill a mutant, and by which."""
+    for some in (tests[:FIRST], tests[FIRST:]):
+        if some:
+            status, by = _run(mutant, some)
+            if status != SURVIVED:
+                return status, by
+    return SURVIVED, ""
+
+
+def _run(mutant: Mutant, tests: Sequence[str]) -> tuple[str, str]:
+    with tempfile.NamedTemporaryFile("r") as noted:
+        process = os.fork()
+        if process == 0:
+            _run_here(mutant, tests, noted.name)
+        deadline = time.monotonic() + PATIENCE
+        while os.waitpid(process, os.WNOHANG) == (0, 0):
+            if time.monotonic() > deadline:
+                os.killpg(process, signal.SIGKILL)
+                os.waitpid(process, 0)
+                return KILLED, "it does not end"
+            time.sleep(0.02)
+        said = noted.read()
+    # A process that the system ended, for its time or memory, has noted nothing.
+    return (SURVIVED, "") if said == "0" else (KILLED, said or "it takes too much")
+
+
+def _run_here(mutant: Mutant, tests: Sequence[str], noted: str) -> None:
+    os.setpgid(0, 0)
+    resource.setrlimit(resource.RLIMIT_CPU, (MOST_WORK, MOST_WORK))
+    resource.setrlimit(resource.RLIMIT_AS, (MOST_MEMORY, MOST_MEMORY))
+    nowhere = os.open(os.devnull, os.O_RDWR)
+    for stream in (1, 2):
+        os.dup2(nowhere, stream)
+    sys.meta_path.insert(0, _Mutated(mutant))
+    noter = _Noter()
+    code = pytest.main([*QUIETLY, *tests], plugins=[noter])
+    Path(noted).write_text("0" if code == pytest.ExitCode.OK else noter.failed or f"pytest ends with {code!r}")
+    os._exit(0)
+
+
+class _Noter(_Steady):
+    """Notes which test fails."""
+
+    def __init__(self) -> None:
+        self.failed = ""
+
+    def pytest_runtest_logreport(self, report: pytest.TestReport) -> None:
+        """Look at the end of a test."""
+        if report.failed:
+            self.failed = report.nodeid
+
+    def pytest_collectreport(self, report: pytest.CollectReport) -> None:
+        """Look at the import of tests."""
+        if report.failed:
+            self.failed = self.failed or f"{report.nodeid or 'collection'} cannot be imported"
+
+
+class _Mutated(importlib.abc.MetaPathFinder, importlib.abc.SourceLoader):
+    """Gives one module with a wrong in it."""
+
+    def __init__(self, mutant: Mutant) -> None:
+        self._name = ".".join(mutant.path.with_suffix("").parts).removesuffix(".__init__")
+        self._path, self._source = str(ROOT / mutant.path), mutant.source().encode()
+
+    def find_spec(
+        self, name: str, path: Iterable[str] | None = None, target: ModuleType | None = None
+    ) -> importlib.machinery.ModuleSpec | None:
+        """Find the module."""
+        if name != self._name:
+            return None
+        return importlib.util.spec_from_file_location(name, self._path, loader=self)
+
+    def get_filename(self, fullname: str) -> str:
+        """Return where the module stands."""
+        return self._path
+
+    def get_data(self, path: str | bytes) -> bytes:
+        """Return the source; there is nothing compiled."""
+        if path != self._path:
+            raise OSError
+        return self._source

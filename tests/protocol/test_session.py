@@ -1,0 +1,50 @@
+"""The host's side of a link as a whole, and what becomes of its requests when it ends."""
+
+from __future__ import annotations
+
+import pytest
+
+from unity_link.errors import LinkLostError, Outcome
+from unity_link.protocol.requests import Request
+from unity_link.protocol.session import Session
+from unity_link.virtual import VirtualGateway
+
+
+def opened(*, resumes: bool) -> tuple[Session, VirtualGateway]:
+    """Return a session that is open, and its gateway."""
+    session, gateway = Session(None, lambda: 0, resumes=resumes), VirtualGateway()
+    session.connect(0.0, 0.003)
+    while not session.is_open:
+        session.receive(gateway.receive(session.take_output(), 0.0), 0.0)
+    return session, gateway
+
+
+def outcome_of(request: Request) -> Outcome:
+    assert isinstance(request.error, LinkLostError)
+    return request.error.outcome
+
+
+@pytest.mark.parametrize("resumes", [False, True])
+def test_what_is_under_way_when_a_link_is_closed_is_perhaps_executed_also_where_it_would_be_sent_again(
+    *, resumes: bool
+) -> None:
+    session, _ = opened(resumes=resumes)
+    read = Request(session.codec, "R", session.codec.fields("R", 0x10), session.codec.data_digits)
+    session.submit(read, 0.0)
+    session.take_output()
+    session.close(LinkLostError("the link was closed"))
+    assert outcome_of(read) is Outcome.UNKNOWN
+
+
+def test_a_read_that_was_under_way_when_the_line_was_lost_is_answered_in_the_next_session_if_that_is_wanted() -> None:
+    session, gateway = opened(resumes=True)
+    gateway.memory[0x10] = 42
+    read = Request(session.codec, "R", session.codec.fields("R", 0x10), session.codec.data_digits)
+    session.submit(read, 0.0)
+    session.take_output()
+    session.disconnect("the line was lost")
+    assert (read.answer, read.error) == (None, None)
+    session.connect(1.0, 0.003)
+    for _ in range(8):
+        session.receive(gateway.receive(session.take_output(), 1.0), 1.0)
+    assert read.answer == 42

@@ -1,0 +1,104 @@
+"""The host in Python on simulated time, without a link: the oracle of clients in other languages."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections import deque
+from typing import TYPE_CHECKING, Any
+
+from unity_link.errors import Outcome, UnansweredError
+from unity_link.protocol.requests import Request
+from unity_link.protocol.session import Session
+from unity_link.virtual.faults import Noise, NoisyLine
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from unity_link.protocol.requests import Events
+    from unity_link.virtual import Gateway
+
+PATIENCE = 600.0
+"""Simulated seconds after which a host hangs."""
+LATENCY = 0.001
+"""Seconds until what the gateway answers arrives."""
+
+
+class LineOfASession:
+    """A line that spoils bytes from the answer to `K` on, so that two hosts meet the same; what they send is kept."""
+
+    def __init__(self, gateway: Gateway, seed: int, **chances: float) -> None:
+        self._clean = gateway
+        self._noisy = NoisyLine(gateway, Noise(2 * seed, **chances), Noise(2 * seed + 1, **chances))
+        self.sent: list[tuple[float, bytes]] = []
+        """What was sent in the session, and when."""
+        self.first: int | None = None
+        """The first ID of the session."""
+
+    def receive(self, data: bytes, now: float) -> bytes:
+        """Take bytes at a time, and return what arrives."""
+        if self.first is not None:
+            if data:
+                self.sent.append((now, data))
+            return self._noisy.receive(data, now)
+        if begun := re.search(rb"K([0-9A-F]+)[0-9A-F]{4}\n", data):
+            self.first = int(begun[1], 16)
+        return self._clean.receive(data, now)
+
+
+class SimulatedHost:
+    """A session of the host in Python.
+
+    Args:
+        gateway: takes bytes and the time, and gives the bytes that arrive after `LATENCY`.
+        shortest_timeout: of the medium.
+        first: the first ID of the session.
+    """
+
+    def __init__(self, gateway: Callable[[bytes, float], bytes], shortest_timeout: float, first: int = 0) -> None:
+        self.now = 0.0
+        self.session = Session(None, lambda: first)
+        self._gateway = gateway
+        self._under_way: deque[tuple[float, bytes]] = deque()
+        self._events: Events = []
+        self.session.connect(0.0, shortest_timeout)
+        while not self.session.is_open:
+            self._turn()
+
+    def do(self, *sources: Any) -> None:
+        """Have all done, as many at a time as there is room for."""
+        left = {id(source) for source in sources}
+        for source in sources:
+            self._events += self.session.submit(source, self.now)
+        give_up = self.now + PATIENCE
+        while left:
+            assert self.now < give_up, "the host does not end"
+            self._turn()
+            left.difference_update(map(id, self._events))
+            self._events.clear()
+
+    def request(self, command: str, *fields: int, words: int = 0) -> Request:
+        """Make a request with fields of an address and words."""
+        info = self.session.codec.info
+        widths = (info.address_digits, *[info.data_digits] * len(fields[1:]))
+        text = b"".join(b"%0*X" % (width, field) for width, field in zip(widths, fields, strict=True))
+        return Request(self.session.codec, command, text, words * info.data_digits)
+
+    def _turn(self) -> None:
+        """Send what is to be sent, and let time pass until something happens."""
+        answer = self._gateway(self.session.take_output(), self.now)
+        if answer:
+            self._under_way.append((self.now + LATENCY, answer))
+        deadline = self.session.deadline
+        until = self.now + 1.0 if deadline is None else deadline
+        if self._under_way and self._under_way[0][0] <= until:
+            self.now, arrived = self._under_way.popleft()
+            self._events += self.session.receive(arrived, self.now)
+            return
+        self.now = max(until, math.nextafter(self.now, math.inf))
+        self._events += self.session.expire(self.now)
+
+
+def outcome_of(request: Request) -> Outcome | None:
+    """Return what is known of a request that has ended without an answer."""
+    return request.error.outcome if isinstance(request.error, UnansweredError) else None

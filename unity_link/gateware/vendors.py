@@ -1,0 +1,27 @@
+"""How the tools of vendors are told of a VHDL file, each in its own words: Tcl, or a line of Quartus' settings."""
+
+from __future__ import annotations
+
+from typing import Literal, get_args
+
+Tool = Literal["vivado", "quartus", "radiant", "diamond", "gowin"]
+TOOLS: tuple[Tool, ...] = get_args(Tool)
+
+
+def add_vhdl(tool: Tool, path: str, library: str | None = None) -> str:
+    """Return the command that adds a file of VHDL-2008 to what is open.
+
+    Args:
+        tool: that is told.
+        path: of the file, as the tool can read it: Tcl that gives a path will do.
+        library: that the file belongs to, None for the tool's usual one.
+    """
+    named, work = ("", "") if library is None else (f" -library {library}", f" -work {library}")
+    commands: dict[Tool, str] = {
+        "vivado": f"read_vhdl -vhdl2008{named} {path}",
+        "quartus": f"set_global_assignment -name VHDL_FILE {path}{named} -hdl_version VHDL_2008",
+        "radiant": f"prj_add_source{work} {path}",
+        "diamond": f"prj_src add{work} {path}",
+        "gowin": f"add_file -type vhdl {path}" + (f"\nset_file_prop -lib {library} {path}" if library else ""),
+    }
+    return commands[tool]

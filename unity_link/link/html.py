@@ -1,0 +1,78 @@
+"""What notebooks show in place of a `repr`: small tables. Nothing is asked of a gateway for them."""
+
+from __future__ import annotations
+
+import enum
+from html import escape
+from typing import TYPE_CHECKING, Any
+
+from unity_link.protocol.interpreter import summary
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Sequence
+
+    from unity_link.blocking import BlockingLink
+    from unity_link.link.link import Link, Statistics
+
+LONGEST = 200
+"""Characters of a cell that are shown."""
+_CELL = 'style="text-align: left"'
+
+
+def table(title: str, rows: Iterable[Sequence[object]], head: Sequence[object] = ()) -> str:
+    """Return a table in HTML.
+
+    Args:
+        title: stands above it.
+        rows: the cells; whatever is in them is shown as text.
+        head: names of the columns.
+    """
+    parts = [f"<p>{_text(title)}</p>", "<table>"]
+    if head:
+        parts.append(f"<thead><tr>{''.join(f'<th {_CELL}>{_text(cell)}</th>' for cell in head)}</tr></thead>")
+    lines = (f"<tr>{''.join(f'<td {_CELL}>{_text(cell)}</td>' for cell in row)}</tr>" for row in rows)
+    return "".join([*parts, "<tbody>", *lines, "</tbody></table>"])
+
+
+def link_table(link: Link | BlockingLink) -> str:
+    """Return where a link leads, what its gateway is, and what it has seen."""
+    rows = [("gateway", summary(link.gateway)), *statistics_rows(link.statistics)]
+    return table(repr(link)[1:-1], rows)
+
+
+def statistics_rows(statistics: Statistics) -> list[tuple[str, str]]:
+    """Return what a link has seen, as rows of a table."""
+    counts = [name for name in statistics.__struct_fields__ if name != "round_trip"]
+    rows = [(name.replace("_", " "), f"{getattr(statistics, name):,}") for name in counts]
+    return [*rows, ("round trip", duration_text(statistics.round_trip))]
+
+
+def ends_of(count: int, most: int) -> tuple[range, range]:
+    """Return which of `count` rows are shown: all, or some at the beginning and some at the end."""
+    if count <= most:
+        return range(count), range(0)
+    return range(most // 2), range(count - most // 2, count)
+
+
+def value_text(value: Any) -> str:
+    """Return a value of a signal as people read it."""
+    if value is None:
+        return "-"
+    if isinstance(value, enum.Enum):
+        return value.name
+    return f"{value:.6g}" if isinstance(value, float) else str(value)
+
+
+def duration_text(seconds: float | None) -> str:
+    """Return a duration as people read it."""
+    if seconds is None:
+        return "-"
+    for factor, unit in ((1e6, "µs"), (1e3, "ms")):
+        if seconds * factor < 999.5:
+            return f"{seconds * factor:.3g} {unit}"
+    return f"{seconds:.3g} s"
+
+
+def _text(cell: object) -> str:
+    text = str(cell)
+    return escape(text if len(text) <= LONGEST else f"{text[: LONGEST - 1]}…")
