@@ -46,9 +46,10 @@ from unity_link.errors import ArgumentError, UnityLinkError
 
 FAILED = 1
 WRONG_USE = 2
+NAME = "unity-link"
 
 app = typer.Typer(
-    name="unity-link",
+    name=NAME,
     cls=Commands,
     help="Connect to an FPGA: read, write and watch its bus, or try all of it on a virtual gateway.",
     epilog="URL is where the gateway is: serial:/dev/ttyUSB0?baud=12000000, tcp://host:port, unix:/path, "
@@ -79,7 +80,7 @@ _UNWRITABLE = {errno.EBADF, errno.EDQUOT, errno.EFBIG, errno.EIO, errno.ENOSPC, 
 """What a file, pipe or terminal says to a write that it cannot take."""
 
 
-def main(program: typer.Typer = app, name: str = "unity-link") -> None:
+def main(program: typer.Typer = app, name: str = NAME) -> None:
     """Run a command line, and exit with its code; `name` is what users type to get there."""
     _open_what_is_closed()
     with words_of_bash():
@@ -93,7 +94,7 @@ def _open_what_is_closed() -> None:
             setattr(sys, name, Path(os.devnull).open("w"))  # noqa: SIM115  (it stays open to the end)
 
 
-def _run(program: typer.Typer, name: str) -> int:
+def _run(program: typer.Typer, name: str = NAME) -> int:
     # A character that the terminal does not know, such as the µ of µs, is no reason to end.
     if isinstance(sys.stdout, io.TextIOWrapper):
         sys.stdout.reconfigure(errors="backslashreplace")
