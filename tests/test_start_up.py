@@ -58,6 +58,13 @@ def test_the_package_brings_few_modules() -> None:
     assert SLOW.isdisjoint(loaded)
 
 
+def test_the_rooms_that_programs_use_are_there_and_imported_when_they_are_asked_for() -> None:
+    assert printed(
+        "import sys, unity_link; print('unity_link.data' in sys.modules);"
+        "print(unity_link.data.Group.__name__, unity_link.blocking.connect.__name__, hasattr(unity_link, 'dta'))"
+    ) == ["False", "Group", "connect", "False"]
+
+
 def test_single_words_are_read_written_posted_and_fenced_without_what_is_slow_to_import(url: str) -> None:
     loaded = printed(
         """

@@ -15,6 +15,7 @@ With a spec of what stands behind the gateway, the same by names and in units::
         print(await Scara(link).j1.cpos.get())
 """
 
+import importlib
 from typing import TYPE_CHECKING
 
 from unity_link.errors import (
@@ -43,6 +44,8 @@ from unity_link.transport import register, register_stand_in
 if TYPE_CHECKING:
     from pathlib import Path
 
+    from unity_link import blocking as blocking
+    from unity_link import data as data
     from unity_link.data.loading import LoadedRobot
     from unity_link.spec import Spec
 
@@ -97,3 +100,12 @@ def load(spec: "str | Path | Spec", interface: str | None = None) -> "type[Loade
     from unity_link.data.loading import load as load_class
 
     return load_class(spec, interface)
+
+
+if not TYPE_CHECKING:  # It would have every name be known to a type checker.
+
+    def __getattr__(name: str) -> object:
+        """Import `unity_link.blocking` and `unity_link.data` when they are first asked for."""
+        if name in {"blocking", "data"}:
+            return importlib.import_module(f"unity_link.{name}")
+        raise AttributeError(f"module 'unity_link' has no attribute {name!r}")

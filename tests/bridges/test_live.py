@@ -290,3 +290,25 @@ def test_plots_keep_every_peak_in_a_bounded_number_of_rows(page: Page) -> None:
         )
         assert rows <= 8192
         assert (high, low, ascending) == (5, -7, True)
+
+
+@needs_chromium
+def test_states_keep_their_places_in_a_plot_and_have_their_names_there(page: Page) -> None:
+    with shown(page, "sim:scara", SPEC):
+        low, high, numbers, names = page.evaluate(
+            """async () => {
+              const { makePlot } = await import("/plots.js");
+              const { stateNumbers, text } = await import("/values.js");
+              const mode = { kind: "enum", names: [[0, "idle"], [1, "run"], [5, "stop"]] };
+              const element = document.body.appendChild(document.createElement("div"));
+              element.style.cssText = "width: 400px; height: 200px";
+              const name = (state) => text(mode, state);
+              const plot = makePlot(element, [{ label: "mode", stepped: true }], stateNumbers(mode), name);
+              plot.setData([[0, 1], [1, 1]]);
+              await new Promise((drawn) => setTimeout(drawn, 100));
+              return [plot.scales.y.min, plot.scales.y.max, plot.axes[1]._splits, plot.axes[1]._values];
+            }"""
+        )
+    assert -1 < low < 0
+    assert 5 < high < 6
+    assert (numbers, names) == ([0, 1, 5], ["idle", "run", "stop"])

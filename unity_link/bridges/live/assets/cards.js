@@ -7,7 +7,7 @@ import { Control } from "./controls.js";
 import { make, say } from "./dom.js";
 import { History } from "./history.js";
 import { makePlot, show } from "./plots.js";
-import { text } from "./values.js";
+import { stateNumbers, text } from "./values.js";
 
 const MOST_CURVES = 6;
 
@@ -66,7 +66,10 @@ export class Card {
   // Draw, once the element stands in the page.
   start() {
     if (!this.place) return;
-    this.plot = makePlot(this.place, this.curves.map(({ name, kind }) => ({ label: name, stepped: kind === "bool" || kind === "enum" })));
+    const curves = this.curves.map((signal) => ({ label: signal.name, stepped: stateNumbers(signal) !== null }));
+    // What has states has no unit, and so a plot of its own.
+    const [first] = this.curves;
+    this.plot = makePlot(this.place, curves, stateNumbers(first), (state) => text(first, state));
   }
 
   // Draw if it can be seen; give how many plots were drawn.

@@ -3,6 +3,7 @@
 /* global uPlot */
 
 const AXIS = 54; // pixels of the axis of values
+const STATES = 90; // pixels beside a plot for names of states
 const WIDTH = 1; // pixels of a curve; a wider one takes twice the time where no graphics card draws it
 
 export function color(name) {
@@ -50,8 +51,20 @@ function plainJoins(plot) {
   plot.ctx.lineJoin = "bevel";
 }
 
-// Make a plot of curves { label, stepped } in an element; the caller gives it data and a window of time.
-export function makePlot(element, curves) {
+// Make the axis and the range of states: all of them stand in the plot, by their names, at the same places for ever.
+function stateAxis(states, name) {
+  const [low, high] = [Math.min(...states), Math.max(...states)];
+  const room = 0.15 * (high - low) || 1;
+  return {
+    range: () => [low - room, high + room],
+    axis: axis({ splits: () => states, values: (plot, at) => at.map(name), size: STATES }),
+  };
+}
+
+// Make a plot of curves { label, stepped } in an element; the caller gives it data and a window of time. Curves of
+// states have their numbers, and what gives the name of one.
+export function makePlot(element, curves, states, name) {
+  const y = states === null ? { range, axis: axis({ size: AXIS, gap: 4 }) } : stateAxis(states, name);
   const splits = (plot, _, from, to) => {
     const seconds = to - from;
     const step = seconds > 40 ? 10 : seconds > 15 ? 5 : seconds > 6 ? 2 : seconds > 3 ? 1 : 0.5;
@@ -67,10 +80,10 @@ export function makePlot(element, curves) {
       legend: { show: false },
       hooks: { drawClear: [plainJoins] },
       cursor: { drag: { x: false, y: false }, points: { show: false }, y: false },
-      scales: { x: { time: false, auto: false }, y: { range } },
+      scales: { x: { time: false, auto: false }, y: { range: y.range } },
       axes: [
         axis({ splits, values: (plot, at) => at.map((one) => (at.at(-1) - one < 1e-6 ? "now" : `−${+(at.at(-1) - one).toFixed(1)} s`)), size: 26 }),
-        axis({ size: AXIS, gap: 4 }),
+        y.axis,
       ],
       series: [
         {},

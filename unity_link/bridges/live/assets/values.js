@@ -7,6 +7,12 @@ export function decimals(signal) {
   return Math.min(MOST_DECIMALS, Math.max(1, Math.ceil(-Math.log10(signal.step))));
 }
 
+// Give the numbers of the states that a signal can be in; null for one that has a value instead.
+export function stateNumbers({ kind, names }) {
+  if (kind === "bool") return [0, 1];
+  return kind === "enum" ? names.map(([number]) => number) : null;
+}
+
 // Write a value of a signal; nothing for one that never came.
 export function text(signal, value) {
   if (value === null || value === undefined) return "–";
