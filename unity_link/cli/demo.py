@@ -19,7 +19,7 @@ from unity_link.cli.arguments import DEFAULT_TIMEOUT, Json
 from unity_link.cli.output import is_live, out, print_json, print_line
 from unity_link.cli.running import run
 from unity_link.cli.words import signed_words, to_word
-from unity_link.errors import first_error
+from unity_link.errors import ArgumentError, GatewayError, UnsupportedError, first_error
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -81,6 +81,7 @@ async def _demo(url: str, duration: float, *, json: bool) -> None:
     from unity_link.link.link import connect
 
     async with connect(url, timeout=DEFAULT_TIMEOUT) as link:
+        await _check_robot(url, link)
         show = Demo(url, link, duration)
         if json:
             await show.run()
@@ -89,6 +90,35 @@ async def _demo(url: str, duration: float, *, json: bool) -> None:
             await _show_live(show)
         else:
             await _show_lines(show)
+
+
+async def _check_robot(url: str, link: Link) -> None:
+    """Check that a SCARA is there by what its registers hold, before anything is written.
+
+    Raises:
+        UnsupportedError: where there is none.
+    """
+    from unity_link.virtual import scara
+
+    registers = (scara.SPEED, scara.POSITION, scara.POSITION_SET_POINT, scara.SPEED_SET_POINT)
+    try:
+        words = await link.read_many([first + joint for first in registers for joint in range(len(scara.JOINTS))])
+        values = signed_words(words, link.gateway.data_bits)
+        is_there = all(
+            abs(speed) <= joint.most_speed
+            and joint.lowest <= position <= joint.highest
+            and 0 < limit <= joint.most_speed
+            for joint, speed, position, _, limit in zip(
+                scara.JOINTS, *(values[start : start + 4] for start in range(0, 16, 4)), strict=True
+            )
+        )
+    except (ArgumentError, GatewayError):
+        is_there = False
+    if not is_there:
+        raise UnsupportedError(
+            f"{url.partition('?')[0]}: the registers from {scara.SPEED:#x} on are not those of the SCARA that the demo "
+            "moves, and nothing was written: try `unity-link demo`, or `unity-link live` for a robot of your own"
+        )
 
 
 async def _show_lines(show: Demo) -> None:
