@@ -277,3 +277,49 @@ def test_plots_keep_every_peak_in_a_bounded_number_of_rows(page: Page) -> None:
         )
         assert rows <= 8192
         assert (high, low, ascending) == (5, -7, True)
+
+
+SWITCHES = """
+enum mode { idle, running = 3, recovering = 5 }
+group state(1, 10);
+joint(): @(base) {
+  @pos = base: READ(PUBLISH(state), UNIT="rad");
+  @speed = base + 1: READ(PUBLISH(state), UNIT="rad/s");
+}
+public rover() {
+  @enabled = 0x10[0]: bool READWRITE(PUBLISH(state));
+  @mode = 0x11[2:0]: mode READ(PUBLISH(state));
+  @count = 0x12: READ(PUBLISH(state));
+  left: joint() @(0x20);
+}
+"""
+
+
+@needs_chromium
+def test_switches_and_enumerations_have_names_at_their_axis_and_cards_of_a_part_their_unit(
+    page: Page, tmp_path: Path
+) -> None:
+    spec = tmp_path / "rover.ul"
+    spec.write_text(SWITCHES)
+    # What is drawn on a canvas is told to it as text.
+    page.add_init_script("""
+      window.drawn = new Set();
+      const fillText = CanvasRenderingContext2D.prototype.fillText;
+      CanvasRenderingContext2D.prototype.fillText = function (text, ...rest) {
+        const card = this.canvas.closest("article");
+        if (card) window.drawn.add(`${card.querySelector("h2").textContent}: ${text}`);
+        return fillText.call(this, text, ...rest);
+      };
+    """)
+    url = f"sim:{spec}?base_frequency_millihertz=1000000"
+    with shown(page, url, str(spec)):
+        expect(page.locator('[data-signal="enabled"] output')).to_have_text("off")
+        page.wait_for_function("[...window.drawn].some((text) => text.startsWith('count: 0'))")
+        drawn = page.evaluate("[...window.drawn]")
+        axes = {
+            name: {text.partition(": ")[2] for text in drawn if text.startswith(f"{name}: ")}
+            for name in ("enabled", "mode")
+        }
+        assert {text for text in axes["enabled"] if not text.endswith((" s", "now"))} == {"on", "off"}
+        assert {text for text in axes["mode"] if not text.endswith((" s", "now"))} == {"idle", "running", "recove…"}
+        assert page.locator("main h2").all_text_contents() == ["enabled", "mode", "count", "left, rad", "left, rad/s"]

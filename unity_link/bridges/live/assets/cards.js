@@ -7,7 +7,7 @@ import { Control } from "./controls.js";
 import { make, say } from "./dom.js";
 import { History } from "./history.js";
 import { makePlot, show } from "./plots.js";
-import { text } from "./values.js";
+import { namesOf, text } from "./values.js";
 
 const MOST_CURVES = 6;
 
@@ -24,14 +24,16 @@ function sorted(signals) {
 }
 
 export class Card {
-  constructor(signals, about, streams, send) {
+  constructor(signals, about, streams, send, others) {
     this.signals = signals;
     this.values = new Map();
     this.visible = false;
     const [first] = signals;
     const title = first.part || (first.unit ? about.robot : first.id);
     const alone = signals.length === 1 && (first.unit === "" || first.stream === null);
-    const heading = alone && first.part ? `${first.part}.${first.name}` : alone ? first.id : title;
+    // A part has a card for each of its units.
+    const one = others.some((other) => other !== signals && other[0].part === first.part && other[0].unit) ? `${title}, ${first.unit}` : title;
+    const heading = alone && first.part ? `${first.part}.${first.name}` : alone ? first.id : one;
     const doc = alone ? first.doc : about.parts[first.part];
     this.element = make(
       "article", { class: "card", "aria-label": `${heading} ${first.unit}` },
@@ -66,7 +68,9 @@ export class Card {
   // Draw, once the element stands in the page.
   start() {
     if (!this.place) return;
-    this.plot = makePlot(this.place, this.curves.map(({ name, kind }) => ({ label: name, stepped: kind === "bool" || kind === "enum" })));
+    const curves = this.curves.map(({ name, kind }) => ({ label: name, stepped: kind === "bool" || kind === "enum" }));
+    const names = this.curves.length === 1 ? namesOf(this.curves[0]) : [];
+    this.plot = makePlot(this.place, curves, names);
   }
 
   // Draw if it can be seen; give how many plots were drawn.
@@ -97,7 +101,7 @@ export class Card {
 }
 
 export function makeCards(place, about, streams, send) {
-  const cards = sorted(about.signals).map((signals) => new Card(signals, about, streams, send));
+  const cards = sorted(about.signals).map((signals, _, all) => new Card(signals, about, streams, send, all));
   place.replaceChildren(...cards.map((card) => card.element));
   const byElement = new Map(cards.map((card) => [card.element, card]));
   const watcher = new IntersectionObserver((seen) => seen.forEach((one) => (byElement.get(one.target).visible = one.isIntersecting)));

@@ -3,6 +3,8 @@
 /* global uPlot */
 
 const AXIS = 54; // pixels of the axis of values
+const MOST_NAMES = 8; // of an enumeration that all stand at its axis, whatever the values are
+const LONGEST_NAME = 7; // characters beside the axis
 const WIDTH = 1; // pixels of a curve; a wider one takes twice the time where no graphics card draws it
 
 export function color(name) {
@@ -38,6 +40,24 @@ function axis(more) {
   };
 }
 
+// The ends of the axis of a switch or an enumeration: whole numbers, of which each has a name.
+function rangeOfNames(names, low, high) {
+  const numbers = names.map(([number]) => number);
+  const ends = names.length <= MOST_NAMES || low === null ? [Math.min(...numbers), Math.max(...numbers)] : [low, high];
+  return [Math.min(ends[0], low ?? ends[0]) - 0.25, Math.max(ends[1], high ?? ends[1]) + 0.25];
+}
+
+// An axis with a name at each number that has one, and no number between two.
+function axisOfNames(names) {
+  const known = new Map(names.map(([number, name]) => [number, name.length > LONGEST_NAME ? `${name.slice(0, LONGEST_NAME - 1)}…` : name]));
+  return axis({
+    size: AXIS,
+    gap: 4,
+    splits: (plot, _, from, to) => [...known.keys()].filter((number) => from <= number && number <= to).sort((a, b) => a - b),
+    values: (plot, at) => at.map((number) => known.get(number)),
+  });
+}
+
 function range(plot, low, high) {
   if (low === null || high === null) return [0, 1];
   if (high - low > 1e-9 * Math.max(Math.abs(low), Math.abs(high))) return uPlot.rangeNum(low, high, 0.12, true);
@@ -50,8 +70,9 @@ function plainJoins(plot) {
   plot.ctx.lineJoin = "bevel";
 }
 
-// Make a plot of curves { label, stepped } in an element; the caller gives it data and a window of time.
-export function makePlot(element, curves) {
+// Make a plot of curves { label, stepped } in an element; the caller gives it data and a window of time. Where values have
+// names, as those of switches and enumerations, the axis has these.
+export function makePlot(element, curves, names = []) {
   const splits = (plot, _, from, to) => {
     const seconds = to - from;
     const step = seconds > 40 ? 10 : seconds > 15 ? 5 : seconds > 6 ? 2 : seconds > 3 ? 1 : 0.5;
@@ -67,10 +88,10 @@ export function makePlot(element, curves) {
       legend: { show: false },
       hooks: { drawClear: [plainJoins] },
       cursor: { drag: { x: false, y: false }, points: { show: false }, y: false },
-      scales: { x: { time: false, auto: false }, y: { range } },
+      scales: { x: { time: false, auto: false }, y: { range: names.length ? (plot, low, high) => rangeOfNames(names, low, high) : range } },
       axes: [
         axis({ splits, values: (plot, at) => at.map((one) => (at.at(-1) - one < 1e-6 ? "now" : `−${+(at.at(-1) - one).toFixed(1)} s`)), size: 26 }),
-        axis({ size: AXIS, gap: 4 }),
+        names.length ? axisOfNames(names) : axis({ size: AXIS, gap: 4 }),
       ],
       series: [
         {},

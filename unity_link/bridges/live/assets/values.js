@@ -7,6 +7,11 @@ export function decimals(signal) {
   return Math.min(MOST_DECIMALS, Math.max(1, Math.ceil(-Math.log10(signal.step))));
 }
 
+// Give the names of the numbers that a signal may be, as [number, name]: none where these are only numbers.
+export function namesOf(signal) {
+  return signal.kind === "bool" ? [[0, "off"], [1, "on"]] : signal.names;
+}
+
 // Write a value of a signal; nothing for one that never came.
 export function text(signal, value) {
   if (value === null || value === undefined) return "–";
