@@ -71,10 +71,11 @@ except Exception as error:
 def test_files_are_replaced_and_programs_are_executable(tmp_path: Path) -> None:
     write([GeneratedFile("a/b", "old")], tmp_path)
 
-    paths = write([GeneratedFile("a/b", "new\n", executable=True), GeneratedFile("c", "")], tmp_path)
+    files = [GeneratedFile("a/b", "new\n", executable=True), GeneratedFile("c", ""), GeneratedFile("c.h", "h")]
+    paths = write(files, tmp_path)
 
-    assert paths == [tmp_path / "a" / "b", tmp_path / "c"]
-    assert tree(tmp_path) == {"a": "", "a/b": "new\n", "c": ""}
+    assert paths == [tmp_path / "a" / "b", tmp_path / "c", tmp_path / "c.h"]
+    assert tree(tmp_path) == {"a": "", "a/b": "new\n", "c": "", "c.h": "h"}
     assert paths[0].stat().st_mode & 0o111
 
 

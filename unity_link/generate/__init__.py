@@ -131,7 +131,8 @@ def write(files: list[GeneratedFile], directory: Path) -> list[Path]:
     Raises:
         ArgumentError: where that cannot be done; nothing of it is left then, and what was there before is as it was.
     """
-    partial = {directory / file.name: (directory / file.name).with_suffix(f".{os.getpid()}.part") for file in files}
+    paths = [directory / file.name for file in files]
+    partial = {path: path.with_name(f".{path.name}.{os.getpid()}") for path in paths}
     made: list[Path] = []
     path = directory
     try:
@@ -152,7 +153,7 @@ def write(files: list[GeneratedFile], directory: Path) -> list[Path]:
             with contextlib.suppress(OSError):
                 folder.rmdir()
         raise ArgumentError(f"{path} cannot be written: {error.strerror or error}") from None
-    return [*partial]
+    return paths
 
 
 def _make_folder(folder: Path) -> list[Path]:
