@@ -5,6 +5,7 @@ The link's own suite runs on it as well (tests/faces.py).
 
 import asyncio
 import contextlib
+import gc
 import signal
 import socket
 import subprocess
@@ -404,6 +405,7 @@ def test_a_link_that_its_own_callback_forgets_is_closed(served: tuple[VirtualGat
         deadline = time.monotonic() + 60
         while threads_of_links() and time.monotonic() < deadline:
             time.sleep(0.001)
+        gc.collect()
     assert threads_of_links() == []
 
 

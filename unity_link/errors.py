@@ -50,6 +50,8 @@ class Outcome(enum.Enum):
     EXECUTED = "executed"
     NOT_EXECUTED = "not executed"
     UNKNOWN = "unknown"
+    NO_REQUEST = "no request"
+    """Of samples, which nobody asks for one by one: nothing is to be known."""
 
 
 class UnansweredError(UnityLinkError):
@@ -69,8 +71,9 @@ class UnansweredError(UnityLinkError):
         return type(self)(self.reason, outcome)
 
     def __str__(self) -> str:
-        """Return the reason and what is known of the request."""
-        return f"{self.reason}; the request is {_OUTCOME_TEXT[self.outcome]}"
+        """Return the reason, and what is known of the request if there was one."""
+        known = _OUTCOME_TEXT.get(self.outcome)
+        return f"{self.reason}; the request is {known}" if known else self.reason
 
 
 _OUTCOME_TEXT = {

@@ -475,13 +475,14 @@ async def test_a_subscription_that_is_cancelled_while_it_is_set_up_leaves_no_gro
     for delay in range(12):
         gateway = make_bare(**SLOW, groups=4)
         async with unity_link.connect(gateway) as link:
-            task = asyncio.create_task(link.subscribe([0], rate_hz=1000).__aenter__())
+            beginning = link.subscribe([0], rate_hz=1000)
+            task = asyncio.create_task(beginning.__aenter__())
             for _ in range(delay):
                 await asyncio.sleep(0)
-            if not task.cancel():
-                continue
+            task.cancel()
             await asyncio.wait([task])
             if not task.cancelled():
+                await beginning.__aexit__(None, None, None)
                 continue
             assert await is_silent(link)
             async with link.subscribe([0]) as samples:

@@ -26,6 +26,13 @@ def sampled_groups(robot: Robot, poll_hz: float | None = None) -> list[SampledGr
     Raises:
         ArgumentError: where there is nothing at all.
     """
+    from unity_link.data.blocking import View
+
+    given: object = robot
+    if isinstance(given, View):
+        raise ArgumentError(
+            "a robot on a blocking link was given: bridges and recorders need one on a link of `unity_link.connect`"
+        )
     if not isinstance(robot, Robot):
         raise ArgumentError(f"a robot was expected, as `Scara(link)` of a loaded spec, not {robot!r:.80}")
     found: dict[str, Group] = {}

@@ -19,7 +19,7 @@ from unity_link.cli.arguments import DEFAULT_TIMEOUT, Json
 from unity_link.cli.output import is_live, out, print_json, print_line
 from unity_link.cli.running import run
 from unity_link.cli.words import signed_words, to_word
-from unity_link.errors import ArgumentError, BusError, first_error
+from unity_link.errors import ArgumentError, GatewayError, UnsupportedError, first_error
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -81,8 +81,8 @@ async def _demo(url: str, duration: float, *, json: bool) -> None:
     from unity_link.link.link import connect
 
     async with connect(url, timeout=DEFAULT_TIMEOUT) as link:
+        await _check_robot(url, link)
         show = Demo(url, link, duration)
-        await show.check()
         if json:
             await show.run()
             print_json(show.summary())
@@ -90,6 +90,35 @@ async def _demo(url: str, duration: float, *, json: bool) -> None:
             await _show_live(show)
         else:
             await _show_lines(show)
+
+
+async def _check_robot(url: str, link: Link) -> None:
+    """Check that a SCARA is there by what its registers hold, before anything is written.
+
+    Raises:
+        UnsupportedError: where there is none.
+    """
+    from unity_link.virtual import scara
+
+    registers = (scara.SPEED, scara.POSITION, scara.POSITION_SET_POINT, scara.SPEED_SET_POINT)
+    try:
+        words = await link.read_many([first + joint for first in registers for joint in range(len(scara.JOINTS))])
+        values = signed_words(words, link.gateway.data_bits)
+        is_there = all(
+            abs(speed) <= joint.most_speed
+            and joint.lowest <= position <= joint.highest
+            and 0 < limit <= joint.most_speed
+            for joint, speed, position, _, limit in zip(
+                scara.JOINTS, *(values[start : start + 4] for start in range(0, 16, 4)), strict=True
+            )
+        )
+    except (ArgumentError, GatewayError):
+        is_there = False
+    if not is_there:
+        raise UnsupportedError(
+            f"{url.partition('?')[0]}: the registers from {scara.SPEED:#x} on are not those of the SCARA that the demo "
+            "moves, and nothing was written: try `unity-link demo`, or `unity-link live` for a robot of your own"
+        )
 
 
 async def _show_lines(show: Demo) -> None:
@@ -164,28 +193,6 @@ class Demo:
     def elapsed(self) -> float:
         """Seconds since the motion began."""
         return 0.0 if self.began is None else time.monotonic() - self.began
-
-    async def check(self) -> None:
-        """Look whether a SCARA is there, and write nothing to whatever else it may be.
-
-        Raises:
-            ArgumentError: where what can be read is no SCARA's.
-        """
-        from unity_link.virtual import scara
-
-        count = len(scara.JOINTS)
-        try:
-            speeds = await self._link.read_block(scara.SPEED_SET_POINT, count)
-            positions = await self._link.read_block(scara.POSITION, count)
-        except BusError as error:
-            raise ArgumentError(f"{self.url} has no SCARA to move: {error}") from None
-        at = zip(scara.JOINTS, signed_words(positions, self.gateway.data_bits), speeds.tolist(), strict=True)
-        for joint, position, speed in at:
-            if not (0 < speed <= joint.most_speed and joint.lowest <= position <= joint.highest):
-                raise ArgumentError(
-                    f"{self.url} has no SCARA to move: a {joint.name} at {position} counts with a speed set point of "
-                    f"{speed} was found, {joint.lowest} to {joint.highest} and 1 to {joint.most_speed} were expected"
-                )
 
     async def run(self, say: Callable[[str], None] | None = None, picture: Callable[[], None] | None = None) -> None:
         """Do all of it.

@@ -5,9 +5,9 @@ What is wrong with a spec goes to stderr, as a compiler's messages do; under ``-
 
 from __future__ import annotations
 
+import contextlib
 import os
 import sys
-import tempfile
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -277,17 +277,19 @@ def _print_diff(name: str, before: str, after: str) -> None:
 
 
 def _replace(path: Path, text: str) -> None:
-    """Replace a file in one step, so that no moment has half of it."""
+    """Write a file, or replace it, in one step, so that no moment has half of it."""
     from unity_link.errors import ArgumentError
 
     target = path.resolve()
+    partial = target.with_name(f".{target.name}.{os.getpid()}")
     try:
-        with tempfile.NamedTemporaryFile("w", dir=target.parent, delete=False, encoding="utf-8", newline="\n") as file:
-            file.write(text)
-        temporary = Path(file.name)
-        temporary.chmod(target.stat().st_mode)
-        os.replace(temporary, target)  # noqa: PTH105  (the name says what it does)
+        partial.write_text(text, encoding="utf-8", newline="\n")
+        if target.exists():
+            partial.chmod(target.stat().st_mode)
+        partial.replace(target)
     except OSError as error:
+        with contextlib.suppress(OSError):
+            partial.unlink()
         raise ArgumentError(f"{path} cannot be written: {error.strerror or error}") from None
 
 
@@ -298,7 +300,11 @@ def _write(output: Path | None, text: str) -> None:
         sys.stdout.write(text)
         sys.stdout.flush()
         return
+    if output.is_file() or not output.exists():
+        _replace(output, text)
+        return
     try:
+        # A device, or a pipe: it is not to be replaced.
         output.write_text(text, encoding="utf-8")
     except OSError as error:
         raise ArgumentError(f"{output} cannot be written: {error.strerror or error}") from None

@@ -39,7 +39,7 @@ Type a request; the CRC is added.
 With ID: lower case, and the ID behind the command; K000 begins a session, and 000 comes first.
   R0A                   read the word at 0A
   RM0A04                read 4 words from 0A
-  W0A0000002A           write 2A to it; with --plain, W0A2A will do
+  W0A2A                 write 2A to it; leading zeros are added
   WM0A...               write words from 0A on
   WK0Ammmmmmmmdddddddd  replace the bits of mask m by those of d
   GSgg01vvvvnnaa...     group gg: every vvvv ticks, nn addresses
@@ -192,6 +192,9 @@ class _Session:
             return None
         body = _encoded(line)
         request = self._interpreter.listen(body)
+        if request is not None and request.id is None and request.command in ("W", "WS"):
+            # Only plain frames may leave zeros out; who types thinks of neither.
+            body = request.command.encode() + self.codec.fields(request.command, *request.values)
         self._stream.send(framing.plain_request(body) if self._plain else framing.checked(body))
         return None if request is None else request.command
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections import Counter, deque
 from typing import TYPE_CHECKING, Self
 
-from unity_link.errors import LinkClosedError, LinkLostError, SamplesLostError
+from unity_link.errors import LinkClosedError, LinkLostError, Outcome, SamplesLostError
 from unity_link.link.running import running
 from unity_link.link.runtime import report
 
@@ -198,7 +198,7 @@ class Feed:
                     for listener in tuple(self._listeners):
                         listener.deliver(batch)
         except StopAsyncIteration:
-            self._end(LinkLostError(f"the samples of {self._name} have ended"))
+            self._end(LinkLostError(f"the samples of {self._name} have ended", Outcome.NO_REQUEST))
         except Exception as error:  # noqa: BLE001  (whatever it is, no listener may wait for samples that don't come)
             self._end(error)
 

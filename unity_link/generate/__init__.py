@@ -14,7 +14,10 @@ each file begins by naming the spec and its hash (`Templates.origin`)::
 
 from __future__ import annotations
 
+import contextlib
+import errno
 import importlib
+import os
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal, NamedTuple, Protocol, cast, get_args
 
@@ -123,23 +126,41 @@ def load_target(name: str) -> Target:
 
 
 def write(files: list[GeneratedFile], directory: Path) -> list[Path]:
-    """Write files below a directory, which is made; those that are there already are replaced.
+    """Write files below a directory, which is made; those that are there already are replaced, when all are written.
 
     Raises:
-        ArgumentError: where that cannot be done.
+        ArgumentError: where that cannot be done; nothing of it is left then, and what was there before is as it was.
     """
-    paths = []
-    for file in files:
-        path = directory / file.name
-        try:
-            path.parent.mkdir(parents=True, exist_ok=True)
-            path.write_text(file.text, encoding="utf-8", newline="\n")
+    paths = [directory / file.name for file in files]
+    partial = {path: path.with_name(f".{path.name}.{os.getpid()}") for path in paths}
+    made: list[Path] = []
+    path = directory
+    try:
+        for file, (path, part) in zip(files, partial.items(), strict=True):
+            made += _make_folder(path.parent)
+            if path.is_dir():
+                raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR))
+            part.write_text(file.text, encoding="utf-8", newline="\n")
             if file.executable:
-                path.chmod(0o755)
-        except OSError as error:
-            raise ArgumentError(f"{path} cannot be written: {error.strerror or error}") from None
-        paths.append(path)
+                part.chmod(0o755)
+        for path, part in partial.items():
+            part.replace(path)
+    except OSError as error:
+        for part in partial.values():
+            with contextlib.suppress(OSError):
+                part.unlink()
+        for folder in reversed(made):
+            with contextlib.suppress(OSError):
+                folder.rmdir()
+        raise ArgumentError(f"{path} cannot be written: {error.strerror or error}") from None
     return paths
+
+
+def _make_folder(folder: Path) -> list[Path]:
+    """Make a folder and those around it; return those that were not there."""
+    missing = [place for place in (folder, *folder.parents) if not place.exists()][::-1]
+    folder.mkdir(parents=True, exist_ok=True)
+    return missing
 
 
 def _origin(target: str, spec: Spec) -> tuple[str, ...]:

@@ -20,6 +20,7 @@ from unity_link import protocol
 from unity_link.errors import (
     ArgumentError,
     BusTimeoutError,
+    LinkClosedError,
     LinkLostError,
     Outcome,
     OutOfRangeError,
@@ -218,7 +219,7 @@ class Publishing:
         """End all subscriptions."""
         if self._session.epoch >= 0:
             for group in self._session.groups.end():
-                group.owner.fail(error)
+                group.owner.fail(error.about(Outcome.NO_REQUEST))
 
     async def hold(self, subscription: Subscription, started: Waiter) -> Any:
         """Take a free group and start it for a subscription; while there is no session, wait for one.
@@ -319,7 +320,7 @@ class Subscription:
         self._entered = False
         self._group = None
         self._started: Waiter = publishing.runtime.create_future()
-        self._error: UnityLinkError | None = None
+        self._error = None
         self._ended = False
         self._sequence = -1
         self._sampled_at: float | None = None
@@ -327,13 +328,15 @@ class Subscription:
         """The rate, where time alone says how many samples are due."""
         self._waits_for_block = callback is not None
 
+    _error: UnityLinkError | None = None
     _group: Any = None
     _waits_for_block = False
     """Whether it has a callback, and nothing was done yet to have that called."""
 
     def __del__(self) -> None:
         """Warn of one that was not closed, and of one whose callback was never to be called."""
-        if self._group is not None:
+        # One whose link was lost is over without the program's doing.
+        if self._group is not None and (self._error is None or isinstance(self._error, LinkClosedError)):
             warnings.warn(f"{self!r} was not closed: use `async with`", ResourceWarning, stacklevel=1, source=self)
         elif self._waits_for_block:
             # One that only iterates is told when it does.

@@ -1,0 +1,100 @@
+"""What `generate`, `fmt` and `export` write is there whole, or not at all; a full disk leaves what was there before."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from unity_link import ArgumentError
+from unity_link.generate import GeneratedFile, write
+
+SPEC = Path(__file__).parents[2] / "examples" / "walker.ul"
+ON_A_FULL_DISK = """
+import resource, signal, sys
+resource.setrlimit(resource.RLIMIT_FSIZE, (int(sys.argv[1]), resource.RLIM_INFINITY))
+sys.argv[1:] = sys.argv[2:]
+from unity_link.cli import main
+main()
+"""
+
+
+def on_a_full_disk(room: int, *arguments: str | Path) -> str:
+    """Run a command where no file can have more than so many bytes; return what it says."""
+    command = [sys.executable, "-B", "-c", ON_A_FULL_DISK, str(room), *map(str, arguments)]
+    result = subprocess.run(command, capture_output=True, text=True, timeout=120, check=False)
+    assert (result.returncode, result.stdout) == (2, ""), result
+    (line,) = result.stderr.splitlines()
+    return line
+
+
+def tree(folder: Path) -> dict[str, str]:
+    return {
+        str(path.relative_to(folder)): path.read_text() if path.is_file() else "" for path in sorted(folder.rglob("*"))
+    }
+
+
+@pytest.mark.parametrize("target", ["c", "vhdl"])
+def test_a_full_disk_leaves_no_generated_file(target: str, tmp_path: Path) -> None:
+    said = on_a_full_disk(4000, "generate", target, SPEC, "-o", tmp_path / "new" / "folder")
+
+    assert said.startswith(f"error: {tmp_path / 'new' / 'folder'}/")
+    assert said.endswith(" cannot be written: File too large")
+    assert tree(tmp_path) == {}
+
+
+def test_a_full_disk_leaves_the_files_of_before(tmp_path: Path) -> None:
+    write([GeneratedFile("robot.h", "before\n"), GeneratedFile("more/robot.c", "before\n")], tmp_path)
+    before = tree(tmp_path)
+    after = [GeneratedFile("robot.h", "after\n"), GeneratedFile("more/robot.c", "x" * 10_000)]
+    code = (
+        f"import sys; sys.path[:0] = {sys.path!r}\n"
+        f"""
+import resource
+from pathlib import Path
+from unity_link.generate import GeneratedFile, write
+resource.setrlimit(resource.RLIMIT_FSIZE, (5000, resource.RLIM_INFINITY))
+try:
+    write([GeneratedFile(*file) for file in {[tuple(file) for file in after]!r}], Path({str(tmp_path)!r}))
+except Exception as error:
+    print(error)
+"""
+    )
+    result = subprocess.run([sys.executable, "-B", "-c", code], capture_output=True, text=True, timeout=60, check=True)
+
+    assert result.stdout == f"{tmp_path / 'more' / 'robot.c'} cannot be written: File too large\n"
+    assert tree(tmp_path) == before
+
+
+def test_files_are_replaced_and_programs_are_executable(tmp_path: Path) -> None:
+    write([GeneratedFile("a/b", "old")], tmp_path)
+
+    files = [GeneratedFile("a/b", "new\n", executable=True), GeneratedFile("c", ""), GeneratedFile("c.h", "h")]
+    paths = write(files, tmp_path)
+
+    assert paths == [tmp_path / "a" / "b", tmp_path / "c", tmp_path / "c.h"]
+    assert tree(tmp_path) == {"a": "", "a/b": "new\n", "c": "", "c.h": "h"}
+    assert paths[0].stat().st_mode & 0o111
+
+
+def test_a_folder_in_the_way_is_told_and_nothing_is_written(tmp_path: Path) -> None:
+    (tmp_path / "c").mkdir()
+
+    with pytest.raises(ArgumentError, match=r"/c cannot be written: Is a directory$"):
+        write([GeneratedFile("a/b", "new"), GeneratedFile("c", "")], tmp_path)
+
+    assert tree(tmp_path) == {"c": ""}
+
+
+def test_a_full_disk_leaves_a_spec_as_it_was_and_half_of_none(tmp_path: Path) -> None:
+    spec = tmp_path / "robot.ul"
+    lines = "".join(f"  @s{number}={number}:READ();\n" for number in range(200))
+    spec.write_text(f"public robot() {{\n{lines}}}\n")
+    before = tree(tmp_path)
+
+    assert on_a_full_disk(1000, "fmt", spec).endswith("cannot be written: File too large")
+    assert on_a_full_disk(1000, "export", "rdl", spec, "-o", tmp_path / "robot.rdl").endswith(": File too large")
+
+    assert tree(tmp_path) == before
