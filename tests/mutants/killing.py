@@ -83,7 +83,6 @@ QUIETLY = [
     "--hypothesis-seed=0",
 ]
 SURVIVED, KILLED = "survived", "killed"
-BY_IMPORT = ""
 Timed = dict[str, float]
 Reached = dict[str, dict[int, list[str]]]
 
@@ -151,7 +150,7 @@ def _observe_here(kept: Path) -> None:
 
 
 def tests_for(mutant: Mutant, seconds: Timed, reached: Reached, search: float) -> list[str]:
-    """Return the tests that reach a mutant, the quickest first; any tests of a line that the import alone runs.
+    """Return the tests that reach a mutant, the quickest first; where the import runs it, those that reach its module.
 
     Args:
         mutant: the mutant.
@@ -159,10 +158,10 @@ def tests_for(mutant: Mutant, seconds: Timed, reached: Reached, search: float) -
         reached: which tests reach each line.
         search: how long all of them may take together.
     """
-    lines = reached.get(mutant.module, {})
-    found = {test for line in range(mutant.line, mutant.last_line + 1) for test in lines.get(line, [])}
-    wanted = seconds if found == {BY_IMPORT} else found
-    quick = sorted((seconds[test], test) for test in wanted if seconds.get(test, LONGEST_TEST) < LONGEST_TEST)
+    of_module = reached.get(mutant.module, {})
+    lines = range(mutant.line, mutant.last_line + 1) if mutant.is_in_a_function else of_module
+    found = {test for line in lines for test in of_module.get(line, [])} & seconds.keys()
+    quick = sorted((seconds[test], test) for test in found if seconds[test] < LONGEST_TEST)
     until = accumulate(taken for taken, _ in quick)
     return [test for (_, test), all_taken in zip(quick, until, strict=True) if all_taken < search]
 
