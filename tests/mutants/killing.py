@@ -66,13 +66,13 @@ MOST_EXAMPLES = 25
 """Examples that hypothesis tries in each."""
 FIRST = 25
 """So many tests are run before all others are looked at."""
-PATIENCE = 120
+PATIENCE = 900
 """Seconds after which a mutant hangs."""
-MOST_WORK = 30
+MOST_WORK = 300
 """Seconds of a processor, the same."""
 MOST_MEMORY = 4 << 30
 QUIETLY = [
-    "--timeout=15",
+    "--timeout=60",
     "-q",
     "-x",
     "-p",
