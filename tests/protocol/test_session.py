@@ -62,3 +62,9 @@ def test_what_can_be_no_gateway_makes_the_connection_unusable(answer: bytes) -> 
     assert isinstance(events[0], Unusable)
     assert isinstance(events[0].error, ConnectError | UnsupportedError)
     assert not session.is_open
+
+
+def test_an_answer_that_nothing_waits_for_is_counted_once() -> None:
+    session, _ = opened(resumes=False)
+    session.receive(session.codec.framing.checked(b"r12300000000"), 0.0)
+    assert session.counters.stray == 1
