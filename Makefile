@@ -52,7 +52,7 @@ campaign: $(ALL) ## the searches at length, which `make test` leaves out
 
 # Seconds for each target.
 FUZZ_SECONDS ?= 600
-FUZZ_TARGETS ?= client_c client_cpp configuration frames gateway page recording serve session snooped spec
+FUZZ_TARGETS ?= configuration frames gateway page recording serve session snooped spec client_c client_cpp
 fuzz: $(FUZZ) ## search for bytes that something cannot take, ten minutes each; clients in C and C++ need clang
 	@cd tests && for target in $(FUZZ_TARGETS); do \
 		echo "$$target for $(FUZZ_SECONDS) s"; \

@@ -21,7 +21,10 @@ CORPUS = Path(__file__).with_name("corpus")
 
 def main() -> None:
     """Search, for as long as the command line says."""
-    name, seconds = sys.argv[1], sys.argv[2]
+    known = sorted(path.name for path in CORPUS.iterdir())
+    if len(sys.argv) != 3 or sys.argv[1] not in known:
+        sys.exit(f"a target and its seconds were expected: one of {', '.join(known)}, as in `python -m fuzz serve 60`")
+    name, seconds = sys.argv[1:]
     findings = Path(os.environ.get("FUZZ_FINDINGS", "/tmp/unity-link-fuzz"), name)
     findings.mkdir(parents=True, exist_ok=True)
     # One input in a process that is instrumented may take long; a second is a hang.

@@ -1,9 +1,9 @@
 """A gateway that answers at random, and a client in C that writes, posts and reads through it.
 
-``python -m generate.random_answers SECONDS [SEED]``, from the directory of the tests, builds the client under sanitizers
-and plays world after world, each by a seed of its own; time is simulated. The gateway executes what it understands. Its
-answers come right, damaged, lost, late, twice, or as others than they are, and it is reset now and then. It never says of
-a write that it was executed, or was not, where that is untrue: no client could know better.
+``python -m generate.random_answers SECONDS [SEED]``, from the directory of the tests, builds the client under
+sanitizers and plays world after world, each by a seed of its own; time is simulated. The gateway executes what it
+understands. Its answers come right, damaged, lost, late, twice, or as others than they are, and it is reset now and
+then. It never says of a write that it was executed, or was not, where that is untrue: no client could know better.
 
 What must hold: every write is executed once, or the client says that it failed or is lost, and no sanitizer finds
 anything.

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 import re
 import socket
 import statistics
+import time
 from collections import Counter
 from itertools import pairwise
 from typing import TYPE_CHECKING
@@ -14,6 +16,7 @@ import numpy as np
 import pytest
 from hypothesis import Phase, example, given, settings
 
+from generate import random_answers
 from generate.awkward_names import (
     FUNCTIONS_OF_A_FAMILY,
     GROUPS_BY_KEYWORDS,
@@ -939,6 +942,19 @@ def test_what_is_told_of_writes_at_a_reset_is_true_whatever_the_line_loses(drive
             is_executed = word < len(executed)
             assert f"{status} " in ({"0 ", LOST, LOST_EXECUTED} if is_executed else {LOST, LOST_NOT_EXECUTED})
     assert {0, int(LOST), int(LOST_NOT_EXECUTED)} <= statuses.keys()
+
+
+def test_every_write_is_executed_once_or_reported_whatever_a_gateway_answers(driver: Path) -> None:
+    worlds = [random_answers.play(driver, seed) for seed in range(8)]
+    statuses = {status for world in worlds for status in world.writes}
+    assert {"posted", "0", LOST.strip(), LOST_NOT_EXECUTED.strip()} <= statuses
+
+
+@pytest.mark.campaign
+def test_every_write_is_executed_once_or_reported_for_twenty_minutes(driver: Path) -> None:
+    until, seeds = time.monotonic() + 1200, itertools.count(10_000)
+    while time.monotonic() < until:
+        random_answers.play(driver, next(seeds))
 
 
 def test_a_request_whose_answer_was_lost_is_known_to_be_executed_by_a_later_one(driver: Path) -> None:

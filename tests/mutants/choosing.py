@@ -29,6 +29,7 @@ class Mutant(msgspec.Struct, frozen=True):
     occurrence: int
     line: int
     last_line: int
+    is_in_a_function: bool
 
     @property
     def name(self) -> str:
@@ -67,7 +68,9 @@ def choose(count: int, seed: int) -> list[Mutant]:
 
 def _mutants_of(path: Path) -> Iterator[tuple[Position, Position, Mutant]]:
     text = path.read_text("utf-8")
-    nodes, left_alone = list(ast_nodes(get_ast(text))), list(_left_alone(ast.parse(text)))
+    tree, nodes = ast.parse(text), list(ast_nodes(get_ast(text)))
+    left_alone = list(_left_alone(tree))
+    bodies = [_place(node) for node in ast.walk(tree) if isinstance(node, ast.FunctionDef)]
     for name in operator_names():
         if _tells_nothing(name):
             continue
@@ -75,7 +78,8 @@ def _mutants_of(path: Path) -> Iterator[tuple[Position, Position, Mutant]]:
         places = (place for node in nodes for place in operator.mutation_positions(node))
         for occurrence, (start, end) in enumerate(places):
             if not any(first <= start and end <= last for first, last in left_alone):
-                yield start, end, Mutant(path.stem, name, occurrence, start[0], end[0])
+                inside = any(head[0] < start[0] and end <= last for head, last in bodies)
+                yield start, end, Mutant(path.stem, name, occurrence, start[0], end[0], inside)
 
 
 def _tells_nothing(name: str) -> bool:

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import pytest
 
-from unity_link.errors import LinkLostError, Outcome
+from unity_link.errors import ConnectError, LinkLostError, Outcome, UnsupportedError
+from unity_link.protocol.configuration import GatewayInfo
 from unity_link.protocol.requests import Request
-from unity_link.protocol.session import Session
+from unity_link.protocol.session import Session, Unusable
 from unity_link.virtual import VirtualGateway
 
 
@@ -48,3 +49,22 @@ def test_a_read_that_was_under_way_when_the_line_was_lost_is_answered_in_the_nex
     for _ in range(8):
         session.receive(gateway.receive(session.take_output(), 1.0), 1.0)
     assert read.answer == 42
+
+
+@pytest.mark.parametrize(
+    "answer", [b"\nQ\r\n", b"Q" + GatewayInfo(groups=1).to_hex().replace(b"02", b"09", 1) + b"\r\n"]
+)
+def test_what_can_be_no_gateway_makes_the_connection_unusable(answer: bytes) -> None:
+    session = Session(None, lambda: 0)
+    session.connect(0.0, 0.003)
+    events = [event for number in range(8) for event in session.receive(answer, 0.2 * number)]
+    assert [type(event) for event in events] == [Unusable]
+    assert isinstance(events[0], Unusable)
+    assert isinstance(events[0].error, ConnectError | UnsupportedError)
+    assert not session.is_open
+
+
+def test_an_answer_that_nothing_waits_for_is_counted_once() -> None:
+    session, _ = opened(resumes=False)
+    session.receive(session.codec.framing.checked(b"r12300000000"), 0.0)
+    assert session.counters.stray == 1

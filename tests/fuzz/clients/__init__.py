@@ -1,7 +1,7 @@
 """The generated clients in C and C++, built to be fuzzed: what a hostile gateway answers, and what a program calls.
 
-`medium.h` is their gateway, `client.c` and `client.cc` are the programs, `robot.ul` is what they are generated from. clang
-builds them for a search, with libFuzzer; gcc is enough to replay what is known.
+`medium.h` is their gateway, `client.c` and `client.cc` are the programs, generated from `robot.ul` is the rest. For a
+search clang builds them, with libFuzzer; to replay what is known gcc is enough.
 """
 
 from __future__ import annotations
