@@ -9,7 +9,7 @@ from __future__ import annotations
 import asyncio
 import itertools
 import re
-from typing import TYPE_CHECKING, NamedTuple, Self
+from typing import TYPE_CHECKING, Any, NamedTuple, Self
 
 from unity_link import (
     AnswerLostError,
@@ -26,7 +26,7 @@ from unity_link import (
 )
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterable, Sequence
+    from collections.abc import Callable, Coroutine, Iterable, Sequence
     from types import TracebackType
 
 PATIENCE = 30.0
@@ -142,24 +142,26 @@ class DrivenLink:
 class DrivenSubscription:
     """A subscription of a program."""
 
-    def __init__(self, call: Callable[..., object], number: int, addresses: Sequence[int], rate_hz: float) -> None:
+    def __init__(
+        self, call: Callable[..., Coroutine[Any, Any, list[int]]], number: int, addresses: Sequence[int], rate_hz: float
+    ) -> None:
         self._call, self._number, self._addresses, self._rate_hz = call, number, addresses, rate_hz
 
     async def __aenter__(self) -> Self:
-        await self._call("subscribe", self._number, f"{self._rate_hz}", "-", *self._addresses)  # type: ignore[misc]
+        await self._call("subscribe", self._number, f"{self._rate_hz}", "-", *self._addresses)
         return self
 
     async def __aexit__(self, *error: object) -> None:
-        await self._call("unsubscribe", self._number)  # type: ignore[misc]
+        await self._call("unsubscribe", self._number)
 
     async def publish(self) -> None:
-        await self._call("publish", self._number)  # type: ignore[misc]
+        await self._call("publish", self._number)
 
     def __aiter__(self) -> Self:
         return self
 
     async def __anext__(self) -> DrivenSample:
-        sequence, lost, _, *words = await self._call("next", self._number, f"{PATIENCE}")  # type: ignore[misc]
+        sequence, lost, _, *words = await self._call("next", self._number, f"{PATIENCE}")
         return DrivenSample(sequence, lost, words)
 
 

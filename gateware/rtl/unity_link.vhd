@@ -97,7 +97,7 @@ entity unity_link is
     uart_de : out   std_logic;
     -- CLKOUT, 60 MHz, for "ft245_sync".
     ft_clkout : in    std_logic := '0';
-    -- Data pins as they are. The board's top joins the next three to them, bit by bit. Clock: ft_clkout.
+    -- The data pins; the board's top joins this and the next two to them, bit by bit. Clock: ft_clkout.
     ft_data_in : in    std_logic_vector(7 downto 0) := (others => '0');
     -- What the data pins are to show. Clock: ft_clkout.
     ft_data_out : out   std_logic_vector(7 downto 0);
@@ -155,8 +155,9 @@ entity unity_link is
     wb_rty : in    std_logic := '0';
     -- With wb_pipelined: the access is not taken yet.
     wb_stall : in    std_logic := '0';
-    -- AW channel; addresses count bytes, and a protection of "000".
-    axi_awaddr  : out   std_logic_vector(address_bits + log2_ceil(data_bits / 8) - 1 downto 0);
+    -- AW channel: the address, counted in bytes.
+    axi_awaddr : out   std_logic_vector(address_bits + log2_ceil(data_bits / 8) - 1 downto 0);
+    -- The rest of it; the protection is "000".
     axi_awprot  : out   std_logic_vector(2 downto 0);
     axi_awvalid : out   std_logic;
     axi_awready : in    std_logic := '0';
@@ -169,8 +170,9 @@ entity unity_link is
     axi_bresp  : in    std_logic_vector(1 downto 0) := (others => '0');
     axi_bvalid : in    std_logic                    := '0';
     axi_bready : out   std_logic;
-    -- AR channel, as AW.
-    axi_araddr  : out   std_logic_vector(address_bits + log2_ceil(data_bits / 8) - 1 downto 0);
+    -- AR channel: the address, counted in bytes.
+    axi_araddr : out   std_logic_vector(address_bits + log2_ceil(data_bits / 8) - 1 downto 0);
+    -- The rest of it, as that of AW.
     axi_arprot  : out   std_logic_vector(2 downto 0);
     axi_arvalid : out   std_logic;
     axi_arready : in    std_logic := '0';

@@ -25,6 +25,7 @@ PAGES = GATEWARE.parent / "docs" / "reference" / "gateware"
 _PART = re.compile(r"(<!-- Written by `make datasheets`, (\w+)((?: \w+)*): begin -->\n).*?(<!-- end -->)", re.DOTALL)
 # A literal, or a name that no sentence has: with an underscore, or of a clock.
 _CODE = re.compile(r"""'[01]'|"\w+"|\b[a-z\d]+_[a-z\d_]+|\bclk(?:out)?\b""")
+_ALL = re.compile(r"^\(others => (.+)\)$")
 _CONSTRAINTS = GATEWARE / "constraints"
 _WHOLE = {
     "Quartus": ["quartus/unity_link.sdc"],
@@ -65,15 +66,14 @@ def _written(name: str, part: re.Match[str]) -> str:
 def _generics(name: str, _: Sequence[str]) -> list[str]:
     rows = [
         (
-            _stacked(f"`{generic.name}`" for generic in group.declarations),
-            group.declarations[0].type,
+            _stacked([*(f"`{generic.name}`" for generic in group.declarations), group.declarations[0].type]),
             _marked(group.range),
             _stacked(f"`{generic.default}`" if generic.default else "" for generic in group.declarations),
             _marked(group.meaning),
         )
         for group in entity(name).generics
     ]
-    return _table(("generic", "type", "range", "default", "meaning"), rows)
+    return _table(("generic and its type", "range", "default", "meaning"), rows)
 
 
 def _ports(name: str, _: Sequence[str]) -> list[str]:
@@ -82,7 +82,7 @@ def _ports(name: str, _: Sequence[str]) -> list[str]:
         (
             _stacked(f"`{port.name}`" for port in group.declarations),
             _stacked(port.direction for port in group.declarations),
-            _stacked(port.width if port.width.isdigit() else f"`{port.width}`" for port in group.declarations),
+            _stacked(port.width for port in group.declarations),
             f"`{group.clock}`" if group.clock else "-",
             _with_defaults(group),
         )
@@ -93,8 +93,10 @@ def _ports(name: str, _: Sequence[str]) -> list[str]:
 
 def _with_defaults(group: Group) -> str:
     """Return what ports mean, and what inputs are that are left open."""
-    defaults = sorted({f"`{port.default}`" for port in group.declarations if port.default})
-    return _marked(group.meaning) + (f" Left open: {', '.join(defaults)}." if defaults else "")
+    defaults = sorted({_ALL.sub(r"\1", port.default) for port in group.declarations if port.default})
+    return _marked(group.meaning) + (
+        f" Left open: {', '.join(f'`{default}`' for default in defaults)}." if defaults else ""
+    )
 
 
 def _marked(text: str) -> str:

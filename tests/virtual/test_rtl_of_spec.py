@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import json
 import os
 import shutil
 import subprocess
@@ -17,9 +18,11 @@ from simulated_time import on_simulated_time
 from unity_link.errors import ArgumentError
 from unity_link.protocol.configuration import Feature
 from unity_link.spec import compile_file, compile_text
+from unity_link.virtual import VirtualGateway
 from unity_link.virtual.build import simulate
 from unity_link.virtual.rtl import configurations
-from unity_link.virtual.rtl.specs import configuration_of
+from unity_link.virtual.rtl.specs import configuration_of, configuration_of_node
+from unity_link.virtual.shared_line import build_shared_line
 from unity_link.virtual.simulated import SimulatedRobot
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
@@ -39,10 +42,20 @@ def test_the_configuration_is_that_of_the_generated_gateway() -> None:
     assert info.build_id == interface.fingerprint
     # The slowest clock that leaves a base tick its cycles.
     assert info.clock_hz == 100_000 * 24
+    # The bank behind it is.
+    assert json.loads(configuration_of(interface, {}, None).generics)["wb_pipelined"]
     chosen = {"base_frequency_millihertz": 10_000_000, "features": 0x11, "transmit_fifo_bytes": 512}
     other = configuration_of(interface, chosen, 7).info
     assert (other.clock_hz, other.transmit_fifo_bytes) == (500_000, 512)
     assert other.features == Feature(0x11) | Feature.ADDRESSED
+
+
+def test_that_of_a_node_is_what_the_model_of_one_is() -> None:
+    info = build_shared_line([7], info=configurations()["default"].info).info
+    build = configuration_of_node(info, 7)
+    assert build.node == 7
+    assert build.info == VirtualGateway(info, node=7).info
+    assert Feature.HALF_DUPLEX in build.info.features
 
 
 def test_that_of_the_walker_comes_with_the_package() -> None:

@@ -63,12 +63,14 @@ def _within(
 ) -> Iterator[_Settings]:
     """Find settings of a PLL whose oscillator runs at input / divider * factor; frequencies of limits are in MHz."""
     for divider in dividers:
-        compared = Fraction(hz, divider)
-        if not detector[0] * _MHZ <= compared <= detector[1] * _MHZ:
+        # Whole numbers are compared: there are a million of settings to look at.
+        unit = divider * _MHZ
+        if not detector[0] * unit <= hz <= detector[1] * unit:
             continue
         for factor in factors:
-            if vco.start * _MHZ <= compared * factor <= vco.stop * _MHZ:
-                yield from (_Settings(compared * factor / output, divider, factor, output) for output in outputs)
+            if vco.start * unit <= hz * factor <= vco.stop * unit:
+                made = Fraction(hz * factor, divider)
+                yield from (_Settings(made / output, divider, factor, output) for output in outputs)
 
 
 def _ice40(hz: int) -> Iterator[_Settings]:

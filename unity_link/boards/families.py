@@ -135,6 +135,8 @@ FAMILIES = {
             "RAM16SDP4": "RAMs of LUTs",
             "BSRAM": "RAM blocks",
             "IOB": "pins",
+            "IOLOGICI": "pads with a register for what comes in",
+            "IOLOGICO": "pads with a register for what goes out",
             "rPLL": "PLLs",
         },
         pads="gowin",

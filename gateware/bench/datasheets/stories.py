@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import dataclasses
 import json
-import os
 import tempfile
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -51,7 +50,7 @@ class Simulation:
                 generics=self.generics,
                 extra_sources=self.sources,
                 testcase=tuple(self.pictures),
-                extra_env={"WINDOWS": str(windows), "COCOTB_RANDOM_SEED": "1"},
+                extra_env={"WINDOWS": str(windows)},
                 waves=waves,
             )
             shown = [row for picture in self.pictures.values() for row in picture.rows]
@@ -295,5 +294,4 @@ SIMULATIONS = (
 
 def pictures() -> dict[str, str]:
     """Return the text of each picture by the name of its file, from simulations that run now."""
-    os.environ.pop("COCOTB_RANDOM_SEED", None)
     return {f"{name}.svg": text for simulation in SIMULATIONS for name, text in simulation.draw()}

@@ -43,8 +43,9 @@ entity ul_axi4_lite_master is
     bus_done : out   std_logic;
     -- With bus_done: the access has failed.
     bus_error : out   std_logic;
-    -- AW channel; the address counts bytes, the protection is "000".
-    awaddr  : out   std_logic_vector(address_bits + log2_ceil(data_bits / 8) - 1 downto 0);
+    -- AW channel: the address, counted in bytes.
+    awaddr : out   std_logic_vector(address_bits + log2_ceil(data_bits / 8) - 1 downto 0);
+    -- The rest of it; the protection is "000".
     awprot  : out   std_logic_vector(2 downto 0);
     awvalid : out   std_logic;
     awready : in    std_logic;
@@ -57,8 +58,9 @@ entity ul_axi4_lite_master is
     bresp  : in    std_logic_vector(1 downto 0);
     bvalid : in    std_logic;
     bready : out   std_logic;
-    -- AR channel, as AW.
-    araddr  : out   std_logic_vector(address_bits + log2_ceil(data_bits / 8) - 1 downto 0);
+    -- AR channel: the address, counted in bytes.
+    araddr : out   std_logic_vector(address_bits + log2_ceil(data_bits / 8) - 1 downto 0);
+    -- The rest of it, as that of AW.
     arprot  : out   std_logic_vector(2 downto 0);
     arvalid : out   std_logic;
     arready : in    std_logic;

@@ -38,7 +38,7 @@ entity ul_ft245_async is
     clk : in    std_logic;
     -- Synchronous, active high, for one cycle or more.
     rst : in    std_logic;
-    -- The data pins as they are. The board's top joins the next three to them, bit by bit. Clock: none.
+    -- The data pins; the board's top joins this and the next two to them, bit by bit. Clock: none.
     data_in : in    std_logic_vector(7 downto 0);
     -- What the data pins are to show.
     data_out : out   std_logic_vector(7 downto 0);

@@ -54,7 +54,7 @@ entity ul_ft245_sync is
     rst : in    std_logic;
     -- CLKOUT, 60 MHz, which may stand still.
     clkout : in    std_logic;
-    -- The data pins as they are. The board's top joins the next three to them, bit by bit. Clock: clkout.
+    -- The data pins; the board's top joins this and the next two to them, bit by bit. Clock: clkout.
     data_in : in    std_logic_vector(7 downto 0);
     -- What the data pins are to show. Clock: clkout.
     data_out : out   std_logic_vector(7 downto 0);
