@@ -86,7 +86,7 @@ def test_it_is_recorded_exported_and_replayed(own: Own, tmp_path: Path) -> None:
             player.kill()
 
 
-@pytest.mark.slow
+@pytest.mark.campaign
 def test_the_notebook_runs_on_it(tmp_path: Path) -> None:
     for file in (EXAMPLES / "scara.ul", Path(__file__).parents[1] / "own_robots.py"):
         shutil.copy(file, tmp_path)
