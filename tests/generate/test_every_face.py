@@ -36,7 +36,7 @@ from unity_link.virtual.serving import serve_pty, serve_tcp, serve_udp, serve_un
 
 if TYPE_CHECKING:
     from collections.abc import AsyncIterator, Callable, Iterator
-    from contextlib import AbstractContextManager
+    from contextlib import AbstractAsyncContextManager, AbstractContextManager
     from pathlib import Path
     from types import TracebackType
 
@@ -66,7 +66,7 @@ class Served:
 
     def serve(self, gateway: Gateway) -> AbstractContextManager[str]:
         path = self._folder / f"gateway{next(self._numbers)}"
-        serving = {
+        serving: dict[str, Callable[[], AbstractAsyncContextManager[str]]] = {
             "serial": lambda: serve_pty(gateway),
             "tcp": lambda: serve_tcp(gateway),
             "unix": lambda: serve_unix(gateway, path),
@@ -174,14 +174,17 @@ def run(name: str, behaviour: Behaviour, line: Line, folder: Path, programs: Pro
             runner.run(behaviour(connect, line))
 
 
-@pytest.mark.parametrize("behaviour", BEHAVIOURS, ids=lambda behaviour: behaviour.__name__)
-@pytest.mark.parametrize("medium", MEDIA)
-@pytest.mark.parametrize("name", [*IN_PYTHON, *PROGRAMS])
+CELLS = [
+    pytest.param(*cell, id=f"{cell[0]}-{cell[1]}-{cell[2].__name__}")
+    for cell in itertools.product((*IN_PYTHON, *PROGRAMS), MEDIA, BEHAVIOURS)
+    if why_empty(*cell) is None
+]
+
+
+@pytest.mark.parametrize(("name", "medium", "behaviour"), CELLS)
 def test_every_face_does_on_every_medium_what_a_link_does(
     name: str, medium: str, behaviour: Behaviour, portal: BlockingPortal, programs: Programs, tmp_path: Path
 ) -> None:
-    if reason := why_empty(name, medium, behaviour):
-        pytest.skip(reason)
     if name == "Octave" and why_not():
         pytest.skip(why_not())
     run(name, behaviour, Line(Served(portal, medium, tmp_path)), tmp_path, programs)

@@ -6,20 +6,17 @@ import pytest
 
 from unity_link.errors import ConnectError, UnsupportedError
 from unity_link.protocol.configuration import GatewayInfo
-from unity_link.protocol.crc import Crc
-from unity_link.protocol.frames import Framing
-from unity_link.protocol.handshake import (
+from unity_link.protocol.constants import (
     CHECKED_TRIES,
     DAMAGE_PATIENCE,
     DAMAGE_PAUSE,
-    ECHO,
-    ECHO_PATIENCE,
     FIRST_TRY,
     LONGEST_TRY,
-    RESET_TRIES,
     SURE,
-    Handshake,
 )
+from unity_link.protocol.crc import Crc
+from unity_link.protocol.frames import Framing
+from unity_link.protocol.handshake import ECHO, ECHO_PATIENCE, RESET_TRIES, Handshake
 
 INFO = GatewayInfo()
 PLAIN = b"Q" + INFO.to_hex() + b"\r\n"
