@@ -68,3 +68,9 @@ def test_an_answer_that_nothing_waits_for_is_counted_once() -> None:
     session, _ = opened(resumes=False)
     session.receive(session.codec.framing.checked(b"r12300000000"), 0.0)
     assert session.counters.stray == 1
+
+
+def test_of_an_unknown_line_it_is_said_that_an_answer_may_take_part_of_a_second() -> None:
+    session = Session(0, lambda: 0)
+    session.connect(0.0, 0.003)
+    assert 0.1 < session.longest_turn < 1

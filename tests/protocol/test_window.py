@@ -403,6 +403,21 @@ def test_a_time_out_that_comes_too_early_is_nothing() -> None:
     assert repeated(window) == ""
 
 
+def test_time_outs_of_requests_that_were_answered_in_the_end_do_not_add_up() -> None:
+    window: Window[Named] = Window(RING)
+    now = 0.0
+    for number in range(3 * module.MOST_TRIES):
+        sent(window, "a", now=now)
+        deadline = window.deadline
+        assert deadline is not None
+        window.heard = True
+        assert window.expire(deadline) is None
+        assert repeated(window) == f"a@{number}"
+        now = deadline + 0.001
+        window.answered(number, 1, now)
+        assert not window.lost
+
+
 # A reset of the gateway
 
 
