@@ -379,4 +379,4 @@ async def test_a_value_beyond_limits_and_bits_is_told_the_limits() -> None:
         duty = unity_link.load(spec)(link)["duty"]
         for value in (2, -2.5, 1e9):
             with pytest.raises(ArgumentError, match=r"^duty: .* is outside of its limits, -1 to 1$"):
-                await duty.set(value)
+                await duty.set(value)  # type: ignore[attr-defined]
