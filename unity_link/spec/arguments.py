@@ -151,7 +151,7 @@ class Binder:
                 continue
             seen.add(slot.name)
             self.places[prefix + slot.name] = argument.place
-            value = self._value(argument, slot)
+            value = self._value(argument, slot, known)
             if value is not None:
                 bound[slot.name] = value
         for slot in slots:
@@ -198,7 +198,7 @@ class Binder:
         advice = f"name it, as in {names[0]}=..." if names else ""
         self._evaluator.fault(argument.place, "too-many-arguments", f"{word} has no place for this argument", advice)
 
-    def _value(self, argument: Argument, slot: ArgumentSlot) -> Any:
+    def _value(self, argument: Argument, slot: ArgumentSlot, known: Mapping[str, ArgumentSlot]) -> Any:
         if slot.shape is Shape.CLAUSE:
             return self._clause(argument, slot)
         if slot.shape is Shape.FLAG:
@@ -211,7 +211,20 @@ class Binder:
                 return str(argument.value.name)
             self._evaluator.fault(argument.value.place, "bad-argument", f"{slot.name} is {slot.shape.value}")
             return None
-        return self._checked(slot, argument.value, self._evaluator.evaluate(argument.value, self._scope))
+        value = argument.value
+        if isinstance(value, Name) and value.name not in self._scope:
+            self._report_unknown(value, slot, known)
+            found = None
+        else:
+            found = self._evaluator.evaluate(value, self._scope)
+        return self._checked(slot, value, found)
+
+    def _report_unknown(self, name: Name, slot: ArgumentSlot, known: Mapping[str, ArgumentSlot]) -> None:
+        # Of a word of this list that is misspelt, and of groups, the evaluator knows nothing.
+        advice = did_you_mean(name.name, [*self._scope, *known])
+        if not advice and slot.shape is Shape.GROUP:
+            advice = f"declare it in front: group {name.name}(RATE=100);"
+        self._evaluator.fault(name.place, "unknown-name", f"nothing is called '{name.name}' here", advice)
 
     def _clause(self, argument: Argument, slot: ArgumentSlot) -> Bound | None:
         value = argument.value
