@@ -219,3 +219,15 @@ def test_the_demo_without_a_terminal_ends_by_itself_with_its_summary() -> None:
     assert "\x1b" not in result.stdout
     assert "0 lost" in result.stdout
     assert "round trip" in result.stdout
+
+
+@pytest.mark.parametrize("options", [[], ["--plain"]], ids=["checked", "plain"])
+def test_zeros_may_be_left_out_of_a_word_that_is_typed(options: list[str]) -> None:
+    command = [sys.executable, "-m", "unity_link", "terminal", "sim:", *options]
+    typed = "W0A2B\nR0A\nWS0B3\nR0B\nW0A0000002C\nR0A\n"
+
+    result = subprocess.run(command, input=typed, capture_output=True, text=True, timeout=60, check=True)
+
+    read = [line.split()[0] for line in result.stdout.splitlines() if line.startswith("R")]
+    assert read == ["R0A0000002B", "R0B00000003", "R0A0000002C"]
+    assert "error" not in result.stdout

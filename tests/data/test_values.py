@@ -370,3 +370,13 @@ async def test_a_robot_of_ones_own_has_the_attributes_that_its_class_declares() 
         assert (own.gain, own.offset) == (2.0, 3.0)
         with pytest.raises(ArgumentError, match="has no 'gian': did you mean 'gain'"):
             own.gian = 2.0
+
+
+@on_simulated_time
+async def test_a_value_beyond_limits_and_bits_is_told_the_limits() -> None:
+    spec = compile_text("public rover() { @duty = 0x10: signed 12 READWRITE(MIN=-1, MAX=1, SCALE=0.00048852); }")
+    async with unity_link.connect("sim:") as link:
+        duty = unity_link.load(spec)(link)["duty"]
+        for value in (2, -2.5, 1e9):
+            with pytest.raises(ArgumentError, match=r"^duty: .* is outside of its limits, -1 to 1$"):
+                await duty.set(value)  # type: ignore[attr-defined]

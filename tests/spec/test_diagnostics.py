@@ -41,6 +41,20 @@ CASES = [
     ("public x() { @a = " + "(" * 50 + "1: READ(); }", "too-deep", "more than 40 brackets stand in each other", "(", ""),
     # Names.
     ("public x() { @a = b: READ(); }", "unknown-name", "nothing is called 'b' here", "b", ""),
+    (
+        "public x() { @a = 1: READ(PUBLISH(slow)); }",
+        "unknown-name",
+        "nothing is called 'slow' here",
+        "slow",
+        "declare it in front: group slow(RATE=100);",
+    ),
+    (
+        "group g(RATE=10, TIMESTAMP); public x() { @a = 1: READ(PUBLISH(g)); }",
+        "unknown-name",
+        "nothing is called 'TIMESTAMP' here",
+        "TIMESTAMP",
+        "mean 'TIMESTAMPS'?",
+    ),
     ("public x(base=1) { @a = bsae: READ(); }", "unknown-name", "nothing is called 'bsae'", "bsae", "mean 'base'?"),
     ("public x() { @a = 1: READ(PUBLISH(slow)); }", "unknown-name", "nothing is called 'slow'", "slow", "declare it: group slow(RATE=100);"),
     ("public x() { @a = 1: READ(GROUP(slwo)); }\ngroup slow(1, 10);", "unknown-name", "nothing is called 'slwo'", "slwo", "mean 'slow'?"),

@@ -16,6 +16,7 @@ from __future__ import annotations
 import enum
 import functools
 import hashlib
+import math
 from collections.abc import Iterator, Mapping, Sequence  # noqa: TC003  (msgspec reads the annotations)
 
 import msgspec
@@ -133,10 +134,14 @@ class Signal(msgspec.Struct, frozen=True, kw_only=True):
             ArgumentError: for a value that the kind cannot say, or outside of the limits.
         """
         try:
-            raw = self.kind.encode(value)
+            raw, wrong = self.kind.encode(value), None
         except ArgumentError as error:
-            raise ArgumentError(f"{self.path}: {error}") from None
-        self._check_limits(value)
+            raw, wrong = 0, error
+        # The limits first: they are what the spec says, and closer than the bits.
+        if wrong is None or (isinstance(value, int | float) and math.isfinite(value)):
+            self._check_limits(value)
+        if wrong is not None:
+            raise ArgumentError(f"{self.path}: {wrong}") from None
         whole = raw << self.lowest_bit
         word_mask = (1 << self.word_bits) - 1
         return tuple(whole >> (index * self.word_bits) & word_mask for index in range(self.words))
