@@ -46,7 +46,7 @@ CASES = [
         "unknown-name",
         "nothing is called 'slow' here",
         "slow",
-        "declare it in front: group slow(RATE=100);",
+        "declare it: group slow(RATE=100);",
     ),
     (
         "group g(RATE=10, TIMESTAMP); public x() { @a = 1: READ(PUBLISH(g)); }",
