@@ -70,7 +70,7 @@ def test_a_quick_run_prints_data_and_writes_page_and_pictures(tmp_path: Path) ->
     assert "limits of publishing ..." in done.stderr
 
 
-@pytest.mark.slow
+@pytest.mark.campaign
 def test_into_a_pipe_it_prints_markdown() -> None:
     done = run(*QUICK)
     assert done.returncode == 0

@@ -152,10 +152,8 @@ async def test_a_client_that_leaves_frees_its_groups() -> None:
     async with sharing(gateway) as shared, PipedLink(shared) as two:
         for _ in range(3):
             one = PipedLink(shared)
-            async with one:
-                subscription = one.subscribe([1], rate_hz=100)
-                await subscription.__aenter__()
-                await anext(subscription)
+            async with one, one.subscribe([1], rate_hz=100) as samples:
+                await anext(samples)
                 cut(one)
             await settle(shared)
             assert gateway.next_due is None

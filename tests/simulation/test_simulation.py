@@ -30,7 +30,7 @@ BUILDS = ("default", "crc_32", "short", "short_ids", "slow")
 """The gateware, compiled, with as many features as a model has."""
 BUILD_SEEDS = 200
 """Seeds that are run on it."""
-NODE_SEEDS = 100
+NODE_SEEDS = 50
 """Seeds whose gateways are nodes of one line."""
 TESTS = Path(__file__).parents[1]
 

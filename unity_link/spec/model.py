@@ -138,7 +138,7 @@ class Signal(msgspec.Struct, frozen=True, kw_only=True):
         except ArgumentError as error:
             raw, wrong = 0, error
         # The limits first: they are what the spec says, and closer than the bits.
-        if wrong is None or (isinstance(value, int | float) and math.isfinite(value)):
+        if wrong is None or isinstance(value, int) or (isinstance(value, float) and math.isfinite(value)):
             self._check_limits(value)
         if wrong is not None:
             raise ArgumentError(f"{self.path}: {wrong}") from None
