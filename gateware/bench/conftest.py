@@ -1,12 +1,17 @@
-"""Marks every bench `rtl`, and skips it by name where no simulator is installed."""
+"""Marks every bench `rtl`, and skips by name what a simulator or another tool is missing for."""
 
 from __future__ import annotations
 
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import pytest
 
 from gateware.bench.runner import simulator_available
+from unity_link.gateware.ghdl import ToolMissingError
+
+if TYPE_CHECKING:
+    from collections.abc import Generator
 
 _HERE = Path(__file__).resolve().parent
 
@@ -24,3 +29,12 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
             item.add_marker(pytest.mark.rtl)
             if not simulator_available():
                 item.add_marker(missing)
+
+
+@pytest.hookimpl(wrapper=True)
+def pytest_runtest_call() -> Generator[None]:
+    """Skip a test that a tool is missing for, with the sentence that names it."""
+    try:
+        return (yield)
+    except ToolMissingError as error:
+        pytest.skip(str(error))
