@@ -42,9 +42,18 @@ def entity(name: str) -> Entity:
     Raises:
         ValueError: if there is none, or what it has bears no comment.
     """
+    return read_entity(_text_of(name), name)
+
+
+def _text_of(name: str) -> str:
+    """Return the file of an entity.
+
+    Raises:
+        ValueError: if there is none of its name.
+    """
     for source in [*vhdl_sources(), *board_sources()]:
         if source.stem == name:
-            return read_entity(source.read_text(), name)
+            return source.read_text()
     raise ValueError(f"{name} is in no file of its name")
 
 
@@ -162,8 +171,7 @@ def _with_all_below(name: str) -> set[str]:
 
 def entity_names(name: str) -> list[str]:
     """Return the names of the entities that an entity instantiates."""
-    source = next(path for path in [*vhdl_sources(), *board_sources()] if path.stem == name)
-    return re.findall(r"\bentity (?:work|unity_link)\.(\w+)", source.read_text())
+    return re.findall(r"\bentity (?:work|unity_link)\.(\w+)", _text_of(name))
 
 
 def _stacked(lines: Iterable[str]) -> str:

@@ -25,6 +25,8 @@ _SLANT = 2.0
 _LETTER = 6.2
 """Width of a letter of a value."""
 _LEAST_TICK, _LEAST_NUMBER = 7, 20
+_STEPS = (1, 2, 5, 10, 20, 50, 100, 200, 500)
+"""Cycles from one line or number to the next."""
 _DEFINED = frozenset("01")
 _PICOSECONDS = {"fs": 0.001, "ps": 1, "ns": 1000}
 _STYLE = """\
@@ -180,8 +182,7 @@ def _grid(edges: list[int], window: Window, scale: _Scale, height: float) -> Ite
     if len(edges) < 2:
         return
     pitch = scale(edges[1]) - scale(edges[0])
-    every = next(step for step in (1, 2, 5, 10, 20, 50, 100, 200, 500) if step * pitch >= _LEAST_NUMBER)
-    line = next(step for step in (1, 2, 5, 10, 20, 50, 100, 200, 500) if step * pitch >= _LEAST_TICK)
+    every, line = (next(step for step in _STEPS if step * pitch >= least) for least in (_LEAST_NUMBER, _LEAST_TICK))
     first = -bisect.bisect_left(edges, window.zero)
     lines = []
     for number, edge in enumerate(edges, first):

@@ -84,7 +84,11 @@ def faults(tried: dict[str, Callable[[], None]]) -> dict[str, str]:
 def main() -> int:
     """Try them; returns the exit status."""
     wanted = sys.argv[1] if len(sys.argv) > 1 else ""
-    found = faults({name: attempt for name, attempt in designs().items() if wanted in name})
+    chosen = {name: attempt for name, attempt in designs().items() if wanted in name}
+    if not chosen:
+        sys.stderr.write(f"no top and no board has {wanted!r} in its name: those are {', '.join(designs())}\n")
+        return 2
+    found = faults(chosen)
     for name, text in found.items():
         sys.stderr.write(f"{name}: {text}\n")
     return int(bool(found))

@@ -88,6 +88,7 @@ _CORE = (
     "tx_valid",
     "tx_ready",
 )
+_CHAIN = _rows("clk", "to_chain", "chain_load_n", "chain_clk", "chain_out", "chain_in", "from_chain")
 _STREAM_OF_ENTRIES = (
     Row("in_data", when="in_valid"),
     "in_valid",
@@ -271,7 +272,7 @@ SIMULATIONS = (
         {
             "shift_chain": Picture(
                 "A frame of four bits out and three in",
-                _rows("clk", "to_chain", "chain_load_n", "chain_clk", "chain_out", "chain_in", "from_chain"),
+                _CHAIN,
             )
         },
         {"bits_out": 4, "bits_in": 3},
@@ -283,7 +284,7 @@ SIMULATIONS = (
         {
             "one_bit": Picture(
                 "One bit, and a wire from the end to the beginning: the output is the bit",
-                _rows("clk", "to_chain", "chain_load_n", "chain_clk", "chain_out", "chain_in", "from_chain"),
+                _CHAIN,
             )
         },
         {"bits_out": 1, "bits_in": 1},
