@@ -206,8 +206,7 @@ def signals_table(title: str, proxies: Sequence[Proxy[Any]]) -> str:
     from unity_link.link import html
 
     head = ("signal", "value", "unit", "seen", "access", "address", "description")
-    first, last = ([_row(proxies[place]) for place in places] for places in html.ends_of(len(proxies), MOST_ROWS))
-    return html.table(title, [*first, *([["…"] * len(head)] if last else []), *last], head)
+    return html.long_table(title, len(proxies), lambda place: _row(proxies[place]), head, most=MOST_ROWS)
 
 
 def _row(proxy: Proxy[Any]) -> tuple[str, ...]:

@@ -85,14 +85,12 @@ class Table(Sealed):
         more = ["…"] if len(self._columns) > len(shown) else []
         units = self.units
         head = [f"{TIME} [s]", *(f"{name} [{units[name]}]" if name in units else name for name, _ in shown), *more]
-        first, last = (
-            [
-                [f"{self._seconds[row]:.6f}", *(html.value_text(column[row].item()) for _, column in shown), *more]
-                for row in rows
-            ]
-            for rows in html.ends_of(len(self), MOST_ROWS)
-        )
-        return html.table(repr(self)[1:-1], [*first, *([["…"] * len(head)] if last else []), *last], head)
+
+        def row(place: int) -> list[str]:
+            values = (html.value_text(column[place].item()) for _, column in shown)
+            return [f"{self._seconds[place]:.6f}", *values, *more]
+
+        return html.long_table(repr(self)[1:-1], len(self), row, head, most=MOST_ROWS)
 
     def __getitem__(self, name: str) -> NDArray[Any]:
         """Return a column by its name; shape (samples,)."""

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 from unity_link.protocol.interpreter import summary
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Sequence
+    from collections.abc import Callable, Iterable, Sequence
 
     from unity_link.blocking import BlockingLink
     from unity_link.link.link import Link, Statistics
@@ -47,11 +47,22 @@ def statistics_rows(statistics: Statistics) -> list[tuple[str, str]]:
     return [*rows, ("round trip", duration_text(statistics.round_trip))]
 
 
-def ends_of(count: int, most: int) -> tuple[range, range]:
-    """Return which of `count` rows are shown: all, or some at the beginning and some at the end."""
+def long_table(
+    title: str, count: int, row: Callable[[int], Sequence[object]], head: Sequence[object], *, most: int
+) -> str:
+    """Return a table of `count` rows, or of some at the beginning and some at the end where there are more than `most`.
+
+    Args:
+        title: stands above it.
+        count: of the rows.
+        row: returns the cells of one by its number; it is asked for those that are shown.
+        head: names of the columns.
+        most: rows that are shown.
+    """
     if count <= most:
-        return range(count), range(0)
-    return range(most // 2), range(count - most // 2, count)
+        return table(title, map(row, range(count)), head)
+    first, last = map(row, range(most // 2)), map(row, range(count - most // 2, count))
+    return table(title, [*first, ["…"] * len(head), *last], head)
 
 
 def value_text(value: Any) -> str:
