@@ -134,25 +134,28 @@ class Signal(msgspec.Struct, frozen=True, kw_only=True):
             ArgumentError: for a value that the kind cannot say, or outside of the limits.
         """
         try:
-            raw, wrong = self.kind.encode(value), None
+            raw = self.kind.encode(value)
         except ArgumentError as error:
-            raw, wrong = 0, error
-        # The limits first: they are what the spec says, and closer than the bits.
-        if wrong is None or isinstance(value, int) or (isinstance(value, float) and math.isfinite(value)):
-            self._check_limits(value)
-        if wrong is not None:
-            raise ArgumentError(f"{self.path}: {wrong}") from None
+            # The limits first: they are what the spec says, and closer than the bits.
+            is_finite = isinstance(value, int) or (isinstance(value, float) and math.isfinite(value))
+            beyond = self._limit_error(value) if is_finite else None
+            raise beyond or ArgumentError(f"{self.path}: {error}") from None
+        beyond = self._limit_error(value)
+        if beyond is not None:
+            raise beyond
         whole = raw << self.lowest_bit
         word_mask = (1 << self.word_bits) - 1
         return tuple(whole >> (index * self.word_bits) & word_mask for index in range(self.words))
 
-    def _check_limits(self, value: Value | str) -> None:
+    def _limit_error(self, value: Value | str) -> ArgumentError | None:
+        """Return the error for a value beyond the limits; None for every other one."""
         if isinstance(value, str) or (self.minimum is None and self.maximum is None):
-            return
+            return None
         low, high = self.limits
-        if not low <= value <= high:
-            unit = f" {self.unit}" if self.unit else ""
-            raise ArgumentError(f"{self.path}: {value} is outside of its limits, {low:.12g} to {high:.12g}{unit}")
+        if low <= value <= high:
+            return None
+        unit = f" {self.unit}" if self.unit else ""
+        return ArgumentError(f"{self.path}: {value} is outside of its limits, {low:.12g} to {high:.12g}{unit}")
 
 
 class Component(msgspec.Struct, frozen=True, kw_only=True, tag_field="part", tag="component"):
