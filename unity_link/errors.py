@@ -51,7 +51,7 @@ class Outcome(enum.Enum):
     NOT_EXECUTED = "not executed"
     UNKNOWN = "unknown"
     NO_REQUEST = "no request"
-    """Of samples, which nobody asks for one by one: nothing is to be known."""
+    """The error is not about a request: samples are published without one."""
 
 
 class UnansweredError(UnityLinkError):

@@ -27,6 +27,10 @@ from docs.walkthrough import follow
 HERE = Path(__file__).parent
 ROOT = HERE.parents[1]
 ROVER = "sim:examples/rover.ul?model=examples/rover.py:Rover"
+INTO_THE_MOTION = 6.6
+"""Seconds of the demo's ten, by the clock on the wall: its curves have turned by then, and it still moves."""
+DRIVEN_FOR = 1.0
+"""Seconds of each movement that the picture of `watch` shows, by the clock on the wall."""
 PATIENCE = 60.0
 """Seconds after which what a picture waits for has not come."""
 
@@ -36,7 +40,7 @@ def demo(picture: Path) -> None:
     with Terminal(110, 40) as terminal:
         terminal.enter("unity-link demo")
         terminal.wait_for("rate_hz")
-        time.sleep(6.6)
+        time.sleep(INTO_THE_MOTION)
         picture.write_text(terminal.draw("unity-link demo"))
 
 
@@ -60,7 +64,7 @@ def watch(picture: Path) -> None:
             _run(
                 "set", f"unix:{terminal.folder}/rover", "examples/rover.ul", f"left.duty={left}", f"right.duty={right}"
             )
-            time.sleep(1)
+            time.sleep(DRIVEN_FOR)
         picture.write_text(terminal.draw("unity-link watch"))
 
 

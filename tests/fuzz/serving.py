@@ -197,7 +197,7 @@ def _checked(body: bytes) -> bytes:
 
 
 def serve(choices: Choices) -> None:
-    """Play an input to its end; what nobody catches in a callback or task is raised here."""
+    """Play an input to its end. Raise the first exception that a callback or a task did not catch."""
     uncaught: list[dict[str, Any]] = []
 
     async def play() -> None:

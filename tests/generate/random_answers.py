@@ -11,6 +11,7 @@ anything.
 
 from __future__ import annotations
 
+import argparse
 import random
 import re
 import sys
@@ -249,13 +250,17 @@ def play(program: Path, seed: int) -> World:
 
 def main() -> int:
     """Play worlds for so long; returns the exit status."""
-    seconds, seed = float(sys.argv[1]), int(sys.argv[2]) if len(sys.argv) > 2 else 0
+    parser = argparse.ArgumentParser(prog="python -m generate.random_answers", description="Play worlds by seed.")
+    parser.add_argument("seconds", type=float, help="for so long")
+    parser.add_argument("seed", type=int, nargs="?", default=0, help="the first")
+    options = parser.parse_args()
+    seed = options.seed
     did: Counter[str] = Counter()
     writes: Counter[str] = Counter()
     worlds = 0
     with tempfile.TemporaryDirectory() as folder:
         program = build(Path(folder))
-        until = time.monotonic() + seconds
+        until = time.monotonic() + options.seconds
         while time.monotonic() < until:
             world = play(program, seed + worlds)
             worlds += 1

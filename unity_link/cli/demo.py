@@ -100,24 +100,23 @@ async def _check_robot(url: str, link: Link) -> None:
     """
     from unity_link.virtual import scara
 
-    registers = (scara.SPEED, scara.POSITION, scara.POSITION_SET_POINT, scara.SPEED_SET_POINT)
     try:
-        words = await link.read_many([first + joint for first in registers for joint in range(len(scara.JOINTS))])
-        values = signed_words(words, link.gateway.data_bits)
+        speeds, positions, limits = [
+            signed_words(await link.read_block(first, len(scara.JOINTS)), link.gateway.data_bits)
+            for first in (scara.SPEED, scara.POSITION, scara.SPEED_SET_POINT)
+        ]
         is_there = all(
             abs(speed) <= joint.most_speed
             and joint.lowest <= position <= joint.highest
             and 0 < limit <= joint.most_speed
-            for joint, speed, position, _, limit in zip(
-                scara.JOINTS, *(values[start : start + 4] for start in range(0, 16, 4)), strict=True
-            )
+            for joint, speed, position, limit in zip(scara.JOINTS, speeds, positions, limits, strict=True)
         )
     except (ArgumentError, GatewayError):
         is_there = False
     if not is_there:
         raise UnsupportedError(
-            f"{url.partition('?')[0]}: the registers from {scara.SPEED:#x} on are not those of the SCARA that the demo "
-            "moves, and nothing was written: try `unity-link demo`, or `unity-link live` for a robot of your own"
+            f"no SCARA for the demo is at {url.partition('?')[0]}, by its registers from {scara.SPEED:#x} on, and "
+            "nothing was written: try `unity-link demo`, or `unity-link live` for a robot of your own"
         )
 
 
