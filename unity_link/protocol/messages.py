@@ -307,7 +307,7 @@ class Codec:
             return DecodedResponse("N", number, {})
         if command == "Q" and not with_id:
             return DecodedResponse("Q", None, {"text": text})
-        if command not in COMMANDS:
+        if command not in COMMANDS or (with_id and command in WITHOUT_ID):
             raise ValueError(f"no message of a gateway: {body[:80]!r}")
         row = COMMANDS[command]
         letters_expected = ("" if with_id else row.echo) + row.reads
