@@ -7,6 +7,8 @@
 // way behind that one is answered before anything else is asked; the lock falls with a time-out, and for as many cycles,
 // or twice as many where several may have been under way, nothing more is asked of the bus; and no sample comes between
 // the accesses of an exclusive transaction, nor a request into a sample.
+//
+// ONE_BY_ONE: it is built for a bus that has one access at a time.
 
 module ul_bus_master_properties #(
 	parameter TIMEOUT = 3
@@ -34,6 +36,12 @@ module ul_bus_master_properties #(
 	wire bus_request, bus_write, bus_lock, bus_ahead;
 	wire [7:0] bus_address, bus_write_data;
 	reg rst = 1;
+
+`ifdef ONE_BY_ONE
+	localparam ONE_BY_ONE = 1;
+`else
+	localparam ONE_BY_ONE = 0;
+`endif
 
 	ul_bus_master dut (.*);
 
@@ -109,7 +117,7 @@ module ul_bus_master_properties #(
 				block <= request_more && !request_exclusive;
 			end
 			if (!under_way) begin
-				ahead <= sample_granted ? sample_more : request_more && !request_exclusive;
+				ahead <= !ONE_BY_ONE && (sample_granted ? sample_more : request_more && !request_exclusive);
 				failed <= 0;
 			end
 		end
@@ -218,9 +226,14 @@ module ul_bus_master_properties #(
 		cover (done == 3 && request_granted && $past(rest) == 1);
 		cover (done == 2 && request_done && failure == 4 && exclusive);
 		cover (done == 2 && sample_granted && request && bus_lock);
+`ifdef ONE_BY_ONE
+		assert (!bus_ahead && taken == 0);
+		cover (done == 2 && sample_granted && block && request);
+`else
 		cover (done == 1 && taken == 3 && bus_request && !open_sample);
 		cover (done == 4 && request_done && failure == 4 && taken == 2);
 		cover (done == 2 && failed && lasts == TIMEOUT - 1 && !bus_done);
 		cover (done == 3 && sample_granted && $past(failed) && ahead);
+`endif
 	end
 endmodule

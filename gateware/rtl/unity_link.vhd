@@ -241,6 +241,7 @@ begin
       rx_fifo_depth             => rx_fifo_depth,
       tx_fifo_depth             => tx_fifo_depth,
       bus_timeout               => bus_timeout,
+      bus_pipelined             => bus_standard = "wishbone" and wb_pipelined,
       masked_write              => masked_write,
       queue_commands            => queue_commands,
       timestamps                => timestamps,

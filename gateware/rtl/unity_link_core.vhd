@@ -59,6 +59,8 @@ entity unity_link_core is
     tx_fifo_depth : positive := 256;
     -- At least 1: cycles after which a bus access that is not answered ends with error 05; the bus then rests as long.
     bus_timeout : positive := 1024;
+    -- Whether the bus may take an access before it has answered the one before: bus_ahead and bus_next.
+    bus_pipelined : boolean := true;
     -- Whether the command WK is there; else it is answered with error 02, as all that is left out.
     masked_write : boolean := true;
     -- Whether RQ and WQ are there, for FIFOs at one address.
@@ -109,7 +111,7 @@ entity unity_link_core is
     bus_lock : out   std_logic;
     -- Other reads of the same transaction may follow before the answer.
     bus_ahead : out   std_logic;
-    -- A read is taken, and its answer comes later; leave it '0' where the bus has one access at a time.
+    -- A read is taken, and its answer comes later; '0' without bus_pipelined.
     bus_next : in    std_logic := '0';
     -- The address, counted in words.
     bus_address : out   std_logic_vector(address_bits - 1 downto 0);
@@ -567,7 +569,8 @@ begin
     generic map (
       data_bits    => data_bits,
       address_bits => address_bits,
-      timeout      => bus_timeout
+      timeout      => bus_timeout,
+      pipelined    => bus_pipelined
     )
     port map (
       clk               => clk,

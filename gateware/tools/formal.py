@@ -66,7 +66,16 @@ PROOFS = [
     Proof("ul_fifo_async", {"width": 2, "depth": 4}, cover_steps=24, two_clocks=True),
     Proof("ul_datalink_rx", {"crc_bits": 8, "longest": 3}, cover_steps=20, induction_steps=6),
     Proof("ul_datalink_tx", {"crc_bits": 8}),
-    Proof("ul_bus_master", {"data_bits": 8, "timeout": 3}, cover_steps=20, induction_steps=4),
+    *(
+        Proof(
+            "ul_bus_master",
+            {"data_bits": 8, "timeout": 3, "pipelined": not ways},
+            defines=ways,
+            cover_steps=20,
+            induction_steps=4,
+        )
+        for ways in ((), ("ONE_BY_ONE",))
+    ),
     Proof("ul_wishbone_master", {"data_bits": 8}, rules="wishbone_b4", induction_steps=4),
     Proof(
         "ul_wishbone_master",

@@ -34,7 +34,9 @@ entity ul_bus_master is
     data_bits    : positive := 32;
     address_bits : positive := 8;
     -- Cycles on the bus after which an access has failed, and then without any.
-    timeout : positive := 1024
+    timeout : positive := 1024;
+    -- Whether the bus takes an access before it answers the one before; else bus_next is '0'.
+    pipelined : boolean := true
   );
   port (
     clk : in    std_logic;
@@ -115,7 +117,8 @@ begin
                   and (free or (goes_on and not for_sample));
 
   stands <= bus_request and not (bus_next or (bus_done and to_std_logic(under_way = 0)));
-  still  <= under_way + 1 when bus_next = '1' and bus_done = '0' else
+  still  <= (others => '0') when not pipelined else
+            under_way + 1 when bus_next = '1' and bus_done = '0' else
             under_way - 1 when bus_next = '0' and bus_done = '1' and under_way /= 0 else
             under_way;
 
@@ -159,12 +162,12 @@ begin
           time_left <= to_unsigned(timeout - 1, time_left'length);
           if grant_sample = '1' then
             for_sample <= '1';
-            ahead      <= sample_more;
+            ahead      <= sample_more and to_std_logic(pipelined);
           end if;
           if grant = '1' then
             for_sample <= '0';
             exclusive  <= request_more and request_exclusive;
-            ahead      <= request_more and not request_exclusive;
+            ahead      <= request_more and not request_exclusive and to_std_logic(pipelined);
           end if;
           if grant_sample = '1' or grant = '1' then
             state <= state_active;

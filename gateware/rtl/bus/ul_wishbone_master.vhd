@@ -166,7 +166,7 @@ begin
     strobe     <= asks or asks_again;
     takes      <= strobe and not stall;
     hit        <= on_bus and (answered or rty) and (takes or to_std_logic(owed /= 0));
-    sends_away <= hit and not answered;
+    sends_away <= on_bus and rty and not answered and (takes or to_std_logic(owed /= 0));
     is_kept    <= replays and not again(to_integer(head));
     done       <= (hit and answered and not gathers) or (is_kept and lives);
 
