@@ -59,7 +59,7 @@ def connect(target: str | Medium, *, timeout: float = 5.0, reconnect: bool | Rec
 
 def _end(runtime: CallingThread, link: asynchronous.Link) -> None:
     """End a link and its threads."""
-    if runtime.is_running_here:
+    if runtime.is_running_here():
         # Found within a callback of its own, whose thread cannot be waited for.
         runtime.create_task(_close_later(runtime, link))
         return

@@ -15,7 +15,7 @@ import threading
 import time
 from collections import deque
 from contextlib import asynccontextmanager, suppress
-from typing import TYPE_CHECKING, Any, TypeVar
+from typing import TYPE_CHECKING, Any, ParamSpec, TypeVar
 
 from unity_link.errors import ArgumentError
 from unity_link.link.relay import Relay, run_in_loop
@@ -35,6 +35,7 @@ if TYPE_CHECKING:
     from unity_link.transport import Medium
     from unity_link.transport.stream import Stream
 
+P = ParamSpec("P")
 T = TypeVar("T")
 
 
@@ -114,6 +115,8 @@ class CallingThread:
         self.time = time.monotonic
         self.create_future = CallWaiter
         self._lock = threading.RLock()
+        self.is_running_here: Callable[[], bool] = self._lock._is_owned  # type: ignore[attr-defined]  # noqa: SLF001
+        """Whether this thread runs something of the link now."""
         self._polling = False
         """Whether a thread polls, for all."""
         self._poll = new_poll()
@@ -143,7 +146,7 @@ class CallingThread:
         Raises:
             ArgumentError: in a callback of the link, which runs within another call.
         """
-        if self.is_running_here:
+        if self.is_running_here():
             coroutine.close()
             raise ArgumentError("a callback runs within a call of its link, and must not call the link")
         run = _Run()
@@ -225,7 +228,7 @@ class CallingThread:
         if patience <= 0:
             self._timers.run()
             return
-        found = self._outside(lambda: self._poll.poll(None if patience == math.inf else patience))
+        found = self._outside(self._poll.poll, None if patience == math.inf else patience)
         for descriptor, event in found:
             handler = self._handlers.get(descriptor)
             if handler is not None:
@@ -238,7 +241,7 @@ class CallingThread:
     def _take_lock(self) -> None:
         """Take the lock, if this thread has not got it; a Ctrl-C comes between any two steps of a thread."""
         interruption: BaseException | None = None
-        while not self.is_running_here:
+        while not self.is_running_here():
             try:
                 self._lock.acquire()
             except BaseException as error:  # noqa: BLE001  (it is raised again)
@@ -331,26 +334,26 @@ class CallingThread:
     async def prepare(self, url: DriverUrl) -> None:
         """Do what must be done once before a medium of this kind can be opened."""
         if hasattr(load_driver(url.scheme), "prepare"):
-            self._outside(lambda: run_in_loop(lambda: prepare_medium(url)))
+            self._outside(run_in_loop, lambda: prepare_medium(url))
 
     async def open_medium(self, target: DriverUrl | Medium, stream: Stream) -> None:
         """Connect a stream to a medium."""
         if has_channel(target):
             protocol, left = observed(target, stream), self._run.deadline
             patience = None if left is None else max(0.001, left - self.time())
-            channel = self._outside(lambda: open_channel(target, patience))
+            channel = self._outside(open_channel, target, patience)
             make_transport(self, channel, protocol)
             return
         relay = Relay(self, target, stream)
         self._relays = [other for other in self._relays if not other.has_ended] + [relay]
         await relay.open()
 
-    def _outside(self, function: Callable[[], T]) -> T:
+    def _outside(self, function: Callable[P, T], *arguments: P.args, **options: P.kwargs) -> T:
         """Call a function that waits, without the lock; other threads wait for this one meanwhile."""
         try:
             self._polling = True
             self._lock.release()
-            return function()
+            return function(*arguments, **options)
         finally:
             try:
                 self._take_lock()
@@ -371,11 +374,6 @@ class CallingThread:
         for thread in (*self._relays, attendant):
             if thread is not None and thread is not threading.current_thread():
                 thread.join(patience)
-
-    @property
-    def is_running_here(self) -> bool:
-        """Whether this thread runs something of the link now."""
-        return self._lock._is_owned()  # type: ignore[attr-defined, no-any-return]  # noqa: SLF001  (as threading does)
 
     # Polling without a call
 

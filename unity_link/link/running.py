@@ -30,7 +30,7 @@ CALLING: WeakSet[CallingThread] = WeakSet()
 def running() -> Runtime:
     """Return what runs the calling coroutine."""
     for runtime in _calling():
-        if runtime.is_running_here:
+        if runtime.is_running_here():
             return runtime
     with suppress(RuntimeError):
         return AsyncioRuntime()
