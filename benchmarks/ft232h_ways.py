@@ -21,7 +21,7 @@ from unity_link.protocol.configuration import GatewayInfo
 from unity_link.protocol.messages import Codec
 from unity_link.transport import parse_url
 from unity_link.transport.ft232h import with_libusb, with_pyftdi
-from unity_link.transport.ft232h.chip import IN_ENDPOINT, OUT_ENDPOINT, open_chip
+from unity_link.transport.ft232h.chip import open_chip
 from unity_link.transport.ft232h.transport import StatusStripper
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.ft232h.board import GatewayBoard
@@ -81,10 +81,10 @@ async def hop() -> float:
     strip = StatusStripper().strip
 
     def transact() -> bytes:
-        opened.device.write(OUT_ENDPOINT, REQUEST, 1000)
+        opened.device.write(opened.out_endpoint, REQUEST, 1000)
         answer = b""
         while len(answer) < ANSWER:
-            answer += strip(opened.device.read(IN_ENDPOINT, 16384, 1000).tobytes())
+            answer += strip(opened.device.read(opened.in_endpoint, 16384, 1000).tobytes())
         return answer
 
     times = []

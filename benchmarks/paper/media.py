@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Literal
 import msgspec
 
 from unity_link.protocol.configuration import Feature, GatewayInfo
-from unity_link.virtual.ft232h.chip import Mode as Pins
+from unity_link.virtual.ft232h.port import Mode as Pins
 
 if TYPE_CHECKING:
     from unity_link.transport.ft232h.eeprom_image import ChannelType

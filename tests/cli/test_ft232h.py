@@ -16,7 +16,8 @@ from typer.testing import CliRunner
 
 from unity_link.cli import ft232h
 from unity_link.errors import ConnectError
-from unity_link.transport.ft232h.eeprom_image import BLANK, build_eeprom, channel_type, strings
+from unity_link.transport.ft232h.eeprom_image import BLANK, build_eeprom, channel_type, checksum, strings
+from unity_link.transport.ft232h.kinds import FT232H, FT2232H, ChipKind
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.ft232h.board import GatewayBoard
 from unity_link.virtual.ft232h.bus import VirtualBus, VirtualFt232h
@@ -31,8 +32,8 @@ ft232h.add_to(app)
 
 
 @contextmanager
-def plugged_in(*images: bytes) -> Iterator[list[VirtualFt232h]]:
-    devices = [VirtualFt232h(GatewayBoard(VirtualGateway()), image=image) for image in images]
+def plugged_in(*images: bytes, kind: ChipKind = FT232H) -> Iterator[list[VirtualFt232h]]:
+    devices = [VirtualFt232h(GatewayBoard(VirtualGateway()), kind=kind, image=image) for image in images]
     with installed(VirtualBus(*devices)):
         yield devices
 
@@ -53,7 +54,7 @@ def test_the_chips_that_are_plugged_in_are_listed_by_their_urls() -> None:
 
 def test_no_chip_is_said_in_words() -> None:
     with plugged_in():
-        assert run("info") == (0, "", "no FT232H is plugged in\n")
+        assert run("info") == (0, "", "no FT232H and no FT2232H is plugged in\n")
 
 
 def test_what_an_eeprom_says_is_shown() -> None:
@@ -79,7 +80,7 @@ def test_configure_makes_the_pins_a_fifo_after_the_next_plug_in(image: bytes, se
         assert "plug it in again" in notes
         assert channel_type(device.chip.eeprom) == "FIFO"
         assert strings(device.chip.eeprom)[2].startswith(serial)
-        assert device.chip.channel_type == "UART"
+        assert device.chip.ports[0].channel_type == "UART"
         device.unplug()
         device.plug_in()
         assert "FIFO" in run("info", URL)[1]
@@ -111,6 +112,50 @@ def test_an_eeprom_that_keeps_nothing_is_told(monkeypatch: pytest.MonkeyPatch) -
         monkeypatch.setattr(device.chip, "eeprom", KeepsNothing(BLANK))
         with pytest.raises(ConnectError, match="did not keep"):
             run("configure", URL, "--mode", "fifo", "--yes")
+
+
+# FT2232H
+
+PORT_B = "ftdi://ftdi:2232h/2"
+
+
+def test_each_port_is_listed_by_its_url() -> None:
+    with plugged_in(build_eeprom("FIFO", "AAA", kind=FT2232H), kind=FT2232H):
+        lines = run("info")[1].splitlines()
+    assert [line.split()[0] for line in lines] == ["ftdi://ftdi:2232h:AAA/1", "ftdi://ftdi:2232h:AAA/2"]
+
+
+def test_what_an_eeprom_says_is_shown_for_the_port() -> None:
+    with plugged_in(build_eeprom("FIFO", "S17", kind=FT2232H), kind=FT2232H):
+        answers = [msgspec.json.decode(run("info", f"ftdi://ftdi:2232h/{port}", "--json")[1]) for port in (1, 2)]
+    assert [(answer["chip"], answer["port"], answer["channel_type"]) for answer in answers] == [
+        ("FT2232H", 1, "FIFO"),
+        ("FT2232H", 2, "UART"),
+    ]
+    assert answers[1]["description"] == "the EEPROM makes port B of the FT2232H a UART"
+
+
+def test_configure_changes_one_port_and_keeps_the_driver_that_is_named_beside_it() -> None:
+    image = bytearray(build_eeprom("UART", "S1", kind=FT2232H))
+    image[0] = image[1] = 0x08
+    image[-2:] = checksum(image[:-2]).to_bytes(2, "little")
+    with plugged_in(bytes(image), kind=FT2232H) as [device]:
+        run("configure", PORT_B, "--mode", "fifo", "--yes")
+        assert device.chip.eeprom[:2] == b"\x08\x09"
+        assert strings(device.chip.eeprom, FT2232H)[2] == "S1"
+        assert "nothing to do" in run("configure", PORT_B, "--mode", "fifo")[2]
+
+
+def test_a_blank_eeprom_becomes_one_of_its_chip() -> None:
+    with plugged_in(BLANK, kind=FT2232H) as [device]:
+        run("configure", PORT_B, "--mode", "fifo", "--yes")
+        device.unplug()
+        device.plug_in()
+        descriptor = device.chip.device_descriptor
+        assert (descriptor.idProduct, descriptor.bcdDevice) == (0x6010, 0x0700)
+        assert [port.channel_type for port in device.chip.ports] == ["UART", "FIFO"]
+        assert device.chip.strings[:2] == ("FTDI", "FT2232H")
+        assert device.chip.eeprom[2:8] == bytes.fromhex("0304 1060 0007")
 
 
 def test_simulate_serves_a_chip_by_usbip_and_says_how_to_attach_it() -> None:

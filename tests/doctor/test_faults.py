@@ -136,7 +136,7 @@ def test_a_chip_without_permission_and_the_line_for_udev() -> None:
 
 def test_a_chip_that_another_program_has() -> None:
     with plugged_in() as device:
-        device.claimed_by = object()
+        device.claims[0] = object()
         assert "busy" in examined(CHIP)
 
 

@@ -9,6 +9,7 @@ from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any
 
 import pytest
+from msgspec import structs
 
 import unity_link
 from unity_link.errors import ArgumentError, ConnectError, LinkLostError
@@ -16,33 +17,64 @@ from unity_link.protocol.configuration import GatewayInfo
 from unity_link.protocol.messages import Codec
 from unity_link.transport import load_driver, parse_url
 from unity_link.transport.ft232h import with_libusb
-from unity_link.transport.ft232h.chip import open_in_thread, settings_of
+from unity_link.transport.ft232h.chip import list_chips, open_in_thread, settings_of
 from unity_link.transport.ft232h.eeprom_image import BLANK, build_eeprom
+from unity_link.transport.ft232h.kinds import FT232H, FT2232H, in_endpoint, out_endpoint
 from unity_link.transport.ft232h.transport import StatusStripper
 from unity_link.virtual import VirtualGateway
-from unity_link.virtual.ft232h.board import GatewayBoard
+from unity_link.virtual.ft232h.board import GatewayBoard, Unconnected
 from unity_link.virtual.ft232h.bus import VirtualBus, VirtualFt232h
-from unity_link.virtual.ft232h.chip import OVERRUN, Mode
+from unity_link.virtual.ft232h.port import OVERRUN, Mode
 from unity_link.virtual.ft232h.pyusb_backend import installed
 from unity_link.virtual.ft232h.timing import Timing
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Callable, Iterator
+
+    from unity_link.transport.ft232h.eeprom_image import ChannelType
+    from unity_link.transport.ft232h.kinds import ChipKind
+    from unity_link.virtual.ft232h.port import Port
 
 pytestmark = pytest.mark.asyncio
-IN, OUT = 0x81, 0x02
 URL = "ftdi://ftdi:232h/1"
 FRAMING = Codec(GatewayInfo()).framing
 READ, ANSWER = FRAMING.checked(b"R0A"), FRAMING.checked(b"R0A00000000")
 
 
+def kind_in(url: str) -> ChipKind:
+    return FT2232H if "2232h" in url else FT232H
+
+
+def port_in(url: str) -> int:
+    return int(url.partition("?")[0][-1])
+
+
+def port_at(device: VirtualFt232h, url: str) -> Port:
+    """Return the port that a URL names."""
+    return device.chip.ports[port_in(url) - 1]
+
+
+def eeprom_for(url: str, channel_type: ChannelType, serial: str = "UL000001") -> bytes:
+    """Return an EEPROM that makes the port of a URL what it says, and another one the opposite."""
+    kind, port = kind_in(url), port_in(url)
+    if channel_type == "FIFO":
+        return build_eeprom("FIFO", serial, kind=kind, ports=[port])
+    return build_eeprom("FIFO", serial, kind=kind, ports={1, kind.ports} - {port})
+
+
 @contextmanager
 def plugged_in(
-    gateway: VirtualGateway | None = None, *, mode: Mode = Mode.FIFO, image: bytes | None = None, **timing: Any
+    url: str = URL,
+    gateway: VirtualGateway | None = None,
+    *,
+    mode: Mode = Mode.FIFO,
+    image: bytes | None = None,
+    **timing: Any,
 ) -> Iterator[VirtualFt232h]:
-    """Have one chip on the machine's USB, and nothing else."""
+    """Have one chip on the machine's USB, and nothing else, with a gateway at the port of a URL."""
     board = GatewayBoard(gateway or VirtualGateway(), mode)
-    device = VirtualFt232h(board, image=image, timing=Timing(**timing))
+    boards = (board,) if port_in(url) == 1 else (Unconnected(), board)
+    device = VirtualFt232h(*boards, kind=kind_in(url), image=image or eeprom_for(url, "FIFO"), timing=Timing(**timing))
     with installed(VirtualBus(device)):
         yield device
     for thread in threading.enumerate():
@@ -90,10 +122,16 @@ class Recorder(asyncio.Protocol):
         return self.error
 
 
+@pytest.fixture(params=["ftdi:232h/1", "ftdi:2232h/1", "ftdi:2232h/2"])
+def place(request: pytest.FixtureRequest) -> str:
+    """Return the part of a URL that names a port of a chip."""
+    return str(request.param)
+
+
 @pytest.fixture(params=["ftdi", "ftdi-async"])
-def url(request: pytest.FixtureRequest) -> str:
-    """Return the URL of the chip that is plugged in, for either driver."""
-    return f"{request.param}://ftdi:232h/1"
+def url(request: pytest.FixtureRequest, place: str) -> str:
+    """Return the URL of the port that is plugged in, for either driver."""
+    return f"{request.param}://{place}"
 
 
 async def connect(url: str = URL) -> Recorder:
@@ -116,6 +154,7 @@ async def close(recorder: Recorder) -> None:
     [
         ("ftdi://ftdi:232h/1", "ftdi:232h", "/1"),
         ("ftdi://ftdi:232h:FT4XYZ/1", "ftdi:232h:FT4XYZ", "/1"),
+        ("ftdi://ftdi:2232h:FT4XYZ/2", "ftdi:2232h:FT4XYZ", "/2"),
         ("ftdi://0x403:0x6014:1:2/1", "0x403:0x6014:1:2", "/1"),
         ("ftdi:///1", "", "/1"),
         ("ftdi://virtual/scara", "virtual", "/scara"),
@@ -155,11 +194,13 @@ async def test_a_url_without_a_port_is_refused(url: str) -> None:
 
 
 @pytest.mark.parametrize("mode", [Mode.FIFO, Mode.SYNC_FIFO, Mode.UART])
-async def test_every_mode_moves_bytes(mode: Mode) -> None:
-    image = build_eeprom("UART" if mode is Mode.UART else "FIFO", "UL000001")
+async def test_every_mode_moves_bytes(url: str, mode: Mode) -> None:
+    if mode is Mode.SYNC_FIFO and port_in(url) == 2:
+        pytest.skip("port B has no synchronous FIFO")
+    image = eeprom_for(url, "UART" if mode is Mode.UART else "FIFO")
     baud = "&baud=3000000" if mode is Mode.UART else ""
-    with plugged_in(mode=mode, image=image):
-        recorder = await connect(f"ftdi://ftdi:232h:UL000001/1?mode={mode.value}{baud}")
+    with plugged_in(url, mode=mode, image=image):
+        recorder = await connect(f"{url}?mode={mode.value}{baud}")
         recorder.transport.write(READ)
         await recorder.until(len(ANSWER))
         assert recorder.received == ANSWER
@@ -174,7 +215,7 @@ async def test_a_virtual_chip_needs_nothing_but_its_url() -> None:
 
 
 async def test_what_is_written_in_many_pieces_arrives_whole_and_in_order(url: str) -> None:
-    with plugged_in():
+    with plugged_in(url):
         recorder = await connect(url)
         for _ in range(1000):
             recorder.transport.write(READ[:3])
@@ -186,7 +227,7 @@ async def test_what_is_written_in_many_pieces_arrives_whole_and_in_order(url: st
 
 async def test_a_closed_transport_has_written_what_it_was_given(url: str) -> None:
     gateway = VirtualGateway()
-    with plugged_in(gateway) as device:
+    with plugged_in(url, gateway) as device:
         recorder = await connect(url)
         recorder.transport.write(b"WS10%08X\r" % 1 * 500 + b"WS1100000007\r")
         await close(recorder)
@@ -196,17 +237,17 @@ async def test_a_closed_transport_has_written_what_it_was_given(url: str) -> Non
 
 
 async def test_closing_ends_a_read_that_is_under_way(url: str) -> None:
-    with plugged_in() as device:
+    with plugged_in(url) as device:
         recorder = await connect(f"{url}?latency=255")
         await close(recorder)
-        assert device.claimed_by is None
+        assert not device.claims
         again = await connect(url)
         await close(again)
 
 
 async def test_a_gateway_that_does_not_read_pauses_the_program(url: str) -> None:
-    with plugged_in(mode=Mode.SYNC_FIFO):
-        # In this mode its pins are dead: the chip takes its 1 KiB, and no more.
+    with plugged_in(url, mode=Mode.SYNC_FIFO):
+        # In this mode its pins are dead: the chip takes what its FIFO holds, and no more.
         recorder = await connect(url)
         while not recorder.paused:
             recorder.transport.write(bytes(8192))
@@ -216,7 +257,7 @@ async def test_a_gateway_that_does_not_read_pauses_the_program(url: str) -> None
 
 
 async def test_a_paused_reader_is_given_everything_later(url: str) -> None:
-    with plugged_in():
+    with plugged_in(url):
         recorder = await connect(url)
         recorder.transport.pause_reading()
         recorder.transport.write(READ * 500)
@@ -230,7 +271,7 @@ async def test_a_paused_reader_is_given_everything_later(url: str) -> None:
 
 
 async def test_a_packet_of_exactly_510_bytes_arrives(url: str) -> None:
-    with plugged_in(short_packet_after_full=False):
+    with plugged_in(url, short_packet_after_full=False):
         recorder = await connect(url)
         recorder.transport.write(b"H\r" * 170)
         await recorder.until(510)
@@ -242,32 +283,32 @@ async def test_a_packet_of_exactly_510_bytes_arrives(url: str) -> None:
 
 
 async def test_the_driver_s_part_of_send_immediate_is_the_timer_and_the_event_character(url: str) -> None:
-    with plugged_in() as device:
+    with plugged_in(url) as device:
         recorder = await connect(url)
         choose = recorder.transport.get_extra_info("send_immediate")
         seen = {}
         for mode in ("off", "always", "adaptive"):
             await choose(mode)
-            seen[mode] = (device.chip.latency, device.chip.event_character)
+            seen[mode] = (port_at(device, url).latency, port_at(device, url).event_character)
         assert seen == {"off": (16, None), "always": (1, 0x0A), "adaptive": (1, None)}
         await close(recorder)
 
 
 async def test_a_link_s_mode_of_send_immediate_reaches_gateway_and_chip(url: str) -> None:
     gateway = VirtualGateway()
-    with plugged_in(gateway) as device:
+    with plugged_in(url, gateway) as device:
         async with unity_link.connect(url) as link:
             for mode, number, latency in (("off", 0, 16), ("always", 1, 1), ("adaptive", 2, 1)):
                 await link.send_immediate(mode)  # type: ignore[arg-type]  # a Literal, in a loop
-                assert (gateway.send_immediate, device.chip.latency) == (number, latency)
+                assert (gateway.send_immediate, port_at(device, url).latency) == (number, latency)
 
 
 async def test_what_the_url_says_of_the_timer_holds_for_every_mode(url: str) -> None:
-    with plugged_in() as device:
+    with plugged_in(url) as device:
         recorder = await connect(f"{url}?latency=7&event_char=0x0D")
         for mode in ("off", "always", "adaptive"):
             await recorder.transport.get_extra_info("send_immediate")(mode)
-            assert (device.chip.latency, device.chip.event_character) == (7, 0x0D)
+            assert (port_at(device, url).latency, port_at(device, url).event_character) == (7, 0x0D)
         await close(recorder)
 
 
@@ -275,7 +316,7 @@ async def test_what_the_url_says_of_the_timer_holds_for_every_mode(url: str) -> 
 
 
 async def test_an_unplug_while_reading_is_a_lost_connection(url: str) -> None:
-    with plugged_in() as device:
+    with plugged_in(url) as device:
         recorder = await connect(f"{url}?latency=255")
         device.unplug()
         error = await recorder.lost()
@@ -285,7 +326,7 @@ async def test_an_unplug_while_reading_is_a_lost_connection(url: str) -> None:
 
 
 async def test_an_unplug_while_writing_is_a_lost_connection(url: str) -> None:
-    with plugged_in(mode=Mode.SYNC_FIFO) as device:
+    with plugged_in(url, mode=Mode.SYNC_FIFO) as device:
         recorder = await connect(url)
         recorder.transport.write(bytes(30000))
         await asyncio.sleep(0)
@@ -294,7 +335,7 @@ async def test_an_unplug_while_writing_is_a_lost_connection(url: str) -> None:
 
 
 async def test_a_call_on_an_unplugged_chip_raises_and_a_new_plug_in_is_found(url: str) -> None:
-    with plugged_in() as device:
+    with plugged_in(url) as device:
         async with unity_link.connect(url) as link:
             device.unplug()
             with pytest.raises(LinkLostError, match="unplugged"):
@@ -307,7 +348,7 @@ async def test_a_call_on_an_unplugged_chip_raises_and_a_new_plug_in_is_found(url
 
 
 async def test_a_send_immediate_mode_for_a_chip_that_is_gone_is_a_lost_link(url: str) -> None:
-    with plugged_in() as device:
+    with plugged_in(url) as device:
         recorder = await connect(url)
         device.unplug()
         with pytest.raises(LinkLostError):
@@ -329,7 +370,7 @@ async def test_a_chip_that_is_unplugged_while_it_is_opened_is_told_so(monkeypatc
 
 
 async def test_a_link_reconnects_when_the_chip_is_plugged_in_again(url: str) -> None:
-    with plugged_in() as device:
+    with plugged_in(url) as device:
         async with unity_link.connect(url, reconnect=True) as link:
             await link.write(1, 5)
             device.unplug()
@@ -339,33 +380,35 @@ async def test_a_link_reconnects_when_the_chip_is_plugged_in_again(url: str) -> 
 
 
 @pytest.mark.parametrize(
-    ("image", "words"),
+    ("image_of", "words"),
     [
-        (build_eeprom("UART", "S1"), "makes the FT232H a UART"),
-        (BLANK, "blank"),
-        (build_eeprom("FIFO", "S1")[:-1] + b"\x55", "checksum"),
+        (lambda url: eeprom_for(url, "UART"), "2H a UART"),
+        (lambda _url: BLANK, "blank"),
+        (lambda url: eeprom_for(url, "FIFO")[:-1] + b"\x55", "checksum"),
     ],
 )
-async def test_a_chip_that_is_no_fifo_is_refused_with_what_to_do(url: str, image: bytes, words: str) -> None:
-    with plugged_in(image=image), pytest.raises(ConnectError, match=words) as refused:
+async def test_a_port_that_is_no_fifo_is_refused_with_what_to_do(
+    url: str, place: str, image_of: Callable[[str], bytes], words: str
+) -> None:
+    with plugged_in(url, image=image_of(url)), pytest.raises(ConnectError, match=words) as refused:
         await connect(url)
-    assert "unity-link ft232h configure ftdi://ftdi:232h/1 --mode fifo" in str(refused.value)
+    assert f"unity-link ft232h configure ftdi://{place} --mode fifo" in str(refused.value)
 
 
 async def test_a_fifo_is_refused_as_a_uart(url: str) -> None:
-    with plugged_in(), pytest.raises(ConnectError, match="--mode uart"):
+    with plugged_in(url), pytest.raises(ConnectError, match="--mode uart"):
         await connect(f"{url}?mode=uart")
 
 
 async def test_a_chip_in_use_by_another_program_is_told(url: str) -> None:
-    with plugged_in() as device:
-        device.claimed_by = object()
+    with plugged_in(url) as device:
+        device.claims[port_in(url) - 1] = object()
         with pytest.raises(ConnectError, match="in use by another program"):
             await connect(url)
 
 
 async def test_a_chip_that_this_program_has_open_is_not_shared(url: str) -> None:
-    with plugged_in():
+    with plugged_in(url):
         recorder = await connect(url)
         with pytest.raises(ConnectError, match="in use"):
             await connect(url)
@@ -375,7 +418,7 @@ async def test_a_chip_that_this_program_has_open_is_not_shared(url: str) -> None
 
 
 async def test_without_permission_the_udev_rule_is_named(url: str) -> None:
-    with plugged_in() as device:
+    with plugged_in(url) as device:
         device.denied = True
         with pytest.raises(ConnectError, match=r"/etc/udev/rules\.d/70-ft232h\.rules"):
             await connect(url)
@@ -387,12 +430,19 @@ async def test_a_chip_that_is_not_there_is_told(url: str) -> None:
 
 
 async def test_of_two_chips_the_serial_number_chooses(url: str) -> None:
-    first = VirtualFt232h(GatewayBoard(VirtualGateway()), image=build_eeprom("FIFO", "AAA"))
-    second = VirtualFt232h(GatewayBoard(VirtualGateway()), image=build_eeprom("FIFO", "BBB"))
+    def chip(serial: str) -> VirtualFt232h:
+        return VirtualFt232h(
+            GatewayBoard(VirtualGateway()), kind=kind_in(url), image=eeprom_for(url, "FIFO", serial=serial)
+        )
+
+    def of(serial: str) -> str:
+        return url.replace("/1", f":{serial}/1").replace("/2", f":{serial}/2")
+
+    first, second = chip("AAA"), chip("BBB")
     with installed(VirtualBus(first, second)):
-        recorder = await connect(f"{url.partition(':')[0]}://ftdi:232h:BBB/1")
-        assert (first.claimed_by, second.claimed_by is None) == (None, False)
-        other = await connect(f"{url.partition(':')[0]}://ftdi:232h:AAA/1")
+        recorder = await connect(of("BBB"))
+        assert (list(first.claims), list(second.claims)) == ([], [port_in(url) - 1])
+        other = await connect(of("AAA"))
         await close(recorder)
         await close(other)
         with pytest.raises(ConnectError, match="2 USB devices match"):
@@ -400,10 +450,10 @@ async def test_of_two_chips_the_serial_number_chooses(url: str) -> None:
 
 
 async def test_an_overrun_is_counted_and_logged_once(url: str, caplog: pytest.LogCaptureFixture) -> None:
-    with plugged_in() as device, caplog.at_level(logging.WARNING, "unity_link"):
+    with plugged_in(url) as device, caplog.at_level(logging.WARNING, "unity_link"):
         recorder = await connect(url)
         for count in (1, 2):
-            device.report_error(OVERRUN)
+            device.report_error(OVERRUN, port_in(url))
             recorder.transport.write(READ)
             await recorder.until(count * len(ANSWER))
         assert recorder.transport.get_extra_info("line_errors") == 2
@@ -418,11 +468,11 @@ async def test_the_status_of_every_packet_of_a_read_is_looked_at() -> None:
     assert stripper.errors == 1
 
 
-@pytest.mark.parametrize("endpoint", [IN, OUT])
-async def test_a_stalled_endpoint_is_cleared(url: str, endpoint: int) -> None:
-    with plugged_in() as device:
+@pytest.mark.parametrize("endpoint_of", [in_endpoint, out_endpoint])
+async def test_a_stalled_endpoint_is_cleared(url: str, endpoint_of: Callable[[int], int]) -> None:
+    with plugged_in(url) as device:
         recorder = await connect(url)
-        device.halt(endpoint)
+        device.halt(endpoint_of(port_in(url)))
         recorder.transport.write(READ)
         await recorder.until(len(ANSWER))
         assert recorder.received == ANSWER
@@ -432,10 +482,10 @@ async def test_a_stalled_endpoint_is_cleared(url: str, endpoint: int) -> None:
 async def test_an_endpoint_that_stalls_again_and_again_is_a_lost_connection(
     url: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    with plugged_in() as device:
+    with plugged_in(url) as device:
         recorder = await connect(url)
-        monkeypatch.setattr(device.chip, "halted", NeverCleared([IN]))
-        device.halt(IN)
+        monkeypatch.setattr(device.chip, "halted", NeverCleared([in_endpoint(port_in(url))]))
+        device.halt(in_endpoint(port_in(url)))
         assert "stalled" in str(await recorder.lost())
 
 
@@ -448,14 +498,14 @@ class NeverCleared(set[int]):
 
 async def test_a_gateway_that_never_reads_is_told_after_a_while(url: str, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("unity_link.transport.ft232h.chip.WRITE_PATIENCE", 0.01)
-    with plugged_in(mode=Mode.SYNC_FIFO):
+    with plugged_in(url, mode=Mode.SYNC_FIFO):
         recorder = await connect(url)
-        recorder.transport.write(bytes(4096))
+        recorder.transport.write(bytes(FT2232H.fifo_size + 1))
         assert "has not read" in str(await recorder.lost())
 
 
 async def test_a_cancelled_opening_leaves_the_chip_closed(url: str) -> None:
-    with plugged_in() as device:
+    with plugged_in(url) as device:
         opening = asyncio.create_task(connect(url))
         await asyncio.sleep(0)
         await asyncio.sleep(0)
@@ -467,4 +517,89 @@ async def test_a_cancelled_opening_leaves_the_chip_closed(url: str) -> None:
         for thread in threading.enumerate():
             if thread.name == "ft232h close":
                 thread.join(10)
-        assert device.claimed_by is None
+        assert not device.claims
+
+
+# Two ports of one chip
+
+
+@pytest.fixture(params=["ftdi", "ftdi-async"])
+def both(request: pytest.FixtureRequest) -> tuple[str, str]:
+    """Return the URLs of both ports."""
+    return f"{request.param}://ftdi:2232h/1", f"{request.param}://ftdi:2232h/2"
+
+
+@contextmanager
+def two_ports(**settings: Any) -> Iterator[tuple[VirtualFt232h, VirtualGateway, VirtualGateway]]:
+    first, second = VirtualGateway(), VirtualGateway()
+    device = VirtualFt232h(GatewayBoard(first), GatewayBoard(second), kind=FT2232H, **settings)
+    with installed(VirtualBus(device)):
+        yield device, first, second
+
+
+async def test_both_ports_of_a_chip_are_links_of_their_own(both: tuple[str, str]) -> None:
+    with two_ports() as (device, first, second):
+        async with unity_link.connect(both[0]) as one:
+            async with unity_link.connect(f"{both[1]}?latency=9") as other:
+                await asyncio.gather(
+                    one.write_many(list(range(200)), [1] * 200),
+                    other.write_many(list(range(200)), [2] * 200),
+                )
+                assert [port.latency for port in device.chip.ports] == [1, 9]
+            assert await one.read(5) == 1
+        assert (first.memory[7], second.memory[7]) == (1, 2)
+        assert not device.claims
+
+
+async def test_a_port_that_this_program_has_open_is_not_shared_and_the_other_one_is_free(both: tuple[str, str]) -> None:
+    with two_ports():
+        recorder = await connect(both[1])
+        with pytest.raises(ConnectError, match="in use"):
+            await connect(both[1])
+        other = await connect(both[0])
+        await close(recorder)
+        again = await connect(both[1])
+        for opened in (other, again):
+            opened.transport.write(READ)
+            await opened.until(len(ANSWER))
+            await close(opened)
+
+
+async def test_another_program_at_one_port_leaves_the_other(both: tuple[str, str]) -> None:
+    with two_ports() as (device, _, _):
+        device.claims[0] = object()
+        await close(await connect(both[1]))
+        with pytest.raises(ConnectError, match="in use by another program"):
+            await connect(both[0])
+
+
+async def test_an_unplug_ends_both_ports_and_both_are_found_again(both: tuple[str, str]) -> None:
+    with two_ports() as (device, _, _):
+        lost = [await connect(url) for url in both]
+        device.unplug()
+        for recorder in lost:
+            assert "unplugged" in str(await recorder.lost())
+        device.plug_in()
+        for recorder in [await connect(url) for url in both]:
+            await close(recorder)
+
+
+async def test_the_synchronous_fifo_is_refused_on_port_b(both: tuple[str, str]) -> None:
+    with two_ports(), pytest.raises(ArgumentError, match="on port A alone"):
+        await connect(f"{both[1]}?mode=ft245-sync")
+
+
+async def test_a_port_that_the_chip_does_not_have_is_refused() -> None:
+    with plugged_in(), pytest.raises(ConnectError, match="No such FTDI port: 2"):
+        await connect("ftdi://ftdi:232h/2")
+
+
+@pytest.mark.parametrize(("product", "release", "name"), [(0x6011, 0x0800, "FT4232H"), (0x6010, 0x0500, "FT2232C")])
+async def test_a_chip_without_a_high_speed_fifo_is_refused_by_its_name(product: int, release: int, name: str) -> None:
+    kind = structs.replace(FT2232H, product_id=product, release=release)
+    device = VirtualFt232h(GatewayBoard(VirtualGateway()), kind=kind)
+    with installed(VirtualBus(device)):
+        with pytest.raises(ConnectError, match=f"is an {name}, which has no high-speed FIFO"):
+            await connect("ftdi:///1")
+        assert not device.claims
+        assert list_chips() == []

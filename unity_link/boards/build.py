@@ -236,7 +236,8 @@ def _rows(cells: list[tuple[Any, ...]]) -> str:
 def _link(board: Board) -> str:
     if board.medium == "uart":
         return f"a UART of {board.baud} baud"
-    return f"an FT232H, ftdi://ftdi:232h/1?mode={board.medium.replace('_', '-')}"
+    mode = f"mode={board.medium.replace('_', '-')}"
+    return f"an FT232H, ftdi://ftdi:232h/1?{mode}, or port A of an FT2232H, ftdi://ftdi:2232h/1?{mode}"
 
 
 def _keep(files: Mapping[str, bytes], output: Path) -> list[Path]:

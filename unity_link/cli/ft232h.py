@@ -1,4 +1,4 @@
-"""`unity-link ft232h`: find FT232H chips, and make their pins a FIFO."""
+"""`unity-link ft232h`: find FT232H and FT2232H chips, and make their pins a FIFO."""
 
 from __future__ import annotations
 
@@ -18,13 +18,18 @@ if TYPE_CHECKING:
 
 _SCHEMES = ("ftdi", "ftdi-async")
 ChipUrl = Annotated[
-    str, typer.Argument(metavar="URL", help="The chip, such as ftdi://ftdi:232h/1.", show_default=False)
+    str,
+    typer.Argument(
+        metavar="URL",
+        help="The chip, such as ftdi://ftdi:232h/1, or ftdi://ftdi:2232h/2 for port B of an FT2232H.",
+        show_default=False,
+    ),
 ]
 
 
 def add_to(app: typer.Typer) -> None:
     """Add the commands of this file."""
-    commands = typer.Typer(help="Find FT232H chips, and make their pins a FIFO.", no_args_is_help=True)
+    commands = typer.Typer(help="Find FT232H and FT2232H chips, and make their pins a FIFO.", no_args_is_help=True)
     commands.command()(info)
     commands.command()(configure)
     app.add_typer(commands, name="ft232h")
@@ -37,7 +42,7 @@ def _opened(url: str) -> Iterator[OpenChip]:
 
     parsed = parse_url(url)
     if parsed.scheme not in _SCHEMES:
-        raise ArgumentError(f"{url} is no URL of an FT232H: ftdi://ftdi:232h/1 was expected")
+        raise ArgumentError(f"{url} is no URL of an FTDI chip: ftdi://ftdi:232h/1 or ftdi://ftdi:2232h/1 was expected")
     chip = open_chip(parsed, check=False)
     try:
         yield chip
@@ -57,6 +62,7 @@ def info(
     import msgspec
 
     from unity_link.transport.ft232h.eeprom import read_info
+    from unity_link.transport.ft232h.kinds import port_letter
 
     with _opened(url) as chip:
         content = read_info(chip)
@@ -66,6 +72,8 @@ def info(
     console = out()
     console.print(url, style="bold", markup=False)
     rows = {
+        "chip": content.chip,
+        "port": port_letter(content.port),
         "pins": content.channel_type,
         "EEPROM": content.description,
         "manufacturer": content.manufacturer,
@@ -86,7 +94,7 @@ def _list(*, json: bool) -> None:
         else:
             out().print(f"{url}  {description}", markup=False)
     if not chips:
-        print_note("no FT232H is plugged in")
+        print_note("no FT232H and no FT2232H is plugged in")
 
 
 def configure(
@@ -95,7 +103,7 @@ def configure(
     mode: Annotated[Literal["fifo", "uart"], typer.Option(help="What the pins are to be: FT245 FIFO, or UART.")],
     yes: Annotated[bool, typer.Option("--yes", help="Write without asking.")] = False,
 ) -> None:
-    """Write into the chip's EEPROM what its pins are to be."""
+    """Write into the chip's EEPROM what the pins of a port are to be."""
     from unity_link.transport.ft232h.eeprom import read_info, write_channel_type
 
     kind: Literal["FIFO", "UART"] = "FIFO" if mode == "fifo" else "UART"
@@ -111,9 +119,8 @@ def configure(
             print_note("Nothing was written.")
             raise typer.Exit(1)
         write_channel_type(chip, kind)
-    print_note(
-        f"Written: the EEPROM makes the FT232H a {kind}. Unplug it and plug it in again for that to take effect."
-    )
+        after = read_info(chip)
+    print_note(f"Written: {after.description}. Unplug it and plug it in again for that to take effect.")
 
 
 def _confirmed(question: str) -> bool:

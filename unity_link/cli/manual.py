@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 NAME = "unity-link"
 _FILES = (
     ("~/.local/state/unity-link/urls", "URLs that were used with success, for completion"),
-    ("/etc/udev/rules.d/70-ft232h.rules", "lets a user open an FT232H; unity-link doctor tells the line"),
+    ("/etc/udev/rules.d/70-ft232h.rules", "lets a user open an FT232H or FT2232H; unity-link doctor tells the line"),
 )
 _ENVIRONMENT = (
     ("UNITY_LINK_SPEC", "the spec of get, set and watch where none is given"),

@@ -91,7 +91,7 @@ def _time(seconds: float) -> str:
 
 
 def list_ports() -> Iterator[Finding]:
-    """Return what a gateway may be connected to here: serial ports and FT232H chips."""
+    """Return what a gateway may be connected to here: serial ports and FTDI chips."""
     from serial.tools.list_ports import comports
 
     from unity_link.doctor.media import check_permission
@@ -105,7 +105,7 @@ def list_ports() -> Iterator[Finding]:
     chips = list(_list_chips())
     yield from chips
     if not ports and not chips:
-        yield Finding("port", "no serial port and no FT232H is plugged in")
+        yield Finding("port", "no serial port, no FT232H and no FT2232H is plugged in")
 
 
 def _list_chips() -> Iterator[Finding]:
@@ -116,4 +116,4 @@ def _list_chips() -> Iterator[Finding]:
             yield Finding("port", f"{url}  {description}")
     except ConnectError as error:
         # No fault: a computer may have no use for them.
-        yield Finding("port", f"FT232H chips cannot be looked for: {error}")
+        yield Finding("port", f"FTDI chips cannot be looked for: {error}")

@@ -46,13 +46,13 @@ def explain_failure(check: str, error: BaseException) -> Finding:
     fault, advice = _FAULTS.get(find_errno(error) or 0, (Fault.FAILED, ""))
     if isinstance(error.__cause__, ImportError) or "is not installed" in text:
         fault = Fault.MISSING
-    elif "no such FT232H" in text:
+    elif "no such FTDI chip" in text:
         fault, advice = _FAULTS[errno.ENODEV]
     elif fault is Fault.FAILED and text.endswith(("is it listening?", "is it served?")):
         fault, advice = _FAULTS[errno.ECONNREFUSED]
-    elif "no permission for the FT232H" in text:
+    elif "no permission for the FTDI chip" in text:
         fault = Fault.PERMISSION
-    if fault is Fault.PERMISSION and "FT232H" in text:
+    if fault is Fault.PERMISSION and "FTDI chip" in text:
         advice = f"write this line into {UDEV_RULE}, then unplug it and plug it in again: {UDEV_LINE}"
     return Finding(check, text, fault, advice)
 
@@ -131,7 +131,7 @@ def _holders(path: Path) -> Iterator[str]:
             continue
 
 
-# FT232H
+# FTDI chips
 
 
 def _check_chip(url: DriverUrl) -> Iterator[Finding]:
@@ -146,7 +146,7 @@ def _check_chip(url: DriverUrl) -> Iterator[Finding]:
             if content.channel_type != wanted:
                 advice = (
                     f"run: unity-link ft232h configure {base_url(url)} --mode {wanted.lower()}, "
-                    "then unplug the FT232H and plug it in again"
+                    f"then unplug the {content.chip} and plug it in again"
                 )
                 text = f"{content.description}, but mode={settings_of(url).mode} needs {wanted}"
                 yield Finding("chip", text, Fault.EEPROM, advice)

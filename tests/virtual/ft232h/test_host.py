@@ -9,10 +9,12 @@ import pytest
 
 from unity_link.protocol.configuration import GatewayInfo
 from unity_link.transport.ft232h.eeprom_image import build_eeprom
+from unity_link.transport.ft232h.kinds import FT2232H
 from unity_link.virtual import VirtualGateway
-from unity_link.virtual.ft232h.board import Board, GatewayBoard
-from unity_link.virtual.ft232h.chip import Chip, Mode
+from unity_link.virtual.ft232h.board import Board, GatewayBoard, Unconnected
+from unity_link.virtual.ft232h.chip import Chip
 from unity_link.virtual.ft232h.host import Transfer, TransferStatus, UsbHost
+from unity_link.virtual.ft232h.port import Mode
 from unity_link.virtual.ft232h.timing import Timing
 from unity_link.virtual.gateway import Gateway
 
@@ -35,6 +37,7 @@ class Program:
 
     def __init__(self, board: Board, timing: Timing = Timing()) -> None:  # noqa: B008  (frozen)
         self.chip = Chip(build_eeprom("FIFO", "S1"), timing)
+        [self.port] = self.chip.ports
         self.host = UsbHost(self.chip, board)
         self.now = 0.0
 
@@ -70,7 +73,7 @@ class Program:
 def new_program(mode: Mode = Mode.FIFO, timing: Timing = Timing()) -> Program:  # noqa: B008  (frozen)
     program = Program(GatewayBoard(VirtualGateway(), mode), timing)
     if mode is Mode.SYNC_FIFO:
-        program.chip.bit_mode = 0x40
+        program.port.bit_mode = 0x40
     return program
 
 
@@ -157,7 +160,7 @@ class Echo:
 def stream(seconds: float, *, mode: Mode, transfers: int, size: int, step: int) -> float:
     """Have everything echoed for so long, and compare it; gives bytes a second in each direction."""
     program = Program(GatewayBoard(Echo(), mode, step=step))
-    program.chip.bit_mode = 0x40 if mode is Mode.SYNC_FIFO else 0
+    program.port.bit_mode = 0x40 if mode is Mode.SYNC_FIFO else 0
     pattern = random.Random(7).randbytes(1 << 20)
     pattern += pattern[:size]
     sent = received = 0
@@ -292,10 +295,10 @@ def test_a_cancelled_read_loses_no_byte() -> None:
 
 def test_in_the_wrong_mode_no_byte_passes_the_pins() -> None:
     program = new_program(Mode.SYNC_FIFO)
-    program.chip.bit_mode = 0
+    program.port.bit_mode = 0
     program.write(READ)
     program.run_for(0.1)
-    assert program.chip.readable == len(READ)
+    assert program.port.readable == len(READ)
     assert program.wait(program.submit(Transfer(IN, size=512))).moved == 2
 
 
@@ -303,8 +306,22 @@ def test_a_uart_that_is_not_read_overruns_and_says_so() -> None:
     program = Program(GatewayBoard(VirtualGateway(), Mode.UART))
     program.chip.eeprom[:] = build_eeprom("UART")
     program.chip.power_up(0.0)
-    program.chip.baud = 12e6
+    program.port.baud = 12e6
     program.write(READ * 100)
     program.run_for(0.01)
     first = program.wait(program.submit(Transfer(IN, size=512)))
     assert first.data[1] & 0x02
+
+
+def test_the_ports_of_a_chip_share_the_bus_in_turns() -> None:
+    chip = Chip(build_eeprom("FIFO", kind=FT2232H, ports=[1, 2]), Timing(), FT2232H)
+    host = UsbHost(chip, Unconnected(), Unconnected())
+    ended: list[Transfer] = []
+    for port in chip.ports:
+        port.write(bytes([port.number]) * 4080)
+        for _ in range(8):
+            host.submit(Transfer(port.in_endpoint, size=512, on_end=ended.append), 0.0)
+    host.advance(2 * MICROFRAME)
+    assert [transfer.endpoint for transfer in ended] == [0x81, 0x83] * 8
+    assert payload(ended[0]) == b"\x01" * 510
+    assert payload(ended[1]) == b"\x02" * 510

@@ -10,8 +10,9 @@ from typing import TYPE_CHECKING
 
 import pytest
 
+from unity_link.transport.ft232h.kinds import FT2232H
 from unity_link.virtual import VirtualGateway
-from unity_link.virtual.ft232h.board import GatewayBoard
+from unity_link.virtual.ft232h.board import GatewayBoard, Unconnected
 from unity_link.virtual.ft232h.bus import VirtualFt232h
 from unity_link.virtual.ft232h.usbip import serve_usbip
 
@@ -100,6 +101,25 @@ async def test_the_device_is_listed_with_its_interface() -> None:
         assert await client.read(4) == b"\xff\xff\xff\0"
 
 
+async def test_an_ft2232h_is_listed_with_two_interfaces_and_moves_bytes_at_port_b() -> None:
+    chip = VirtualFt232h(Unconnected(), GatewayBoard(VirtualGateway()), kind=FT2232H)
+    async with served(chip) as (_, port):
+        async with connected(port) as client:
+            client.send(bytes.fromhex("0111 8005 00000000"))
+            await client.read(12)
+            description = await client.read(DEVICE_SIZE)
+            assert struct.unpack(">HHH", description[300:306]) == (0x0403, 0x6010, 0x0700)
+            assert description[-1] == 2
+            assert await client.read(8) == b"\xff\xff\xff\0" * 2
+        async with connected(port) as client:
+            await client.ask_import()
+            assert len((await client.control(0x80, 0x06, 0x0200, 0, 255))[1]) == 55
+            reading = client.submit(3, size=16384)
+            writing = client.submit(4, data=READ)
+            assert (await client.reply(reading))[1:3] == (writing, 0)
+            assert (await client.reply(reading))[3][2:] == ANSWER
+
+
 async def test_an_unplugged_device_is_not_listed() -> None:
     async with served() as (device, port), connected(port) as client:
         device.unplug()
@@ -179,7 +199,7 @@ async def test_one_client_has_the_device_and_the_next_gets_it_afterwards() -> No
         async with connected(port) as first, connected(port) as second:
             assert await first.ask_import() == 0
             assert await second.ask_import() == 1
-        while device.claimed_by is not None:  # noqa: ASYNC110  (there is no event for it)
+        while device.claims:  # noqa: ASYNC110  (there is no event for it)
             await asyncio.sleep(0.001)
         async with connected(port) as third:
             assert await third.ask_import() == 0

@@ -1,4 +1,4 @@
-"""An FT232H as every driver for it opens it: found, checked and configured through pyftdi.
+"""An FT232H, or a port of an FT2232H, as every driver opens it: found, checked and configured through pyftdi.
 
 pyftdi knows no FIFO mode: what the chip's pins are is written in its EEPROM, and only there. So that is looked at
 first; a chip that is a UART, or has a blank EEPROM, opens well and then never moves a byte.
@@ -20,6 +20,16 @@ import msgspec
 from unity_link.errors import ArgumentError, ConnectError
 from unity_link.transport import load_stand_in
 from unity_link.transport.ft232h.eeprom_image import BLANK, ChannelType, channel_type, is_valid
+from unity_link.transport.ft232h.kinds import (
+    FT232H,
+    KINDS,
+    PORT_A,
+    PORT_B,
+    ChipKind,
+    in_endpoint,
+    out_endpoint,
+    port_letter,
+)
 
 if TYPE_CHECKING:
     from unity_link.transport import DriverUrl
@@ -27,11 +37,10 @@ if TYPE_CHECKING:
 ChipMode = Literal["ft245", "ft245-sync", "uart"]
 SendImmediate = Literal["off", "always", "adaptive"]
 OPTIONS = frozenset({"mode", "latency", "event_char", "baud"})
-IN_ENDPOINT, OUT_ENDPOINT = 0x81, 0x02
 PACKET_SIZE = 512
 STATUS_SIZE = 2
 ERROR_BITS = 0x8E
-"""In the second status byte: overrun, parity, framing, error in the FIFO (FT232H: as a 16550's line status)."""
+"""In the second status byte: overrun, parity, framing, error in the FIFO (as a 16550's line status)."""
 LATENCIES = range(1, 256)
 LINE_FEED = 0x0A
 DEFAULT_BAUD = 115_200
@@ -39,11 +48,13 @@ CONTROL_TIMEOUT_MS = 1000
 """Of requests to the chip; a chip that works takes less than one."""
 UDEV_RULE = "/etc/udev/rules.d/70-ft232h.rules"
 UDEV_LINE = (
-    'SUBSYSTEM=="usb", ATTR{idVendor}=="0403", ATTR{idProduct}=="6014", MODE="0660", GROUP="plugdev", TAG+="uaccess"'
+    'SUBSYSTEM=="usb", ATTR{idVendor}=="0403", ATTR{idProduct}=="6010|6014", '
+    'MODE="0660", GROUP="plugdev", TAG+="uaccess"'
 )
 _NO_PYFTDI = "an FT232H needs pyftdi, which is not installed: pip install 'unity-link[ftdi]'"
-_SUPPORTED = 0x0900
-"""bcdDevice of an FT232H."""
+_SUPPORTED = " or ".join(f"an {kind.name}" for kind in KINDS.values())
+_opened: list[Any] = []
+"""pyftdi's objects of the real ports that are open."""
 
 WRITE_PATIENCE = 5.0
 """Seconds without any progress after which writing has failed: the gateware does not read from the chip."""
@@ -105,11 +116,13 @@ def settings_of(url: DriverUrl) -> ChipSettings:
     """Return what a URL says.
 
     Raises:
-        ArgumentError: for a value that no chip takes.
+        ArgumentError: for a value that no chip takes, or not on this port.
     """
     mode = url.options.get("mode", "ft245")
     if mode not in get_args(ChipMode):
         raise ArgumentError(f"mode={mode} in {url.text} is not one of {', '.join(get_args(ChipMode))}")
+    if mode == "ft245-sync" and url.path.strip("/") == str(PORT_B):
+        raise ArgumentError(f"mode=ft245-sync in {url.text} is on port A alone, which is /1, and not /2")
     latency = url.integer("latency", 0) if "latency" in url.options else None
     if latency is not None and latency not in LATENCIES:
         raise ArgumentError(f"latency={latency} in {url.text} is not from 1 to 255 (ms)")
@@ -125,43 +138,48 @@ def settings_of(url: DriverUrl) -> ChipSettings:
 
 
 class OpenChip:
-    """An FT232H, open and configured. All methods block, and may be called from any thread.
+    """A port of a chip, open and configured. All methods block, and may be called from any thread.
 
     `device` is pyusb's, for transfers: pyftdi's own calls would wait a latency tick longer for each answer, look at the
     status of the first packet only, and forget how much was written when a write times out.
     """
 
-    def __init__(self, ftdi: Any, settings: ChipSettings, url: DriverUrl) -> None:
+    def __init__(self, ftdi: Any, kind: ChipKind, settings: ChipSettings, url: DriverUrl) -> None:
         self.ftdi = ftdi
         self.device = ftdi.usb_dev
+        self.kind = kind
+        self.port: int = ftdi.port_index
+        self.interface = self.port - 1
+        self.in_endpoint, self.out_endpoint = in_endpoint(self.port), out_endpoint(self.port)
         self.settings = settings
         self.url = url
         self.latency = 0
         """ms."""
 
-    def check_kind(self) -> None:
-        """See that it is no other chip.
-
-        Raises:
-            ConnectError: where it is.
-        """
-        if self.ftdi.device_version != _SUPPORTED:
-            raise ConnectError(f"{base_url(self.url)} is a {self.ftdi.ic_name}, and only the FT232H is supported")
-
     def check_channel(self) -> None:
         """Compare the EEPROM with what is wanted.
 
         Raises:
-            ConnectError: where the chip's pins are something else.
+            ConnectError: where the port's pins are something else.
         """
         wanted: ChannelType = "UART" if self.settings.mode == "uart" else "FIFO"
         image = self.ftdi.read_eeprom()
-        if channel_type(image) != wanted:
+        if channel_type(image, self.kind, self.port) != wanted:
             raise ConnectError(
-                f"{describe_channel(image)}, but mode={self.settings.mode} needs {wanted}: "
+                f"{self.describe_channel(image)}, but mode={self.settings.mode} needs {wanted}: "
                 f"run `unity-link ft232h configure {base_url(self.url)} --mode {wanted.lower()}`, "
-                "then unplug the FT232H and plug it in again"
+                f"then unplug the {self.kind.name} and plug it in again"
             )
+
+    def describe_channel(self, image: bytes) -> str:
+        """Return a sentence on what an EEPROM makes of the port's pins."""
+        name = self.kind.name
+        name = f"the {name}" if self.kind.ports == 1 else f"port {port_letter(self.port)} of the {name}"
+        if image == BLANK[: len(image)]:
+            return f"the EEPROM is blank or missing, which makes {name} a UART"
+        if not is_valid(image):
+            return f"the EEPROM has a wrong checksum, which makes {name} a UART"
+        return f"the EEPROM makes {name} a {channel_type(image, self.kind, self.port)}"
 
     def configure(self) -> None:
         """Set what the pins do and when packets go."""
@@ -188,32 +206,31 @@ class OpenChip:
         self.latency = tuning.latency
 
     def close(self, *, gone: bool = False) -> None:
-        """Let go of the chip; of one that is `gone` nothing is asked."""
-        from pyftdi.usbtools import UsbTools
-        from usb.util import dispose_resources
+        """Let go of the port; of a chip that is `gone` nothing is asked."""
+        _close(self.ftdi, gone=gone)
 
-        device = self.device
+
+def _close(ftdi: Any, *, gone: bool) -> None:
+    from pyftdi.usbtools import UsbTools
+    from usb.util import dispose_resources
+
+    device = ftdi.usb_dev
+    with UsbTools.Lock:
         try:
-            self.ftdi.close(freeze=gone)
+            ftdi.close(freeze=gone)
         except OSError:
             # The kernel takes back nothing of a chip that is gone, and pyftdi leaves off at that.
             UsbTools.release_device(device)
-        # pyftdi disposes of what its own search found only.
-        dispose_resources(device)
+        if ftdi in _opened:
+            _opened.remove(ftdi)
+        # pyftdi disposes of what its own search found only, and the other port may still be open.
+        if not any(device is other for other, _ in UsbTools.Devices.values()):
+            dispose_resources(device)
 
 
 def base_url(url: DriverUrl) -> str:
     """Return the URL of the chip alone, in pyftdi's form."""
     return f"ftdi://{url.host}{url.path or '/1'}"
-
-
-def describe_channel(image: bytes) -> str:
-    """Say what an EEPROM makes of the chip's pins."""
-    if image == BLANK[: len(image)]:
-        return "the EEPROM is blank or missing, which makes the FT232H a UART"
-    if not is_valid(image):
-        return "the EEPROM has a wrong checksum, which makes the FT232H a UART"
-    return f"the EEPROM makes the FT232H a {channel_type(image)}"
 
 
 def open_chip(url: DriverUrl, *, check: bool = True) -> OpenChip:
@@ -237,29 +254,36 @@ def open_chip(url: DriverUrl, *, check: bool = True) -> OpenChip:
         raise ConnectError(
             f"{url.scheme}: needs pyftdi, which is not installed: pip install 'unity-link[ftdi]'"
         ) from error
-    chip: OpenChip | None = None
+    ftdi: Any = None
     try:
         stand_in: StandIn | None = load_stand_in(url.host)
         ftdi = _open_real(url) if stand_in is None else stand_in.open_ftdi(url, settings.mode)
-        chip = OpenChip(ftdi, settings, url)
-        chip.check_kind()
-        claim_interface(chip.device, 0)
+        chip = OpenChip(ftdi, _kind_of(ftdi, url), settings, url)
+        claim_interface(chip.device, chip.interface)
         if check:
             chip.check_channel()
             chip.configure()
     except (FtdiError, UsbToolsError, USBError, OSError, ValueError) as error:
-        if chip is not None:
-            chip.close(gone=True)
+        if ftdi is not None:
+            _close(ftdi, gone=True)
         raise ConnectError(explain_opening(error)) from error
     except ConnectError:
-        if chip is not None:
-            chip.close()
+        if ftdi is not None:
+            _close(ftdi, gone=False)
         raise
     return chip
 
 
+def _kind_of(ftdi: Any, url: DriverUrl) -> ChipKind:
+    kind = KINDS.get(ftdi.device_version)
+    if kind is None:
+        name = ftdi.ic_name.upper()
+        raise ConnectError(f"{base_url(url)} is an {name}, which has no high-speed FIFO: {_SUPPORTED} was expected")
+    return kind
+
+
 def list_chips() -> list[tuple[str, str]]:
-    """Return URL and description of every FT232H that is plugged in. Blocks.
+    """Return URL and description of every port of the chips that are plugged in. Blocks.
 
     Raises:
         ConnectError: where they can't be asked.
@@ -274,10 +298,22 @@ def list_chips() -> list[tuple[str, str]]:
         devices = Ftdi.list_devices()
     except (UsbToolsError, OSError, ValueError) as error:
         raise ConnectError(explain_opening(error)) from error
-    products = Ftdi.PRODUCT_IDS[Ftdi.FTDI_VENDOR]
-    chips = [device for device in devices if device[0].pid == products["232h"]]
-    found: list[tuple[str, str]] = UsbTools.build_dev_strings("ftdi", Ftdi.VENDOR_IDS, Ftdi.PRODUCT_IDS, chips)
+    names = {Ftdi.FTDI_VENDOR: {kind.url_name: kind.product_id for kind in KINDS.values()}}
+    places = {(device.bus, device.address) for device in _find_devices()}
+    chips = [device for device in devices if (device[0].bus, device[0].address) in places]
+    found: list[tuple[str, str]] = UsbTools.build_dev_strings("ftdi", Ftdi.VENDOR_IDS, names, chips)
     return found
+
+
+def _find_devices() -> list[Any]:
+    """Return pyusb's devices of the chips that are plugged in; nothing is asked of them."""
+    from pyftdi.ftdi import Ftdi
+    from pyftdi.usbtools import UsbTools
+    from usb.core import find
+
+    found = find(True, UsbTools.find_backend(), idVendor=Ftdi.FTDI_VENDOR)  # noqa: FBT003
+    products = {kind.release: kind.product_id for kind in KINDS.values()}
+    return [device for device in found if products.get(device.bcdDevice) == device.idProduct]
 
 
 async def open_in_thread(url: DriverUrl) -> OpenChip:
@@ -303,24 +339,39 @@ def _open_real(url: DriverUrl) -> Any:
     from pyftdi.usbtools import UsbTools
 
     if not url.path.strip("/").isdecimal():
-        raise ArgumentError(f"{url.text} names no port of a chip: ftdi://ftdi:232h/1 or ftdi://ftdi:232h:SERIAL/1")
+        raise ArgumentError(
+            f"{url.text} names no port of a chip: ftdi://ftdi:232h/1, ftdi://ftdi:2232h/2 or ftdi://ftdi:232h:SERIAL/1"
+        )
     # It remembers chips that were unplugged, and does not know those that came since.
     UsbTools.flush_cache()
     ftdi = Ftdi()
     ftdi.timeouts = (CONTROL_TIMEOUT_MS, CONTROL_TIMEOUT_MS)
     description, interface = Ftdi.get_identifiers(base_url(url))
-    key = (description.bus, description.address, description.vid, description.pid)
     with UsbTools.Lock:
-        if key in UsbTools.Devices:
-            # pyftdi would share the device with what else in this program has opened it, and mix up their bytes.
-            raise OSError(errno.EBUSY, "open in this program")
-        device = UsbTools.get_device(description)
-    try:
-        ftdi.open_from_device(device, interface)
-    except BaseException:
-        UsbTools.release_device(device)
-        raise
+        device = _get_free_device(description, interface or PORT_A)
+        try:
+            ftdi.open_from_device(device, interface)
+        except BaseException:
+            UsbTools.release_device(device)
+            raise
+        _opened.append(ftdi)
     return ftdi
+
+
+def _get_free_device(description: Any, port: int) -> Any:
+    """Return pyusb's device, of which this program has at most the other port open.
+
+    pyftdi would share a port with what else in this program has opened it, and mix up their bytes.
+    """
+    from pyftdi.usbtools import UsbTools
+
+    held, _ = UsbTools.Devices.get((description.bus, description.address, description.vid, description.pid), (None, 0))
+    if held is not None and (
+        description.pid == FT232H.product_id
+        or any(ftdi.usb_dev is held and ftdi.port_index == port for ftdi in _opened)
+    ):
+        raise OSError(errno.EBUSY, "open in this program")
+    return UsbTools.get_device(description)
 
 
 # Errors
@@ -337,12 +388,9 @@ def find_errno(error: BaseException | None) -> int | None:
 
 def _find_reason() -> int | None:
     """Return why a chip can't be asked for its strings, by asking all for something simpler."""
-    from pyftdi.ftdi import Ftdi
-    from pyftdi.usbtools import UsbTools
-    from usb.core import USBError, find
+    from usb.core import USBError
 
-    product = Ftdi.PRODUCT_IDS[Ftdi.FTDI_VENDOR]["232h"]
-    for device in find(True, UsbTools.find_backend(), idVendor=Ftdi.FTDI_VENDOR, idProduct=product):  # noqa: FBT003
+    for device in _find_devices():
         try:
             device.get_active_configuration()
         except USBError as error:
@@ -351,20 +399,20 @@ def _find_reason() -> int | None:
 
 
 _CAUSES: dict[int, str] = {
-    errno.ENODEV: "the FT232H is gone: it was unplugged, or lost its power",
-    errno.ETIMEDOUT: "the FT232H does not answer (timed out)",
-    errno.EACCES: f"no permission for the FT232H: write the udev rule {UDEV_RULE} as docs/how-to/ft232h.md gives it, "
-    "then unplug it and plug it in again",
-    errno.EBUSY: "the FT232H is in use by another program: close that, or share the link",
-    errno.EPIPE: "the FT232H refuses (an endpoint is stalled): unplug it and plug it in again",
-    errno.EIO: "the transfer to the FT232H failed: look at the cable and the hub",
+    errno.ENODEV: "the FTDI chip is gone: it was unplugged, or lost its power",
+    errno.ETIMEDOUT: "the FTDI chip does not answer (timed out)",
+    errno.EACCES: f"no permission for the FTDI chip: write the udev rule {UDEV_RULE} as docs/how-to/ft232h.md gives "
+    "it, then unplug it and plug it in again",
+    errno.EBUSY: "the FTDI chip is in use by another program: close that, or share the link",
+    errno.EPIPE: "the FTDI chip refuses (an endpoint is stalled): unplug it and plug it in again",
+    errno.EIO: "the transfer to the FTDI chip failed: look at the cable and the hub",
 }
 _NO_LANGUAGE = "langid"
 
 
 def stuck() -> OSError:
     """Return the error of a write that gets nowhere."""
-    return OSError(errno.ETIME, f"the gateware has not read from the FT232H for {WRITE_PATIENCE:g} s")
+    return OSError(errno.ETIME, f"the gateware has not read from the FTDI chip for {WRITE_PATIENCE:g} s")
 
 
 def explain(error: BaseException) -> str:
@@ -372,7 +420,7 @@ def explain(error: BaseException) -> str:
     if isinstance(error, OSError) and error.errno == errno.ETIME:
         return str(error.strerror)
     number = find_errno(error)
-    return _CAUSES.get(number or 0, f"the FT232H failed ({error})")
+    return _CAUSES.get(number or 0, f"the FTDI chip failed ({error})")
 
 
 def explain_opening(error: BaseException) -> str:
@@ -387,5 +435,5 @@ def explain_opening(error: BaseException) -> str:
     if number in _CAUSES:
         return _CAUSES[number]
     if "No USB device" in text or "not found" in text or "No such device" in text:
-        return f"there is no such FT232H ({text}): is it plugged in? `unity-link ft232h info` lists those that are"
-    return f"the FT232H can't be opened ({text})"
+        return f"there is no such FTDI chip ({text}): is it plugged in? `unity-link ft232h info` lists those that are"
+    return f"the FTDI chip can't be opened ({text})"

@@ -1,4 +1,4 @@
-"""The EEPROM of an FT232H, as a user sees and changes it: what the pins are after the next plug-in.
+"""The EEPROM of a chip, as a user sees and changes it: what the pins of a port are after the next plug-in.
 
 A sound content is changed in the one place that counts, by pyftdi; a blank or broken one is replaced by a new one.
 """
@@ -11,23 +11,27 @@ from typing import TYPE_CHECKING
 import msgspec
 
 from unity_link.errors import ConnectError
-from unity_link.transport.ft232h.chip import describe_channel, explain_opening
+from unity_link.transport.ft232h.chip import explain_opening
 from unity_link.transport.ft232h.eeprom_image import ChannelType, build_eeprom, channel_type, is_valid, strings
+from unity_link.transport.ft232h.kinds import port_letter
 
 if TYPE_CHECKING:
     from unity_link.transport.ft232h.chip import OpenChip
 
 
 class EepromInfo(msgspec.Struct, frozen=True):
-    """What an EEPROM says."""
+    """What an EEPROM says of a port."""
 
+    chip: str
+    """Name of its kind."""
+    port: int
     channel_type: ChannelType
     is_valid: bool
     manufacturer: str
     product: str
     serial: str
     description: str
-    """A sentence on what it makes of the chip's pins."""
+    """A sentence on what it makes of the pins."""
 
 
 def read_info(chip: OpenChip) -> EepromInfo:
@@ -37,11 +41,15 @@ def read_info(chip: OpenChip) -> EepromInfo:
         ConnectError: where the chip does not answer.
     """
     image = _read(chip)
-    return EepromInfo(channel_type(image), is_valid(image), *strings(image), describe_channel(image))
+    kind, port = chip.kind, chip.port
+    texts = strings(image, kind)
+    return EepromInfo(
+        kind.name, port, channel_type(image, kind, port), is_valid(image), *texts, chip.describe_channel(image)
+    )
 
 
-def write_channel_type(chip: OpenChip, kind: ChannelType) -> None:
-    """Write what the pins are to be after the next plug-in, and read it back. Blocks.
+def write_channel_type(chip: OpenChip, wanted: ChannelType) -> None:
+    """Write what the pins of the port are to be after the next plug-in, and read it back. Blocks.
 
     Raises:
         ConnectError: where the chip does not answer, or did not keep what was written.
@@ -53,15 +61,15 @@ def write_channel_type(chip: OpenChip, kind: ChannelType) -> None:
         if is_valid(_read(chip)):
             memory = FtdiEeprom()
             memory.connect(chip.ftdi)
-            memory.set_property("channel_a_type", kind)
+            memory.set_property(f"channel_{port_letter(chip.port).lower()}_type", wanted)
             memory.commit(dry_run=False)
         else:
             serial = f"UL{secrets.token_hex(3).upper()}"
-            image = build_eeprom(kind, serial, manufacturer="FTDI", product="FT232H")
+            image = build_eeprom(wanted, serial, "FTDI", chip.kind.name, kind=chip.kind, ports=[chip.port])
             chip.ftdi.overwrite_eeprom(image, dry_run=False)
     except (FtdiError, OSError) as error:
         raise ConnectError(f"the EEPROM could not be written: {explain_opening(error)}") from error
-    if channel_type(_read(chip)) != kind:
+    if channel_type(_read(chip), chip.kind, chip.port) != wanted:
         raise ConnectError(
             "the EEPROM did not keep what was written: the board has none, or it is one of 128 bytes; "
             "FTDI's FT_PROG can write those"

@@ -1,38 +1,62 @@
-"""What the chip's EEPROM says: a 93C56 of 256 bytes, by the layout that pyftdi and FT_PROG read.
+"""What the chip's EEPROM says: a 93C56 of 256 bytes, by the layout that pyftdi, libftdi and FT_PROG read.
 
-A chip whose EEPROM is blank, or has a wrong checksum, ignores it: it is a UART then, and has no serial number.
+A chip whose EEPROM is blank, or has a wrong checksum, ignores it: all its ports are UARTs then, and it has no serial
+number.
 """
 
 from __future__ import annotations
 
 import struct
-from typing import Literal
+from typing import TYPE_CHECKING, Literal
+
+from unity_link.transport.ft232h.kinds import FT232H, PORT_A
+
+if TYPE_CHECKING:
+    from collections.abc import Collection
+
+    from unity_link.transport.ft232h.kinds import ChipKind
 
 ChannelType = Literal["UART", "FIFO"]
 
 SIZE = 256
 BLANK = b"\xff" * SIZE
 _CHANNEL_TYPES: dict[ChannelType, int] = {"UART": 0, "FIFO": 1}
-"""Low digit of byte 0."""
+"""In the byte of the port."""
+_VENDOR = 0x0403
 _HAS_SERIAL_NUMBER = 0x08
 _BUS_POWERED = 0x80
 _MODEL_93C56 = 0x56
-_STRING_TABLE, _STRINGS = 0x0E, 0xA0
+_STRING_TABLE = 0x0E
 _STRING_DESCRIPTOR = 3
 
 
 def build_eeprom(
-    channel_type: ChannelType, serial: str = "", manufacturer: str = "Unity-Link", product: str = "Virtual FT232H"
+    channel_type: ChannelType,
+    serial: str = "",
+    manufacturer: str = "Unity-Link",
+    product: str | None = None,
+    *,
+    kind: ChipKind = FT232H,
+    ports: Collection[int] = (PORT_A,),
 ) -> bytes:
-    """Build the content of an EEPROM, with its checksum."""
+    """Build the content of an EEPROM, with its checksum.
+
+    Args:
+        channel_type: what the pins of `ports` are; those of the other port are a UART.
+        serial: number of the chip; it has none where this is empty.
+        manufacturer: its name.
+        product: its name; by default the virtual chip's.
+        kind: of the chip.
+        ports: by their numbers.
+    """
     image = bytearray(SIZE)
+    for port in ports:
+        image[port - 1] = _CHANNEL_TYPES[channel_type]
     conf = _HAS_SERIAL_NUMBER if serial else 0
-    struct.pack_into(
-        "<BBHHHBBB", image, 0, _CHANNEL_TYPES[channel_type], 0, 0x0403, 0x6014, 0x0900, _BUS_POWERED, 45, conf
-    )
-    image[0x1E] = _MODEL_93C56
-    position = _STRINGS
-    for index, text in enumerate((manufacturer, product, serial)):
+    struct.pack_into("<HHHBBB", image, 2, _VENDOR, kind.product_id, kind.release, _BUS_POWERED, 45, conf)
+    image[kind.memory_model] = _MODEL_93C56
+    position = kind.strings
+    for index, text in enumerate((manufacturer, product or f"Virtual {kind.name}", serial)):
         encoded = text.encode("utf-16-le")
         descriptor = bytes([len(encoded) + 2, _STRING_DESCRIPTOR]) + encoded
         image[_STRING_TABLE + 2 * index] = position
@@ -60,15 +84,16 @@ def is_valid(image: bytes | bytearray) -> bool:
     return checksum(image[:-2]) == int.from_bytes(image[-2:], "little")
 
 
-def channel_type(image: bytes | bytearray) -> ChannelType:
-    """Return what the pins of the chip are after power-up."""
-    return "FIFO" if is_valid(image) and image[0] & 0x0F == _CHANNEL_TYPES["FIFO"] else "UART"
+def channel_type(image: bytes | bytearray, kind: ChipKind = FT232H, port: int = PORT_A) -> ChannelType:
+    """Return what the pins of a port are after power-up."""
+    code = image[port - 1] & kind.type_mask
+    return "FIFO" if is_valid(image) and code == _CHANNEL_TYPES["FIFO"] else "UART"
 
 
-def strings(image: bytes | bytearray) -> tuple[str, str, str]:
+def strings(image: bytes | bytearray, kind: ChipKind = FT232H) -> tuple[str, str, str]:
     """Return manufacturer, product and serial number, empty where there is none."""
     if not is_valid(image):
-        return ("FTDI", "FT232H", "")
+        return ("FTDI", kind.name, "")
     texts = []
     for index in range(3):
         place, length = image[_STRING_TABLE + 2 * index], image[_STRING_TABLE + 2 * index + 1]

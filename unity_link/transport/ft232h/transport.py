@@ -1,4 +1,4 @@
-"""What both drivers of the FT232H are to the event loop; they differ in how they move bytes.
+"""What both drivers of the chips are to the event loop; they differ in how they move bytes.
 
 ``get_extra_info`` has ``send_immediate``, a coroutine function that takes a mode and chooses the driver's part of it,
 and ``line_errors``, the number of packets with which the chip reported lost bytes.
@@ -85,4 +85,6 @@ class StatusStripper:
     def _report(self, status: int) -> None:
         self.errors += 1
         if self.errors == 1:
-            log.warning("the FT232H reports lost bytes (line status %02X): the gateway wrote more than it took", status)
+            log.warning(
+                "the FTDI chip reports lost bytes (line status %02X): the gateway wrote more than it took", status
+            )

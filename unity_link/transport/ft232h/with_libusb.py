@@ -1,9 +1,11 @@
 """``ftdi-async://ftdi:232h/1``: an FT232H with several transfers always posted, driven by the event loop itself.
 
-While one transfer is on its way to the program, the next one is already being filled, so the chip's FIFO of 1 KiB does
-not have to bridge what the computer does in between. libusb's descriptors are watched by the loop, its callbacks run in
-it, and there is no thread. Found, checked and configured is the chip by the same code as for ``ftdi://``, which keeps
-it open for the requests that set its timer; the transfers go through python-libusb1.
+A port of an FT2232H (``ftdi-async://ftdi:2232h/1``) is the same to it, with endpoints of its own.
+
+While one transfer is on its way to the program, the next one is already being filled, so the chip's FIFO (1 KiB, of an
+FT2232H 4 KiB) does not have to bridge what the computer does in between. libusb's descriptors are watched by the loop,
+its callbacks run in it, and there is no thread. Found, checked and configured is the chip by the same code as for
+``ftdi://``, which keeps it open for the requests that set its timer; the transfers go through python-libusb1.
 
 usbfs says that a transfer has ended by making its descriptor *writable*: hence `add_writer`.
 """
@@ -20,9 +22,7 @@ from typing import TYPE_CHECKING, Any
 from unity_link.errors import ConnectError
 from unity_link.transport.ft232h import chip as ft232h_chip
 from unity_link.transport.ft232h.chip import (
-    IN_ENDPOINT,
     OPTIONS,
-    OUT_ENDPOINT,
     OpenChip,
     explain,
     open_in_thread,
@@ -70,15 +70,15 @@ def _open_usb(chip: OpenChip) -> tuple[Any, Any]:
     device = chip.device
     open_for_transfers = getattr(device.backend, "open_for_transfers", _open_real)
     try:
-        release_interface(device, 0)
-        context, handle = open_for_transfers(device.bus, device.address)
+        release_interface(device, chip.interface)
+        context, handle = open_for_transfers(device.bus, device.address, chip.interface)
     except OSError as error:
         # It was unplugged since it was found.
         raise ConnectError(explain(error)) from error
     return context, handle
 
 
-def _open_real(bus: int, address: int) -> tuple[Any, Any]:
+def _open_real(bus: int, address: int, interface: int) -> tuple[Any, Any]:
     try:
         import usb1
     except ImportError as error:
@@ -93,7 +93,7 @@ def _open_real(bus: int, address: int) -> tuple[Any, Any]:
         for device in context.getDeviceIterator(skip_on_error=True):
             if (device.getBusNumber(), device.getDeviceAddress()) == (bus, address):
                 handle = device.open()
-                handle.claimInterface(0)
+                handle.claimInterface(interface)
                 return context, handle
     except usb1.USBError as error:
         context.close()
@@ -134,7 +134,8 @@ class OverlappedTransport(ChipTransport):
         self._data: dict[Any, bytes] = {}
         """What each write is of."""
         self._under_way = 0
-        self._stalls = {IN_ENDPOINT: 0, OUT_ENDPOINT: 0}
+        self._in, self._out = chip.in_endpoint, chip.out_endpoint
+        self._stalls = {self._in: 0, self._out: 0}
         self._clearing: set[int] = set()
         self._patience: asyncio.TimerHandle | None = None
         """Runs while the chip takes nothing of what is posted."""
@@ -210,9 +211,9 @@ class OverlappedTransport(ChipTransport):
     def _post_reads(self) -> None:
         # While a closed transport still writes, the chip must not get stuck on what is not read.
         wanted = self._reading and not self._aborted and (not self._closing or self._unwritten)
-        while self._idle_reads and wanted and IN_ENDPOINT not in self._clearing:
+        while self._idle_reads and wanted and self._in not in self._clearing:
             transfer = self._idle_reads.pop(0)
-            transfer.setBulk(IN_ENDPOINT, READ_SIZE, callback=self._end_read)
+            transfer.setBulk(self._in, READ_SIZE, callback=self._end_read)
             wanted = self._submit(transfer, self._idle_reads)
 
     def _end_read(self, transfer: Any) -> None:
@@ -222,10 +223,10 @@ class OverlappedTransport(ChipTransport):
         if status in (_COMPLETED, _CANCELLED):
             payload = self._status.strip(bytes(transfer.getBuffer()[: transfer.getActualLength()]))
             if payload:
-                self._stalls[IN_ENDPOINT] = 0
+                self._stalls[self._in] = 0
                 self._received.append(payload)
         else:
-            self._take_failure(IN_ENDPOINT, status)
+            self._take_failure(self._in, status)
 
     def _deliver(self) -> None:
         if self._received and self._reading and not self._closing:
@@ -236,7 +237,7 @@ class OverlappedTransport(ChipTransport):
     # Writing
 
     def _post_writes(self) -> None:
-        while self._to_write and self._idle_writes and OUT_ENDPOINT not in self._clearing:
+        while self._to_write and self._idle_writes and self._out not in self._clearing:
             data = self._to_write.popleft()
             most = self._write_size
             while self._to_write and len(data) + len(self._to_write[0]) <= most:
@@ -245,7 +246,7 @@ class OverlappedTransport(ChipTransport):
                 self._to_write.appendleft(data[most:])
                 data = data[:most]
             transfer = self._idle_writes.pop(0)
-            transfer.setBulk(OUT_ENDPOINT, data, callback=self._end_write)
+            transfer.setBulk(self._out, data, callback=self._end_write)
             self._data[transfer] = data
             if not self._submit(transfer, self._idle_writes):
                 return
@@ -265,12 +266,12 @@ class OverlappedTransport(ChipTransport):
         data, sent = self._data.pop(transfer), transfer.getActualLength()
         status = transfer.getStatus()
         if status == _COMPLETED:
-            self._stalls[OUT_ENDPOINT] = 0
+            self._stalls[self._out] = 0
             self._unwritten -= len(data)
         elif status != _CANCELLED:
             self._unwritten -= sent
             self._again.append(data[sent:])
-            self._take_failure(OUT_ENDPOINT, status)
+            self._take_failure(self._out, status)
         self._wait_for_progress()
         if self._writing_paused:
             # The protocol may write, which is not for a callback of libusb.
@@ -304,7 +305,7 @@ class OverlappedTransport(ChipTransport):
         self._clearing.discard(endpoint)
         if isinstance(error, Exception):
             self._fail(_os_error(error))
-        if endpoint == OUT_ENDPOINT:
+        if endpoint == self._out:
             self._to_write.extendleft(reversed(self._again))
             self._again.clear()
         self._post_reads()

@@ -1,5 +1,7 @@
 """``ftdi://ftdi:232h/1``: an FT232H through pyftdi, in FT245 mode with send-immediate, or as a UART.
 
+A port of an FT2232H (``ftdi://ftdi:2232h/1``) is the same to it, with endpoints of its own.
+
 Reading and writing block, so each has a thread: one reads all the time and feeds the event loop, one writes what the
 loop gives it. A read can't be interrupted; the latency timer ends it, so nothing here takes longer to end than that.
 The other way, one hop to a thread for each transaction, can't hear samples (docs/how-to/ft232h.md has the figures).
@@ -19,9 +21,7 @@ from typing import TYPE_CHECKING, Any
 from unity_link.transport.buffered import LOW_WATER
 from unity_link.transport.ft232h import chip as ft232h_chip
 from unity_link.transport.ft232h.chip import (
-    IN_ENDPOINT,
     OPTIONS,
-    OUT_ENDPOINT,
     OpenChip,
     find_errno,
     open_in_thread,
@@ -146,16 +146,16 @@ class ThreadedTransport(ChipTransport):
             self._in_loop(self._lose)
 
     def _read_until_end(self) -> None:
-        device, stalls = self._chip.device, 0
+        device, endpoint, stalls = self._chip.device, self._chip.in_endpoint, 0
         # While a closed transport still writes, what is read has no reader, but the chip must not get stuck on it.
         while not self._closing or self._writer.is_alive():
             try:
-                data = device.read(IN_ENDPOINT, READ_SIZE, self._chip.latency + READ_SLACK_MS).tobytes()
+                data = device.read(endpoint, READ_SIZE, self._chip.latency + READ_SLACK_MS).tobytes()
             except OSError as error:
                 number = find_errno(error)
                 if number == errno.EPIPE and stalls < MOST_STALLS:
                     stalls += 1
-                    device.clear_halt(IN_ENDPOINT)
+                    device.clear_halt(endpoint)
                 elif number != errno.ETIMEDOUT:
                     raise
                 continue
@@ -200,16 +200,16 @@ class ThreadedTransport(ChipTransport):
             return data
 
     def _write(self, data: bytes) -> None:
-        device, stalls = self._chip.device, 0
+        device, endpoint, stalls = self._chip.device, self._chip.out_endpoint, 0
         patience = time.monotonic() + ft232h_chip.WRITE_PATIENCE
         while data and not self._aborted:
             try:
-                sent = device.write(OUT_ENDPOINT, data[:WRITE_SIZE], SLICE_MS)
+                sent = device.write(endpoint, data[:WRITE_SIZE], SLICE_MS)
             except OSError as error:
                 number = find_errno(error)
                 if number == errno.EPIPE and stalls < MOST_STALLS:
                     stalls += 1
-                    device.clear_halt(OUT_ENDPOINT)
+                    device.clear_halt(endpoint)
                 elif number != errno.ETIMEDOUT:
                     raise
                 sent = 0

@@ -1,8 +1,9 @@
-"""The virtual FT232H: the chip, the USB that it hangs on, and the gateway behind it, as a model.
+"""The virtual FT232H or FT2232H: the chip, the USB that it hangs on, and the gateway behind it, as a model.
 
 - `eeprom`: what the chip's memory says; `descriptors`: what it tells the USB of itself
-- `chip`: its two FIFOs, its rules for packets, its requests; knows no time but what it is told
-- `board`: a gateway behind its pins; `rtl_board`: the gateware itself, cycle for cycle
+- `port`: two FIFOs and the rules for packets; `chip`: one or two of them, and requests; they know no time but what they
+  are told
+- `board`: a gateway behind the pins of a port; `rtl_board`: the gateware itself, cycle for cycle
 - `timing`: all numbers of the model, each with its source
 - `host`: the host controller: moves packets between transfers and chip in modelled time
 - `bus`: virtual devices on a clock, with what can be done to them; `pyusb_backend` and `libusb1` are two ways to them,

@@ -1,4 +1,4 @@
-"""What is at the chip's pins: a gateway with its FIFOs, moved along in modelled time.
+"""What is at the pins of a port: a gateway with its FIFOs, moved along in modelled time.
 
 Bytes pass the pins in small steps (`STEP`), each done when its last byte would be: a request that comes alone is timed
 to the byte, and a stream costs the computer one event for a step. What the gateware does with a byte takes no time
@@ -13,12 +13,12 @@ from __future__ import annotations
 from collections import deque
 from typing import TYPE_CHECKING, Protocol, runtime_checkable
 
-from unity_link.virtual.ft232h.chip import Mode
+from unity_link.virtual.ft232h.port import Mode
 from unity_link.virtual.gateway import VirtualGateway
 from unity_link.virtual.simulating import SimulatedGateway
 
 if TYPE_CHECKING:
-    from unity_link.virtual.ft232h.chip import Chip
+    from unity_link.virtual.ft232h.port import Port
     from unity_link.virtual.gateway import Gateway
 
 STEP = 64
@@ -33,10 +33,19 @@ class Board(Protocol):
 
     @property
     def next_due(self) -> float | None:
-        """When it does something next, if nothing changes at the chip."""
+        """When it does something next, if nothing changes at the port."""
 
-    def advance(self, chip: Chip, now: float) -> None:
-        """Do what is due at `now`, or has become possible by what changed at the chip."""
+    def advance(self, port: Port, now: float) -> None:
+        """Do what is due at `now`, or has become possible by what changed at the port."""
+
+
+class Unconnected:
+    """Nothing: what the host writes stays in the port."""
+
+    next_due: float | None = None
+
+    def advance(self, port: Port, now: float) -> None:
+        """Do nothing."""
 
 
 @runtime_checkable
@@ -88,7 +97,7 @@ class GatewayBoard:
 
     @property
     def next_due(self) -> float | None:
-        """When something happens next, if nothing changes at the chip."""
+        """When something happens next, if nothing changes at the port."""
         due: float | None = None
         if self._reading is not None:
             due = self._reading[0]
@@ -100,24 +109,24 @@ class GatewayBoard:
                 due = publish
         return due
 
-    def advance(self, chip: Chip, now: float) -> None:
+    def advance(self, port: Port, now: float) -> None:
         """End the steps that are done, let the gateway work, begin the next steps."""
-        if chip.mode is not self.mode:
+        if port.mode is not self.mode:
             self._reading = self._writing = None
             self.gateway.advance(now, room=0)
             return
         requests_wait = bool(self._received)
         if self._reading is not None and self._reading[0] <= now:
-            self._end_read(chip)
+            self._end_read(port)
         if self._writing is not None and self._writing[0] <= now:
-            self._end_write(chip)
+            self._end_write(port)
         # Requests that waited go first: the gateway lets samples take turns with its responses.
         self._publish(now, most=0 if requests_wait else self.gateway.info.transmit_fifo_bytes)
         if self._received:
             self._answer(now)
         if self._pulses or self._pulse_when_idle:
-            self._pulse(chip)
-        self._begin(chip, now)
+            self._pulse(port)
+        self._begin(port, now)
 
     # The gateway
 
@@ -163,36 +172,36 @@ class GatewayBoard:
 
     # The pins
 
-    def _begin(self, chip: Chip, now: float) -> None:
+    def _begin(self, port: Port, now: float) -> None:
         """Begin what can be; on the bus of the synchronous FIFO, in turns."""
         if self.mode is Mode.UART:
-            rate = chip.baud / _BITS_PER_BYTE
+            rate = port.baud / _BITS_PER_BYTE
         elif self.mode is Mode.FIFO:
-            rate = chip.timing.fifo_bytes_per_second
+            rate = port.timing.fifo_bytes_per_second
         else:
-            rate = chip.timing.synchronous_bytes_per_second
+            rate = port.timing.synchronous_bytes_per_second
             if self._reading is not None or self._writing is not None:
                 return
-            if self._wrote_last and self._begin_read(chip, now, rate):
+            if self._wrote_last and self._begin_read(port, now, rate):
                 return
-            if self._begin_write(chip, now, rate):
+            if self._begin_write(port, now, rate):
                 return
         if self._reading is None:
-            self._begin_read(chip, now, rate)
+            self._begin_read(port, now, rate)
         if self._writing is None and self.mode is not Mode.SYNC_FIFO:
-            self._begin_write(chip, now, rate)
+            self._begin_write(port, now, rate)
 
-    def _begin_read(self, chip: Chip, now: float, rate: float) -> bool:
-        # A UART has nothing that would stop the chip.
+    def _begin_read(self, port: Port, now: float, rate: float) -> bool:
+        # A UART has nothing that would stop the port.
         room = self._step if self.mode is Mode.UART else self._room
-        count = min(self._step, chip.readable, room)
+        count = min(self._step, port.readable, room)
         if count <= 0:
             return False
         self._reading = (now + count / rate, count)
         return True
 
-    def _begin_write(self, chip: Chip, now: float, rate: float) -> bool:
-        limit = self._step if self.mode is Mode.UART else min(self._step, chip.room)
+    def _begin_write(self, port: Port, now: float, rate: float) -> bool:
+        limit = self._step if self.mode is Mode.UART else min(self._step, port.room)
         if self._pulses:
             limit = min(limit, self._pulses[0][0] - self._written)
         data = bytes(self._sent[:limit])
@@ -201,9 +210,9 @@ class GatewayBoard:
         self._writing = (now + len(data) / rate, data)
         return True
 
-    def _end_read(self, chip: Chip) -> None:
+    def _end_read(self, port: Port) -> None:
         assert self._reading is not None
-        self._received += chip.read(self._reading[1])
+        self._received += port.read(self._reading[1])
         self._reading = None
         self._wrote_last = False
         surplus = -self._room
@@ -212,24 +221,24 @@ class GatewayBoard:
             if isinstance(self.gateway, (VirtualGateway, SimulatedGateway)):
                 self.gateway.overflow()
 
-    def _end_write(self, chip: Chip) -> None:
+    def _end_write(self, port: Port) -> None:
         assert self._writing is not None
         data = self._writing[1]
         self._writing = None
         self._wrote_last = True
-        chip.write(data)
+        port.write(data)
         del self._sent[: len(data)]
         self._written += len(data)
 
-    def _pulse(self, chip: Chip) -> None:
+    def _pulse(self, port: Port) -> None:
         """Pulse SIWU# where it is wanted behind the last byte written, or everything has become idle since."""
         while self._pulses and self._pulses[0][0] == self._written:
             if self._pulses.popleft()[1]:
                 self._pulse_when_idle = True
             elif self._siwu_wired:
-                chip.send_immediate()
-        busy = self._sent or self._received or chip.readable or self._reading is not None
+                port.send_immediate()
+        busy = self._sent or self._received or port.readable or self._reading is not None
         if self._pulse_when_idle and not busy:
             self._pulse_when_idle = False
             if self._siwu_wired:
-                chip.send_immediate()
+                port.send_immediate()

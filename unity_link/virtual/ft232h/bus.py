@@ -13,6 +13,8 @@ from contextlib import contextmanager, nullcontext
 from typing import TYPE_CHECKING, Protocol
 
 from unity_link.transport.ft232h.eeprom_image import build_eeprom
+from unity_link.transport.ft232h.kinds import FT232H, PORT_A
+from unity_link.virtual.ft232h.board import Unconnected
 from unity_link.virtual.ft232h.chip import Chip
 from unity_link.virtual.ft232h.host import UsbHost
 from unity_link.virtual.ft232h.timing import Timing
@@ -22,6 +24,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterator
     from contextlib import AbstractContextManager
 
+    from unity_link.transport.ft232h.kinds import ChipKind
     from unity_link.virtual.ft232h.board import Board
     from unity_link.virtual.ft232h.host import Transfer
 
@@ -116,8 +119,10 @@ class VirtualFt232h:
     """One chip on the bus, with its clock.
 
     Args:
-        board: what is at the chip's pins.
-        image: content of the EEPROM; by default that of a FIFO.
+        board: what is at the pins of port A, the only one of an FT232H.
+        board_b: what is at the pins of port B, where there is one; by default nothing.
+        kind: which chip it is.
+        image: content of the EEPROM; by default that of a FIFO at every port.
         timing: the numbers of the model.
         clock: what time it is; real time by default.
     """
@@ -125,25 +130,37 @@ class VirtualFt232h:
     def __init__(
         self,
         board: Board,
+        board_b: Board | None = None,
         *,
+        kind: ChipKind = FT232H,
         image: bytes | None = None,
         timing: Timing | None = None,
         clock: Clock | None = None,
     ) -> None:
         if image is None:
-            image = build_eeprom("FIFO", DEFAULT_SERIAL)
+            image = build_eeprom("FIFO", DEFAULT_SERIAL, kind=kind, ports=range(PORT_A, PORT_A + kind.ports))
         self.clock = RealClock() if clock is None else clock
-        self.chip = Chip(image, Timing() if timing is None else timing)
-        self.host = UsbHost(self.chip, board)
+        self.chip = Chip(image, Timing() if timing is None else timing, kind)
+        boards = (board, board_b or Unconnected())
+        self.host = UsbHost(self.chip, *boards[: kind.ports])
         self.address = 0
         """Number on its bus, given when it is plugged in."""
         self.denied = False
         """Whether the operating system refuses to open it."""
-        self.claimed_by: object | None = None
-        """Who has its interface; another program, where it is a stranger."""
+        self.claims: dict[int, object] = {}
+        """Who has which interface (0 is that of port A); another program, where it is a stranger."""
         self.times_plugged = 1
         """Handles from before it was unplugged are void."""
         self.changed = threading.Condition()
+
+    def claim(self, interface: int, holder: object) -> bool:
+        """Let `holder` have an interface; gives whether it has it now."""
+        return self.claims.setdefault(interface, holder) is holder
+
+    def release(self, interface: int, holder: object) -> None:
+        """Take an interface back, if `holder` has it."""
+        if self.claims.get(interface) is holder:
+            del self.claims[interface]
 
     def now(self) -> float:
         """Let the model catch up with the clock, which stands still meanwhile; gives the time. Hold `changed`."""
@@ -220,7 +237,7 @@ class VirtualFt232h:
         """Take it away."""
         with self.changed:
             self.host.unplug(self.now())
-            self.claimed_by = None
+            self.claims.clear()
             self.changed.notify_all()
 
     def plug_in(self) -> None:
@@ -235,11 +252,11 @@ class VirtualFt232h:
             self.host.halt(endpoint, self.now())
             self.changed.notify_all()
 
-    def report_error(self, bits: int) -> None:
-        """Set error bits in the status of the next packet."""
+    def report_error(self, bits: int, port: int = PORT_A) -> None:
+        """Set error bits in the status of the next packet of a port."""
         with self.changed:
             self.now()
-            self.chip.report_error(bits)
+            self.chip.ports[port - 1].report_error(bits)
 
 
 class VirtualBus:

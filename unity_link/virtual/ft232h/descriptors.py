@@ -1,18 +1,23 @@
-"""What an FT232H tells the USB of itself (USB 2.0, section 9.6): one configuration, one interface, two bulk endpoints.
+"""What the chip tells the USB of itself (USB 2.0, section 9.6): one configuration.
 
-The field names are those of the standard, which pyusb asks for as attributes.
+Each port is an interface with two bulk endpoints. The field names are those of the standard, which pyusb asks for as
+attributes.
 """
 # ruff: noqa: N815
 
 from __future__ import annotations
 
 import struct
-from typing import ClassVar
+from typing import TYPE_CHECKING, ClassVar
 
 import msgspec
 
-VENDOR, PRODUCT, RELEASE = 0x0403, 0x6014, 0x0900
-IN_ENDPOINT, OUT_ENDPOINT = 0x81, 0x02
+from unity_link.transport.ft232h.kinds import in_endpoint, out_endpoint
+
+if TYPE_CHECKING:
+    from unity_link.transport.ft232h.kinds import ChipKind
+
+VENDOR = 0x0403
 PACKET_SIZE = 512
 HIGH_SPEED = 3
 DEVICE, CONFIGURATION, STRING, INTERFACE, ENDPOINT, QUALIFIER = 1, 2, 3, 4, 5, 6
@@ -42,8 +47,8 @@ class DeviceDescriptor(Descriptor, frozen=True, kw_only=True):
     bDeviceProtocol: int = 0
     bMaxPacketSize0: int = 64
     idVendor: int = VENDOR
-    idProduct: int = PRODUCT
-    bcdDevice: int = RELEASE
+    idProduct: int
+    bcdDevice: int
     iManufacturer: int = 1
     iProduct: int = 2
     iSerialNumber: int = 3
@@ -56,8 +61,8 @@ class ConfigurationDescriptor(Descriptor, frozen=True, kw_only=True):
     LAYOUT: ClassVar[str] = "<BBHBBBBB"
     bLength: int = 9
     bDescriptorType: int = CONFIGURATION
-    wTotalLength: int = 32
-    bNumInterfaces: int = 1
+    wTotalLength: int
+    bNumInterfaces: int
     bConfigurationValue: int = 1
     iConfiguration: int = 0
     bmAttributes: int = 0x80
@@ -65,12 +70,12 @@ class ConfigurationDescriptor(Descriptor, frozen=True, kw_only=True):
 
 
 class InterfaceDescriptor(Descriptor, frozen=True, kw_only=True):
-    """Its one interface."""
+    """A port."""
 
     LAYOUT: ClassVar[str] = "<BBBBBBBBB"
     bLength: int = 9
     bDescriptorType: int = INTERFACE
-    bInterfaceNumber: int = 0
+    bInterfaceNumber: int
     bAlternateSetting: int = 0
     bNumEndpoints: int = 2
     bInterfaceClass: int = 0xFF
@@ -93,14 +98,35 @@ class EndpointDescriptor(Descriptor, frozen=True, kw_only=True):
     bInterval: int = 0
 
 
-CONFIGURATIONS = (ConfigurationDescriptor(),)
-INTERFACES = (InterfaceDescriptor(),)
-ENDPOINTS = (EndpointDescriptor(bEndpointAddress=IN_ENDPOINT), EndpointDescriptor(bEndpointAddress=OUT_ENDPOINT))
+def interfaces(kind: ChipKind) -> list[InterfaceDescriptor]:
+    """Return the interfaces, in the order of the ports."""
+    return [InterfaceDescriptor(bInterfaceNumber=number) for number in range(kind.ports)]
 
 
-def encode_configuration() -> bytes:
+def endpoints(port: int) -> tuple[EndpointDescriptor, EndpointDescriptor]:
+    """Return the endpoints of a port."""
+    return (
+        EndpointDescriptor(bEndpointAddress=in_endpoint(port)),
+        EndpointDescriptor(bEndpointAddress=out_endpoint(port)),
+    )
+
+
+def configuration(kind: ChipKind) -> ConfigurationDescriptor:
+    """Return the configuration alone."""
+    return ConfigurationDescriptor(wTotalLength=9 + len(_encode_interfaces(kind)), bNumInterfaces=kind.ports)
+
+
+def encode_configuration(kind: ChipKind) -> bytes:
     """Return the configuration with all that belongs to it."""
-    return b"".join(descriptor.encode() for descriptor in (*CONFIGURATIONS, *INTERFACES, *ENDPOINTS))
+    return configuration(kind).encode() + _encode_interfaces(kind)
+
+
+def _encode_interfaces(kind: ChipKind) -> bytes:
+    return b"".join(
+        descriptor.encode()
+        for interface in interfaces(kind)
+        for descriptor in (interface, *endpoints(interface.bInterfaceNumber + 1))
+    )
 
 
 def encode_qualifier() -> bytes:

@@ -1,7 +1,7 @@
 """The host controller and its bus: moves packets between the program's transfers and the chip, in modelled time.
 
 A transfer that is submitted is looked at from the next microframe on. The bus carries one packet at a time; transfers
-of one endpoint are served in their order, the two endpoints in turns. A bulk IN transfer ends when it is full or a
+of one endpoint are served in their order, the endpoints in turns. A bulk IN transfer ends when it is full or a
 packet is short; its end is told at the end of the microframe. So everything that the program can notice happens at the
 beginnings of microframes: a thread that runs this in real time need not wake up in between.
 """
@@ -19,6 +19,7 @@ if TYPE_CHECKING:
 
     from unity_link.virtual.ft232h.board import Board
     from unity_link.virtual.ft232h.chip import Chip
+    from unity_link.virtual.ft232h.port import Port
 
 _DIRECTION_IN = 0x80
 
@@ -39,7 +40,7 @@ class Transfer:
     """What a program wants to be moved.
 
     Args:
-        endpoint: 0x81 or 0x02.
+        endpoint: 0x81 or 0x02 of port A, 0x83 or 0x04 of port B.
         size: bytes wanted from an IN endpoint.
         data: bytes for an OUT endpoint.
         on_end: called once, when the program is told of the end.
@@ -66,20 +67,81 @@ class Transfer:
         return len(self.data) if self.endpoint & _DIRECTION_IN else self.sent
 
 
-class UsbHost:
-    """A host controller with one chip on its bus, and what is at the chip's pins."""
+class _InQueue:
+    """Transfers of the IN endpoint of a port."""
 
-    def __init__(self, chip: Chip, board: Board) -> None:
+    def __init__(self, port: Port) -> None:
+        self.port = port
+        self.waiting: deque[Transfer] = deque()
+
+    def next_due(self, now: float) -> float | None:
+        """When a packet can go."""
+        if not self.waiting:
+            return None
+        return self.port.ready_at(max(now, self.waiting[0].starts_at))
+
+    def begin(self, now: float) -> bytes | None:
+        """Return the packet that goes now, if there is one."""
+        if not self.waiting or self.waiting[0].starts_at > now or self.port.ready_at(now) > now:
+            return None
+        return self.port.give(now)
+
+    def deliver(self, transfer: Transfer, packet: bytes) -> TransferStatus | None:
+        """End a packet; gives how the transfer ends by it, if it does."""
+        if transfer.status is not None:
+            return None
+        left = transfer.size - len(transfer.data)
+        transfer.data += packet[:left]
+        if len(packet) > left:
+            return TransferStatus.OVERFLOW
+        return TransferStatus.DONE if len(packet) < PACKET_SIZE or len(packet) == left else None
+
+
+class _OutQueue:
+    """Transfers of the OUT endpoint of a port."""
+
+    def __init__(self, port: Port) -> None:
+        self.port = port
+        self.waiting: deque[Transfer] = deque()
+
+    def _has_room(self) -> bool:
+        head = self.waiting[0]
+        return self.port.can_take >= min(PACKET_SIZE, len(head.data) - head.sent)
+
+    def next_due(self, now: float) -> float | None:  # noqa: ARG002  (as the other queue has it)
+        """When a packet can go; without room it waits for the board, which is due by itself."""
+        return self.waiting[0].starts_at if self.waiting and self._has_room() else None
+
+    def begin(self, now: float) -> bytes | None:
+        """Return the packet that goes now, if there is one."""
+        if not self.waiting or self.waiting[0].starts_at > now or not self._has_room():
+            return None
+        transfer = self.waiting[0]
+        return bytes(transfer.data[transfer.sent : transfer.sent + PACKET_SIZE])
+
+    def deliver(self, transfer: Transfer, packet: bytes) -> TransferStatus | None:
+        """End a packet; gives how the transfer ends by it, if it does."""
+        self.port.take(packet)
+        transfer.sent += len(packet)
+        return TransferStatus.DONE if transfer.status is None and transfer.sent >= len(transfer.data) else None
+
+
+class UsbHost:
+    """A host controller with one chip on its bus, and what is at the pins of each of the chip's ports."""
+
+    def __init__(self, chip: Chip, *boards: Board) -> None:
         self.chip = chip
-        self.board = board
+        self._boards = list(zip(chip.ports, boards, strict=True))
         self.plugged = True
-        self._in: deque[Transfer] = deque()
-        self._out: deque[Transfer] = deque()
+        self._queues: dict[int, _InQueue | _OutQueue] = {}
+        """By endpoint. The one that had its turn last is the last one."""
+        for port in reversed(chip.ports):
+            self._queues[port.out_endpoint] = _OutQueue(port)
+            self._queues[port.in_endpoint] = _InQueue(port)
         self._ended: deque[Transfer] = deque()
         """Ended, and not told yet; in the order of the ends."""
         self._on_bus: tuple[float, Transfer, bytes] | None = None
         """A packet: when it has passed, and what it belongs to."""
-        self._sent_last = False
         self._now = 0.0
 
     # The program's side
@@ -97,14 +159,14 @@ class UsbHost:
         if transfer.endpoint in self.chip.halted:
             self._end(transfer, TransferStatus.STALLED, transfer.starts_at)
             return
-        (self._in if transfer.endpoint & _DIRECTION_IN else self._out).append(transfer)
+        self._queues[transfer.endpoint].waiting.append(transfer)
 
     def cancel(self, transfer: Transfer, now: float) -> None:
         """End a transfer that is still under way; what it has moved it keeps."""
         self.advance(now)
-        queue = self._in if transfer.endpoint & _DIRECTION_IN else self._out
-        if transfer in queue:
-            queue.remove(transfer)
+        waiting = self._queues[transfer.endpoint].waiting
+        if transfer in waiting:
+            waiting.remove(transfer)
             self._end(transfer, TransferStatus.CANCELLED, now)
             self._tell(now)
 
@@ -117,7 +179,7 @@ class UsbHost:
         """
         self._look(now)
         self.chip.control_out(kind, request, value, index, now)
-        self.board.advance(self.chip, now)
+        self._advance_boards(now)
         return self._control_end(now)
 
     def control_in(self, kind: int, request: int, value: int, index: int, now: float) -> tuple[bytes, float]:
@@ -146,9 +208,9 @@ class UsbHost:
         self.advance(now)
         self.plugged = False
         self._on_bus = None
-        for queue in (self._in, self._out):
-            while queue:
-                self._end(queue.popleft(), TransferStatus.GONE, now)
+        for queue in self._queues.values():
+            while queue.waiting:
+                self._end(queue.waiting.popleft(), TransferStatus.GONE, now)
         for transfer in self._ended:
             # Also those that had ended before, and were to be told with the microframe's end.
             transfer.ends_at = now
@@ -164,9 +226,9 @@ class UsbHost:
         """Have an endpoint answer STALL until the host clears that."""
         self.advance(now)
         self.chip.halted.add(endpoint)
-        queue = self._in if endpoint & _DIRECTION_IN else self._out
-        while queue:
-            self._end(queue.popleft(), TransferStatus.STALLED, self.chip.timing.boundary_after(now))
+        waiting = self._queues[endpoint].waiting
+        while waiting:
+            self._end(waiting.popleft(), TransferStatus.STALLED, self.chip.timing.boundary_after(now))
 
     # Time
 
@@ -175,25 +237,16 @@ class UsbHost:
         """When something happens next; None where nothing will without a new transfer."""
         if not self.plugged:
             return None
-        due = self.board.next_due
-        if self._ended and (due is None or self._ended[0].ends_at < due):
-            due = self._ended[0].ends_at
+        due: float | None = None
+        for _, board in self._boards:
+            due = _earlier(due, board.next_due)
+        if self._ended:
+            due = _earlier(due, self._ended[0].ends_at)
         if self._on_bus is not None:
-            return self._on_bus[0] if due is None or self._on_bus[0] < due else due
-        now = self._now
-        if self._in:
-            start = self.chip.ready_at(max(now, self._in[0].starts_at))
-            if due is None or start < due:
-                due = start
-        if self._out:
-            head = self._out[0]
-            # Without room it waits for the board, which is due by itself.
-            if self._has_room(head) and (due is None or head.starts_at < due):
-                due = head.starts_at
+            return _earlier(due, self._on_bus[0])
+        for queue in self._queues.values():
+            due = _earlier(due, queue.next_due(self._now))
         return due
-
-    def _has_room(self, transfer: Transfer) -> bool:
-        return self.chip.can_take >= min(PACKET_SIZE, len(transfer.data) - transfer.sent)
 
     def advance(self, now: float) -> None:
         """Let time pass. Time that is already past does nothing."""
@@ -205,47 +258,33 @@ class UsbHost:
         self._now = now
         if self._on_bus is not None and self._on_bus[0] <= now:
             self._deliver()
-        self.board.advance(self.chip, now)
+        self._advance_boards(now)
         if self._on_bus is None:
             self._start_packet(now)
         self._tell(now)
 
+    def _advance_boards(self, now: float) -> None:
+        for port, board in self._boards:
+            board.advance(port, now)
+
     def _start_packet(self, now: float) -> None:
         """Put the next packet on the bus, if there is one."""
-        can_receive = bool(self._in) and self._in[0].starts_at <= now and self.chip.ready_at(now) <= now
-        can_send = bool(self._out) and self._out[0].starts_at <= now and self._has_room(self._out[0])
-        passed = now + self.chip.timing.packet
-        if can_receive and not (can_send and not self._sent_last):
-            self._sent_last = False
-            self._on_bus = (passed, self._in[0], self.chip.give(now))
-        elif can_send:
-            self._sent_last = True
-            transfer = self._out[0]
-            packet = bytes(transfer.data[transfer.sent : transfer.sent + PACKET_SIZE])
-            self._on_bus = (passed, transfer, packet)
+        for endpoint, queue in self._queues.items():
+            packet = queue.begin(now)
+            if packet is not None:
+                self._on_bus = (now + self.chip.timing.packet, queue.waiting[0], packet)
+                self._queues[endpoint] = self._queues.pop(endpoint)
+                return
 
     def _deliver(self) -> None:
         """End the packet on the bus."""
         assert self._on_bus is not None
         now, transfer, packet = self._on_bus
         self._on_bus = None
-        if transfer.endpoint & _DIRECTION_IN:
-            if transfer.status is not None:
-                return
-            left = transfer.size - len(transfer.data)
-            transfer.data += packet[:left]
-            if len(packet) > left:
-                self._finish(self._in, TransferStatus.OVERFLOW, now)
-            elif len(packet) < PACKET_SIZE or len(packet) == left:
-                self._finish(self._in, TransferStatus.DONE, now)
-        else:
-            self.chip.take(packet)
-            transfer.sent += len(packet)
-            if transfer.status is None and transfer.sent >= len(transfer.data):
-                self._finish(self._out, TransferStatus.DONE, now)
-
-    def _finish(self, queue: deque[Transfer], status: TransferStatus, now: float) -> None:
-        self._end(queue.popleft(), status, self.chip.timing.boundary_after(now))
+        queue = self._queues[transfer.endpoint]
+        status = queue.deliver(transfer, packet)
+        if status is not None:
+            self._end(queue.waiting.popleft(), status, self.chip.timing.boundary_after(now))
 
     def _end(self, transfer: Transfer, status: TransferStatus, when: float) -> None:
         transfer.status = status
@@ -257,3 +296,10 @@ class UsbHost:
             transfer = self._ended.popleft()
             if transfer.on_end is not None:
                 transfer.on_end(transfer)
+
+
+def _earlier(one: float | None, other: float | None) -> float | None:
+    """Return the earlier of two times; None is never."""
+    if one is None or (other is not None and other < one):
+        return other
+    return one

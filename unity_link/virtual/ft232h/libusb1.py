@@ -192,14 +192,14 @@ class Handle:
         self.device = device
         self._host = host
 
-    def claimInterface(self, interface: int) -> None:  # noqa: ARG002, N802
+    def claimInterface(self, interface: int) -> None:  # noqa: N802
         """Take the interface."""
-        self.device.claimed_by = self
+        if not self.device.claim(interface, self):
+            raise OSError(errno.EBUSY, f"interface {interface} is claimed")
 
-    def releaseInterface(self, interface: int) -> None:  # noqa: ARG002, N802
+    def releaseInterface(self, interface: int) -> None:  # noqa: N802
         """Let go of the interface."""
-        if self.device.claimed_by is self:
-            self.device.claimed_by = None
+        self.device.release(interface, self)
 
     def clearHalt(self, endpoint: int) -> None:  # noqa: N802
         """Have a halted endpoint work again."""
@@ -231,7 +231,8 @@ class Handle:
 
     def close(self) -> None:
         """Close."""
-        self.releaseInterface(0)
+        for interface in list(self.device.claims):
+            self.releaseInterface(interface)
         self._host.close()
 
 

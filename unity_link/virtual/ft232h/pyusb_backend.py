@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any
 import usb.core
 from usb.backend import IBackend
 
+from unity_link.transport.ft232h.kinds import port_of
 from unity_link.virtual.ft232h import descriptors
 from unity_link.virtual.ft232h.bus import BUS_NUMBER, VirtualBus, VirtualFt232h
 from unity_link.virtual.ft232h.chip import StallError
@@ -58,13 +59,13 @@ class Backend(IBackend):  # type: ignore[misc]  # pyusb has no types
         """Return the chip with a number on the bus."""
         return next(device for device in self._bus.devices if device.address == address)
 
-    def open_for_transfers(self, bus: int, address: int) -> tuple[Any, Any]:  # noqa: ARG002  (there is one)
+    def open_for_transfers(self, bus: int, address: int, interface: int) -> tuple[Any, Any]:  # noqa: ARG002  (there is one bus)
         """Return what stands for libusb's context and handle of a chip, for overlapped transfers."""
         from unity_link.virtual.ft232h.libusb1 import Context
 
         context = Context(self.device_at(address))
         handle = context.open_chip()
-        handle.claimInterface(0)
+        handle.claimInterface(interface)
         return context, handle
 
     # Descriptors
@@ -80,9 +81,9 @@ class Backend(IBackend):  # type: ignore[misc]  # pyusb has no types
         """Return the device descriptor, and where the device is."""
         return _Device(dev)
 
-    def get_configuration_descriptor(self, dev: VirtualFt232h, config: int) -> descriptors.ConfigurationDescriptor:  # noqa: ARG002
+    def get_configuration_descriptor(self, dev: VirtualFt232h, config: int) -> descriptors.ConfigurationDescriptor:
         """Return a configuration; IndexError past the end."""
-        return descriptors.CONFIGURATIONS[config]
+        return [descriptors.configuration(dev.chip.kind)][config]
 
     def get_interface_descriptor(
         self, dev: VirtualFt232h, intf: int, alt: int, config: int
@@ -91,14 +92,14 @@ class Backend(IBackend):  # type: ignore[misc]  # pyusb has no types
         if alt:
             raise IndexError(alt)
         self.get_configuration_descriptor(dev, config)
-        return descriptors.INTERFACES[intf]
+        return descriptors.interfaces(dev.chip.kind)[intf]
 
     def get_endpoint_descriptor(
         self, dev: VirtualFt232h, ep: int, intf: int, alt: int, config: int
     ) -> descriptors.EndpointDescriptor:
         """Return an endpoint; IndexError past the end."""
         self.get_interface_descriptor(dev, intf, alt, config)
-        return descriptors.ENDPOINTS[ep]
+        return descriptors.endpoints(intf + 1)[ep]
 
     # Life
 
@@ -112,31 +113,29 @@ class Backend(IBackend):  # type: ignore[misc]  # pyusb has no types
 
     def close_device(self, dev_handle: OpenDevice) -> None:
         """Close."""
-        if dev_handle.device.claimed_by is dev_handle:
-            dev_handle.device.claimed_by = None
+        for interface in list(dev_handle.device.claims):
+            dev_handle.device.release(interface, dev_handle)
 
     def get_configuration(self, dev_handle: OpenDevice) -> int:
         """Return the configuration; a host sets the only one by itself when a device is plugged in."""
         return dev_handle.device.chip.configuration or 1
 
     def set_configuration(self, dev_handle: OpenDevice, config_value: int) -> None:
-        """Set the configuration."""
-        if dev_handle.device.claimed_by not in (None, dev_handle):
+        """Set the configuration, which Linux refuses while anybody has an interface, be it this handle."""
+        if dev_handle.device.claims:
             raise _error(_LIBUSB_ERROR_BUSY)
         self.ctrl_transfer(dev_handle, 0x00, 0x09, config_value, 0, None, 0)
 
-    def claim_interface(self, dev_handle: OpenDevice, intf: int) -> None:  # noqa: ARG002
+    def claim_interface(self, dev_handle: OpenDevice, intf: int) -> None:
         """Take the interface for this handle."""
-        if dev_handle.device.claimed_by not in (None, dev_handle):
+        if not dev_handle.device.claim(intf, dev_handle):
             raise _error(_LIBUSB_ERROR_BUSY)
-        dev_handle.device.claimed_by = dev_handle
 
-    def release_interface(self, dev_handle: OpenDevice, intf: int) -> None:  # noqa: ARG002
+    def release_interface(self, dev_handle: OpenDevice, intf: int) -> None:
         """Let go of the interface."""
         if dev_handle.gone:
             raise _error(_LIBUSB_ERROR_NO_DEVICE)
-        if dev_handle.device.claimed_by is dev_handle:
-            dev_handle.device.claimed_by = None
+        dev_handle.device.release(intf, dev_handle)
 
     def is_kernel_driver_active(self, dev_handle: OpenDevice, intf: int) -> bool:  # noqa: ARG002
         """Say that no other driver has it."""
@@ -144,7 +143,8 @@ class Backend(IBackend):  # type: ignore[misc]  # pyusb has no types
 
     def reset_device(self, dev_handle: OpenDevice) -> None:
         """Reset the device."""
-        self.ctrl_transfer(dev_handle, 0x40, 0, 0, 0, None, 0)
+        for port in dev_handle.device.chip.ports:
+            self.ctrl_transfer(dev_handle, 0x40, 0, 0, port.number, None, 0)
 
     def clear_halt(self, dev_handle: OpenDevice, ep: int) -> None:
         """Have a halted endpoint work again."""
@@ -192,7 +192,7 @@ class Backend(IBackend):  # type: ignore[misc]  # pyusb has no types
     def _run(self, handle: OpenDevice, transfer: Transfer, timeout: int) -> None:
         if handle.gone:
             raise _error(_LIBUSB_ERROR_NO_DEVICE)
-        if handle.device.claimed_by is not handle:
+        if handle.device.claims.get(port_of(transfer.endpoint) - 1) is not handle:
             raise _error(_LIBUSB_ERROR_BUSY)
         try:
             handle.device.run(transfer, timeout / 1000 if timeout else None)

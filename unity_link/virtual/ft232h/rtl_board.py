@@ -11,10 +11,10 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from unity_link.virtual.ft232h.chip import Mode
+from unity_link.virtual.ft232h.port import Mode
 
 if TYPE_CHECKING:
-    from unity_link.virtual.ft232h.chip import Chip
+    from unity_link.virtual.ft232h.port import Port
     from unity_link.virtual.rtl import RtlGateway
     from unity_link.virtual.rtl.gateway import Passage
 
@@ -59,31 +59,31 @@ class RtlBoard:
         began, first = self._began
         return began + (cycle - first) / self._clock_hz
 
-    def advance(self, chip: Chip, now: float) -> None:
+    def advance(self, port: Port, now: float) -> None:
         """End the slice that is done, and begin the next, if there is anything to do."""
         if self._passing is not None:
             end, passage = self._passing
             if end > now:
                 return
             self._passing = None
-            self._end(chip, passage)
-        moving = self._moving or chip.readable or (self._blocked and chip.room)
-        if chip.mode is Mode.FIFO and (moving or self.gateway.ticking):
-            self._begin(chip, now)
+            self._end(port, passage)
+        moving = self._moving or port.readable or (self._blocked and port.room)
+        if port.mode is Mode.FIFO and (moving or self.gateway.ticking):
+            self._begin(port, now)
 
-    def _begin(self, chip: Chip, now: float) -> None:
-        room = chip.room
+    def _begin(self, port: Port, now: float) -> None:
+        room = port.room
         self._began = (now, self.gateway.cycles)
-        passage = self.gateway.pass_pins(bytes(chip.to_fpga[: self._slice_bytes]), self._slice_cycles, room)
+        passage = self.gateway.pass_pins(bytes(port.to_fpga[: self._slice_bytes]), self._slice_cycles, room)
         self._looks = _LOOKS if passage.taken else max(0, self._looks - 1)
         self._moving = passage.flush or passage.cycles == self._slice_cycles or self._looks > 0
         self._blocked = len(passage.sent) == room
         # What came too late to move anything, like a byte for a full FIFO, is looked at again after a while.
         self._passing = (now + (passage.cycles or self._slice_cycles) / self._clock_hz, passage)
 
-    def _end(self, chip: Chip, passage: Passage) -> None:
-        chip.read(passage.taken)
+    def _end(self, port: Port, passage: Passage) -> None:
+        port.read(passage.taken)
         if passage.sent:
-            chip.write(passage.sent)
+            port.write(passage.sent)
         if passage.flush:
-            chip.send_immediate()
+            port.send_immediate()

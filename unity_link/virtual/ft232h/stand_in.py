@@ -29,7 +29,7 @@ def open_ftdi(url: DriverUrl, mode: ChipMode) -> Any:
 
     from unity_link.virtual.ft232h.board import GatewayBoard
     from unity_link.virtual.ft232h.bus import DEFAULT_SERIAL, VirtualFt232h
-    from unity_link.virtual.ft232h.chip import Mode
+    from unity_link.virtual.ft232h.port import Mode
     from unity_link.virtual.ft232h.pyusb_backend import find
 
     wanted = Wanted.of_url(url, url.path.removeprefix("/").rstrip("/"))

@@ -1,7 +1,7 @@
 """The virtual chip as a real USB device of a machine: a USB/IP server.
 
 A Linux with vhci-hcd attaches it (``usbip attach -r HOST -b 1-1``), and from then on its own drivers, libusb and
-everything on top of them see a high-speed FT232H. The protocol is that of the kernel's
+everything on top of them see a high-speed FT232H or FT2232H. The protocol is that of the kernel's
 ``Documentation/usb/usbip_protocol.rst``, version 1.1.1; one client at a time has the device, others can list it.
 
 The chip moves on in real time in a thread (`libusb1.ThreadHost`), since timers of event loops are too coarse for
@@ -59,7 +59,7 @@ _ERRORS = {
 }
 
 
-@serving("an FT232H")
+@serving("an FTDI chip")
 async def serve_usbip(device: VirtualFt232h, port: int = PORT, host: str = "127.0.0.1") -> AsyncIterator[str]:
     """Serve a chip; gives how a Linux attaches it."""
     device.address = device.address or 2
@@ -114,7 +114,7 @@ class UsbipServer:
         if code != REQUEST_IMPORT:
             raise ProtocolError(f"operation {code:#x} is not known")
         wanted = (await reader.readexactly(32)).rstrip(b"\0").decode("ascii", "replace")
-        free = wanted == BUS_ID and self._device.host.plugged and self._device.claimed_by is None
+        free = wanted == BUS_ID and self._device.host.plugged and not self._device.claims
         writer.write(OPERATION.pack(VERSION, REPLY_IMPORT, 0 if free else _FAILED))
         if free:
             writer.write(self._describe())
@@ -124,9 +124,11 @@ class UsbipServer:
     def _list(self) -> bytes:
         if not self._device.host.plugged:
             return struct.pack(">I", 0)
-        interface = descriptors.INTERFACES[0]
-        classes = (interface.bInterfaceClass, interface.bInterfaceSubClass, interface.bInterfaceProtocol)
-        return struct.pack(">I", 1) + self._describe() + INTERFACE.pack(*classes)
+        interfaces = [
+            INTERFACE.pack(interface.bInterfaceClass, interface.bInterfaceSubClass, interface.bInterfaceProtocol)
+            for interface in descriptors.interfaces(self._device.chip.kind)
+        ]
+        return struct.pack(">I", 1) + self._describe() + b"".join(interfaces)
 
     def _describe(self) -> bytes:
         device = self._device.chip.device_descriptor
@@ -144,7 +146,7 @@ class UsbipServer:
             device.bDeviceProtocol,
             self._device.chip.configuration,
             device.bNumConfigurations,
-            1,
+            self._device.chip.kind.ports,
         )
 
 
@@ -162,10 +164,12 @@ class UsbipImport:
         self._loop = asyncio.get_running_loop()
         self._under_way: dict[int, Transfer] = {}
         self._kernel = ThreadHost(device)
+        self._endpoints = {endpoint for port in device.chip.ports for endpoint in (port.in_endpoint, port.out_endpoint)}
 
     async def run(self) -> None:
         """Serve until the client goes, or the device is unplugged."""
-        self._device.claimed_by = self
+        for port in self._device.chip.ports:
+            self._device.claim(port.number - 1, self)
         try:
             while True:
                 command, number, _, direction, endpoint = HEADER.unpack(await self._reader.readexactly(HEADER.size))
@@ -181,8 +185,8 @@ class UsbipImport:
                 self._cancel(transfer)
             # It joins a thread that may wait for the loop's lock no longer than one step.
             self._kernel.close()
-            if self._device.claimed_by is self:
-                self._device.claimed_by = None
+            for port in self._device.chip.ports:
+                self._device.release(port.number - 1, self)
 
     async def _submit(self, number: int, direction: int, endpoint: int) -> None:
         _, length, _, _, _, setup = SUBMISSION.unpack(await self._reader.readexactly(SUBMISSION.size))
@@ -193,7 +197,7 @@ class UsbipImport:
             self._control(number, setup)
             return
         address = endpoint | (_DIRECTION_IN if direction == _IN else 0)
-        if address not in (descriptors.IN_ENDPOINT, descriptors.OUT_ENDPOINT):
+        if address not in self._endpoints:
             self._reply(number, -errno.EPIPE, 0, b"")
             return
 

@@ -1,0 +1,177 @@
+"""A port of the chip: its two FIFOs, the rules by which bytes become packets, and what its driver sets.
+
+It has no clock: who calls says what time it is. Towards the USB it gives and takes packets, towards the FPGA it has the
+FIFO's pins: RXF# is low while there is something to `read`, TXE# while there is `room`, `write` and `send_immediate`
+are WR# and SIWU#.
+
+Bytes wait in the port until a packet is sent: when it is full, when the latency timer ends, when the event character
+came, or after SIWU#. A packet takes along all that is there.
+"""
+
+from __future__ import annotations
+
+import enum
+from typing import TYPE_CHECKING
+
+from unity_link.transport.ft232h.kinds import in_endpoint, out_endpoint
+from unity_link.virtual.ft232h import descriptors
+
+if TYPE_CHECKING:
+    from unity_link.transport.ft232h.eeprom_image import ChannelType
+    from unity_link.virtual.ft232h.timing import Timing
+
+PAYLOAD = descriptors.PACKET_SIZE - 2
+"""Most bytes in one packet to the host, behind the two status bytes."""
+LONGEST_LATENCY = 255
+_HIGH_SPEED_PACKETS = 0x02
+"""Always set in the first status byte of a chip on a high-speed bus."""
+_CTS_AND_DSR = 0x30
+_TRANSMITTER_EMPTY = 0x60
+OVERRUN = 0x02
+"""In the second status byte: bytes came while the FIFO was full, and are lost."""
+
+
+class Mode(enum.Enum):
+    """What the pins are."""
+
+    UART = "uart"
+    FIFO = "ft245"
+    SYNC_FIFO = "ft245-sync"
+    OTHER = "other"
+    """Bit-bang, MPSSE and so on, or a port B of which port A has taken what it needs: no bytes pass here."""
+
+
+class BitMode(enum.IntEnum):
+    """Values of the bit mode request that are known here."""
+
+    RESET = 0x00
+    SYNC_FIFO = 0x40
+
+
+class Port:
+    """One port.
+
+    Args:
+        number: 1 for A, 2 for B.
+        fifo_size: bytes of each FIFO.
+        timing: the numbers of the model.
+        first: port A, for port B: its synchronous FIFO leaves nothing to the other.
+    """
+
+    def __init__(self, number: int, fifo_size: int, timing: Timing, first: Port | None = None) -> None:
+        self.number = number
+        self.in_endpoint, self.out_endpoint = in_endpoint(number), out_endpoint(number)
+        self.fifo_size = fifo_size
+        self.timing = timing
+        self._first = first
+        self.power_up("UART", 0.0)
+
+    def power_up(self, channel_type: ChannelType, now: float) -> None:
+        """Begin anew, as after being plugged in."""
+        self.channel_type = channel_type
+        self.to_fpga = bytearray()
+        self.to_host = bytearray()
+        self.baud = 9600.0
+        self.reset(now)
+
+    def reset(self, now: float) -> None:
+        """Begin anew, as on a request to reset."""
+        self.latency = self.timing.default_latency
+        self.event_character: int | None = None
+        self.bit_mode = 0
+        self._errors = 0
+        self.purge_to_host(now)
+        self.to_fpga.clear()
+
+    def purge_to_host(self, now: float) -> None:
+        """Forget what the host has not read."""
+        self.to_host.clear()
+        self._wanted = 0
+        """How many of the bytes to the host are to be sent at once."""
+        self._empty_packet_due = False
+        self._timer_began = now
+
+    @property
+    def mode(self) -> Mode:
+        """What the pins are, by EEPROM and bit mode."""
+        if self._first is not None and (self.bit_mode == BitMode.SYNC_FIFO or self._first.mode is Mode.SYNC_FIFO):
+            return Mode.OTHER
+        if self.channel_type == "UART":
+            return Mode.UART if self.bit_mode == BitMode.RESET else Mode.OTHER
+        if self.bit_mode == BitMode.SYNC_FIFO:
+            return Mode.SYNC_FIFO
+        return Mode.FIFO if self.bit_mode == BitMode.RESET else Mode.OTHER
+
+    # The FPGA's side
+
+    @property
+    def readable(self) -> int:
+        """Bytes that the FPGA can read; RXF# is high where there are none."""
+        return len(self.to_fpga)
+
+    @property
+    def room(self) -> int:
+        """Bytes that the FPGA can write; TXE# is high where there is no room."""
+        return self.fifo_size - len(self.to_host)
+
+    def read(self, count: int) -> bytes:
+        """Return bytes to the FPGA."""
+        data = bytes(self.to_fpga[:count])
+        del self.to_fpga[:count]
+        return data
+
+    def write(self, data: bytes | bytearray) -> None:
+        """Take bytes of the FPGA. What has no room is lost, and the next packet says so."""
+        room = self.room
+        if len(data) > room:
+            data = data[:room]
+            self._errors |= OVERRUN
+        before = len(self.to_host)
+        self.to_host += data
+        if self.event_character is not None:
+            place = before + data.rfind(self.event_character)
+            # It does not count as the first byte of the buffer.
+            if place >= max(before, 1):
+                self._wanted = place + 1
+
+    def send_immediate(self) -> None:
+        """Take a pulse of SIWU#: all that is there is to be sent. Nothing is known of one with an empty FIFO."""
+        self._wanted = len(self.to_host)
+
+    def report_error(self, bits: int) -> None:
+        """Set error bits in the second status byte of the next packet."""
+        self._errors |= bits
+
+    # The USB's side
+
+    @property
+    def can_take(self) -> int:
+        """Bytes that a packet from the host may have now."""
+        return self.fifo_size - len(self.to_fpga)
+
+    def take(self, packet: bytes) -> None:
+        """Take a packet from the host."""
+        self.to_fpga += packet
+
+    def ready_at(self, now: float) -> float:
+        """Return when the port answers a request for a packet; before that it refuses (NAK)."""
+        if len(self.to_host) >= PAYLOAD or self._wanted or self._empty_packet_due:
+            return now
+        return max(now, self._timer_began + self.latency / 1000)
+
+    def give(self, now: float) -> bytes:
+        """Return the next packet to the host, status bytes first."""
+        payload = bytes(self.to_host[:PAYLOAD])
+        del self.to_host[:PAYLOAD]
+        flushed = 0 < self._wanted == len(payload)
+        self._wanted = max(0, self._wanted - len(payload))
+        self._empty_packet_due = flushed and len(payload) == PAYLOAD and self.timing.short_packet_after_full
+        self._timer_began = now
+        packet = self.status() + payload
+        self._errors = 0
+        return packet
+
+    def status(self) -> bytes:
+        """Return the two bytes before every packet."""
+        modem = _HIGH_SPEED_PACKETS | (_CTS_AND_DSR if self.mode is Mode.UART else 0)
+        return bytes([modem, self._errors | (0 if self.to_fpga else _TRANSMITTER_EMPTY)])
