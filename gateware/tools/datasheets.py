@@ -4,6 +4,8 @@ A page is written by hand, but for what stands between comments that say what is
 ports, from the VHDL; what it takes and how fast it is, from `gateware/RESULTS.md`; the files of constraints. Pictures
 are drawn of simulations (`gateware.bench.datasheets`). Tests hold both equal to what is in the tree.
 
+The entities that are generated from a spec are shown by those of one example (`gateware.tools.generated`).
+
     python -m gateware.tools.datasheets
 """
 
@@ -13,18 +15,20 @@ import re
 import sys
 from typing import TYPE_CHECKING
 
+from gateware.tools import generated
 from gateware.tools.entity import Entity, Group, read_entity
 from gateware.tools.synth import CONFIGURATIONS, DEVICES, RESULTS
 from unity_link.gateware.cache import GATEWARE, board_sources, vhdl_sources
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Sequence
+    from collections.abc import Callable, Iterable, Sequence
     from pathlib import Path
 
 PAGES = GATEWARE.parent / "docs" / "reference" / "gateware"
 _PART = re.compile(r"(<!-- Written by `make datasheets`, (\w+)((?: \w+)*): begin -->\n).*?(<!-- end -->)", re.DOTALL)
 # A literal, or a name that no sentence has: with an underscore, or of a clock.
 _CODE = re.compile(r"""'[01]'|"\w+"|\b[a-z\d]+_[a-z\d_]+|\bclk(?:out)?\b""")
+_WHOLE_TEXT = re.MULTILINE | re.DOTALL
 _ALL = re.compile(r"^\(others => (.+)\)$")
 _CONSTRAINTS = GATEWARE / "constraints"
 _WHOLE = {
@@ -37,12 +41,12 @@ _WHOLE = {
 
 
 def entity(name: str) -> Entity:
-    """Return an entity of the gateware or of its boards.
+    """Return an entity of the gateware, of its boards, or of what is generated.
 
     Raises:
         ValueError: if there is none, or what it has bears no comment.
     """
-    return read_entity(_text_of(name), name)
+    return read_entity(_text_of(name), name, entity)
 
 
 def _text_of(name: str) -> str:
@@ -51,6 +55,8 @@ def _text_of(name: str) -> str:
     Raises:
         ValueError: if there is none of its name.
     """
+    if name in generated.ENTITIES:
+        return generated.texts()[name]
     for source in [*vhdl_sources(), *board_sources()]:
         if source.stem == name:
             return source.read_text()
@@ -67,7 +73,7 @@ def _filled(page: Path) -> str:
 
 
 def _written(name: str, part: re.Match[str]) -> str:
-    write = {"generics": _generics, "ports": _ports, "resources": _resources, "constraints": _constraints}[part[2]]
+    write = _PARTS[part[2]]
     lines = write(name, part[3].split())
     return "\n".join([part[1], *lines, "", part[4]]).replace("\n\n\n", "\n\n")
 
@@ -155,6 +161,23 @@ def _constraints(name: str, _: Sequence[str]) -> list[str]:
         "",
         *_table(("tool", "files"), rows),
     ]
+
+
+def _records(*_: object) -> list[str]:
+    """Return the records of the hardware's side of a generated entity."""
+    found = re.findall(
+        r"^  (type \w+ is record\n.*?end record \w+;)$", generated.texts()[generated.PACKAGE], _WHOLE_TEXT
+    )
+    return ["```{code-block} vhdl", *"\n\n".join(found).replace("\n  ", "\n").split("\n"), "```"]
+
+
+_PARTS: dict[str, Callable[[str, Sequence[str]], list[str]]] = {
+    "generics": _generics,
+    "ports": _ports,
+    "records": _records,
+    "resources": _resources,
+    "constraints": _constraints,
+}
 
 
 def _with_all_below(name: str) -> set[str]:

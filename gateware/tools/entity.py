@@ -2,24 +2,28 @@
 
 A comment above a generic or port says what it means, and what those below it mean up to the next comment. That of a
 generic other than a boolean begins with what it may be, up to a colon; that of a port of another clock than `clk` ends
-with `Clock: NAME.`, or `Clock: none.` where it belongs to no clock.
+with `Clock: NAME.`, or `Clock: none.` where it belongs to no clock. `As of ENTITY.` gives each the comment that its
+namesake has in another entity, and may say behind a semicolon what differs.
 """
 
 from __future__ import annotations
 
 import dataclasses
+import itertools
+import operator
 import re
 from typing import TYPE_CHECKING
 
 from gateware.tools.syntax import nodes, parse, text_of
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Callable, Iterator
 
     from tree_sitter import Node
 
 _CLOCK = re.compile(r"\s*Clock: (\w+)\.$")
 _CLOCK_NAMES = re.compile(r"(?:^|_)(?:clk|clkout)$")
+_ELSEWHERE = re.compile(r"As of (\w+)(?:; (.+))?\.$")
 _WIDTH = re.compile(r"\((.+) downto 0\)$", re.DOTALL)
 
 
@@ -52,6 +56,8 @@ class Group:
 
     comment: str
     declarations: tuple[Declaration, ...]
+    difference: str = ""
+    """What is not as the comment of another entity says."""
 
     @property
     def range(self) -> str:
@@ -75,7 +81,8 @@ class Group:
         if declared.direction:
             return _CLOCK.sub("", self.comment)
         meaning = self.comment if declared.type == "boolean" else self.comment.partition(": ")[2]
-        return meaning[:1].upper() + meaning[1:]
+        meanings = (meaning, f"{self.difference}." if self.difference else "")
+        return " ".join(text[:1].upper() + text[1:] for text in meanings if text)
 
 
 @dataclasses.dataclass(frozen=True)
@@ -86,9 +93,20 @@ class Entity:
     generics: tuple[Group, ...]
     ports: tuple[Group, ...]
 
+    @property
+    def comments(self) -> dict[str, str]:
+        """The comment of each generic and port."""
+        groups = (*self.generics, *self.ports)
+        return {declared.name: group.comment for group in groups for declared in group.declarations}
 
-def read_entity(text: str, name: str) -> Entity:
+
+def read_entity(text: str, name: str, others: Callable[[str], Entity]) -> Entity:
     """Return an entity of a file of VHDL.
+
+    Args:
+        text: of the file.
+        name: of the entity.
+        others: returns an entity that comments refer to.
 
     Raises:
         ValueError: if the file has none of this name, or a generic or port has no comment.
@@ -97,11 +115,27 @@ def read_entity(text: str, name: str) -> Entity:
         if node.type == "entity_declaration" and text_of(node.named_children[0]) == name:
             clauses = {below.type: below for below in nodes(node) if below.type in ("generic_clause", "port_clause")}
             generics, ports = (
-                tuple(_groups(clauses[kind], name)) if kind in clauses else ()
+                tuple(_joined(_groups(clauses[kind], name), name, others)) if kind in clauses else ()
                 for kind in ("generic_clause", "port_clause")
             )
             return Entity(name, generics, ports)
     raise ValueError(f"the file has no entity {name}")
+
+
+def _joined(groups: Iterator[Group], entity: str, others: Callable[[str], Entity]) -> Iterator[Group]:
+    """Yield groups with the comments of those entities that theirs refer to."""
+    for group in groups:
+        found = _ELSEWHERE.match(group.comment)
+        if found is None:
+            yield group
+            continue
+        comments = others(found[1]).comments
+        for declared in group.declarations:
+            if declared.name not in comments:
+                raise ValueError(f"{declared.name} of {entity} is to be as of {found[1]}, which has none of that name")
+        described = [(comments[declared.name], declared) for declared in group.declarations]
+        for comment, alike in itertools.groupby(described, operator.itemgetter(0)):
+            yield Group(comment, tuple(declared for _, declared in alike), found[2] or "")
 
 
 def _groups(clause: Node, entity: str) -> Iterator[Group]:

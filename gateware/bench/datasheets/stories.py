@@ -12,12 +12,14 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from gateware.bench.runner import GATEWARE, run_bench
+from gateware.tools import generated
 from gateware.tools.drawing import Row, Waveform, Window, draw
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Mapping
 
 PICTURES = GATEWARE.parent / "docs" / "images" / "gateware"
+_GENERATED = GATEWARE / "build" / "datasheets"
 _GATEWAY = GATEWARE / "bench" / "unity_link" / "unity_link_bench.vhd"
 
 
@@ -39,6 +41,8 @@ class Simulation:
     pictures: Mapping[str, Picture]
     generics: Mapping[str, object] = dataclasses.field(default_factory=dict)
     sources: tuple[Path, ...] = ()
+    generated: bool = False
+    """Whether it is of the entities that are generated from a spec."""
 
     def draw(self) -> Iterator[tuple[str, str]]:
         """Simulate, and yield the name of each picture with its text."""
@@ -48,7 +52,7 @@ class Simulation:
                 self.entity,
                 f"gateware.bench.datasheets.{self.bench}",
                 generics=self.generics,
-                extra_sources=self.sources,
+                extra_sources=[*(generated.sources(_GENERATED) if self.generated else ()), *self.sources],
                 testcase=tuple(self.pictures),
                 extra_env={"WINDOWS": str(windows)},
                 waves=waves,
@@ -97,6 +101,7 @@ _STREAM_OF_ENTRIES = (
     "out_valid",
     "out_ready",
 )
+_READ = ("clk", "wb_cyc", "wb_stb", Row("wb_adr", when="wb_stb"), Row("wb_dat_o", when="wb_ack"), "wb_ack")
 SIMULATIONS = (
     Simulation(
         "unity_link_bench",
@@ -289,6 +294,35 @@ SIMULATIONS = (
         },
         {"bits_out": 1, "bits_in": 1},
         (GATEWARE / "boards" / "shift_chain.vhd",),
+    ),
+    Simulation(
+        "rover_bank",
+        "bench_bank",
+        {
+            "bank_accesses": Picture(
+                "A write, a read of what was written, a read of what hardware gives, and a read of nothing",
+                _rows(
+                    *_READ[:3],
+                    "wb_we",
+                    _READ[3],
+                    Row("wb_dat_i", when="wb_we"),
+                    *_READ[4:],
+                    "wb_err",
+                    "left_duty",
+                    "left_duty_written",
+                ),
+            ),
+            "bank_fifo": Picture(
+                "A read of a FIFO port that has no word yet, and the read behind it",
+                _rows(*_READ, "wb_stall", "log", "log_valid", "log_ready"),
+            ),
+            "bank_sample": Picture(
+                "A read within a sample gets what was at its instant, a read behind it what is now",
+                _rows(*_READ, "sample_access", "hits"),
+            ),
+        },
+        sources=(GATEWARE / "bench" / "datasheets" / "rover_bank.vhd",),
+        generated=True,
     ),
 )
 

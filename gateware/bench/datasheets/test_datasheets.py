@@ -9,6 +9,7 @@ import pytest
 
 from gateware.bench.datasheets.stories import PICTURES, SIMULATIONS
 from gateware.bench.test_documentation import ghdl
+from gateware.tools import generated
 from gateware.tools.datasheets import PAGES, entity, pages
 from gateware.tools.entity import Declaration, Group, read_entity
 from unity_link.gateware.cache import LIBRARY, board_sources, library_of, vhdl_sources
@@ -34,7 +35,7 @@ def test_every_entity_has_a_page_or_is_internal() -> None:
     inside = {source.stem for source in vhdl_sources() if source.parent.name in ("application", "datalink")}
     packages = {source.stem for source in vhdl_sources() if source.stem.endswith("_pkg")}
     known = {source.stem for source in [*vhdl_sources(), *board_sources()]}
-    assert set(ENTITIES) == known - inside - packages - _INTERNAL
+    assert set(ENTITIES) == (known - inside - packages - _INTERNAL) | set(generated.ENTITIES)
     listed = re.findall(r"^\| \[(\w+)\]\(\1\.md\)", (PAGES / "index.md").read_text(), re.MULTILINE)
     assert sorted(listed) == ENTITIES
 
@@ -52,9 +53,31 @@ def test_a_clock_is_a_port_of_the_entity_and_a_number_has_a_range(name: str) -> 
 def test_what_has_no_comment_is_refused() -> None:
     text = "entity tried is port (clk : in bit); end entity;"
     with pytest.raises(ValueError, match="clk of tried has no comment that says what it means"):
-        read_entity(text, "tried")
+        read_entity(text, "tried", entity)
     with pytest.raises(ValueError, match="the file has no entity other"):
-        read_entity(text, "other")
+        read_entity(text, "other", entity)
+
+
+def test_what_is_as_of_another_entity_has_the_comment_of_its_namesake_there() -> None:
+    text = """entity tried is
+      generic (
+        -- As of ul_fifo_sync; the default is small.
+        depth : positive := 4
+      );
+      port (
+        -- As of ul_fifo_sync.
+        clk : in std_logic;
+        rst : in std_logic;
+        {}
+      );
+    end entity;"""
+    there, tried = entity("ul_fifo_sync"), read_entity(text.format("in_valid : in std_logic"), "tried", entity)
+    (depth,) = tried.generics
+    assert depth.range == "A power of two, at least 2"
+    assert depth.meaning.endswith(" The default is small.")
+    assert [group.comment for group in tried.ports] == [there.comments[name] for name in ("clk", "rst", "in_valid")]
+    with pytest.raises(ValueError, match="gone of tried is to be as of ul_fifo_sync, which has none of that name"):
+        read_entity(text.format("gone : in std_logic"), "tried", entity)
 
 
 @pytest.mark.parametrize("simulation", SIMULATIONS, ids=lambda simulation: "_".join(simulation.pictures))
@@ -76,7 +99,11 @@ def test_every_picture_is_on_a_page() -> None:
 
 def test_the_examples_elaborate(tmp_path: Path) -> None:
     ghdl(tmp_path, "-i", f"--work={LIBRARY}", *map(str, vhdl_sources()))
-    files = [*board_sources(), *(_design(tmp_path, name) for name in ENTITIES)]
+    files = [
+        *board_sources(),
+        *generated.sources(tmp_path / "generated"),
+        *(_design(tmp_path, name) for name in ENTITIES),
+    ]
     ghdl(tmp_path, "-i", *map(str, files))
     for name in ENTITIES:
         ghdl(tmp_path, "-m", f"try_{name}")
@@ -105,6 +132,7 @@ def _design(folder: Path, name: str) -> Path:
         "  use ieee.numeric_std.all;",
         f"library {LIBRARY};",
         f"  use {LIBRARY}.ul_math_pkg.all;",
+        *([f"use work.{generated.PACKAGE}.all;"] if name in generated.ENTITIES else []),
         f"entity try_{name} is",
         "end entity;",
         f"architecture tried of try_{name} is",
