@@ -14,8 +14,9 @@ datasheets: $(ALL) ## tables and pictures of docs/reference/gateware, after a ch
 verilog: $(ALL) ## the gateway as Verilog-2005 into build/verilog, one file for each configuration
 	@$(BIN)/python -m gateware.tools.verilog
 
-synth: $(ALL) ## logic cells, RAM and Fmax into gateware/RESULTS.md, checked against gateware/budget.toml
+synth: $(ALL) ## logic cells, RAM and Fmax into gateware/RESULTS.md, checked against gateware/budget.toml; mapped.json
 	@$(BIN)/python -m gateware.tools.synth
+	@$(BIN)/python -m gateware.tools.mapped
 
 synth-quick: $(ALL) ## each top and each board through Yosys, not placed: what a CI has the time for
 	@$(BIN)/python -m gateware.tools.synth_quick

@@ -1,8 +1,9 @@
 """The parts of docs/reference/gateware that follow from the sources, and its pictures: written by `make datasheets`.
 
 A page is written by hand, but for what stands between comments that say what is to be there: the tables of generics and
-ports, from the VHDL; what it takes and how fast it is, from `gateware/RESULTS.md`; the files of constraints. Pictures
-are drawn of simulations (`gateware.bench.datasheets`). Tests hold both equal to what is in the tree.
+ports, from the VHDL; what it takes and how fast it is, from `gateware/RESULTS.md` and `gateware/mapped.json`; the files
+of constraints. Pictures are drawn of simulations (`gateware.bench.datasheets`). Tests hold both equal to what is in the
+tree.
 
 The entities that are generated from a spec are shown by those of one example (`gateware.tools.generated`).
 
@@ -15,13 +16,13 @@ import re
 import sys
 from typing import TYPE_CHECKING
 
-from gateware.tools import generated
+from gateware.tools import generated, mapped
 from gateware.tools.entity import Entity, Group, read_entity
 from gateware.tools.synth import CONFIGURATIONS, DEVICES, RESULTS
 from unity_link.gateware.cache import GATEWARE, board_sources, vhdl_sources
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterable, Sequence
+    from collections.abc import Callable, Iterable, Iterator, Sequence
     from pathlib import Path
 
 PAGES = GATEWARE.parent / "docs" / "reference" / "gateware"
@@ -121,7 +122,7 @@ def _marked(text: str) -> str:
 
 def _resources(_: str, configurations: Sequence[str]) -> list[str]:
     text = RESULTS.read_text()
-    lines = []
+    lines: list[tuple[str, ...]] = []
     for device in DEVICES.values():
         section = text.split(f"\n## {device.title}\n")[1].split("\n#")[0]
         for configuration in configurations:
@@ -131,12 +132,25 @@ def _resources(_: str, configurations: Sequence[str]) -> list[str]:
             if found is not None:
                 logic = f"{found[1]} {device.logic_title}"
                 lines.append((f"`{configuration}`", device.title, logic, found[2], f"{found[3]} MHz"))
+    lines += _mapped(configurations)
     chosen = [
         f"- `{name}`: {', '.join(f'`{generic}` {_plain(value)}' for generic, value in generics.items())}"
         for name in configurations
         if (generics := CONFIGURATIONS[name].generics)
     ]
     return [*_table(("configuration", "family", "logic", "RAM blocks", "Fmax"), lines), "", *chosen]
+
+
+def _mapped(configurations: Sequence[str]) -> Iterator[tuple[str, ...]]:
+    """Yield a row for each family that nothing is placed for, and each configuration that was mapped."""
+    found = mapped.results()
+    for name, target in mapped.TARGETS.items():
+        for configuration in configurations:
+            if configuration in found[name]:
+                cells = dict(found[name][configuration])
+                blocks = cells.pop(mapped.RAM_BLOCKS)
+                logic = ", ".join(f"{count} {kind}" for kind, count in cells.items() if count)
+                yield f"`{configuration}`", target.title, logic, str(blocks), "mapped, not placed"
 
 
 def _plain(value: object) -> str:

