@@ -232,7 +232,7 @@ class ResetBefore(Valve):
 
 @pytest.mark.parametrize("reset_before", [b"", b"Q", b"h", b"K", b"GX", b"gs"])
 @on_simulated_time
-async def test_a_reset_while_the_gateway_is_away_or_comes_back_ends_the_sessions_of_the_clients_and_its_absence_does_not(
+async def test_a_reset_while_the_gateway_is_away_or_comes_back_ends_the_sessions_of_clients_and_its_absence_does_not(
     reset_before: bytes,
 ) -> None:
     was_reset = bool(reset_before)
