@@ -35,7 +35,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
 RESET_TRIES = 3
-"""How often a gateway is asked whether it was reset: behind datagrams, it does not answer outside of a session."""
+"""How often a gateway is asked whether it was reset, before it is asked for a session all the same."""
 ECHO = "what is sent comes back as it is: is TX wired to RX, or an echo switched on?"
 ECHO_PATIENCE = 0.5
 """Seconds for which nothing but an echo is heard before it is believed: on a pair of wires an answer may follow."""
