@@ -233,6 +233,46 @@ async def test_a_group_is_free_again_where_its_client_left_before_its_requests_g
             assert (await anext(samples)).values.tolist() == [0x20]
 
 
+class LosingAnswers(Valve):
+    """Loses the first answer to each command that is named.
+
+    Args:
+        gateway: what is behind.
+        commands: in lower case.
+    """
+
+    def __init__(self, gateway: VirtualGateway, *commands: bytes) -> None:
+        super().__init__(gateway)
+        self._commands = {*commands}
+
+    def receive(self, data: bytes, now: float) -> bytes:
+        frames = super().receive(data, now).splitlines(keepends=True)
+        lost = [frame for frame in frames if frame[:2] in self._commands]
+        self._commands -= {frame[:2] for frame in lost}
+        return b"".join(frame for frame in frames if frame not in lost)
+
+
+@pytest.mark.parametrize(
+    ("asked", "lost", "runs"),
+    [(b"GN00\r", b"gs", True), (b"GN00\rGX00\r", b"gn", False), (b"GN00\rGX00\rGS0001000A0111\rGN00\r", b"gx", True)],
+)
+@on_simulated_time
+async def test_a_group_runs_as_its_client_has_asked_for_also_where_an_earlier_answer_comes_last(
+    asked: bytes, lost: bytes, *, runs: bool
+) -> None:
+    async with sharing(LosingAnswers(gateway_of(1), lost)) as shared:
+        client, other = call(shared), call(shared)
+        client.transport.write(b"GS0001000A0110\r" + asked)
+        await settle(shared)
+        other.transport.write(b"GS0001000A0120\rGN00\r")
+        await settle(shared)
+        assert other.take().split()[1] == (b"X06" if runs else b"GN00")
+        client.take()
+        await asyncio.sleep(0.1)
+        assert (b"P00" in client.take()) == runs
+        assert (b"P00" in other.take()) != runs
+
+
 @on_simulated_time
 async def test_a_group_that_is_started_while_the_gateway_is_away_for_a_moment_begins_once() -> None:
     async with sharing(SlowLine(gateway_of(1), 10_000)) as shared:

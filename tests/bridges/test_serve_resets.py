@@ -211,12 +211,32 @@ async def test_a_gateway_that_is_reset_behind_an_open_line_ends_the_sessions_of_
         assert gateway.memory[0x0A] == 4
 
 
-@pytest.mark.parametrize("was_reset", [True, False])
+class ResetBefore(Valve):
+    """Stands in front of a gateway that is reset just before the next frame with a certain beginning.
+
+    Args:
+        gateway: what is behind.
+    """
+
+    def __init__(self, gateway: VirtualGateway) -> None:
+        super().__init__(gateway)
+        self.beginning = b""
+        """None if it is empty."""
+
+    def receive(self, data: bytes, now: float) -> bytes:
+        if self.beginning and self.beginning in data:
+            self.beginning = b""
+            self.gateway.reset()  # type: ignore[attr-defined]
+        return super().receive(data, now)
+
+
+@pytest.mark.parametrize("reset_before", [b"", b"Q", b"h", b"K", b"GX", b"gs"])
 @on_simulated_time
-async def test_a_reset_while_the_gateway_was_away_ends_the_sessions_of_the_clients_and_its_absence_alone_does_not(
-    *, was_reset: bool
+async def test_a_reset_while_the_gateway_is_away_or_comes_back_ends_the_sessions_of_clients_and_its_absence_does_not(
+    reset_before: bytes,
 ) -> None:
-    gateway = VirtualGateway(GatewayInfo(base_frequency_millihertz=KILOHERTZ))
+    was_reset = bool(reset_before)
+    gateway = ResetBefore(VirtualGateway(GatewayInfo(base_frequency_millihertz=KILOHERTZ)))
     async with (
         sharing(gateway) as shared,
         PipedLink(shared, reconnect=Reconnect()) as link,
@@ -224,12 +244,12 @@ async def test_a_reset_while_the_gateway_was_away_ends_the_sessions_of_the_clien
     ):
         before = await anext(subscription)
         lose(shared)
-        if was_reset:
-            gateway.reset()
+        gateway.beginning = reset_before
         await until(lambda: shared.connected)
-        sample = await anext(subscription)
-        while was_reset and sample.epoch == 0:
+        async with asyncio.timeout(60):
             sample = await anext(subscription)
+            while was_reset and sample.epoch == 0:
+                sample = await anext(subscription)
         await asyncio.sleep(2 * KEEP_ALIVE)
         assert link.statistics.reconnections == was_reset
         assert sample.time is not None

@@ -26,9 +26,11 @@ ASKS_PLAIN, ASKS_CHECKED = b"\nQ\r", FRAMING.checked(b"Q")
 SEED = 0x1234
 
 
-def asking(now: float = 0.0, *, again: bool = False, wire_time: float | None = None) -> Handshake:
+def asking(
+    now: float = 0.0, *, again: bool = False, group: bytes | None = None, wire_time: float | None = None
+) -> Handshake:
     """Return a handshake that has sent its first question."""
-    handshake = Handshake(None, SEED, now, again=again, wire_time=wire_time)
+    handshake = Handshake(None, SEED, now, again=again, group=group, wire_time=wire_time)
     assert handshake.asks
     assert handshake.take_output() == ASKS_PLAIN
     assert handshake.take_output() == b""
@@ -39,9 +41,9 @@ def is_complete(handshake: Handshake) -> bool:
     return handshake.complete
 
 
-def known(*, again: bool = False) -> Handshake:
+def known(*, again: bool = False, group: bytes | None = None) -> Handshake:
     """Return one that knows the gateway, at time 0.02."""
-    handshake = asking(again=again)
+    handshake = asking(again=again, group=group)
     handshake.receive(PLAIN, 0.01)
     assert handshake.take_output() == ASKS_CHECKED
     handshake.receive(CHECKED, 0.02)
@@ -161,6 +163,43 @@ def test_who_does_not_say_whether_it_was_reset_is_asked_for_a_session_all_the_sa
         assert handshake.take_output() == FRAMING.checked(b"h234")
         handshake.expire(handshake.deadline)
     assert handshake.take_output() == FRAMING.checked(b"K234")
+
+
+def begun(answer: bytes) -> Handshake:
+    """Return one that has set up a group before, and has asked for a session after an answer to its `h`."""
+    handshake = known(again=True, group=b"0B")
+    handshake.take_output()
+    handshake.receive(FRAMING.checked(answer), 0.03)
+    handshake.receive(handshake.take_output(), 0.035)
+    return handshake
+
+
+def test_a_gateway_that_has_a_group_of_an_earlier_session_was_not_reset_before_this_one_either() -> None:
+    handshake = begun(b"n100")
+    asks = handshake.take_output()
+    assert asks == FRAMING.checked(b"GX0B")
+    handshake.expire(handshake.deadline)
+    assert handshake.take_output() == asks
+    assert not is_complete(handshake)
+    handshake.receive(asks, 0.04)
+    assert (is_complete(handshake), handshake.found_reset) == (True, False)
+    assert handshake.round_trip == pytest.approx(0.005)
+
+
+def test_a_gateway_that_has_forgotten_a_group_was_reset_just_before_this_session_which_is_asked_for_again() -> None:
+    handshake = begun(b"n100")
+    handshake.take_output()
+    handshake.receive(FRAMING.checked(b"X06"), 0.04)
+    assert (is_complete(handshake), handshake.found_reset) == (False, True)
+    session = handshake.take_output()
+    assert session == FRAMING.checked(b"K234")
+    handshake.receive(session, 0.05)
+    assert is_complete(handshake)
+
+
+def test_a_gateway_that_is_known_to_be_reset_is_asked_for_no_group() -> None:
+    handshake = begun(b"x2340A")
+    assert (is_complete(handshake), handshake.take_output()) == (True, b"")
 
 
 def test_a_session_that_was_asked_for_twice_is_asked_for_once_more_behind_the_other_answers() -> None:

@@ -6,8 +6,9 @@ import pytest
 
 from unity_link.errors import ConnectError, LinkLostError, Outcome, UnsupportedError
 from unity_link.protocol.configuration import GatewayInfo
+from unity_link.protocol.messages import GroupFlag
 from unity_link.protocol.requests import Request
-from unity_link.protocol.session import Session, Unusable
+from unity_link.protocol.session import Interrupted, Opened, Session, Unusable
 from unity_link.virtual import VirtualGateway
 
 
@@ -49,6 +50,34 @@ def test_a_read_that_was_under_way_when_the_line_was_lost_is_answered_in_the_nex
     for _ in range(8):
         session.receive(gateway.receive(session.take_output(), 1.0), 1.0)
     assert read.answer == 42
+
+
+@pytest.mark.parametrize("lost_after", range(7))
+@pytest.mark.parametrize("reset_after", [*range(12), None])
+def test_a_reset_at_any_instant_of_a_reconnection_is_told_before_the_last_session_is_open(
+    reset_after: int | None, lost_after: int
+) -> None:
+    session, gateway = opened(resumes=False)
+    flags = GroupFlag.PERIODIC | GroupFlag.TIMESTAMP
+    session.start(session.hold(flags, 1000, [0x10], 100, None), 0.0)
+    changes: list[type] = []
+    for turn in range(-4, 24):
+        now = 0.1 * turn
+        if turn in (0, lost_after):
+            session.disconnect("the line was lost")
+            session.connect(now, 0.003)
+        if turn == reset_after:
+            gateway.reset()
+        if turn == 12:
+            # Behind a session that is open, only an answer tells.
+            session.submit(Request(session.codec, "H", b"", 0), now)
+        events = session.receive(gateway.receive(session.take_output(), now), now)
+        changes += [type(event) for event in events if isinstance(event, Interrupted | Opened)]
+    assert session.is_open
+    assert changes[-1] is Opened
+    assert (Interrupted in changes) == (reset_after is not None)
+    if reset_after is not None and reset_after >= lost_after:
+        assert changes[-2] is Interrupted
 
 
 @pytest.mark.parametrize(

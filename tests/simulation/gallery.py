@@ -142,7 +142,7 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
 
     def anew(self: Any, codec: Any) -> None:
         start(self, codec)
-        self.clock = subscription.GatewayClock(codec.info.clock_hz)
+        self._clock = subscription.GatewayClock(codec.info.clock_hz)
 
     monkeypatch.setattr(subscription.Publishing, "start", anew)
 

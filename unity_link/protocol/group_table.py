@@ -77,6 +77,8 @@ class GroupTable:
     def __init__(self, count: int, submit: Callable[[Step, Events], None]) -> None:
         self.begun: dict[bytes, HeldGroup] = {}
         """The groups whose settings the gateway has stored in this session, by their two digits."""
+        self.known: bytes | None = None
+        """Two digits of a group that was set up since the gateway was last known to be reset."""
         self._count = count
         self._free = deque(range(count))
         self._held: dict[int, HeldGroup] = {}
@@ -126,6 +128,7 @@ class GroupTable:
     def deliver(self, text: bytes, owner: Any) -> None:
         """Have the samples of a group that is not held told to be for `owner`, as long as the session lasts."""
         self.begun[text] = HeldGroup(int(text, 16), b"", 0, owner)
+        self.known = text
 
     def drop(self, text: bytes) -> None:
         """Have the samples of such a group dropped."""
@@ -145,6 +148,8 @@ class GroupTable:
         """Set up a group and start it."""
 
         def stored(error: UnityLinkError | None, events: Events) -> None:
+            if error is None:
+                self.known = group.text
             if self._held.get(group.number) is not group:
                 self._settle(group, None, events)
             elif error is not None:

@@ -5,6 +5,8 @@ only if both agree is the answer believed. `K` then starts the session: the gate
 publishes nothing. A plain answer has no CRC, so whatever is wrong with one may be damage: it is asked for again.
 
 Where the same host has had a session before, it sends an `h` first: a gateway that was reset since answers error 0A.
+One that is reset just behind its answer would take the `K` as any other. So where the host has set up a group before,
+it stops that behind the `K`, which leaves groups set up: a gateway that was reset knows none, and answers error 06.
 """
 
 from __future__ import annotations
@@ -33,7 +35,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
 RESET_TRIES = 3
-"""How often a gateway is asked whether it was reset: behind datagrams, it does not answer outside of a session."""
+"""How often a gateway is asked whether it was reset, before it is asked for a session all the same."""
 ECHO = "what is sent comes back as it is: is TX wired to RX, or an echo switched on?"
 ECHO_PATIENCE = 0.5
 """Seconds for which nothing but an echo is heard before it is believed: on a pair of wires an answer may follow."""
@@ -71,16 +73,27 @@ class Handshake:
         seed: by which the first ID of the session is chosen, any number from 0 on.
         now: the time in seconds.
         again: whether to ask if the gateway was reset since an earlier session.
+        group: two digits of a group that was set up in an earlier session, None where there is none.
         wire_time: where nodes share the medium, seconds that question and answer are on the wire, at most, 0 where that
             is not known; None where there is no other node.
     """
 
-    def __init__(self, node: int | None, seed: int, now: float, *, again: bool, wire_time: float | None = None) -> None:
+    def __init__(
+        self,
+        node: int | None,
+        seed: int,
+        now: float,
+        *,
+        again: bool,
+        group: bytes | None = None,
+        wire_time: float | None = None,
+    ) -> None:
         self._takes_turns = wire_time is not None
         self._wire_time = wire_time or 0.0
         self._node = node
         self._seed = seed
         self._again = again
+        self._group = group
         self._out: list[bytes] = []
         self._heard = 0
         self._text = ""
@@ -177,7 +190,8 @@ class Handshake:
         no_session = b"x" + number + b"%02X" % ErrorCode.NO_SESSION
 
         def answered(body: bytes, now: float) -> None:
-            self.found_reset = body == no_session
+            if body == no_session:
+                self._reset_found()
             self._ask_session(now)
 
         beginnings = b"h" + number, b"n", no_session
@@ -187,6 +201,24 @@ class Handshake:
     def _ask_session(self, now: float, patience: float = FIRST_TRY) -> None:
         session = b"K" + self.codec.id_text[self.first]
         self._ask(_Question(self._framing.checked(session), (session,), self._session_begun), now, patience)
+
+    def _ask_whether_forgotten(self, group: bytes, now: float) -> None:
+        # Without ID: a repetition with one would be acknowledged, whether the group is known or not.
+        stopped, forgotten = b"GX" + group, b"X%02X" % ErrorCode.OUT_OF_RANGE
+
+        def answered(body: bytes, now: float) -> None:
+            if body == forgotten:
+                self._reset_found()
+                # So the session is not open before the host has been told.
+                self._ask_session(now)
+            else:
+                self.complete = True
+
+        self._ask(_Question(self._framing.checked(stopped), (stopped, forgotten), answered), now)
+
+    def _reset_found(self) -> None:
+        self.found_reset = True
+        self._group = None
 
     def _ask(self, question: _Question, now: float, patience: float | None = None) -> None:
         self._question = question
@@ -295,9 +327,11 @@ class Handshake:
 
     def _session_begun(self, _: bytes, now: float) -> None:
         self.round_trip = now - self._began
-        if self._asked == 1:
-            self.complete = True
-        else:
+        if self._asked > 1:
             # An answer does not say to which question it is: once more, when those to the others have come.
             self._pausing = True
             self.deadline = now + self.round_trip
+        elif self._group is not None:
+            self._ask_whether_forgotten(self._group, now)
+        else:
+            self.complete = True

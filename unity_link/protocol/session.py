@@ -230,7 +230,8 @@ class Session:
 
     def _begin(self, now: float, *, again: bool) -> None:
         wire_time = (self._byte_time or 0.0) * _FIRST_TURN if self._takes_turns else None
-        self._handshake = Handshake(self._node, self._choose(), now, again=again, wire_time=wire_time)
+        group = None if self._groups is None else self._groups.known
+        self._handshake = Handshake(self._node, self._choose(), now, again=again, group=group, wire_time=wire_time)
         if not self._takes_turns:
             self.output.append(self._handshake.take_output())
 
@@ -440,9 +441,14 @@ class Session:
     def _gateway_was_reset(self, now: float, events: Events) -> None:
         error = GatewayResetError(RESET)
         self._end_exchange(error, events)
-        events.append(Interrupted(error))
+        self._interrupted(error, events)
         self._give_up_at = now + LONGEST_SILENCE
         self._begin(now, again=False)
+
+    def _interrupted(self, error: GatewayResetError, events: Events) -> None:
+        """Tell of a reset, after which the gateway knows no group."""
+        self.groups.known = None
+        events.append(Interrupted(error))
 
     # The handshake
 
@@ -454,7 +460,7 @@ class Session:
             self.output.append(handshake.take_output())
         if handshake.found_reset:
             handshake.found_reset = False
-            events.append(Interrupted(GatewayResetError(RESET)))
+            self._interrupted(GatewayResetError(RESET), events)
         if handshake.complete:
             self._handshake = None
             self._give_up_at = None

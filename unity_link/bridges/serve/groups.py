@@ -113,7 +113,7 @@ class Slot:
     session has to set up again is known at any time.
     """
 
-    __slots__ = ("busy", "group", "lost_at", "number", "running", "settings", "stopping", "text")
+    __slots__ = ("busy", "changes", "group", "lost_at", "number", "running", "settings", "stopping", "text")
 
     def __init__(self, number: int) -> None:
         self.number = number
@@ -128,6 +128,8 @@ class Slot:
         """When the gateway was lost while this was running; None once it is set up again."""
         self.busy = 0
         """Requests that name it and are not over."""
+        self.changes: deque[Callable[[], None]] = deque()
+        """What those of its client that are not known to be executed change when they are, in their order."""
         self.stopping = False
         """Whether the server is stopping it on its own account."""
 

@@ -110,16 +110,26 @@ class SharedLink(Connection):
         """
         slot.busy += 1
 
+        def change() -> None:
+            if settings is not None:
+                self.slots.begin(slot, settings)
+            if command != "GP":
+                slot.change(running=command == "GN")
+
+        slot.changes.append(change)
+
         def over(executed: bool) -> None:  # noqa: FBT001  (its only argument)
             slot.busy -= 1
-            # The client may have left meanwhile.
-            if slot.group is not None and executed:
-                if settings is not None:
-                    self.slots.begin(slot, settings)
-                if command != "GP":
-                    slot.change(running=command == "GN")
-            elif slot.group is not None and command == "GX":
-                self._stop(slot)
+            # What was asked for before it was executed before it, also where that is answered later.
+            while executed and change in slot.changes:
+                earlier = slot.changes.popleft()
+                # The client may have left meanwhile.
+                if slot.group is not None:
+                    earlier()
+            if change in slot.changes:
+                slot.changes.remove(change)
+                if slot.group is not None and command == "GX":
+                    self._stop(slot)
             self.slots.settle(slot)
 
         return over
