@@ -153,7 +153,11 @@ class Exchange:
         if isinstance(source, Fence):
             source.follow(self._waiting)
         self._waiting.append(source)
-        self.admit(now, events)
+        if source is self._waiting[0] or self._waiting[0].unwanted():
+            self.admit(now, events)
+        else:
+            # What is first has no room: it would have been sent by what made some.
+            self._fence(now)
 
     def _number(self, run: Message, now: float) -> None:
         """Assign IDs to a run, and send it."""
