@@ -24,7 +24,7 @@ INFO = GatewayInfo(id_digits=2)
 class Line(Exchange):
     """An exchange that takes each line by itself."""
 
-    def _receive_in_order(self, data: bytes, start: int, now: float, events: list[Any]) -> int:
+    def _receive_answers(self, data: bytes, start: int, now: float, events: list[Any]) -> int:
         return start
 
 
