@@ -180,7 +180,7 @@ class Exchange:
                 continue
             room = window.room(source.size, posted=source.posted)
             # A window that is small because the line loses is not waited for to grow.
-            if not room or room < min(source.least(), max(1, window.most_room(source.size) // 2)):
+            if not room or (room < source.least() and room < window.most_room(source.size) // 2):
                 break
             waiting.popleft()
             run = source.take(room, events)

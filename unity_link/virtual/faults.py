@@ -12,6 +12,7 @@ import itertools
 import math
 import random
 import sys
+from bisect import bisect
 from collections import deque
 from typing import TYPE_CHECKING, Generic, TypeVar
 
@@ -84,7 +85,7 @@ class Noise:
         while position + self._until_next < len(data):
             index = position + self._until_next
             piece += data[position:index]
-            kind = self._random.choices(self._kinds, cum_weights=self._bounds)[0]
+            kind = self._kinds[bisect(self._bounds, self._random.random() * self._total, 0, len(self._bounds) - 1)]
             if kind == "stall":
                 pieces.append(bytes(piece))
                 piece.clear()
