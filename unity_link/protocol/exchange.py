@@ -501,9 +501,9 @@ class Exchange:
         """Take an error without an ID."""
         self.window.heard = True
         code = _number_of(body[1:])
-        if code in (ErrorCode.CRC, ErrorCode.TOO_LONG, ErrorCode.RECEIVE_OVERFLOW):
+        if code in _DAMAGED:
             self.window.damaged(now)
-        elif code in (ErrorCode.UNKNOWN_COMMAND, ErrorCode.MALFORMED):
+        elif code in _REFUSED:
             run = self.window.refused(now)
             if run is not None:
                 reason = f"{run.describe(self._place(run))}: the gateway refuses the request with error {code:02X}"
@@ -572,6 +572,8 @@ _LOWER_H, _LOWER_N, _LOWER_X = b"hnx"
 _P, _X = b"PX"
 _CR = b"\r"[0]
 _NO_SESSION = b"%02X" % ErrorCode.NO_SESSION
+_DAMAGED = frozenset({ErrorCode.CRC, ErrorCode.TOO_LONG, ErrorCode.RECEIVE_OVERFLOW})
+_REFUSED = frozenset({ErrorCode.UNKNOWN_COMMAND, ErrorCode.MALFORMED})
 
 
 def _number_of(text: bytes) -> int:

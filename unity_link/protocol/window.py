@@ -226,7 +226,8 @@ class Window(Generic[R]):
         if self._to_repeat != self._repeat_end:
             return 0
         in_flight = self.next - self.oldest & self._mask
-        outstanding = in_flight if self.oldest == self.executed else self._outstanding
+        # What is not known to be executed, or executed and not answered, may still be lost.
+        outstanding = in_flight if self.oldest == self.executed else in_flight - self._done(self.oldest, self.executed)
         ids = min(self._allowed - outstanding, self._half - in_flight)
         # A window of one has no room for both.
         ids -= posted and self._most > 1
@@ -274,10 +275,11 @@ class Window(Generic[R]):
         room = max(self._allowed, least) - self._open(self.oldest, self._to_repeat)
         for run, offset, count in self._parts(self._to_repeat, self._repeat_end, room):
             number = run.first + offset & self._mask
-            self._note_repetition(number, count)
+            for place in range(count):
+                self._repetitions[number + place & self._mask] = self._sent + place, self._repeat_ambiguous_until
+            self._sent += count
             self._to_repeat = number + count & self._mask
             yield number, run, offset, count
-            room -= count
         if not self._open(self._to_repeat, self._repeat_end):
             self._to_repeat = self._repeat_end
 
@@ -312,18 +314,18 @@ class Window(Generic[R]):
     @property
     def _sent_once(self) -> int:
         """The first ID in flight from which on nothing was sent again."""
-        return self._sent_once_from if self._distance(self._sent_once_from) <= self.in_flight else self.oldest
+        oldest, mask = self.oldest, self._mask
+        return self._sent_once_from if self._sent_once_from - oldest & mask <= self.next - oldest & mask else oldest
 
-    @property
-    def _outstanding(self) -> int:
-        """Number of requests that may still be lost: not known to be executed, or executed and not answered."""
-        return self._open(self.oldest, self.executed) + (self.next - self.executed & self._mask)
+    def _done(self, first: int, last: int) -> int:
+        """Return how many IDs are done, from `first` on and before `last`."""
+        slots = self._slots
+        between = slots[first:last] if first <= last else slots[first:] + slots[:last]
+        return between.count(None)
 
     def _open(self, first: int, last: int) -> int:
         """Return how many IDs are not done, from `first` on and before `last`."""
-        slots = self._slots
-        between = slots[first:last] if first <= last else slots[first:] + slots[:last]
-        return len(between) - between.count(None)
+        return (last - first & self._mask) - self._done(first, last)
 
     def _parts(self, position: int, last: int, most: int | None = None) -> Iterator[tuple[R, int, int]]:
         """Return the runs that wait for answers between two IDs, of `most` requests: run, offset in the run, count."""
@@ -634,18 +636,13 @@ class Window(Generic[R]):
 
     def _sending(self, run: R, number: int) -> int:
         """Return the place of the last sending of a request."""
-        return max(self._first_sending(run, number), self._repetitions.get(number, _NONE)[0])
+        first = run.sending + (number - run.first & self._mask)
+        return max(first, self._repetitions.get(number, _NONE)[0]) if self._repetitions else first
 
     def _answered_sending(self, run: R, number: int, now: float) -> int:
         """Return the place of the sending that is answered now, or of an earlier one where that is not known."""
         first, (last, ambiguous_until) = self._first_sending(run, number), self._repetitions.get(number, _NONE)
         return first if now < ambiguous_until else max(first, last)
-
-    def _note_repetition(self, number: int, count: int) -> None:
-        sent, mask, until = self._sent, self._mask, self._repeat_ambiguous_until
-        for place in range(count):
-            self._repetitions[number + place & mask] = sent + place, until
-        self._sent += count
 
     def _find_lost(self, sending: int, now: float) -> None:
         """Send again what was sent before a request that is answered now, and is not: it or its answer was lost.
