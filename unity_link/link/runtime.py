@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 log = logging.getLogger("unity_link.link")
 SHORTEST_SLEEP = 0.0002
-"""Seconds that are not slept: asyncio and uvloop sleep whole milliseconds, and a sign of loss may be due much sooner."""
+"""Seconds that are not slept: an event loop sleeps whole milliseconds, and a sign of loss may be due much sooner."""
 
 
 def report(message: str, error: Exception) -> None:

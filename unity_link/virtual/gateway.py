@@ -363,10 +363,8 @@ class VirtualGateway(BareGateway):
         if not ahead:
             sequence.advance()
         elif ahead <= sequence.mask >> 1:
-            if sequence.gap_told:
-                return b""
-            sequence.gap_told = True
-            return self._frame(self._codec.out_of_sequence(sequence.expected), plain=False)
+            told, sequence.gap_told = sequence.gap_told, True
+            return b"" if told else self._frame(self._codec.out_of_sequence(sequence.expected), plain=False)
         body = self._word_form % (self._codec.id_text[number], self.bus.memory[address])
         return b"%b%b\n" % (body, text(body))
 
@@ -384,9 +382,8 @@ class VirtualGateway(BareGateway):
             return None
         rest, word = fields >> self._data_shift, fields & self._data_field
         number, address = rest >> self._address_shift, rest & self._address_field
-        if number != self._sequence.expected or address > self._last_address or word > self._last_word:
-            return None
-        if address in self.bus.devices:
+        fits = address <= self._last_address and word <= self._last_word
+        if number != self._sequence.expected or not fits or address in self.bus.devices:
             return None
         self._sequence.advance()
         dict.__setitem__(self.bus.memory, address, word)
