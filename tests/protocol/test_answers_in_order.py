@@ -30,12 +30,33 @@ BATCHES = {"batch": 40, "small batch": 5}
 class Line(Exchange):
     """An exchange that takes each line by itself, but for answers to a batch that follow each other.
 
-    At each request it tries whether there is room.
+    At each request it tries whether there is room, and asks the window for each source.
     """
 
     def submit(self, source: Any, now: float, events: list[Any]) -> None:
         super().submit(source, now, events)
         self.admit(now, events)
+
+    def admit(self, now: float, events: list[Any]) -> None:
+        waiting, window = self._waiting, self.window
+        while waiting:
+            source = waiting[0]
+            if source.unwanted():
+                waiting.popleft()
+            elif isinstance(source, Fence) and any(other in waiting for other in source.earlier):
+                waiting.rotate(-1)
+            else:
+                room = window.room(source.size, posted=source.posted)
+                if room < min(source.least(), max(1, window.most_room(source.size) // 2)):
+                    break
+                waiting.popleft()
+                run = source.take(room, events)
+                if not source.exhausted():
+                    waiting.append(source)
+                self._number(run, now)
+                if run.posted:
+                    self._fence(now)
+        self._fence(now)
 
     def _receive_answers(self, data: bytes, start: int, now: float, events: list[Any]) -> int:
         while (after := self._receive_group(data, start, now, events)) != start:
@@ -94,9 +115,9 @@ turns = st.lists(
 class Host:
     """One side of the comparison: what it sends, is told and keeps."""
 
-    def __init__(self, kind: type[Exchange], node: int | None) -> None:
+    def __init__(self, kind: type[Exchange], node: int | None, credit: int | None = None) -> None:
         self.codec = Codec(INFO, node)
-        self.window: Window[Any] = Window(self.codec.ring, first=250, round_trip=0.002)
+        self.window: Window[Any] = Window(self.codec.ring, first=250, byte_limit=credit, round_trip=0.002)
         self.sent: list[bytes] = []
         self.events: list[Any] = []
         self.counters = Counters()
@@ -173,9 +194,11 @@ def pieces_of(data: bytes, cuts: list[int]) -> list[bytes]:
 
 @pytest.mark.parametrize("node", [None, 5], ids=["own medium", "shared medium"])
 @settings(max_examples=300)
-@given(turns=turns)
-def test_answers_side_by_side_are_what_they_are_line_by_line(node: int | None, turns: list[Turn]) -> None:
-    quick, slow = Host(Exchange, node), Host(Line, node)
+@given(turns=turns, credit=st.sampled_from([None, None, 20, 100, 500]))
+def test_answers_side_by_side_are_what_they_are_line_by_line(
+    node: int | None, turns: list[Turn], credit: int | None
+) -> None:
+    quick, slow = Host(Exchange, node, credit), Host(Line, node, credit)
     now = 0.0
     for turn in turns:
         now += turn.seconds

@@ -170,6 +170,7 @@ class Exchange:
     def admit(self, now: float, events: Events) -> None:
         """Let sources into the window, in turn, as far as there is room."""
         waiting, window = self._waiting, self.window
+        room, of = 0, (0, False)
         while waiting and self._may_send:
             source = waiting[0]
             if source.unwanted():
@@ -178,7 +179,9 @@ class Exchange:
             if isinstance(source, Fence) and any(other in waiting for other in source.earlier):
                 waiting.rotate(-1)
                 continue
-            room = window.room(source.size, posted=source.posted)
+            if of != (source.size, source.posted):
+                of = source.size, source.posted
+                room = window.room(source.size, posted=source.posted)
             # A window that is small because the line loses is not waited for to grow.
             if not room or (room < source.least() and room < window.most_room(source.size) // 2):
                 break
@@ -187,8 +190,10 @@ class Exchange:
             if not source.exhausted():
                 waiting.append(source)
             self._number(run, now)
+            room -= run.count
             if run.posted:
                 self._fence(now)
+                of = 0, False
         self._fence(now)
 
     def _fence(self, now: float) -> None:
