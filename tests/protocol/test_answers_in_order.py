@@ -1,30 +1,91 @@
-"""Answers to the oldest requests are taken side by side: the same comes of it as line by line."""
+"""Answers that stand side by side are taken in one go: the same comes of it as line by line.
+
+Those to a batch are told to the window together, wherever they stand; those to single requests while it is quiet.
+"""
 
 from __future__ import annotations
 
 from collections import deque
 from typing import Any, NamedTuple
 
+import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from unity_link.protocol.configuration import GatewayInfo
 from unity_link.protocol.exchange import Counters, Exchange
+from unity_link.protocol.frames import FrameError
 from unity_link.protocol.group_table import GroupTable
 from unity_link.protocol.messages import Codec
-from unity_link.protocol.requests import Fence, Request
+from unity_link.protocol.requests import Batch, BatchRun, Fence, Request
 from unity_link.protocol.window import Window
 
 REPLIES = {"R": 8, "W": 0, "WS": None, "RM": 24, "H": 0}
 KINDS = ["whole"] * 12 + ["damaged", "lost", "double", "other ID", "error", "no session", "out of sequence", "sample"]
 INFO = GatewayInfo(id_digits=2)
+BATCHES = {"batch": 40, "small batch": 5}
 
 
 class Line(Exchange):
-    """An exchange that takes each line by itself."""
+    """An exchange that takes each line by itself, but for answers to a batch that follow each other.
 
-    def _receive_in_order(self, data: bytes, start: int, now: float, events: list[Any]) -> int:
+    At each request it tries whether there is room, and asks the window for each source.
+    """
+
+    def submit(self, source: Any, now: float, events: list[Any]) -> None:
+        super().submit(source, now, events)
+        self.admit(now, events)
+
+    def admit(self, now: float, events: list[Any]) -> None:
+        waiting, window = self._waiting, self.window
+        while waiting:
+            source = waiting[0]
+            if source.unwanted():
+                waiting.popleft()
+            elif isinstance(source, Fence) and any(other in waiting for other in source.earlier):
+                waiting.rotate(-1)
+            else:
+                room = window.room(source.size, posted=source.posted)
+                if room < min(source.least(), max(1, window.most_room(source.size) // 2)):
+                    break
+                waiting.popleft()
+                run = source.take(room, events)
+                if not source.exhausted():
+                    waiting.append(source)
+                self._number(run, now)
+                if run.posted:
+                    self._fence(now)
+        self._fence(now)
+
+    def _receive_answers(self, data: bytes, start: int, now: float, events: list[Any]) -> int:
+        while (after := self._receive_group(data, start, now, events)) != start:
+            start = after
+        return start
+
+    def _receive_group(self, data: bytes, start: int, now: float, events: list[Any]) -> int:
+        """Take answers to one batch that follow each other; return where they end."""
+        taken: list[int] = []
+        for line in data[start:].split(b"\n")[:-1]:
+            try:
+                answer = self.codec.decode_response(self._open(line))
+            except (FrameError, ValueError):
+                break
+            number = answer.id
+            if number is None or (answer.command, list(answer.fields)) != ("R", ["d"]):
+                break
+            run = self.window.find(number)
+            if not isinstance(run, BatchRun):
+                break
+            if taken and (number != taken[-1] + 1 & 0xFF or run is not self.window.find(taken[0])):
+                break
+            taken.append(number)
+            run._batch.put(run._start + (number - run.first & 0xFF), 1, answer.fields["d"], events)
+            start += len(line) + 1
+        if taken:
+            self.window.heard = True
+            self._counters.responses += len(taken)
+            self.window.answered(taken[0], len(taken), now)
         return start
 
 
@@ -41,7 +102,7 @@ class Turn(NamedTuple):
 turns = st.lists(
     st.builds(
         Turn,
-        st.lists(st.sampled_from([*REPLIES, "fence"]), max_size=12),
+        st.lists(st.sampled_from([*REPLIES, "fence", *BATCHES]), max_size=12),
         st.lists(st.sampled_from(KINDS), max_size=14),
         st.lists(st.integers(0, 1 << 16), max_size=4),
         st.sampled_from([0.0, 0.0001, 0.01, 3.0]),
@@ -54,9 +115,9 @@ turns = st.lists(
 class Host:
     """One side of the comparison: what it sends, is told and keeps."""
 
-    def __init__(self, kind: type[Exchange], node: int | None) -> None:
+    def __init__(self, kind: type[Exchange], node: int | None, credit: int | None = None) -> None:
         self.codec = Codec(INFO, node)
-        self.window: Window[Any] = Window(self.codec.ring, first=250, round_trip=0.002)
+        self.window: Window[Any] = Window(self.codec.ring, first=250, byte_limit=credit, round_trip=0.002)
         self.sent: list[bytes] = []
         self.events: list[Any] = []
         self.counters = Counters()
@@ -66,9 +127,14 @@ class Host:
         self.rest = b""
 
     def ask(self, turn: Turn, now: float) -> None:
-        request: Request | None = None
+        request: Request | Batch | None = None
         for command in turn.commands:
-            request = Fence(self.codec) if command == "fence" else Request(self.codec, command, b"12", REPLIES[command])
+            if command in BATCHES:
+                request = Batch(self.codec, "R", [(np.full(BATCHES[command], 0x12), 2)])
+            elif command == "fence":
+                request = Fence(self.codec)
+            else:
+                request = Request(self.codec, command, b"12", REPLIES[command])
             self.exchange.submit(request, now, self.events)
         if request is not None and turn.cancelled:
             request.cancel()
@@ -86,9 +152,7 @@ class Host:
         window = dict(vars(self.window))
         window["_slots"] = [None if run is None else (run.first, run.command) for run in window["_slots"]]
         told = [
-            (event.first, event.command, str(event.answer), str(event.error))
-            if isinstance(event, Request)
-            else str(event)
+            (event.command, str(event.answer), str(event.error)) if isinstance(event, Request | Batch) else str(event)
             for event in self.events
         ]
         counters = [getattr(self.counters, name) for name in Counters.__slots__]
@@ -130,9 +194,11 @@ def pieces_of(data: bytes, cuts: list[int]) -> list[bytes]:
 
 @pytest.mark.parametrize("node", [None, 5], ids=["own medium", "shared medium"])
 @settings(max_examples=300)
-@given(turns=turns)
-def test_answers_side_by_side_are_what_they_are_line_by_line(node: int | None, turns: list[Turn]) -> None:
-    quick, slow = Host(Exchange, node), Host(Line, node)
+@given(turns=turns, credit=st.sampled_from([None, None, 20, 100, 500]))
+def test_answers_side_by_side_are_what_they_are_line_by_line(
+    node: int | None, turns: list[Turn], credit: int | None
+) -> None:
+    quick, slow = Host(Exchange, node, credit), Host(Line, node, credit)
     now = 0.0
     for turn in turns:
         now += turn.seconds
@@ -150,7 +216,7 @@ def test_answers_side_by_side_are_what_they_are_line_by_line(node: int | None, t
 def test_side_by_side_is_a_way_of_its_own(monkeypatch: pytest.MonkeyPatch) -> None:
     """Otherwise the comparison would compare one way with itself."""
     host = Host(Exchange, None)
-    host.ask(Turn(["R", "W", "RM"], [], [], 0.0, cancelled=False), 0.0)
+    host.ask(Turn(["R", "W", "RM", "small batch"], [], [], 0.0, cancelled=False), 0.0)
     monkeypatch.setattr(Exchange, "_receive_line", None)
-    host.hear([frames(host, ["whole"] * 3)], 0.0)
-    assert [event.command for event in host.events] == ["R", "W", "RM"]
+    host.hear([frames(host, ["whole"] * 8)], 0.0)
+    assert [event.command for event in host.events] == ["R", "W", "RM", "R"]

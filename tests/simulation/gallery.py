@@ -327,8 +327,8 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
     put = requests.Batch.put
 
-    def turned(self: Any, offset: int, words: Any, events: Any) -> None:
-        put(self, offset, words[::-1], events)
+    def turned(self: Any, offset: int, count: int, words: Any, events: Any) -> None:
+        put(self, offset, count, words if count == 1 else words[::-1], events)
 
     monkeypatch.setattr(requests.Batch, "put", turned)
 

@@ -116,6 +116,7 @@ def test_the_short_way_of_single_words_answers_as_the_long_way(requests: list[tu
             data = spelling(codec.request(command, number, codec.fields(command, *values)))
         assert quick.receive(data, 0.0) == slow.receive(data, 0.0)
         assert (quick.expected, quick.memory) == (slow.expected, slow.memory)
+        assert quick._sequence.gap_told == slow._sequence.gap_told
 
 
 def test_a_repeated_read_is_read_again_and_a_repeated_queue_read_is_not() -> None:

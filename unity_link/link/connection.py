@@ -272,7 +272,11 @@ class Connection:
             self._take_turns()
             self._set_timer()
         if session.output and not self._flushing:
-            self._send()
+            if events:
+                self._send()
+            else:
+                # No call goes on for what has arrived, so nothing follows in this turn.
+                self._flush()
         if self._timer is None or self._timer_at - now > _LATE or session.loses:
             self._set_timer()
         return len(data)

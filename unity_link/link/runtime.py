@@ -20,6 +20,8 @@ if TYPE_CHECKING:
     from unity_link.transport.stream import Stream
 
 log = logging.getLogger("unity_link.link")
+SHORTEST_SLEEP = 0.0002
+"""Seconds that are not slept: an event loop sleeps whole milliseconds, and a sign of loss may be due much sooner."""
 
 
 def report(message: str, error: Exception) -> None:
@@ -109,6 +111,38 @@ class Runtime(Protocol):
         """End what one call of `attend` has begun."""
 
 
+class _ShortTimer:
+    """A timer that an event loop waits for turn by turn, as it cannot sleep for so short a time.
+
+    Args:
+        loop: the event loop.
+        when: when the function is to be called.
+        function: is called then.
+    """
+
+    def __init__(self, loop: asyncio.AbstractEventLoop, when: float, function: Callable[[], object]) -> None:
+        self._loop = loop
+        self._when = when
+        self._function = function
+        self._before = loop.time()
+        self._handle: asyncio.Handle = loop.call_soon(self._turn)
+
+    def cancel(self) -> None:
+        """Have the function not called."""
+        self._handle.cancel()
+
+    def _turn(self) -> None:
+        now = self._loop.time()
+        if now >= self._when:
+            self._function()
+        elif now > self._before:
+            self._before = now
+            self._handle = self._loop.call_soon(self._turn)
+        else:
+            # A modelled clock: it stands still until all wait.
+            self._handle = self._loop.call_at(self._when, self._function)
+
+
 class AsyncioRuntime:
     """The event loop that is running."""
 
@@ -119,11 +153,16 @@ class AsyncioRuntime:
         self.create_future = loop.create_future
         self.call_soon = loop.call_soon
         self.call_soon_threadsafe = loop.call_soon_threadsafe
-        self.call_at = loop.call_at
+        self._loop = loop
         self.create_task = loop.create_task
         self.timeout = asyncio.timeout
         self.sleep = asyncio.sleep
         self.prepare = prepare
+
+    def call_at(self, when: float, function: Callable[[], object], /) -> Timer:
+        """Call a function at a time of the loop's clock."""
+        short = when < self._loop.time() + SHORTEST_SLEEP
+        return _ShortTimer(self._loop, when, function) if short else self._loop.call_at(when, function)
 
     async def finish(self, job: Job) -> None:
         """Cancel a task, and wait until it has ended."""

@@ -211,10 +211,10 @@ def request_rows(codec: Codec, command: str, first: int, fields: NDArray[np.uint
     count = len(fields)
     if count < _FEWEST_ROWS:
         # A turn of numpy costs as much as so many frames.
-        numbers = range(first, first + count)
+        text, width = fields.tobytes(), fields.shape[1]
         return b"".join(
-            codec.request(command, number & codec.ring - 1, row.tobytes())
-            for number, row in zip(numbers, fields, strict=True)
+            codec.request(command, first + place & codec.ring - 1, text[place * width : (place + 1) * width])
+            for place in range(count)
         )
     framing = codec.framing
     head = np.frombuffer(framing.prefix + codec.lower[command], np.uint8)

@@ -4,9 +4,10 @@ What must wait for room in the window waits in one line; a source with more to s
 its turn, so that a batch of thousands does not hold up the others. Samples that arrive among the responses are told to
 belong to whatever their group is for at that point of the stream.
 
-Four ways lead through `Exchange.receive`. A line is looked at by itself; where answers stand side by side that are just
-what the oldest requests wait for, or some to a batch, the window is told of them together; and where many answers to a
-batch do, or samples, numpy takes as many as are exactly what is expected. What one leaves, the next takes.
+Three ways lead through `Exchange.receive`. A line is looked at by itself; answers that stand side by side are taken in
+one go, and the window is told together of those to one batch, and of those to the oldest requests while it is quiet;
+and where many answers to a batch do, or samples, numpy takes as many as are exactly what is expected. What one leaves,
+the next takes.
 """
 
 from __future__ import annotations
@@ -153,7 +154,11 @@ class Exchange:
         if isinstance(source, Fence):
             source.follow(self._waiting)
         self._waiting.append(source)
-        self.admit(now, events)
+        if source is self._waiting[0] or self._waiting[0].unwanted():
+            self.admit(now, events)
+        else:
+            # What is first has no room: it would have been sent by what made some.
+            self._fence(now)
 
     def _number(self, run: Message, now: float) -> None:
         """Assign IDs to a run, and send it."""
@@ -166,6 +171,7 @@ class Exchange:
     def admit(self, now: float, events: Events) -> None:
         """Let sources into the window, in turn, as far as there is room."""
         waiting, window = self._waiting, self.window
+        room, of = 0, (0, False)
         while waiting and self._may_send:
             source = waiting[0]
             if source.unwanted():
@@ -174,17 +180,21 @@ class Exchange:
             if isinstance(source, Fence) and any(other in waiting for other in source.earlier):
                 waiting.rotate(-1)
                 continue
-            room = window.room(source.size, posted=source.posted)
+            if of != (source.size, source.posted):
+                of = source.size, source.posted
+                room = window.room(source.size, posted=source.posted)
             # A window that is small because the line loses is not waited for to grow.
-            if not room or room < min(source.least(), max(1, window.most_room(source.size) // 2)):
+            if not room or (room < source.least() and room < window.most_room(source.size) // 2):
                 break
             waiting.popleft()
             run = source.take(room, events)
             if not source.exhausted():
                 waiting.append(source)
             self._number(run, now)
+            room -= run.count
             if run.posted:
                 self._fence(now)
+                of = 0, False
         self._fence(now)
 
     def _fence(self, now: float) -> None:
@@ -266,10 +276,9 @@ class Exchange:
             if sampling:
                 before, start = start, self._receive_samples(data, start, now, events)
                 sampling = start != before
-            if window.quiet:
-                start = self._receive_in_order(data, start, now, events)
-                if start == len(data):
-                    break
+            start = self._receive_answers(data, start, now, events)
+            if start == len(data):
+                break
             before, start = start, self._receive_next(data, start, now, events)
             if start in (before, len(data)) or self.refused is not None:
                 break
@@ -281,7 +290,7 @@ class Exchange:
         return start
 
     def _receive_next(self, data: bytes, start: int, now: float, events: Events) -> int:
-        """Take a line, or the answers to a batch that begin with it; return where they end, `start` without an end."""
+        """Take a line; return where it ends, `start` without an end."""
         end = data.find(b"\n", start)
         if end < 0:
             return start + self._drop_endless(data[start:], now)
@@ -289,8 +298,7 @@ class Exchange:
             # A server's sign that what was repeated is still under way.
             self.window.heard = True
             return start + 1
-        after = self._receive_few(data, start, now, events) if self._batching else start
-        return after if after != start else start + self._receive_line(data[start:end], now, events)
+        return start + self._receive_line(data[start:end], now, events)
 
     def _receive_rows(self, data: bytes, start: int, now: float, events: Events) -> int:
         """Take the answers to a batch as long as they stand side by side; return where they end."""
@@ -313,63 +321,59 @@ class Exchange:
             window.answered(number, taken, now)
             start += taken * run.reply_size
 
-    def _receive_in_order(self, data: bytes, start: int, now: float, events: Events) -> int:
-        """Take answers as long as each is exactly that to the oldest request; return where they end."""
-        window, ids = self.window, self._id_text
-        number, mask = window.oldest, len(ids) - 1
-        count = size = 0
-        # Others do more than to be answered.
-        while type(request := window.find(number)) is Request:
-            end = start + request.reply_size - 1
-            if data.find(b"\n", start) != end:
-                break
-            try:
-                body = self._open(data[start:end])
-            except FrameError:
-                break
-            head = len(request.command)
-            after = head + self._id_digits
-            if body[head:after] != ids[number] or not request.accept(0, body, after, events):
-                break
-            count += 1
-            size += request.size
-            number = number + 1 & mask
-            start = end + 1
-        if count:
-            window.heard = True
-            self._counters.responses += count
-            window.answered_in_order(count, size, now)
-        return start
+    def _receive_answers(self, data: bytes, start: int, now: float, events: Events) -> int:
+        """Take answers as long as they stand side by side; return where they end.
 
-    def _receive_few(self, data: bytes, start: int, now: float, events: Events) -> int:
-        """Take answers to a batch one by one, and tell the window of all that stand side by side in order."""
-        window, mask, run = self.window, self.codec.ring - 1, None
-        first = count = 0
+        Those to one batch that follow each other are told to the window together, and so are those to the oldest
+        requests while it is quiet.
+        """
+        window, numbers, digits = self.window, self._id_number, self._id_digits
+        first = follows = count = size = 0
+        together: Message | None = None
+        quiet = False
         while (end := data.find(b"\n", start)) >= 0:
             try:
                 body = self._open(data[start:end])
             except FrameError:
                 break
-            after = 1 + self._id_digits
-            number = self._id_number.get(body[1:after])
+            head = 1 if body[1:2] < b"G" else 2
+            after = head + digits
+            number = numbers.get(body[head:after])
             if number is None:
                 break
-            if not count:
-                first, run = number, window.find(number)
-            if (
-                not isinstance(run, BatchRun)
-                or number != first + count & mask
-                or window.find(number) is not run
-                or not run.accept(number - run.first & mask, body, after, events)
-            ):
+            run = window.find(number)
+            if count and (number != follows or (run is not together and not quiet)):
+                self._answered(first, count, size, now, quiet=quiet)
+                # It may be one of these once more.
+                count, run = 0, window.find(number)
+            if type(run) is Request:
+                accepted = run.accept(0, body, after, events)
+            elif isinstance(run, BatchRun):
+                accepted = run.accept(number - run.first & self.codec.ring - 1, body, after, events)
+            else:
+                # Others do more than to be answered.
                 break
+            if not accepted:
+                break
+            if not count:
+                first, together, size = number, run, 0
+                quiet = number == window.oldest and window.quiet
             count += 1
+            size += run.size
+            follows = number + 1 & len(numbers) - 1
             start = end + 1
         if count:
-            window.heard = True
-            self._counters.responses += count
-            window.answered(first, count, now)
+            self._answered(first, count, size, now, quiet=quiet)
         return start
+
+    def _answered(self, first: int, count: int, size: int, now: float, *, quiet: bool) -> None:
+        """Tell the window of answers to `count` requests from one ID on, which have `size` characters."""
+        self.window.heard = True
+        self._counters.responses += count
+        if quiet:
+            self.window.answered_in_order(count, size, now)
+        else:
+            self.window.answered(first, count, now)
 
     def _receive_samples(self, data: bytes, start: int, now: float, events: Events) -> int:
         """Take samples as long as they stand side by side; return where they end."""
@@ -503,9 +507,9 @@ class Exchange:
         """Take an error without an ID."""
         self.window.heard = True
         code = _number_of(body[1:])
-        if code in (ErrorCode.CRC, ErrorCode.TOO_LONG, ErrorCode.RECEIVE_OVERFLOW):
+        if code in _DAMAGED:
             self.window.damaged(now)
-        elif code in (ErrorCode.UNKNOWN_COMMAND, ErrorCode.MALFORMED):
+        elif code in _REFUSED:
             run = self.window.refused(now)
             if run is not None:
                 reason = f"{run.describe(self._place(run))}: the gateway refuses the request with error {code:02X}"
@@ -574,6 +578,8 @@ _LOWER_H, _LOWER_N, _LOWER_X = b"hnx"
 _P, _X = b"PX"
 _CR = b"\r"[0]
 _NO_SESSION = b"%02X" % ErrorCode.NO_SESSION
+_DAMAGED = frozenset({ErrorCode.CRC, ErrorCode.TOO_LONG, ErrorCode.RECEIVE_OVERFLOW})
+_REFUSED = frozenset({ErrorCode.UNKNOWN_COMMAND, ErrorCode.MALFORMED})
 
 
 def _number_of(text: bytes) -> int:

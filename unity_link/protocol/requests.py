@@ -411,7 +411,7 @@ class Batch:
         self.owner: Any = None
         self.given_up = False
         """Whether no call waits for it any more."""
-        self._columns = columns
+        self._fields = protocol.arrays.hex_columns(columns)
         self._unanswered = self.count
         self._refusal: tuple[int, GatewayError] | None = None
         """The first message that the gateway refused, and how."""
@@ -462,14 +462,12 @@ class Batch:
 
     def fields(self, start: int, count: int) -> NDArray[np.uint8]:
         """Return the hex digits of the fields of some messages, shape (count, width)."""
-        return protocol.arrays.hex_columns(
-            [(values[start : start + count], digits) for values, digits in self._columns]
-        )
+        return self._fields[start : start + count]
 
-    def put(self, offset: int, words: Words | list[int], events: Events) -> None:
-        """Take the words of answers, in order; zeros for acknowledgements."""
-        self.answer[offset : offset + len(words)] = words
-        self._answered(len(words), events)
+    def put(self, offset: int, count: int, words: Words | int, events: Events) -> None:
+        """Take the words of so many answers, in order; zeros for acknowledgements."""
+        self.answer[offset : offset + count] = words
+        self._answered(count, events)
 
     def take_refusal(self, offset: int, error: GatewayError, events: Events) -> None:
         """Take the refusal of one message; the others are done all the same."""
@@ -522,7 +520,7 @@ class BatchRun(Message):
             word = int(data or b"0", 16)
         except ValueError:
             return False
-        self._batch.put(place, [word], events)
+        self._batch.put(place, 1, word, events)
         return True
 
     def accept_rows(self, offset: int, frames: bytes, events: Events) -> int:
@@ -531,7 +529,7 @@ class BatchRun(Message):
         words = protocol.arrays.response_rows(self.codec, self.command, number, frames, self._batch.reply_digits or 0)
         if words is None:
             return 0
-        self._batch.put(self._start + offset, words, events)
+        self._batch.put(self._start + offset, len(words), words, events)
         return len(words)
 
     def fail_part(self, offset: int, count: int, error: UnityLinkError, events: Events) -> None:

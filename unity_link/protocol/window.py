@@ -106,6 +106,8 @@ class Run:
 
 
 R = TypeVar("R", bound=Run)
+_NONE = (0, -math.inf)
+"""The repetition of a request that was not sent again."""
 
 
 class Unanswered(NamedTuple, Generic[R]):
@@ -150,11 +152,9 @@ class Window(Generic[R]):
         """The IDs that are to be sent again: from one mark on and before the other; none where they are equal."""
         self._sent = 0
         """Number of requests sent, repetitions counted as well."""
-        self._sendings: dict[int, int] = {}
-        """Places, among all that were sent, of requests that were sent again, by ID; what is before that of the run is
-        of an earlier lap."""
-        self._ambiguous_until: dict[int, float] = {}
-        """Until when an answer may be to an earlier sending of a request that was sent again, by ID."""
+        self._repetitions: dict[int, tuple[int, float]] = {}
+        """Of requests that were sent again, by ID: the place of the last sending among all that were sent, and until
+        when an answer may be to an earlier one; where the place is before that of the run, it is of an earlier lap."""
         self._repeat_ambiguous_until = 0.0
         """The same of what is to be sent again."""
         self._allowed = self._most
@@ -226,7 +226,8 @@ class Window(Generic[R]):
         if self._to_repeat != self._repeat_end:
             return 0
         in_flight = self.next - self.oldest & self._mask
-        outstanding = in_flight if self.oldest == self.executed else self._outstanding
+        # What is not known to be executed, or executed and not answered, may still be lost.
+        outstanding = in_flight if self.oldest == self.executed else in_flight - self._done(self.oldest, self.executed)
         ids = min(self._allowed - outstanding, self._half - in_flight)
         # A window of one has no room for both.
         ids -= posted and self._most > 1
@@ -243,10 +244,7 @@ class Window(Generic[R]):
         run.sending = self._sent
         self._sent += count
         after = first + count & self._mask
-        if count == 1:
-            self._slots[first] = run
-        else:
-            self._fill(first, count, run)
+        self._fill(first, count, run)
         self._bytes += run.size * count
         if run.posted:
             if not self.unfenced:
@@ -277,10 +275,11 @@ class Window(Generic[R]):
         room = max(self._allowed, least) - self._open(self.oldest, self._to_repeat)
         for run, offset, count in self._parts(self._to_repeat, self._repeat_end, room):
             number = run.first + offset & self._mask
-            self._note_repetition(number, count)
+            for place in range(count):
+                self._repetitions[number + place & self._mask] = self._sent + place, self._repeat_ambiguous_until
+            self._sent += count
             self._to_repeat = number + count & self._mask
             yield number, run, offset, count
-            room -= count
         if not self._open(self._to_repeat, self._repeat_end):
             self._to_repeat = self._repeat_end
 
@@ -315,18 +314,18 @@ class Window(Generic[R]):
     @property
     def _sent_once(self) -> int:
         """The first ID in flight from which on nothing was sent again."""
-        return self._sent_once_from if self._distance(self._sent_once_from) <= self.in_flight else self.oldest
+        oldest, mask = self.oldest, self._mask
+        return self._sent_once_from if self._sent_once_from - oldest & mask <= self.next - oldest & mask else oldest
 
-    @property
-    def _outstanding(self) -> int:
-        """Number of requests that may still be lost: not known to be executed, or executed and not answered."""
-        return self._open(self.oldest, self.executed) + (self.next - self.executed & self._mask)
+    def _done(self, first: int, last: int) -> int:
+        """Return how many IDs are done, from `first` on and before `last`."""
+        slots = self._slots
+        between = slots[first:last] if first <= last else slots[first:] + slots[:last]
+        return between.count(None)
 
     def _open(self, first: int, last: int) -> int:
         """Return how many IDs are not done, from `first` on and before `last`."""
-        slots = self._slots
-        between = slots[first:last] if first <= last else slots[first:] + slots[:last]
-        return len(between) - between.count(None)
+        return (last - first & self._mask) - self._done(first, last)
 
     def _parts(self, position: int, last: int, most: int | None = None) -> Iterator[tuple[R, int, int]]:
         """Return the runs that wait for answers between two IDs, of `most` requests: run, offset in the run, count."""
@@ -364,7 +363,7 @@ class Window(Generic[R]):
             self.oldest == self.executed
             and not self.loses
             and not self._troubled
-            and not self._sendings
+            and not self._repetitions
             and self._timeout == self._measured_timeout
         )
 
@@ -373,10 +372,7 @@ class Window(Generic[R]):
         number = self.oldest
         if self._timed is not None:
             self._time(number, count, now)
-        if count == 1:
-            self._slots[number] = None
-        else:
-            self._fill(number, count, None)
+        self._fill(number, count, None)
         self._bytes -= size
         self.oldest = self.executed = number + count & self._mask
         self._since = now
@@ -401,7 +397,7 @@ class Window(Generic[R]):
         if self._timed is not None:
             self._time(number, count, now)
         # Without repetitions, the answer to the oldest says nothing of the others.
-        tells = self._sendings or number != self.oldest
+        tells = self._repetitions or number != self.oldest
         sending = self._answered_sending(run, number + count - 1 & self._mask, now) if tells else 0
         self._fill(number, count, None)
         if self.loses:
@@ -546,6 +542,9 @@ class Window(Generic[R]):
         return number - self.oldest & self._mask
 
     def _fill(self, first: int, count: int, run: R | None) -> None:
+        if count == 1:
+            self._slots[first] = run
+            return
         before_wrap = min(count, self._mask + 1 - first)
         self._slots[first : first + before_wrap] = [run] * before_wrap
         self._slots[: count - before_wrap] = [run] * (count - before_wrap)
@@ -637,18 +636,13 @@ class Window(Generic[R]):
 
     def _sending(self, run: R, number: int) -> int:
         """Return the place of the last sending of a request."""
-        return max(self._first_sending(run, number), self._sendings.get(number, 0))
+        first = run.sending + (number - run.first & self._mask)
+        return max(first, self._repetitions.get(number, _NONE)[0]) if self._repetitions else first
 
     def _answered_sending(self, run: R, number: int, now: float) -> int:
         """Return the place of the sending that is answered now, or of an earlier one where that is not known."""
-        ambiguous = now < self._ambiguous_until.get(number, now)
-        return self._first_sending(run, number) if ambiguous else self._sending(run, number)
-
-    def _note_repetition(self, number: int, count: int) -> None:
-        numbers = [number + place & self._mask for place in range(count)]
-        self._sendings.update(zip(numbers, range(self._sent, self._sent + count), strict=True))
-        self._sent += count
-        self._ambiguous_until.update(dict.fromkeys(numbers, self._repeat_ambiguous_until))
+        first, (last, ambiguous_until) = self._first_sending(run, number), self._repetitions.get(number, _NONE)
+        return first if now < ambiguous_until else max(first, last)
 
     def _find_lost(self, sending: int, now: float) -> None:
         """Send again what was sent before a request that is answered now, and is not: it or its answer was lost.
@@ -656,8 +650,7 @@ class Window(Generic[R]):
         Where the gateway has executed it, only the answer was lost, and what is behind it is on its way.
         """
         if self._sent_once == self.oldest:
-            self._sendings.clear()
-            self._ambiguous_until.clear()
+            self._repetitions.clear()
         if not self._is_lost(self.oldest, sending):
             return
         self.timed_out = False

@@ -12,6 +12,7 @@ import itertools
 import math
 import random
 import sys
+from bisect import bisect
 from collections import deque
 from typing import TYPE_CHECKING, Generic, TypeVar
 
@@ -70,7 +71,8 @@ class Noise:
         self._total = _total(chances)
         self.stall_seconds = stall_seconds
         self._kinds = list(chances)
-        self._weights = list(chances.values())
+        self._bounds = list(itertools.accumulate(chances.values()))
+        self._log_of_passing = math.log(1 - self._total) if self._total < 1 else -math.inf
         self._random = random.Random(seed)  # noqa: S311  (repeatable is what is wanted)
         self._until_next = self._draw()
 
@@ -83,7 +85,7 @@ class Noise:
         while position + self._until_next < len(data):
             index = position + self._until_next
             piece += data[position:index]
-            kind = self._random.choices(self._kinds, self._weights)[0]
+            kind = self._kinds[bisect(self._bounds, self._random.random() * self._total, 0, len(self._bounds) - 1)]
             if kind == "stall":
                 pieces.append(bytes(piece))
                 piece.clear()
@@ -107,7 +109,7 @@ class Noise:
             return sys.maxsize
         if self._total == 1:
             return 0
-        return int(math.log(1 - self._random.random()) / math.log(1 - self._total))
+        return int(math.log(1 - self._random.random()) / self._log_of_passing)
 
 
 class Straying(Generic[T]):
@@ -164,6 +166,11 @@ def _total(chances: Mapping[str, float]) -> float:
     return total
 
 
+def _earlier(one: float | None, other: float | None) -> float | None:
+    """Return the earlier of two times, of which each may be none."""
+    return one if other is None or (one is not None and one <= other) else other
+
+
 class _Direction:
     """One direction of a line: what is held back, and until when."""
 
@@ -185,11 +192,12 @@ class _Direction:
         return self._held[0][0] if self._held else None
 
     def take(self, now: float) -> bytes:
-        taken = bytearray()
-        while self._held and self._held[0][0] <= now:
-            taken += self._held.popleft()[1]
+        held, pieces = self._held, []
+        while held and held[0][0] <= now:
+            pieces.append(held.popleft()[1])
+        taken = pieces[0] if len(pieces) == 1 else b"".join(pieces)
         self.held_bytes -= len(taken)
-        return bytes(taken)
+        return taken
 
 
 class NoisyLine(Gateway):
@@ -230,28 +238,28 @@ class NoisyLine(Gateway):
     @property
     def next_due(self) -> float | None:
         """When the gateway has something to do, or a stall ends."""
-        times = (self._towards.next_due, self._gateway.next_due, self._back.next_due)
-        return min((time for time in times if time is not None), default=None)
+        return _earlier(self._next_at_gateway(), self._back.next_due)
 
     def receive(self, data: bytes, now: float) -> bytes:
         """Take bytes at the time `now`, in seconds, and give those that arrive back at once."""
-        before = self.advance(now)
         self._towards.put(data, now)
-        return before + self.advance(now)
+        return self.advance(now)
 
     def advance(self, now: float, room: int | None = None) -> bytes:
         """Let time pass, and return the bytes that arrive back; see `Gateway`."""
-        arrived = bytearray()
+        arrived, reached = b"", -math.inf
         while (due := self._next_at_gateway()) is not None and due <= now:
             self._step(due, None if room is None else room - len(arrived))
             arrived += self._back.take(now)
-        self._step(now, None if room is None else room - len(arrived))
-        return bytes(arrived + self._back.take(now))
+            reached = due
+        if reached < now:
+            self._step(now, None if room is None else room - len(arrived))
+            arrived += self._back.take(now)
+        return arrived
 
     def _next_at_gateway(self) -> float | None:
         """When something happens at the gateway's end of the line."""
-        times = (self._towards.next_due, self._gateway.next_due)
-        return min((time for time in times if time is not None), default=None)
+        return _earlier(self._towards.next_due, self._gateway.next_due)
 
     def _step(self, now: float, room: int | None) -> None:
         published = self._gateway.advance(now, room)

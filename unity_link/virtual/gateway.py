@@ -25,7 +25,7 @@ import msgspec
 from unity_link.errors import ArgumentError
 from unity_link.protocol.configuration import Feature, GatewayInfo
 from unity_link.protocol.gateway_session import Answer, GatewaySession
-from unity_link.protocol.messages import Codec
+from unity_link.protocol.messages import Codec, ErrorCode
 from unity_link.virtual.bus import AccessError, Device, ModelBus
 from unity_link.virtual.commands import CommandSet, FieldRangeError
 from unity_link.virtual.groups import PublishGroups
@@ -340,12 +340,16 @@ class VirtualGateway(BareGateway):
         self._last_address = (1 << info.address_bits) - 1
         self._last_word = (1 << info.data_bits) - 1
         self._word_form = b"r%%b%%0%dX" % info.data_digits
+        self._damage_reply = self._frame(self._codec.error(ErrorCode.CRC), plain=False)
 
     def _quick_read(self, line: bytes) -> bytes | None:
-        """Answer `r` of plain memory in a session, unless it is the first behind a gap, or give up."""
+        """Answer what may be `r` of plain memory in a session, damaged or ahead as well, or give up."""
         digits, text = self._crc_digits, self._crc_text
+        check = text(line[:-digits])
+        if check != line[-digits:]:
+            return None if check == line[-digits:].upper() else self._damage_reply
         # The second digit may be no X, for int() would take 0X for a prefix.
-        if text(line[:-digits]) != line[-digits:] or not line.isalnum() or line[2] in b"xX":
+        if not line.isalnum() or line[2] in b"xX":
             return None
         try:
             fields = int(line[1:-digits], 16)
@@ -359,14 +363,18 @@ class VirtualGateway(BareGateway):
         if not ahead:
             sequence.advance()
         elif ahead <= sequence.mask >> 1:
-            return b"" if sequence.gap_told else None
+            told, sequence.gap_told = sequence.gap_told, True
+            return b"" if told else self._frame(self._codec.out_of_sequence(sequence.expected), plain=False)
         body = self._word_form % (self._codec.id_text[number], self.bus.memory[address])
         return b"%b%b\n" % (body, text(body))
 
     def _quick_write(self, line: bytes, head: int) -> bytes | None:
         """Answer `w` or `ws`, of `head` letters, to plain memory with the expected ID, or give up."""
         digits, text = self._crc_digits, self._crc_text
-        if text(line[:-digits]) != line[-digits:] or not line.isalnum() or line[head + 1] in b"xX":
+        check = text(line[:-digits])
+        if check != line[-digits:]:
+            return None if check == line[-digits:].upper() else self._damage_reply
+        if not line.isalnum() or line[head + 1] in b"xX":
             return None
         try:
             fields = int(line[head:-digits], 16)
@@ -374,9 +382,8 @@ class VirtualGateway(BareGateway):
             return None
         rest, word = fields >> self._data_shift, fields & self._data_field
         number, address = rest >> self._address_shift, rest & self._address_field
-        if number != self._sequence.expected or address > self._last_address or word > self._last_word:
-            return None
-        if address in self.bus.devices:
+        fits = address <= self._last_address and word <= self._last_word
+        if number != self._sequence.expected or not fits or address in self.bus.devices:
             return None
         self._sequence.advance()
         dict.__setitem__(self.bus.memory, address, word)
