@@ -229,6 +229,19 @@ async def test_the_only_link_of_a_line_is_opened_again() -> None:
         assert link.statistics.reconnections == 1
 
 
+@pytest.mark.parametrize("pause", [0.001, 0.005, 0.011, 0.012])
+@on_simulated_time
+async def test_a_line_whose_only_link_is_closed_in_its_turn_is_quiet_before_the_next_link_sends(pause: float) -> None:
+    line = build_shared_line(NODES, delay=0.01)
+    async with unity_link.connect(line.at(1)) as link:
+        reading = asyncio.ensure_future(link.read(0))
+        await asyncio.sleep(pause)
+    assert isinstance((await asyncio.gather(reading, return_exceptions=True))[0], int | LinkLostError)
+    async with unity_link.connect(line.at(2)) as other:
+        await other.read(0)
+    assert line.collisions == []
+
+
 @on_simulated_time
 async def test_a_node_that_sends_without_being_asked_shares_its_line_with_nobody() -> None:
     line = SharedLine({1: build_shared_line([1]).gateways[1], 2: VirtualGateway(node=2)})

@@ -13,7 +13,8 @@ import trio
 
 import unity_link
 from unity_link import ArgumentError, ConnectError, LinkLostError, blocking
-from unity_link.transport import shared_port
+from unity_link.transport import open_channel, parse_url, shared_port
+from unity_link.transport.shared_port import SharedChannel
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.serving import serve_pty, serve_tcp
 from unity_link.virtual.shared_line import SharedLine, build_shared_line
@@ -177,6 +178,40 @@ async def test_a_gateway_with_a_number_that_is_alone_and_not_half_duplex_has_all
         assert link.statistics.repetitions == 0
         with pytest.raises(ConnectError, match="was not built half-duplex"):
             await unity_link.connect(f"{url}?node=6").__aenter__()
+
+
+@in_a_loop
+async def test_a_port_that_a_node_has_for_itself_is_opened_again_when_it_was_lost() -> None:
+    async with AsyncExitStack() as stack:
+        async with serve_tcp(VirtualGateway(node=5)) as url:
+            link = await stack.enter_async_context(unity_link.connect(f"{url}?node=5", reconnect=True))
+        async with serve_tcp(VirtualGateway(node=5), int(url.rpartition(":")[2])), asyncio.timeout(10):
+            assert await link.read(0) == 0
+    assert not shared_port._PORTS
+
+
+@pytest.mark.parametrize("lost", [False, True])
+def test_a_port_that_is_opened_again_while_an_answer_is_owed_is_waited_for(
+    lost: bool, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(shared_port, "_OWED", {})
+    with serving(serve_pty) as (_, url):
+        first = open_shared_channel(url + "1")
+        assert first.seat.ask()
+        first.seat.begin(60.0)
+        if lost:
+            first.lose()
+        first.close()
+        second = open_shared_channel(url + "2")
+        assert not second.seat.ask()
+        assert 0 < second.seat.patience <= 60.0
+        second.close()
+
+
+def open_shared_channel(url: str) -> SharedChannel:
+    channel = open_channel(parse_url(url), None)
+    assert isinstance(channel, SharedChannel)
+    return channel
 
 
 @in_a_loop

@@ -52,8 +52,8 @@ class Port:
         self.over = True
         if _PORTS.get(self.key) is self:
             del _PORTS[self.key]
-        if self.line.free_at > self.line.clock():
-            _OWED[self.key] = self.line.free_at
+        if self.line.owed_until > self.line.clock():
+            _OWED[self.key] = self.line.owed_until
         if self.channel is not None:
             self.channel.close()
 

@@ -48,6 +48,12 @@ class Line:
         """When the turn ends by itself."""
         self.waiting: deque[Seat] = deque()
 
+    @property
+    def owed_until(self) -> float:
+        """Until when an answer may come that is owed: then the first turn may begin of a line in place of this one."""
+        # A turn that is kept for good ends with its line.
+        return -math.inf if self.free_at == math.inf else self.free_at
+
     def join(self, node: int) -> Seat:
         """Return the seat of the link to a node.
 

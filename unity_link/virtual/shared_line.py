@@ -8,6 +8,7 @@ still does, both are damaged, and `SharedLine.collisions` has a sentence of it.
 from __future__ import annotations
 
 import asyncio
+import math
 from collections import deque
 from typing import TYPE_CHECKING
 
@@ -111,7 +112,7 @@ class SharedLine(Gateway):
     def places(self) -> _Places:
         """Return where links in the running loop take their places."""
         if self._places is None or self._places.is_over:
-            self._places = _Places(self)
+            self._places = _Places(self, -math.inf if self._places is None else self._places.line.owed_until)
         return self._places
 
     @property
@@ -242,11 +243,16 @@ class _PlaceTransport(BufferedTransport):
 
 
 class _Places(asyncio.Protocol):
-    """All links to the nodes of a line, in one event loop."""
+    """All links to the nodes of a line, in one event loop.
 
-    def __init__(self, line: SharedLine) -> None:
+    Args:
+        line: the line.
+        free_at: when the first turn may begin: an answer may be owed to links that were there before.
+    """
+
+    def __init__(self, line: SharedLine, free_at: float) -> None:
         loop = asyncio.get_running_loop()
-        self.line = Line("the given line", loop.time)
+        self.line = Line("the given line", loop.time, free_at)
         self.byte_time = line._byte_time  # noqa: SLF001  (they are two halves of one thing)
         self.protocols: dict[int, asyncio.Protocol] = {}
         self.is_over = False
