@@ -66,6 +66,17 @@ def test_samples_come_when_they_are_asked_for() -> None:
         assert next(iter(samples)).sequence == 0
 
 
+def test_a_subscription_whose_link_is_closed_in_its_block_ends_and_counts_as_closed(
+    recwarn: pytest.WarningsRecorder,
+) -> None:
+    with blocking.connect("sim:") as link:
+        with link.subscribe([0x10], rate_hz=100) as samples:
+            link.close()
+        del samples
+        gc.collect()
+    assert not recwarn.list
+
+
 def test_iteration_ends_with_the_block() -> None:
     with blocking.connect("sim:") as link:
         with link.subscribe(0x10) as samples:

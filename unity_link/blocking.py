@@ -66,7 +66,7 @@ def _end(runtime: CallingThread, link: asynchronous.Link) -> None:
     # At the end of a program the main thread is over, and some drivers can't close any more.
     patience = None if threading.main_thread().is_alive() else LAST_PATIENCE
     with suppress(TimeoutError):
-        runtime.run(_close(runtime, link, patience))
+        runtime.run(_close, runtime, link, patience)
     runtime.close(patience)
 
 
@@ -116,7 +116,7 @@ class BlockingLink(Sealed):
         self._runtime = CallingThread()
         connecting = asynchronous.connect(target, timeout=timeout, reconnect=reconnect)
         try:
-            self._link = self._runtime.run(connecting.open(self._runtime))
+            self._link = self._runtime.run(connecting.open, self._runtime)
         except BaseException:
             self._runtime.close(None)
             raise
@@ -134,7 +134,7 @@ class BlockingLink(Sealed):
         """Run a coroutine of the link, and return its result."""
         if not self._end.alive:
             raise LinkClosedError("the link was closed", Outcome.NOT_EXECUTED)
-        return self._runtime.run(function(*arguments))
+        return self._runtime.run(function, *arguments)
 
     def __enter__(self) -> Self:
         return self
@@ -228,7 +228,7 @@ class BlockingLink(Sealed):
         """
         if not self._end.alive:
             raise LinkClosedError("the link was closed", Outcome.NOT_EXECUTED)
-        return BlockingSubscription(self._link.subscribe(addresses, **options), self._call)
+        return BlockingSubscription(self._link.subscribe(addresses, **options), self._call, self._runtime.run)
 
 
 class BlockingSubscription(Sealed):
@@ -238,9 +238,10 @@ class BlockingSubscription(Sealed):
         __aenter__ = __aexit__ = refusing("write `with` before a subscription of a blocking link")
         __aiter__ = refusing("write `for` over the samples of a blocking link, in a `with` block")
 
-    def __init__(self, subscription: AsyncSubscription, call: Callable[..., Any]) -> None:
+    def __init__(self, subscription: AsyncSubscription, call: Callable[..., Any], run: Callable[..., None]) -> None:
         self._subscription = subscription
         self._call = call
+        self._run = run
         self._samples: deque[Sample] = deque()
 
     def _called(self) -> str:
@@ -284,7 +285,8 @@ class BlockingSubscription(Sealed):
     def __exit__(
         self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
     ) -> None:
-        self._call(self._subscription.__aexit__, kind, error, trace)
+        # A link that is closed has ended the subscription, which is no error here.
+        self._run(self._subscription.__aexit__, kind, error, trace)
 
     def __iter__(self) -> Self:
         return self

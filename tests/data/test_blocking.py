@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -63,6 +64,16 @@ def test_groups_take_and_give_many_values(robot: Any) -> None:
         batch = samples.take()
         assert batch[robot.j2.pos_sp][0] == 18
         assert next(iter(samples)).values[robot.j1.pos_sp] == 9
+
+
+def test_samples_of_a_group_whose_link_is_closed_in_their_block_end_and_count_as_closed(
+    link: blocking.BlockingLink, robot: Any, recwarn: pytest.WarningsRecorder
+) -> None:
+    with Group(robot.j1.cpos).subscribe(rate_hz=100) as samples:
+        link.close()
+    del samples
+    gc.collect()
+    assert not recwarn.list
 
 
 def test_a_group_is_of_one_link(robot: Any) -> None:

@@ -98,7 +98,8 @@ class View:
         self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
     ) -> None:
         leave = getattr(self._thing, "__aexit__", None) or self._thing.__exit__
-        _call(self._link, leave, kind, error, trace)
+        # A link that is closed has ended what it was for, which is no error here.
+        self._link._runtime.run(_awaited, leave, (kind, error, trace), {})  # noqa: SLF001  (as below)
 
     def __eq__(self, other: object) -> bool:
         return bool(self._thing == _plain(other))
@@ -149,12 +150,12 @@ def Group(*members: View, rate_hz: float | None = None, name: str = "a group") -
 
 def _call(link: BlockingLink, function: Any, *arguments: Any, **options: Any) -> Any:
     """Call a function in the thread of the link, wait for what it gives, and show it."""
+    return _shown(link._call(_awaited, function, arguments, options), link)  # noqa: SLF001  (another face of the same link)
 
-    async def call() -> Any:
-        given = function(*_plain(arguments), **_plain(options))
-        return await given if hasattr(given, "__await__") and not isinstance(given, _SHOWN) else given
 
-    return _shown(link._call(call), link)  # noqa: SLF001  (another face of the same link)
+async def _awaited(function: Any, arguments: tuple[Any, ...], options: dict[str, Any]) -> Any:
+    given = function(*_plain(arguments), **_plain(options))
+    return await given if hasattr(given, "__await__") and not isinstance(given, _SHOWN) else given
 
 
 def _shown(thing: Any, link: BlockingLink) -> Any:

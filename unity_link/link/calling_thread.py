@@ -9,6 +9,7 @@ thread of one (`relay`).
 from __future__ import annotations
 
 import asyncio
+import inspect
 import math
 import socket
 import threading
@@ -140,30 +141,33 @@ class CallingThread:
 
     # Calls
 
-    def run(self, coroutine: Coroutine[Any, Any, T]) -> T:
-        """Run a coroutine of the link in this thread, and return its result.
+    def run(self, function: Callable[P, Coroutine[Any, Any, T]], *arguments: P.args, **options: P.kwargs) -> T:
+        """Run a coroutine function of the link in this thread, and return its result.
 
         Raises:
             ArgumentError: in a callback of the link, which runs within another call.
         """
         if self.is_running_here():
-            coroutine.close()
             raise ArgumentError("a callback runs within a call of its link, and must not call the link")
         run = _Run()
         error: BaseException | None = None
         with self._lock:
+            coroutine = function(*arguments, **options)
             try:
                 while True:
-                    waiter = self.advance(run, coroutine, error)
                     try:
+                        waiter = self.advance(run, coroutine, error)
                         error = None
                         self._wait(waiter)
-                    except BaseException as interruption:  # noqa: BLE001  (the coroutine raises it again)
+                    except StopIteration as end:
+                        result: T = end.value
+                        return result
+                    except BaseException as interruption:
+                        if inspect.getcoroutinestate(coroutine) == inspect.CORO_CLOSED:
+                            # The coroutine itself has raised it.
+                            raise
                         error = interruption
                         self._take_lock()
-            except StopIteration as end:
-                result: T = end.value
-                return result
             finally:
                 try:
                     self._run_ready()
