@@ -603,8 +603,14 @@ def _next_places(
         if new[0] == life:
             due = new[1] - number - 1
             # Two digits do not tell a sample that the line has doubled from one a whole round later; a timestamp does.
-            again = due == -1 and lost % 0x100 == 0xFF and not listening.arguments["timestamps"]
-            if again or lost == due or (due >= 0x100 and _ambiguous(lost, due, listening)):
+            # One of the two may be among those that a full buffer dropped.
+            doubled = due == -1 and lost % 0x100 == 0xFF
+            doubled |= "buffer" in listening.arguments and lost == due + 0x100
+            if (
+                (doubled and not listening.arguments["timestamps"])
+                or lost == due
+                or (due >= 0x100 and _ambiguous(lost, due, listening))
+            ):
                 yield new
         elif new[0] > life and (
             listening.link.shared or _lost_over_lives(listening.published, listening.arguments, old, new, lost)

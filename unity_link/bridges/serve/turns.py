@@ -227,6 +227,8 @@ class Turns:
 
     def fail(self, error: UnityLinkError, events: Events) -> None:  # noqa: ARG002  (the clients are hung up on)
         """Drop all requests: the link has ended."""
+        # What followed a queue joins when that is empty: it is not submitted to what has ended, but dropped as well.
+        self._submitted = True
+        while self._line:
+            self.leave(self._line[0])
         self._submitted = False
-        for queue in list(self._line):
-            self.leave(queue)
