@@ -121,7 +121,7 @@ def test_what_a_gateway_says_by_itself_is_read_as_it_was_written(codec: Codec, d
     assert sample == DecodedResponse("P", None, {"g": 7, "p": 0xFE, "text": text.encode()})
 
 
-@pytest.mark.parametrize("body", b" 0 J r r0 r00 w0G Rr00 X1 n0 Q! P00 q000 k00000".split(b" "))
+@pytest.mark.parametrize("body", b" 0 J r r0 r00 w0G Rr00 X1 n0 Q! P00 q000 k00000 WS ws000".split(b" "))
 def test_what_is_no_message_of_a_gateway_is_refused(body: bytes) -> None:
     with pytest.raises(ValueError, match=r"no message|hex digits|MALFORMED"):
         DEFAULT.decode_response(body)

@@ -307,9 +307,9 @@ class Codec:
             return DecodedResponse("N", number, {})
         if command == "Q" and not with_id:
             return DecodedResponse("Q", None, {"text": text})
-        if command not in COMMANDS or (with_id and command in WITHOUT_ID):
+        row = COMMANDS.get(command)
+        if row is None or row.repetition is Repetition.SILENCE or (with_id and command in WITHOUT_ID):
             raise ValueError(f"no message of a gateway: {body[:80]!r}")
-        row = COMMANDS[command]
         letters_expected = ("" if with_id else row.echo) + row.reads
         return DecodedResponse(
             command, number, dict(zip(letters_expected, self._split(letters_expected, text), strict=True))
