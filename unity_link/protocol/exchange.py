@@ -118,7 +118,7 @@ class Exchange:
         self._groups = groups
         self._counters = counters
         self._send = out.append
-        self._id_number, self._id_text = codec.id_number, codec.id_text
+        self._id_number = codec.id_number
         self._id_digits = codec.info.id_digits
         self._open = codec.framing.open
         self._sample = codec.framing.prefix + b"P"
@@ -327,7 +327,7 @@ class Exchange:
         Those to one batch that follow each other are told to the window together, and so are those to the oldest
         requests while it is quiet.
         """
-        window, numbers, digits = self.window, self._id_number, self._id_digits
+        window, numbers, digits, mask = self.window, self._id_number, self._id_digits, self.codec.ring - 1
         first = follows = count = size = 0
         together: Message | None = None
         quiet = False
@@ -349,7 +349,7 @@ class Exchange:
             if type(run) is Request:
                 accepted = run.accept(0, body, after, events)
             elif isinstance(run, BatchRun):
-                accepted = run.accept(number - run.first & self.codec.ring - 1, body, after, events)
+                accepted = run.accept(number - run.first & mask, body, after, events)
             else:
                 # Others do more than to be answered.
                 break
@@ -360,7 +360,7 @@ class Exchange:
                 quiet = number == window.oldest and window.quiet
             count += 1
             size += run.size
-            follows = number + 1 & len(numbers) - 1
+            follows = number + 1 & mask
             start = end + 1
         if count:
             self._answered(first, count, size, now, quiet=quiet)

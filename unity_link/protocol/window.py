@@ -636,8 +636,7 @@ class Window(Generic[R]):
 
     def _sending(self, run: R, number: int) -> int:
         """Return the place of the last sending of a request."""
-        first = run.sending + (number - run.first & self._mask)
-        return max(first, self._repetitions.get(number, _NONE)[0]) if self._repetitions else first
+        return max(self._first_sending(run, number), self._repetitions.get(number, _NONE)[0])
 
     def _answered_sending(self, run: R, number: int, now: float) -> int:
         """Return the place of the sending that is answered now, or of an earlier one where that is not known."""

@@ -259,11 +259,11 @@ class VirtualGateway(BareGateway):
             size = len(line)
             reply: bytes | None = None
             if size == read_size and line[0] == _LOWER_R:
-                reply = self._quick_read(line)
+                reply = self._quick_way(line, 1, self._quick_read)
             elif size == write_size and line[0] == _LOWER_W:
-                reply = self._quick_write(line, 1)
+                reply = self._quick_way(line, 1, self._quick_write)
             elif size == posted_size and line[:2] == b"ws":
-                reply = self._quick_write(line, 2)
+                reply = self._quick_way(line, 2, self._quick_post)
             if reply is None:
                 reply = self._answer(line, now, plain=False)
             replies.append(reply)
@@ -342,19 +342,23 @@ class VirtualGateway(BareGateway):
         self._word_form = b"r%%b%%0%dX" % info.data_digits
         self._damage_reply = self._frame(self._codec.error(ErrorCode.CRC), plain=False)
 
-    def _quick_read(self, line: bytes) -> bytes | None:
-        """Answer what may be `r` of plain memory in a session, damaged or ahead as well, or give up."""
-        digits, text = self._crc_digits, self._crc_text
-        check = text(line[:-digits])
+    def _quick_way(self, line: bytes, head: int, answer: Callable[[int], bytes | None]) -> bytes | None:
+        """Answer what may be a request of `head` letters, or give up: `answer` takes its fields as one number."""
+        digits = self._crc_digits
+        check = self._crc_text(line[:-digits])
         if check != line[-digits:]:
             return None if check == line[-digits:].upper() else self._damage_reply
         # The second digit may be no X, for int() would take 0X for a prefix.
-        if not line.isalnum() or line[2] in b"xX":
+        if not line.isalnum() or line[head + 1] in b"xX":
             return None
         try:
-            fields = int(line[1:-digits], 16)
+            fields = int(line[head:-digits], 16)
         except ValueError:
             return None
+        return answer(fields)
+
+    def _quick_read(self, fields: int) -> bytes | None:
+        """Answer `r` of plain memory in a session, ahead as well, or give up."""
         number, address = fields >> self._address_shift, fields & self._address_field
         sequence = self._sequence
         if sequence.expected < 0 or address > self._last_address or address in self.bus.devices:
@@ -366,20 +370,18 @@ class VirtualGateway(BareGateway):
             told, sequence.gap_told = sequence.gap_told, True
             return b"" if told else self._frame(self._codec.out_of_sequence(sequence.expected), plain=False)
         body = self._word_form % (self._codec.id_text[number], self.bus.memory[address])
-        return b"%b%b\n" % (body, text(body))
+        return b"%b%b\n" % (body, self._crc_text(body))
 
-    def _quick_write(self, line: bytes, head: int) -> bytes | None:
-        """Answer `w` or `ws`, of `head` letters, to plain memory with the expected ID, or give up."""
-        digits, text = self._crc_digits, self._crc_text
-        check = text(line[:-digits])
-        if check != line[-digits:]:
-            return None if check == line[-digits:].upper() else self._damage_reply
-        if not line.isalnum() or line[head + 1] in b"xX":
+    def _quick_write(self, fields: int) -> bytes | None:
+        """Answer `w` to plain memory with the expected ID, or give up."""
+        number = self._sequence.expected
+        if self._quick_post(fields) is None:
             return None
-        try:
-            fields = int(line[head:-digits], 16)
-        except ValueError:
-            return None
+        body = b"w" + self._codec.id_text[number]
+        return b"%b%b\n" % (body, self._crc_text(body))
+
+    def _quick_post(self, fields: int) -> bytes | None:
+        """Do the same for `ws`, which has no answer."""
         rest, word = fields >> self._data_shift, fields & self._data_field
         number, address = rest >> self._address_shift, rest & self._address_field
         fits = address <= self._last_address and word <= self._last_word
@@ -387,10 +389,7 @@ class VirtualGateway(BareGateway):
             return None
         self._sequence.advance()
         dict.__setitem__(self.bus.memory, address, word)
-        if head > 1:
-            return b""
-        body = b"w" + self._codec.id_text[number]
-        return b"%b%b\n" % (body, text(body))
+        return b""
 
 
 def _do_nothing() -> None:
