@@ -42,6 +42,7 @@ LIBRARIES = [
 """What the tests import, and each process that is forked has already."""
 TESTS = [
     "tests/protocol",
+    "tests/mutants/worlds.py",
     "tests/test_protocol_document.py",
     "tests/virtual/test_gateway.py",
     "tests/virtual/test_groups.py",
