@@ -17,7 +17,7 @@ from pathlib import Path
 import msgspec
 
 from mutants.choosing import ROOM, ROOT, Mutant, choose
-from mutants.killing import KILLED, SURVIVED, TESTS, observe, tests_for, verdict
+from mutants.killing import KILLED, SURVIVED, TESTS, file_of, observe, tests_for, verdict
 
 ENOUGH = 0.9
 
@@ -36,7 +36,7 @@ def main() -> int:
     options = _options()
     os.chdir(ROOT)
     folder = Path(options.folder)
-    seconds, reached = observe(folder / f"reached-{_hash(ROOM, *map(Path, TESTS))}.json")
+    seconds, reached = observe(folder / f"reached-{_hash(ROOM, *map(file_of, TESTS))}.json")
     kept = folder / f"results-{_hash(ROOM)}-{options.seed}.json"
     results = msgspec.json.decode(kept.read_bytes(), type=dict[str, Result]) if kept.exists() else {}
     chosen = choose(options.count, options.seed)

@@ -44,6 +44,8 @@ TESTS = [
     "tests/protocol",
     "tests/mutants/worlds.py",
     "tests/test_protocol_document.py",
+    "tests/generate/test_c.py::test_it_sends_the_same_bytes_at_the_same_times_as_the_host_in_python",
+    "tests/generate/test_c.py::test_what_it_tells_of_requests_at_a_reset_is_what_the_host_in_python_tells",
     "tests/virtual/test_gateway.py",
     "tests/virtual/test_groups.py",
     "tests/link/test_cut_again.py",
@@ -118,6 +120,11 @@ class _Observer(_Steady):
         return done
 
 
+def file_of(test: str) -> Path:
+    """Return the file or folder of tests."""
+    return Path(test.partition("::")[0])
+
+
 def observe(kept: Path) -> tuple[Timed, Reached]:
     """Return how long each test takes, and which reach each line; that is kept in a file, and taken from there."""
     for library in LIBRARIES:
@@ -137,7 +144,7 @@ def _observe_here(kept: Path) -> None:
     measured = coverage.Coverage(data_file=None, config_file=False, include=[str(ROOT / ROOM / "*")])
     measured.start()
     observer = _Observer(measured)
-    there = [test for test in TESTS if (ROOT / test).exists()]
+    there = [test for test in TESTS if (ROOT / file_of(test)).exists()]
     code = pytest.main(
         [*QUIETLY, "--timeout=0", "-m", "not slow and not campaign and not rtl", "-k", ONE_FACE, *there],
         plugins=[observer],
@@ -151,7 +158,9 @@ def _observe_here(kept: Path) -> None:
 
 
 def tests_for(mutant: Mutant, seconds: Timed, reached: Reached, search: float) -> list[str]:
-    """Return the tests that reach a mutant, the quickest first; where the import runs it, those that reach its module.
+    """Return the tests that reach a mutant, the quickest first.
+
+    Where the import runs it, or the making of a function, those that reach its module; where no test reaches that, all.
 
     Args:
         mutant: the mutant.
@@ -160,8 +169,10 @@ def tests_for(mutant: Mutant, seconds: Timed, reached: Reached, search: float) -
         search: how long all of them may take together.
     """
     of_module = reached.get(mutant.module, {})
-    lines = range(mutant.line, mutant.last_line + 1) if mutant.is_in_a_function else of_module
-    found = {test for line in lines for test in of_module.get(line, [])} & seconds.keys()
+    of_lines = [of_module.get(line, []) for line in range(mutant.line, mutant.last_line + 1)]
+    found = {test for tests in of_lines for test in tests if mutant.is_in_a_function}
+    found = found or {test for tests in of_module.values() for test in tests} or set(seconds)
+    found &= seconds.keys()
     quick = sorted((seconds[test], test) for test in found if seconds[test] < LONGEST_TEST)
     until = accumulate(taken for taken, _ in quick)
     return [test for (_, test), all_taken in zip(quick, until, strict=True) if all_taken < search]

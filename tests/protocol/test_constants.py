@@ -14,6 +14,8 @@ from unity_link.generate import generate
 from unity_link.protocol import constants, window
 from unity_link.spec import compile_text
 
+DOCUMENT = Path(__file__).parents[2] / "docs" / "reliability.md"
+
 
 def test_the_table_needs_nothing_installed() -> None:
     path = str(Path(constants.__file__))
@@ -23,6 +25,13 @@ def test_the_table_needs_nothing_installed() -> None:
 def test_the_window_has_no_number_of_its_own() -> None:
     numbers = {name: value for name, value in vars(window).items() if type(value) in {int, float}}
     assert numbers.items() <= constants.TABLE.items()
+
+
+def test_the_documents_have_the_table() -> None:
+    text = DOCUMENT.read_text("utf-8")
+    assert {name: float(value) for name, value in re.findall(r"^\| `([A-Z_]+)` \| ([\d.]+) \|", text, re.M)} == (
+        constants.TABLE
+    )
 
 
 def test_a_latency_timer_of_a_usb_chip_is_waited_for() -> None:

@@ -151,6 +151,13 @@ def test_a_header_may_be_in_lower_case_and_plain() -> None:
     assert gateway.executed == [b"H\r\n"] * 2
 
 
+def test_empty_lines_before_a_header_are_nothing() -> None:
+    gateway = Gateway().opened()
+    covered = b"U4F1C0A320000000B"
+    gateway.side.take(b"\r\n\n" + CHECKED(covered) + b"H\r", "A")
+    assert gateway.executed == [b"H\r\n"]
+
+
 def test_without_a_header_all_is_executed_that_needs_no_session() -> None:
     gateway = Gateway()
     gateway.side.take(b"\nH\rK000\rR0A\rw0000A1\r" + CHECKED(b"r0000A") + b"zzz\n", "A")

@@ -6,6 +6,7 @@ import pytest
 
 from unity_link.errors import ConnectError, LinkLostError, Outcome, UnsupportedError
 from unity_link.protocol.configuration import GatewayInfo
+from unity_link.protocol.constants import LONGEST_SILENCE
 from unity_link.protocol.messages import GroupFlag
 from unity_link.protocol.requests import Request
 from unity_link.protocol.session import Interrupted, Opened, Session, Unusable
@@ -103,3 +104,35 @@ def test_of_an_unknown_line_it_is_said_that_an_answer_may_take_part_of_a_second(
     session = Session(0, lambda: 0)
     session.connect(0.0, 0.003)
     assert 0.1 < session.longest_turn < 1
+
+
+def test_a_session_that_was_never_connected_is_owed_nothing() -> None:
+    session = Session(0, lambda: 0)
+    assert not session.is_owed_an_answer
+    assert not session.wants_turn
+    assert session.deadline is None
+    assert session.round_trip is None
+
+
+def test_the_round_trip_is_measured_by_the_answers() -> None:
+    session, gateway = opened(resumes=False)
+    session.submit(Request(session.codec, "H", b"", 0), 1.0)
+    session.receive(gateway.receive(session.take_output(), 1.0), 1.25)
+    assert session.round_trip is not None
+    assert 0 < session.round_trip <= 0.25
+
+
+def test_a_gateway_that_is_silent_after_its_reset_makes_the_connection_unusable_after_a_stated_time() -> None:
+    session, gateway = opened(resumes=False)
+    gateway.reset()
+    session.submit(Request(session.codec, "H", b"", 0), 0.0)
+    events = session.receive(gateway.receive(session.take_output(), 0.0), 0.0)
+    assert [type(event) for event in events] == [Request, Interrupted]
+    now = 0.0
+    while not any(isinstance(event, Unusable) for event in events):
+        assert session.deadline is not None
+        now = max(now, session.deadline)
+        assert now < 2 * LONGEST_SILENCE
+        events = session.expire(now)
+        session.take_output()
+    assert now >= LONGEST_SILENCE

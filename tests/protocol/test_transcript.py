@@ -50,7 +50,9 @@ def words(*lines: bytes) -> list[str]:
         (b"GN03", "start group 3"),
         (b"GX03", "stop group 3"),
         (b"GP03", "publish group 3 once"),
+        (b"I00", "send-immediate: off"),
         (b"I01", "send-immediate: always"),
+        (b"I02", "send-immediate: adaptive"),
         (b"H", "do nothing, and answer"),
         (b"Q", "what are you?"),
         (b"K0AB", "begin a session, the next ID is 0AB"),
@@ -145,15 +147,15 @@ def test_the_widths_are_those_of_the_gateways_answer(info: GatewayInfo) -> None:
 def test_frames_of_a_shared_medium_are_read_without_their_prefix() -> None:
     info = GatewayInfo(features=GatewayInfo().features | Feature.ADDRESSED)
     said = words(
-        b">Z05Q\r",
-        b"<Z05Q" + info.to_hex() + b"\r\n",
-        b">" + checked(b"Z05R0A"),
+        b">Z1AQ\r",
+        b"<Z1AQ" + info.to_hex() + b"\r\n",
+        b">" + checked(b"Z1AR0A"),
         b">" + checked(b"ZFFW0A00000001"),
         b"<" + checked(b"Z06R0A00000001"),
     )
     assert said[0] == "what are you?"
     assert said[2:4] == ["read 0x0A", "to all nodes: write 0x00000001 (1) to 0x0A"]
-    assert said[4].startswith("damaged: not from node 05")
+    assert said[4].startswith("damaged: not from node 1A")
 
 
 WHOLE = b"".join((b"\nQ\r", checked(b"K000"), checked(b"r0000A"), b"R0A\r\n", checked(b"h001")))

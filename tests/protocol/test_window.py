@@ -418,6 +418,64 @@ def test_time_outs_of_requests_that_were_answered_in_the_end_do_not_add_up() -> 
         assert not window.lost
 
 
+def test_of_refusals_that_come_before_the_repetition_can_have_arrived_two_count() -> None:
+    window: Window[Named] = Window(RING, round_trip=0.01)
+    sent(window, "a")
+    assert [window.refused(now=0.0) for _ in range(2 * module.MOST_REFUSALS)] == [None] * 2 * module.MOST_REFUSALS
+
+
+def test_a_posted_write_that_is_given_up_has_an_answer_from_then_on() -> None:
+    window: Window[Named] = Window(RING, round_trip=0.01)
+    posted, _ = sent(window, "p", "a")
+    given_up, now = None, 0.0
+    while given_up is None:
+        given_up = window.refused(now)
+        repeated(window)
+        now += 1.0
+    assert given_up is posted
+    assert not posted.posted
+
+
+def test_an_answer_begins_the_count_of_the_tries_anew() -> None:
+    window: Window[Named] = Window(RING, round_trip=0.01)
+    tries = []
+    for number in range(3):
+        sent(window, "a", "b")
+        given_up = None
+        tries.append(0)
+        while given_up is None:
+            tries[-1] += 1
+            window.heard = True
+            assert window.deadline is not None
+            now = window.deadline
+            given_up = window.expire(now)
+            repeated(window)
+        window.answered(2 * number, 1, now)
+        window.answered(2 * number + 1, 1, now)
+    assert tries == [module.MOST_TRIES + 1] * 3
+
+
+def test_a_damaged_answer_behind_a_time_out_undoes_the_doubling_of_the_next() -> None:
+    window: Window[Named] = Window(RING, round_trip=0.01, shortest_timeout=0.1)
+    sent(window, *"abc")
+    window.expire(now=0.1)
+    assert repeated(window) == "a@0 b@1 c@2"
+    window.answer_damaged(now=0.2)
+    window.answer_damaged(now=0.25)
+    repeated(window)
+    window.answered(0, 1, now=0.26)
+    assert window.deadline == pytest.approx(0.26 + 0.1)
+
+
+def test_what_is_answered_before_it_could_be_sent_again_is_not_sent_again() -> None:
+    window: Window[Named] = Window(RING, first=RING - 2)
+    sent(window, *"abcd")
+    window.out_of_sequence(RING - 2, now=0.001)
+    window.answered(RING - 2, 1, now=0.002)
+    window.answered(RING - 1, 1, now=0.002)
+    assert repeated(window) == "c@0 d@1"
+
+
 # A reset of the gateway
 
 
@@ -459,6 +517,15 @@ def test_the_longest_answer_counts_the_bytes_under_way_and_those_of_the_answer_t
 
 
 # Runs of many
+
+
+def test_the_answers_to_a_run_say_nothing_of_what_was_sent_behind_it() -> None:
+    window: Window[Named] = Window(RING)
+    sent(window, "a")
+    window.send(Named("m", count=3), 0.0)
+    sent(window, "b")
+    window.answered(1, 3, now=0.001)
+    assert repeated(window) == "a@0"
 
 
 def test_a_run_may_be_answered_in_parts() -> None:

@@ -1,0 +1,30 @@
+"""A batch of many messages, and what becomes of it when the gateway refuses some."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from unity_link.errors import BusError
+from unity_link.protocol.configuration import GatewayInfo
+from unity_link.protocol.messages import Codec
+from unity_link.protocol.requests import Batch
+
+CODEC = Codec(GatewayInfo())
+
+
+@pytest.mark.parametrize("refused", [(4, 3), (3, 4)], ids=["the later first", "in order"])
+def test_the_error_of_a_batch_is_that_of_the_first_message_that_was_refused_whenever_that_is_known(
+    refused: tuple[int, int],
+) -> None:
+    batch = Batch(CODEC, "R", [(np.arange(8), CODEC.info.address_digits)])
+    ended: list[object] = []
+    before, behind = batch.take(3, ended), batch.take(5, ended)
+    for offset in range(3):
+        assert before.accept(offset, b"r00000000007", 4, ended)
+    for place in refused:
+        behind.fail_part(place - 3, 1, BusError(str(place), 4), ended)
+    for offset in range(2, 5):
+        assert behind.accept(offset, b"r00000000007", 4, ended)
+    assert ended == [batch]
+    assert str(batch.error) == "3"
