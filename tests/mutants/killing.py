@@ -192,7 +192,11 @@ def _run(mutant: Mutant, tests: Sequence[str]) -> tuple[str, str]:
     with tempfile.NamedTemporaryFile("r") as noted:
         process = os.fork()
         if process == 0:
-            _run_here(mutant, tests, noted.name)
+            try:
+                _run_here(mutant, tests, noted.name)
+            finally:
+                # Whatever a mutant raises: what forked this process goes on in the other one alone.
+                os._exit(1)
         deadline = time.monotonic() + PATIENCE
         while os.waitpid(process, os.WNOHANG) == (0, 0):
             if time.monotonic() > deadline:
@@ -216,7 +220,6 @@ def _run_here(mutant: Mutant, tests: Sequence[str], noted: str) -> None:
     noter = _Noter()
     code = pytest.main([*QUIETLY, *tests], plugins=[noter])
     Path(noted).write_text("0" if code == pytest.ExitCode.OK else noter.failed or f"pytest ends with {code!r}")
-    os._exit(0)
 
 
 class _Noter(_Steady):

@@ -28,10 +28,8 @@ def test_the_window_has_no_number_of_its_own() -> None:
 
 
 def test_the_documents_have_the_table() -> None:
-    text = DOCUMENT.read_text("utf-8")
-    assert {
-        name: float(value) for name, value in re.findall(r"^\| `([A-Z_]+)` \| ([\d.]+) \|", text, re.MULTILINE)
-    } == (constants.TABLE)
+    rows = re.findall(r"^\| `([A-Z_]+)` \| ([\d.]+) \|", DOCUMENT.read_text("utf-8"), re.MULTILINE)
+    assert {name: float(value) for name, value in rows} == constants.TABLE
 
 
 def test_a_latency_timer_of_a_usb_chip_is_waited_for() -> None:
