@@ -438,9 +438,9 @@ def test_a_posted_write_that_is_given_up_has_an_answer_from_then_on() -> None:
 
 def test_an_answer_begins_the_count_of_the_tries_anew() -> None:
     window: Window[Named] = Window(RING, round_trip=0.01)
-    tries = []
+    now, tries = 0.0, []
     for number in range(3):
-        sent(window, "a", "b")
+        sent(window, "a", "b", now=now)
         given_up = None
         tries.append(0)
         while given_up is None:
