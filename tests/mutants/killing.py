@@ -170,9 +170,8 @@ def tests_for(mutant: Mutant, seconds: Timed, reached: Reached, search: float) -
     """
     of_module = reached.get(mutant.module, {})
     of_lines = [of_module.get(line, []) for line in range(mutant.line, mutant.last_line + 1)]
-    found = {test for tests in of_lines for test in tests if mutant.is_in_a_function}
-    found = found or {test for tests in of_module.values() for test in tests} or set(seconds)
-    found &= seconds.keys()
+    found = seconds.keys() & {test for tests in of_lines for test in tests if mutant.is_in_a_function}
+    found = found or seconds.keys() & {test for tests in of_module.values() for test in tests} or set(seconds)
     quick = sorted((seconds[test], test) for test in found if seconds[test] < LONGEST_TEST)
     until = accumulate(taken for taken, _ in quick)
     return [test for (_, test), all_taken in zip(quick, until, strict=True) if all_taken < search]
