@@ -136,3 +136,26 @@ def test_a_gateway_that_is_silent_after_its_reset_makes_the_connection_unusable_
         events = session.expire(now)
         session.take_output()
     assert now >= LONGEST_SILENCE
+
+
+def test_a_damaged_line_end_that_makes_a_checked_answer_look_plain_is_damage() -> None:
+    session, gateway = opened(resumes=False)
+    session.submit(Request(session.codec, "H", b"", 0), 0.0)
+    answer = gateway.receive(session.take_output(), 0.0)
+    session.receive(answer[:-1] + b"\r\n", 0.0)
+    assert (session.counters.damaged, session.counters.stray) == (1, 0)
+
+
+def test_what_asks_whether_a_gateway_still_hears_is_not_asked_in_the_next_session() -> None:
+    session, gateway = opened(resumes=True)
+    session.start(session.hold(GroupFlag.PERIODIC, 1000, [0x10], 100, None), 0.0)
+    for _ in range(4):
+        session.receive(gateway.receive(session.take_output(), 0.0), 0.0)
+    assert session.deadline is not None
+    session.expire(session.deadline)
+    assert session.take_output().startswith(b"h")
+    session.disconnect("the line was lost")
+    session.connect(3.0, 0.003)
+    while not session.is_open:
+        session.receive(gateway.receive(session.take_output(), 3.0), 3.0)
+    assert b"h" not in session.take_output()

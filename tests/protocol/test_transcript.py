@@ -83,6 +83,27 @@ def test_each_command_has_words_for_its_answer() -> None:
         assert words(b">" + checked(request), b"<" + checked(answer))[1] == text
 
 
+@pytest.mark.parametrize(
+    ("code", "text"),
+    [
+        (b"01", "the CRC was wrong"),
+        (b"02", "unknown command"),
+        (b"03", "malformed"),
+        (b"04", "the bus refused"),
+        (b"05", "nothing on the bus answered"),
+        (b"06", "out of range"),
+        (b"07", "longer than"),
+        (b"08", "its answer is gone"),
+        (b"09", "the gateway's receive FIFO was full"),
+        (b"0A", "no session has begun"),
+        (b"0B", "error 0B"),
+    ],
+)
+def test_each_error_has_the_words_of_its_own_code(code: bytes, text: str) -> None:
+    (said,) = words(b"<" + checked(b"X" + code))
+    assert text in said
+
+
 def test_damage_and_noise_are_told_apart() -> None:
     damaged = checked(b"R0A").replace(b"A", b"B", 1)
     kinds = [

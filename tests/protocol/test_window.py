@@ -358,6 +358,7 @@ def test_damage_alone_gives_the_oldest_up_and_is_lost_when_its_replacement_fares
             given_up.append(run)
         assert tries < 1000
     assert given_up == [a, a]
+    assert tries == 2 * (module.MOST_TRIES + 1)
 
 
 @pytest.mark.parametrize("late", [0.001, 0.02, 3.0])
@@ -474,6 +475,12 @@ def test_what_is_answered_before_it_could_be_sent_again_is_not_sent_again() -> N
     window.answered(RING - 2, 1, now=0.002)
     window.answered(RING - 1, 1, now=0.002)
     assert repeated(window) == "c@0 d@1"
+
+
+@pytest.mark.parametrize("messages", range(2, 9))
+def test_where_a_fifo_can_overflow_posted_writes_leave_room_in_it_for_their_fence(messages: int) -> None:
+    window: Window[Named] = Window(RING, byte_limit=messages * SIZE)
+    assert (window.room(SIZE), window.room(SIZE, posted=True)) == (messages, messages - 1)
 
 
 # A reset of the gateway
