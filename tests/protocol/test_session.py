@@ -109,6 +109,7 @@ def test_of_an_unknown_line_it_is_said_that_an_answer_may_take_part_of_a_second(
 def test_a_session_that_was_never_connected_is_owed_nothing() -> None:
     session = Session(0, lambda: 0)
     assert not session.is_owed_an_answer
+    assert session.in_flight == 0
     assert not session.wants_turn
     assert session.deadline is None
     assert session.round_trip is None

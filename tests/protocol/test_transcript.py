@@ -128,6 +128,18 @@ def test_samples_follow_the_settings_that_an_answer_has_confirmed() -> None:
     assert said[6] == "sample 0 of group 3 at 1.000000 s: 0x0A = 1, 0x0B = 2"
 
 
+def test_settings_without_an_id_are_confirmed_by_the_answer_to_them_and_no_other() -> None:
+    said = words(
+        b">" + checked(b"GS0301000A010A"),
+        b"<" + checked(b"GX03"),
+        b"<" + checked(b"P030000000007"),
+        b"<" + checked(b"GS03"),
+        b"<" + checked(b"P030000000007"),
+    )
+    assert "0x0A" not in said[2]
+    assert said[4] == "sample 0 of group 3: 0x0A = 7"
+
+
 def test_settings_that_were_refused_change_nothing() -> None:
     said = words(
         b">" + checked(b"gs0000301000A010A"),
