@@ -270,11 +270,21 @@ def test_a_session_cannot_be_opened_for_all_nodes_without_a_header() -> None:
         CHECKED(b"U4F1C0A3200000001") + CHECKED(b"r000"),
         b"U4F1C0A3200000000\r\n" + ANSWER,
         CHECKED(b"U4F1C0A3300000000") + CHECKED(b"X0A"),
+        CHECKED(b"U4F1C0A3200000000") + b"X0A0000\n",
         CHECKED(b"r000"),
         b"U4F1C0A32000000020000\n" + CHECKED(b"r000"),
         b"",
     ],
-    ids=["another session", "late", "a late offer", "another's refusal", "no header", "a damaged header", "nothing"],
+    ids=[
+        "another session",
+        "late",
+        "a late offer",
+        "another's refusal",
+        "a damaged refusal",
+        "no header",
+        "a damaged header",
+        "nothing",
+    ],
 )
 def test_a_host_takes_nothing_else_than_newer_datagrams_of_its_session(datagram: bytes) -> None:
     host = opened_host()

@@ -120,12 +120,13 @@ def test_samples_follow_the_settings_that_an_answer_has_confirmed() -> None:
         b">" + second,
         b"<" + checked(b"P030000000007"),
         b"<" + checked(b"P0301000000070"),
+        b"<" + checked(b"P03010000000700000008"),
         b"<" + checked(b"h001"),
         b"<" + checked(b"P030002FAF0800000000100000002"),
     )
     assert said[3] == "sample 0 of group 3: 0x0A = 7"
-    assert said[4] == "sample 1 of group 3, which is not as long as the group's settings say"
-    assert said[6] == "sample 0 of group 3 at 1.000000 s: 0x0A = 1, 0x0B = 2"
+    assert said[4] == said[5] == "sample 1 of group 3, which is not as long as the group's settings say"
+    assert said[7] == "sample 0 of group 3 at 1.000000 s: 0x0A = 1, 0x0B = 2"
 
 
 def test_settings_without_an_id_are_confirmed_by_the_answer_to_them_and_no_other() -> None:
