@@ -174,4 +174,4 @@ def test_the_error_of_a_batch_that_a_gateway_refuses_again_and_again_names_the_r
         assert now < 100.0
         session.receive(b"X03\r\n", now)
         now += 10.0
-    assert "read at 0x0013" in str(batch.error)
+    assert "read at 0x13:" in str(batch.error)
