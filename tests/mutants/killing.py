@@ -209,7 +209,7 @@ def _run(mutant: Mutant, tests: Sequence[str]) -> tuple[str, str]:
 
 
 def _resident(process: int) -> int:
-    """Return the bytes of memory that a process has; no limit of the system's, which sanitizers of a client in C need."""
+    """Return the bytes of memory that a process has. The system's limit of addresses would stop sanitizers in C."""
     pages = int(Path(f"/proc/{process}/statm").read_text().split()[1])
     return pages * resource.getpagesize()
 
