@@ -5,7 +5,7 @@ import re
 import fastcrc
 import pytest
 
-from unity_link.protocol.configuration import GatewayInfo
+from unity_link.protocol.configuration import Feature, GatewayInfo
 from unity_link.protocol.messages import ErrorCode
 from unity_link.virtual.faults import Failing
 from unity_link.virtual.gateway import VirtualGateway
@@ -72,3 +72,12 @@ def test_the_answer_to_q_has_the_digits_of_the_table() -> None:
     digits = sum(int(number) for number in re.findall(r"^\| [^|]+ \| (\d+) \|", table, re.MULTILINE))
     answers = {answered for example in EXAMPLES for sent, answered in example.exchange if sent == b"Q\r"}
     assert [len(answer.strip()) - 1 for answer in answers] == [digits]
+
+
+def test_the_features_have_the_bits_of_the_document() -> None:
+    listed = re.search(r"features, from bit 0: ([^.]*)\.", DOCUMENT.read_text(encoding="utf-8"))
+    assert listed is not None
+    names = [name.upper().replace("-", "_").replace(" ", "_") for name in re.split(r",\s+", listed[1])]
+    assert len(names) == len(Feature)
+    for bit, name in enumerate(names):
+        assert Feature(1 << bit).name in re.sub(r"\s", "_", name)

@@ -175,3 +175,14 @@ def test_the_error_of_a_batch_that_a_gateway_refuses_again_and_again_names_the_r
         session.receive(b"X03\r\n", now)
         now += 10.0
     assert "read at 0x13:" in str(batch.error)
+
+
+def test_a_posted_write_waits_for_others_before_all_are_confirmed_by_one_fence() -> None:
+    session, _ = opened(resumes=False)
+    codec = session.codec
+    for value in range(8):
+        session.submit(Request(codec, "WS", codec.fields("WS", 0x10, value), None), 0.0)
+    assert [frame[:2] for frame in session.take_output().splitlines()] == [b"ws"] * 8
+    assert session.deadline is not None
+    session.expire(session.deadline)
+    assert session.take_output()[:1] == b"h"

@@ -185,6 +185,14 @@ def test_out_of_sequence_with_an_id_that_was_never_sent_is_noise() -> None:
     assert repeated(window) == ""
 
 
+def test_out_of_sequence_that_came_late_takes_nothing_back() -> None:
+    window: Window[Named] = Window(RING)
+    sent(window, "a", "b", "c")
+    window.answered(1, 1, now=0.001)
+    window.out_of_sequence(1, now=0.002)
+    assert (window.oldest, window.executed, window.next) == (0, 2, 3)
+
+
 def test_damage_goes_back() -> None:
     window: Window[Named] = Window(RING)
     sent(window, "a", "b")
