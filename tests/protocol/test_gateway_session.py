@@ -9,8 +9,8 @@ from unity_link.protocol.messages import Codec
 
 def test_there_is_a_session_from_its_first_id_on_whatever_that_is_until_a_reset() -> None:
     session = GatewaySession(Codec(GatewayInfo()))
-    assert not session.begun
+    found = [session.begun]
     session.sequence.expected = 0
-    assert session.begun
+    found.append(session.begun)
     session.reset()
-    assert not session.begun
+    assert [*found, session.begun] == [False, True, False]
