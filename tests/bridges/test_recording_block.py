@@ -15,6 +15,7 @@ from recordings import GATEWAY, SPEC, sequence_in, was_cut, work_in_place
 from simulated_time import run_simulated
 from unity_link import ArgumentError, LinkLostError
 from unity_link.bridges.recording import Recorder, RecordingError
+from unmeasured import unmeasured_environment
 from valve import cut
 
 if TYPE_CHECKING:
@@ -195,7 +196,9 @@ except Exception as error:
 def test_a_full_disk_ends_the_block_and_leaves_whole_samples_or_no_file(tmp_path: Path, room: int) -> None:
     path = tmp_path / "run.mcap"
     command = [sys.executable, "-c", DISK_FULL, str(SPEC), str(path), str(room)]
-    result = subprocess.run(command, capture_output=True, text=True, timeout=100, check=True)
+    result = subprocess.run(
+        command, capture_output=True, text=True, timeout=100, check=True, env=unmeasured_environment()
+    )
     said = f"{RecordingError.__name__} {path} cannot be written on: File too large; what was recorded before is in it\n"
     assert (result.stdout, result.stderr) == (said, "")
     if room == 100:

@@ -38,6 +38,7 @@ from unity_link.bridges.recording.files import INTERRUPTION
 from unity_link.spec import compile_text
 from unity_link.virtual.build import build_gateway
 from unity_link.virtual.gateway import VirtualGateway
+from unmeasured import unmeasured_environment
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -259,8 +260,7 @@ def test_a_full_disk_ends_the_recording_with_one_sentence_and_keeps_what_is_in_i
     result = run(
         *("record", GATEWAY, SPEC, "-o", path, "--duration", "60"),
         preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (limit, limit)),
-        # What measures coverage writes files, too, and larger ones.
-        env={name: value for name, value in os.environ.items() if not name.startswith("COV")},
+        env=unmeasured_environment(),
     )
 
     sequence = sequence_in(path)

@@ -16,6 +16,7 @@ from simulation.report import Report
 from simulation.story import shrink, tell
 from simulation.world import run_seed
 from unity_link.transport.turns import Seat
+from unmeasured import unmeasured_environment
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -37,8 +38,7 @@ TESTS = Path(__file__).parents[1]
 
 def run_python(*arguments: str) -> subprocess.Popen[str]:
     """Start Python beside this process, on the same sources and without measuring what it covers."""
-    environment = {name: value for name, value in os.environ.items() if not name.startswith("COV")}
-    environment["PYTHONPATH"] = os.pathsep.join([str(TESTS.parent), str(TESTS)])
+    environment = unmeasured_environment() | {"PYTHONPATH": os.pathsep.join([str(TESTS.parent), str(TESTS)])}
     return subprocess.Popen([sys.executable, *arguments], stdout=subprocess.PIPE, text=True, env=environment)
 
 
