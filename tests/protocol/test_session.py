@@ -82,6 +82,17 @@ def test_a_reset_at_any_instant_of_a_reconnection_is_told_before_the_last_sessio
         assert changes[-2] is Interrupted
 
 
+def test_a_reset_between_the_first_connection_and_the_second_is_told_also_where_there_are_no_groups() -> None:
+    session, gateway = opened(resumes=False)
+    gateway.reset()
+    session.disconnect("the line was lost")
+    session.connect(1.0, 0.003)
+    events: list[object] = []
+    while not session.is_open:
+        events += session.receive(gateway.receive(session.take_output(), 1.0), 1.0)
+    assert [type(event) for event in events] == [Interrupted, Opened]
+
+
 @pytest.mark.parametrize(
     "answer", [b"\nQ\r\n", b"Q" + GatewayInfo(groups=1).to_hex().replace(b"02", b"09", 1) + b"\r\n"]
 )

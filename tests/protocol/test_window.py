@@ -403,6 +403,14 @@ def test_news_after_a_request_was_given_up_begins_anew() -> None:
     assert window.in_flight == 0
 
 
+def test_what_is_sent_behind_a_request_gives_it_no_more_time_also_where_ids_begin_anew() -> None:
+    window: Window[Named] = Window(RING, first=RING - 1, round_trip=0.01)
+    sent(window, "a")
+    deadline = window.deadline
+    sent(window, "b", now=0.001)
+    assert window.deadline == deadline
+
+
 def test_a_time_out_that_comes_too_early_is_nothing() -> None:
     window: Window[Named] = Window(RING)
     assert window.deadline is None
