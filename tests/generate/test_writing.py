@@ -10,6 +10,7 @@ import pytest
 
 from unity_link import ArgumentError
 from unity_link.generate import GeneratedFile, write
+from unmeasured import unmeasured_environment
 
 SPEC = Path(__file__).parents[2] / "examples" / "walker.ul"
 ON_A_FULL_DISK = """
@@ -24,7 +25,8 @@ main()
 def on_a_full_disk(room: int, *arguments: str | Path) -> str:
     """Run a command where no file can have more than so many bytes; return what it says."""
     command = [sys.executable, "-B", "-c", ON_A_FULL_DISK, str(room), *map(str, arguments)]
-    result = subprocess.run(command, capture_output=True, text=True, timeout=120, check=False)
+    environment = unmeasured_environment()
+    result = subprocess.run(command, capture_output=True, text=True, timeout=120, check=False, env=environment)
     assert (result.returncode, result.stdout) == (2, ""), result
     (line,) = result.stderr.splitlines()
     return line
