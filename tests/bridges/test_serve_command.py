@@ -302,7 +302,9 @@ def test_a_client_that_is_killed_in_the_middle_of_a_request_disturbs_nobody(tmp_
                     return False
 
             wait_until(free)
-            assert link.statistics.repetitions == 0
+            # A busy machine may be too slow for a time out; nothing else is a reason to send anything again.
+            assert link.statistics.repetitions <= link.statistics.timeouts
+            assert link.statistics.damaged_frames == 0
 
 
 def test_a_client_that_stops_reading_and_one_that_talks_nonsense_disturb_nobody(tmp_path: Path) -> None:
