@@ -122,6 +122,7 @@ def test_a_session_that_was_never_connected_is_owed_nothing() -> None:
     session = Session(0, lambda: 0)
     assert not session.is_owed_an_answer
     assert session.in_flight == 0
+    assert session.loses is False
     assert not session.wants_turn
     assert session.deadline is None
     assert session.round_trip is None

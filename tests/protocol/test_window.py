@@ -478,19 +478,44 @@ def test_a_damaged_answer_behind_a_time_out_undoes_the_doubling_of_the_next() ->
     window.expire(now=0.1)
     assert repeated(window) == "a@0 b@1 c@2"
     window.answer_damaged(now=0.2)
-    window.answer_damaged(now=0.25)
-    repeated(window)
+    assert repeated(window) == "a@0"
     window.answered(0, 1, now=0.26)
     assert window.deadline == pytest.approx(0.26 + 0.1)
 
 
-def test_what_is_answered_before_it_could_be_sent_again_is_not_sent_again() -> None:
-    window: Window[Named] = Window(RING, first=RING - 2)
+@pytest.mark.parametrize("first", [0, RING - 2])
+def test_what_is_answered_before_it_could_be_sent_again_is_not_sent_again(first: int) -> None:
+    window: Window[Named] = Window(RING, first=first)
     sent(window, *"abcd")
-    window.out_of_sequence(RING - 2, now=0.001)
-    window.answered(RING - 2, 1, now=0.002)
-    window.answered(RING - 1, 1, now=0.002)
-    assert repeated(window) == "c@0 d@1"
+    window.out_of_sequence(first, now=0.001)
+    window.answered(first, 1, now=0.002)
+    window.answered(first + 1, 1, now=0.002)
+    third = (first + 2) % RING
+    assert repeated(window) == f"c@{third} d@{third + 1}"
+
+
+def test_pauses_between_signs_double_from_the_least_round_trip_to_a_usual_one() -> None:
+    window: Window[Named] = Window(RING, round_trip=0.01, shortest_timeout=1.0)
+    sent(window, "a")
+    window.answered(0, 1, now=0.001)
+    sent(window, "b", now=1.0)
+    taken = []
+    for tenth in range(200):
+        window.damaged(now=1.0 + tenth / 10_000)
+        if repeated(window):
+            taken.append(tenth / 10)
+    assert taken == pytest.approx([0, 1, 3, 7, 15], abs=0.2)
+
+
+def test_the_answer_to_what_was_sent_once_undoes_the_doubling_of_the_time_out() -> None:
+    window: Window[Named] = Window(RING, round_trip=0.01, shortest_timeout=0.1)
+    sent(window, "a")
+    window.expire(now=0.1)
+    assert repeated(window) == "a@0"
+    sent(window, "b", now=0.15)
+    window.answered(1, 1, now=0.16)
+    repeated(window)
+    assert window.deadline == pytest.approx(0.16 + 0.1)
 
 
 @pytest.mark.parametrize("messages", range(2, 9))
