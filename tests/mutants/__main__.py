@@ -72,7 +72,12 @@ def _options() -> argparse.Namespace:
     parser.add_argument("--search", type=float, default=60, help="seconds of tests, as measured, for a mutant (60)")
     parser.add_argument("--processes", type=int, default=1, help="mutants tried side by side (1)")
     parser.add_argument("--folder", default=".cache/mutants", help="where results stand (.cache/mutants)")
-    return parser.parse_args()
+    options = parser.parse_args()
+    if min(options.count, options.processes) < 1:
+        parser.error(
+            f"{options.count} mutants and {options.processes} processes were asked for, expected at least 1 of each"
+        )
+    return options
 
 
 def _hash(*places: Path) -> str:

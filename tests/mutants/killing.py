@@ -76,6 +76,7 @@ PATIENCE = 900
 MOST_WORK = 300
 """Seconds of a processor, the same."""
 MOST_MEMORY = 4 << 30
+TOO_MUCH = "it takes too much"
 QUIETLY = [
     "--timeout=60",
     "-q",
@@ -171,9 +172,10 @@ def tests_for(mutant: Mutant, seconds: Timed, reached: Reached, search: float) -
         search: how long all of them may take together.
     """
     of_module = reached.get(mutant.module, {})
-    of_lines = [of_module.get(line, []) for line in range(mutant.line, mutant.last_line + 1)]
-    found = seconds.keys() & {test for tests in of_lines for test in tests if mutant.is_in_a_function}
-    found = found or seconds.keys() & {test for tests in of_module.values() for test in tests} or set(seconds)
+    lines = range(mutant.line, mutant.last_line + 1) if mutant.is_in_a_function else ()
+    of_lines = seconds.keys() & {test for line in lines for test in of_module.get(line, [])}
+    of_any_line = seconds.keys() & {test for tests in of_module.values() for test in tests}
+    found = of_lines or of_any_line or seconds.keys()
     quick = sorted((seconds[test], test) for test in found if seconds[test] < LONGEST_TEST)
     until = accumulate(taken for taken, _ in quick)
     return [test for (_, test), all_taken in zip(quick, until, strict=True) if all_taken < search or WORLDS in test]
@@ -203,11 +205,11 @@ def _run(mutant: Mutant, tests: Sequence[str]) -> tuple[str, str]:
             if time.monotonic() > deadline or _resident(process) > MOST_MEMORY:
                 os.killpg(process, signal.SIGKILL)
                 os.waitpid(process, 0)
-                return KILLED, "it does not end"
+                return KILLED, TOO_MUCH
             time.sleep(0.02)
         said = noted.read()
     # A process that the system ended, for its time or memory, has noted nothing.
-    return (SURVIVED, "") if said == "0" else (KILLED, said or "it takes too much")
+    return (SURVIVED, "") if said == "0" else (KILLED, said or TOO_MUCH)
 
 
 def _resident(process: int) -> int:
