@@ -66,7 +66,7 @@ def call(shared: SharedLink) -> Terminal:
 async def settle(shared: SharedLink) -> None:
     """Wait until all that was asked for is answered."""
     await asyncio.sleep(0.01)
-    await until(lambda: not shared._session.in_flight and not any(client._pending for client in shared.clients))
+    await until(lambda: not shared._session.window.in_flight and not any(client._pending for client in shared.clients))
     await asyncio.sleep(0.01)
 
 

@@ -62,6 +62,6 @@ def numbers_in(sent: bytes, info: GatewayInfo) -> list[int]:
 
 def cut(link: Link) -> None:
     """End the connection of a link as a cable that is pulled out does."""
-    assert link._stream is not None
-    assert link._stream._transport is not None
-    link._stream._transport.abort()
+    assert link._flow.stream is not None
+    assert link._flow.stream._transport is not None
+    link._flow.stream._transport.abort()

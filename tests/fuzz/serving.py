@@ -188,8 +188,8 @@ class Scene:
             self._gateway.honest.reset()
         elif what == 1:
             self._gateway.silent = not self._gateway.silent
-        elif self.shared._stream is not None and self.shared._stream._transport is not None:
-            self.shared._stream._transport.abort()
+        elif self.shared._flow.stream is not None and self.shared._flow.stream._transport is not None:
+            self.shared._flow.stream._transport.abort()
 
 
 def _checked(body: bytes) -> bytes:

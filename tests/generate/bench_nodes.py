@@ -194,7 +194,7 @@ async def four_nodes_take_turns_on_one_pair_of_wires(dut: Any) -> None:
     for link in links:
         codec = link.session.codec
         link.events += link.session.start(link.session.hold(0, 1, [0x10], codec.head_sizes["GP"] + 12, link), clock())  # type: ignore[arg-type]
-    await pair.until(lambda: not any(link.session.in_flight or link.session.wants_turn for link in links))
+    await pair.until(lambda: not any(link.session.window.in_flight or link.session.wants_turn for link in links))
     polls = [link.ask("GP", b"00", 0) for link in links]
     await pair.until(lambda: all(request.done for request in polls))
     samples: list[Sampled] = [event for link in links for event in link.events if type(event).__name__ == "Sampled"]

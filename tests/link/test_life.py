@@ -108,8 +108,8 @@ async def test_minutes_of_noise_take_no_memory(make_bare: Maker) -> None:
     for noise in (bytes(range(256)) * 40, b"\xff" * 10_000):
         valve = Valve(make_bare(**SLOW))
         async with unity_link.connect(valve) as link:
-            assert link._stream is not None
-            stream = link._stream
+            assert link._flow.stream is not None
+            stream = link._flow.stream
             stream.data_received(noise)
             tracemalloc.start()
             for _ in range(1000):
@@ -117,7 +117,7 @@ async def test_minutes_of_noise_take_no_memory(make_bare: Maker) -> None:
             grown, _ = tracemalloc.get_traced_memory()
             tracemalloc.stop()
             assert grown < 100_000
-            assert len(stream._rest) <= 16_384
+            assert len(link._session._rest) <= 16_384
             stream.data_received(b"\n")
             await link.write(1, 2)
             assert await link.read(1) == 2
@@ -513,9 +513,9 @@ async def test_a_lost_connection_says_what_is_known_of_each_request(make_bare: M
         unknown = asyncio.ensure_future(link.write(2, 2))
         await asyncio.sleep(0)
         await asyncio.sleep(0)
-        assert link._stream is not None
+        assert link._flow.stream is not None
         codec = link._codec
-        link._stream.data_received(
+        link._flow.stream.data_received(
             codec.framing.checked(codec.out_of_sequence(numbers_in(gateway.heard, gateway.info)[0] + 1))
         )
         waiting = [asyncio.ensure_future(link.write(3, value)) for value in range(2 * in_flight(link.gateway))]
@@ -683,7 +683,7 @@ async def test_a_connection_that_is_lost_again_and_again_while_subscriptions_are
             await asyncio.sleep(0.1 * delay / 3)
             for _ in range(delay):
                 await asyncio.sleep(0)
-            if link._stream is not None and not link._stream._transport.is_closing():  # type: ignore[union-attr]
+            if link._flow.stream is not None and not link._flow.stream._transport.is_closing():  # type: ignore[union-attr]
                 cut(link)
             await link.read(0)
             await anext(one)
@@ -889,13 +889,13 @@ async def connected_with_ids(gateway: Valve) -> tuple[Link, list[bytes]]:
 async def test_a_sound_frame_that_nobody_waits_for_does_no_harm(make_bare: Maker, body: str) -> None:
     link, ids = await connected_with_ids(Valve(make_bare(**SLOW)))
     async with link:
-        assert link._stream is not None
+        assert link._flow.stream is not None
         write = asyncio.ensure_future(link.write(1, 5))
         await asyncio.sleep(0)
         texts = {"own": ids[0], "other": ids[0x50], "short": ids[0][:-1], "wrong": b"G" * len(ids[0])}
         sent = body.format_map({name: text.decode() for name, text in texts.items()})
-        link._stream.data_received(link._codec.framing.checked(sent.encode()))
-        link._stream.data_received(b"\n\r\n")
+        link._flow.stream.data_received(link._codec.framing.checked(sent.encode()))
+        link._flow.stream.data_received(b"\n\r\n")
         await write
         assert await link.read(1) == 5
 
@@ -904,10 +904,10 @@ async def test_a_sound_frame_that_nobody_waits_for_does_no_harm(make_bare: Maker
 async def test_an_error_that_does_not_exist_is_raised_with_its_number(make_bare: Maker) -> None:
     link, ids = await connected_with_ids(Valve(make_bare(**SLOW)))
     async with link:
-        assert link._stream is not None
+        assert link._flow.stream is not None
         write = asyncio.ensure_future(link.write(1, 5))
         await asyncio.sleep(0)
-        link._stream.data_received(link._codec.framing.checked(b"x" + ids[0] + b"00"))
+        link._flow.stream.data_received(link._codec.framing.checked(b"x" + ids[0] + b"00"))
         with pytest.raises(unity_link.GatewayError, match="answered error 00"):
             await write
         assert await link.read(1) == 5
@@ -918,14 +918,14 @@ async def test_an_answer_of_another_length_or_command_is_not_taken(make_bare: Ma
     valve = Valve(make_bare(**SLOW))
     link, (first, second, *_) = await connected_with_ids(valve)
     async with link:
-        assert link._stream is not None
+        assert link._flow.stream is not None
         valve.answers_pass = False
         read = asyncio.ensure_future(link.read(1))
         many = asyncio.ensure_future(link.read_many(range(3)))
         await asyncio.sleep(0)
         bodies = [b"r%b0000000", b"w%b", b"r%bGGGGGGGG"]
         for body in [*(body % first for body in bodies), *(body % second for body in bodies)]:
-            link._stream.data_received(link._codec.framing.checked(body))
+            link._flow.stream.data_received(link._codec.framing.checked(body))
         assert not read.done()
         valve.answers_pass = True
         assert await read == 0

@@ -288,8 +288,8 @@ async def test_a_link_on_which_only_samples_get_through_is_lost_in_seconds(make_
 @on_simulated_time
 async def test_requests_are_not_repeated_while_the_transport_takes_nothing(make_bare: Maker) -> None:
     async with unity_link.connect(gateway := Valve(make_bare(**SLOW))) as link:
-        assert link._stream is not None
-        stream = link._stream
+        assert link._flow.stream is not None
+        stream = link._flow.stream
         stream.pause_writing()
         gateway.heard = b""
         reads = [asyncio.ensure_future(link.read(address)) for address in range(100)]
@@ -303,8 +303,8 @@ async def test_requests_are_not_repeated_while_the_transport_takes_nothing(make_
 @on_simulated_time
 async def test_a_transport_that_takes_nothing_for_good_ends_the_link(make_bare: Maker) -> None:
     async with unity_link.connect(make_bare(**SLOW)) as link:
-        assert link._stream is not None
-        link._stream.pause_writing()
+        assert link._flow.stream is not None
+        link._flow.stream.pause_writing()
         start = now()
         with pytest.raises(LinkLostError):
             await link.read(1)

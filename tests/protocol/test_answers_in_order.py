@@ -149,7 +149,7 @@ class Host:
             self.exchange.go_on(now, self.events)
 
     def state(self) -> object:
-        window = dict(vars(self.window))
+        window = {name: getattr(self.window, name) for name in Window.__slots__}
         window["_slots"] = [None if run is None else (run.first, run.command) for run in window["_slots"]]
         told = [
             (event.command, str(event.answer), str(event.error)) if isinstance(event, Request | Batch) else str(event)

@@ -14,7 +14,7 @@ from unity_link.bridges.serve import client, shared
 from unity_link.bridges.serve import groups as served_groups
 from unity_link.bridges.serve import requests as served_requests
 from unity_link.errors import Outcome
-from unity_link.link import connection, link, subscription
+from unity_link.link import connection, flow, link, subscription
 from unity_link.protocol import arrays, datagrams, exchange, group_table, reception, requests, session, window
 from unity_link.protocol.frames import FrameError
 from unity_link.protocol.messages import COMMANDS, Repetition
@@ -218,7 +218,6 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
 @bug("writes are sent again in a new session")
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
     def again(self: Any, offset: int, count: int) -> Any:
-        self.frame = b""
         return None if self.of_session else self
 
     monkeypatch.setattr(requests.Request, "again", again)
@@ -303,14 +302,14 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
 
 @bug("the timer is not set again after a repetition")
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
-    tick = connection.Connection._tick
+    tick = flow.Flow._tick
 
     def once(self: Any) -> None:
         tick(self)
-        if self._timer is not None and self.connected:
+        if self._timer is not None and self.session.is_open:
             self._timer.cancel()
 
-    monkeypatch.setattr(connection.Connection, "_tick", once)
+    monkeypatch.setattr(flow.Flow, "_tick", once)
 
 
 @bug("an answer confirms what comes behind it")
@@ -484,7 +483,6 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
 @bug("a server sends writes again to a gateway that comes back")
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
     def again(self: Any, offset: int, count: int) -> Any:
-        self.frame = b""
         return self
 
     monkeypatch.setattr(served_requests.Relayed, "again", again)

@@ -281,7 +281,7 @@ def test_an_own_medium_works_on_uvloop() -> None:
 async def test_an_own_medium_whose_program_ends_is_a_lost_link() -> None:
     async with unity_link.connect(gateway_on_pipes()) as link:
         assert await link.read(0) == 0
-        stream = link._stream
+        stream = link._flow.stream
         assert stream is not None
         assert stream._transport is not None
         stream._transport.abort()

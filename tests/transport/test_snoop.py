@@ -219,7 +219,7 @@ async def test_a_token_is_never_written(tmp_path: Path) -> None:
 @on_simulated_time
 async def test_nothing_stands_in_between_where_nothing_is_asked_for() -> None:
     link = await unity_link.connect(VirtualGateway(GatewayInfo()))
-    assert _protocol_of(link) is link._stream
+    assert _protocol_of(link) is link._flow.stream
     await link.aclose()
 
 
@@ -237,7 +237,7 @@ async def test_the_level_at_the_time_of_connecting_decides(caplog: pytest.LogCap
 
 
 def _protocol_of(link: Link) -> object:
-    stream = link._stream
+    stream = link._flow.stream
     assert stream is not None
     transport = stream._transport
     assert transport is not None

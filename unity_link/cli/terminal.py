@@ -19,6 +19,7 @@ from unity_link.cli.arguments import DEFAULT_TIMEOUT, Url
 from unity_link.cli.output import out, print_note
 from unity_link.cli.running import INTERRUPTED, run
 from unity_link.errors import ConnectError, UnsupportedError
+from unity_link.protocol.frames import LONGEST_FRAME
 
 if TYPE_CHECKING:
     from collections.abc import AsyncIterator, Callable, Coroutine
@@ -114,12 +115,31 @@ async def _connect(target: DriverUrl, stream: Stream) -> Codec:
     return codec
 
 
-class _Greeting:
+class _Receiver:
+    """Takes whole frames of what arrives cut anywhere."""
+
+    def __init__(self) -> None:
+        self._rest = b""
+
+    def receive(self, data: bytes) -> None:
+        """Take the frames that have arrived."""
+        data = self._rest + data
+        rest = data[self.take(data) :]
+        # Noise without a line end is no frame; what is kept of it must not grow.
+        self._rest = rest if len(rest) <= LONGEST_FRAME else b""
+
+    def take(self, data: bytes) -> int:
+        """Take whole frames, and return where the first that is not whole begins."""
+        raise NotImplementedError
+
+
+class _Greeting(_Receiver):
     """Asks what the gateway is, and has it begin a session with ID 0."""
 
     def __init__(self, stream: Stream, node: int | None) -> None:
         from unity_link.protocol.handshake import Handshake
 
+        super().__init__()
         self._stream = stream
         self._loop = asyncio.get_running_loop()
         self._handshake = Handshake(node, 0, self._loop.time(), again=False)
@@ -139,7 +159,7 @@ class _Greeting:
         if data := self._handshake.take_output():
             self._stream.send(data)
 
-    def receive(self, data: bytes) -> int:
+    def take(self, data: bytes) -> int:
         """Look for answers."""
         try:
             taken = self._handshake.receive(data, self._loop.time())
@@ -164,12 +184,13 @@ class _Greeting:
             self._over.set_exception(error)
 
 
-class _Session:
+class _Session(_Receiver):
     """Sends what is typed and shows what comes."""
 
     def __init__(self, stream: Stream, codec: Codec, *, plain: bool) -> None:
         from unity_link.protocol.interpreter import Interpreter
 
+        super().__init__()
         self.codec = codec
         self.answered = asyncio.Event()
         self.ended = asyncio.Event()
@@ -214,7 +235,7 @@ class _Session:
 
         self._patience = asyncio.get_running_loop().call_later(seconds, tell)
 
-    def receive(self, data: bytes) -> int:
+    def take(self, data: bytes) -> int:
         """Show whole frames."""
         *lines, rest = data.split(b"\n")
         for line in lines:

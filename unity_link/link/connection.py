@@ -7,9 +7,7 @@ opened again. What else the events of the session are for is the matter of those
 
 from __future__ import annotations
 
-import contextlib
 import logging
-import math
 import random
 from typing import TYPE_CHECKING, Any
 
@@ -26,10 +24,10 @@ from unity_link.errors import (
     UnsupportedError,
     reason_of,
 )
+from unity_link.link.flow import Flow
 from unity_link.link.runtime import AsyncioRuntime
 from unity_link.protocol.configuration import Feature
 from unity_link.protocol.group_table import GroupsRestored
-from unity_link.protocol.requests import Batch, Fence, Request
 from unity_link.protocol.session import Interrupted, Opened, Session, Unusable
 from unity_link.transport import DriverUrl, name_of, node_of
 from unity_link.transport.stream import Stream
@@ -37,18 +35,14 @@ from unity_link.transport.stream import Stream
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from unity_link.link.runtime import Job, Runtime, Timer, Waiter
+    from unity_link.link.runtime import Job, Runtime, Waiter
     from unity_link.protocol.configuration import GatewayInfo
     from unity_link.protocol.messages import Codec
-    from unity_link.protocol.requests import Events, Source
     from unity_link.transport import Medium
-    from unity_link.transport.turns import Seat
 
 log = logging.getLogger("unity_link.link")
 _SEED_BITS = 16
 """Enough to choose any ID by."""
-_LATE = 0.05
-"""Seconds by which a timer may be behind the deadline before it is set anew: progress may have brought that forward."""
 
 
 class Reconnect(msgspec.Struct, frozen=True, kw_only=True):
@@ -96,14 +90,14 @@ class Connection:
         self.any_map = isinstance(target, DriverUrl) and target.any_map
         """Whether robots of another map than the gateway's are taken."""
         self._session = Session(node_of(target), choose_seed, resumes=resumes or reconnect is not None)
-        self._stream: Stream | None = None
-        self._timer: Timer | None = None
-        self._timer_at = 0.0
-        self._seat: Seat | None = None
-        """Where nodes share the medium: the link's place, whose turn is waited for."""
-        self._turn_timer: Timer | None = None
-        self._flushing = False
-        """Whether what the session has to send is sent when what runs now waits."""
+        self._flow = Flow(self._session, self._runtime, self._disconnected)
+        handlers: dict[type, Callable[[Any], None]] = {
+            Opened: self._session_opened,
+            Interrupted: self._gateway_was_reset,
+            Unusable: self._connection_failed,
+            GroupsRestored: self._groups_restored,
+        }
+        self._flow.handlers |= handlers
         self._opened: Waiter = self._new_waiter()
         """Done when the connection that is being opened is of use, or is known not to be."""
         self._opening = False
@@ -113,17 +107,7 @@ class Connection:
         self._reconnection: Job | None = None
         self._resumption: Job | None = None
         self._sessions = 0
-        self._bytes_before = (0, 0)
         self._closed = self._closed_by_program = False
-        self._handlers: dict[type, Callable[[Any], None]] = {
-            Request: settle,
-            Fence: settle,
-            Batch: settle,
-            Opened: self._session_opened,
-            Interrupted: self._gateway_was_reset,
-            Unusable: self._connection_failed,
-            GroupsRestored: self._groups_restored,
-        }
 
     # What builds on this says
 
@@ -155,152 +139,20 @@ class Connection:
         """Whether there is a session now; not while it is being opened again, nor after the end."""
         return self._session.is_open
 
-    def _submit(self, source: Source) -> None:
-        """Have the session send what a source has.
-
-        Raises:
-            LinkLostError: where the link has ended.
-        """
-        session = self._session
-        events = session.submit(source, self._now())
-        if events:
-            self._handle(events)
-        if self._seat is not None:
-            self._take_turns()
-        if session.output and not self._flushing:
-            self._send()
-        # Of posted writes, the first sets a time for their confirmation, and one of the next brings it.
-        if self._timer is None or not isinstance(source, Request) or (source.posted and session.unconfirmed < 2):
-            self._set_timer()
-
-    async def _answer(self, request: Request | Batch) -> Any:
-        """Have a request done, and return its answer; one that is cancelled is given up."""
-        request.owner = waiter = self._new_waiter()
-        self._submit(request)
-        try:
-            return await waiter
-        except BaseException:
-            request.cancel()
-            raise
-
-    def _go_on(self, events: Events) -> None:
-        """Do what follows from a call of the session."""
-        if events:
-            self._handle(events)
-        if self._seat is not None:
-            self._take_turns()
-        if self._session.output and not self._flushing:
-            self._send()
-        self._set_timer()
-
-    def _handle(self, events: Events) -> None:
-        handlers = self._handlers
-        for event in events:
-            handlers[type(event)](event)
-
-    def _send(self) -> None:
-        """Send what the session has to: a lone request at once, all else together with what follows in this turn."""
-        if self._session.in_flight == 1:
-            self._flush()
-        else:
-            self._flushing = True
-            self._runtime.call_soon(self._flush)
-
-    def _flush(self) -> None:
-        self._flushing = False
-        data = self._session.take_output()
-        if data and self._stream is not None:
-            self._stream.send(data)
-
-    # Turns, where nodes share the medium
-
-    def _take_turns(self) -> None:
-        """Release the turn when no answer is outstanding, and request the next one if there is something to send."""
-        session = self._session
-        if self._turn_timer is not None:
-            self._turn_timer.cancel()
-            self._turn_timer = None
-        seat = self._seat
-        if seat is None or seat.is_kept:
-            return
-        if not session.is_owed_an_answer and (seat.has_begun or not session.wants_turn):
-            seat.give_back()
-        if not session.wants_turn:
-            return
-        if seat.ask():
-            events = session.take_turn(self._now())
-            seat.begin(session.longest_turn)
-            self._go_on(events)
-        else:
-            patience = seat.patience
-            if patience < math.inf:
-                self._turn_timer = self._runtime.call_at(self._now() + patience, self._take_turns)
-
-    def _turn_has_come(self) -> None:
-        """Take the turn, where this link runs; its loop may be gone."""
-        with contextlib.suppress(RuntimeError):
-            self._runtime.call_soon_threadsafe(self._take_turns)
-
-    def _set_timer(self) -> None:
-        """Have `_tick` called by the session's deadline; a timer that comes too early sets itself again."""
-        deadline = self._session.deadline
-        if self._timer is not None:
-            if deadline is None or self._timer_at <= deadline:
-                return
-            self._timer.cancel()
-        if deadline is None:
-            self._timer = None
-        else:
-            # Kept here, for a timer of uvloop that is due at once cannot tell it.
-            self._timer_at = deadline
-            self._timer = self._runtime.call_at(deadline, self._tick)
-
-    def _tick(self) -> None:
-        self._timer = None
-        self._go_on(self._session.expire(self._now()))
-
-    # Called by the stream
-
-    def receive(self, data: bytes) -> int:
-        """Take what has arrived."""
-        now = self._now()
-        session = self._session
-        events = session.receive(data, now)
-        if events:
-            self._handle(events)
-        if self._seat is not None:
-            self._take_turns()
-            self._set_timer()
-        if session.output and not self._flushing:
-            if events:
-                self._send()
-            else:
-                # No call goes on for what has arrived, so nothing follows in this turn.
-                self._flush()
-        if self._timer is None or self._timer_at - now > _LATE or session.loses:
-            self._set_timer()
-        return len(data)
-
-    def disconnected(self, reason: Exception | None) -> None:
+    def _disconnected(self, reason: Exception | None) -> None:
         """Record that the stream has ended."""
         if not self._opened.done():
             self._opened.set_exception(self._session.connection_error(reason))
         elif not self._opening:
             self._lose(f"the connection was lost ({reason})" if reason else "the other side closed the connection")
 
-    def _pause(self) -> None:
-        if self._stream is not None and self._stream.paused:
-            self._session.pause_writing()
-        else:
-            self._go_on(self._session.resume_writing(self._now()))
-
     # Events
 
     def _session_opened(self, event: Opened) -> None:
         self.gateway = event.info
-        if self._seat is not None and Feature.HALF_DUPLEX not in event.info.features:
+        if self._flow.seat is not None and Feature.HALF_DUPLEX not in event.info.features:
             try:
-                self._seat.keep()
+                self._flow.seat.keep()
             except ConnectError as error:
                 self._connection_failed(Unusable(UnsupportedError(str(error))))
                 return
@@ -383,16 +235,9 @@ class Connection:
 
     async def _open_session(self, stream: Stream) -> None:
         self._opened = self._new_waiter()
-        self._stream = stream
-        stream.receiver, stream.on_pause = self, self._pause
-        seat = self._seat = stream.seat
-        if seat is not None:
-            seat.on_turn = self._turn_has_come
-        self._session.connect(
-            self._now(), stream.shortest_timeout, takes_turns=seat is not None, byte_time=stream.byte_time
-        )
+        self._flow.attach(stream)
         if not stream.closed:
-            self._go_on([])
+            self._flow.go_on([])
             await self._opened
         if stream.closed:
             raise self._session.connection_error(None)
@@ -402,20 +247,20 @@ class Connection:
         stream.receiver = stream.on_pause = None
         if self._opened.done() and not self._opened.cancelled():
             self._opened.exception()
-        if self._stream is stream:
-            self._drop_stream()
-            self._go_on(self._session.disconnect("the connection could not be opened"))
+        if self._flow.stream is stream:
+            self._flow.detach()
+            self._flow.go_on(self._session.disconnect("the connection could not be opened"))
 
     def _lose(self, reason: str) -> None:
         """End the session and its connection; and the link, if it is not to reconnect."""
-        self._drop_stream()
+        self._flow.detach()
         if self._closed:
             return
         if self._reconnect is None:
             self._end(LinkLostError(reason))
             return
         log.info("%s: %s; connecting again", self._name, reason)
-        self._go_on(self._session.disconnect(reason))
+        self._flow.go_on(self._session.disconnect(reason))
         self._session_ended(LinkLostError(reason))
         if self._reconnection is None:
             self._reconnection = self._runtime.create_task(self._reopen(reason, self._reconnect))
@@ -424,18 +269,6 @@ class Connection:
         """Open as soon as the gateway is there, in a task of its own, as a lost connection is opened again."""
         if self._reconnection is None and self._reconnect is not None:
             self._reconnection = self._runtime.create_task(self._reopen("", self._reconnect))
-
-    def _drop_stream(self) -> None:
-        stream, self._stream = self._stream, None
-        self._seat = None
-        if self._turn_timer is not None:
-            self._turn_timer.cancel()
-            self._turn_timer = None
-        if stream is not None:
-            sent, received = self._bytes_before
-            self._bytes_before = (sent + stream.bytes_sent, received + stream.bytes_received)
-            stream.receiver = stream.on_pause = None
-            stream.abort()
 
     async def _reopen(self, reason: str, reconnect: Reconnect) -> None:
         from tenacity import AsyncRetrying, RetryError, retry_if_exception_type
@@ -476,10 +309,10 @@ class Connection:
             # On a bad line, or where a server has no group free, this attempt has failed; the next one begins with a
             # connection of its own.
             reason = reason_of(error)
-            if self._stream is not None:
+            if self._flow.stream is not None:
                 self._lose(reason)
             raise LinkLostError(reason) from error
-        if self._stream is None:
+        if self._flow.stream is None:
             raise LinkLostError("the connection was lost again")
 
     def _end(self, error: LinkLostError) -> None:
@@ -487,28 +320,17 @@ class Connection:
             return
         self._closed = True
         log.info("%s: %s", self._name, error.reason)
-        self._drop_stream()
-        self._go_on(self._session.close(error))
+        self._flow.detach()
+        self._flow.go_on(self._session.close(error))
         self._fail_restoring(error)
         self._ended(error)
 
     async def aclose(self) -> None:
         """End the link: what still waits raises `LinkClosedError`. May be called twice."""
         self._closed_by_program = True
-        stream, task = self._stream, self._reconnection
+        stream, task = self._flow.stream, self._reconnection
         self._end(LinkClosedError("the link was closed", Outcome.UNKNOWN))
         if task is not None:
             await self._runtime.finish(task)
         if stream is not None:
             await stream.close()
-
-
-def settle(request: Request | Batch) -> None:
-    """Set the result or the error of the future that a call awaits."""
-    waiter = request.owner
-    if waiter is None or waiter.done():
-        return
-    if request.error is None:
-        waiter.set_result(request.answer)
-    else:
-        waiter.set_exception(request.error)

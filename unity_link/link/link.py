@@ -26,7 +26,8 @@ from unity_link.errors import (
     missing_attribute,
     refusing,
 )
-from unity_link.link.connection import Connection, Reconnect, settle
+from unity_link.link.connection import Connection, Reconnect
+from unity_link.link.flow import settle
 from unity_link.link.runtime import AsyncioRuntime
 from unity_link.link.subscription import Overflow, Publishing, Sample, Schedule, Subscription, check_addresses
 from unity_link.protocol.configuration import Feature
@@ -107,11 +108,11 @@ class Link(Connection):
         runtime: Runtime | None = None,
     ) -> None:
         super().__init__(target, reconnect, resumes=resumes, runtime=runtime)
-        self._publishing = Publishing(self._session, self._runtime, self._go_on, self._answer)
+        self._publishing = Publishing(self._flow, self._runtime)
         self._posted = False
         self._posted_error: UnityLinkError | None = None
         self._posted_failures = 0
-        self._handlers |= {PostedFailure: self._note_posted, **self._publishing.handlers}
+        self._flow.handlers |= {PostedFailure: self._note_posted, **self._publishing.handlers}
 
     # Life
 
@@ -154,7 +155,7 @@ class Link(Connection):
 
     def __del__(self) -> None:
         """Warn of a link that was not closed."""
-        if vars(self).get("_stream") is not None and not self._closed:
+        if (flow := vars(self).get("_flow")) is not None and flow.stream is not None and not self._closed:
             warnings.warn(
                 f"{self!r} was not closed: use `async with`, or `aclose`", ResourceWarning, stacklevel=1, source=self
             )
@@ -174,22 +175,21 @@ class Link(Connection):
     def statistics(self) -> Statistics:
         """What the link has seen since it was opened."""
         counters = self._session.counters
-        sent, received = self._bytes_before
         return Statistics(
             requests=counters.requests,
             responses=counters.responses,
-            in_flight=self._session.in_flight,
+            in_flight=self._session.window.in_flight,
             repetitions=counters.repetitions,
             timeouts=counters.timeouts,
             errors=counters.errors,
             damaged_frames=counters.damaged,
             stray_frames=counters.stray,
-            bytes_sent=sent + (self._stream.bytes_sent if self._stream else 0),
-            bytes_received=received + (self._stream.bytes_received if self._stream else 0),
+            bytes_sent=self._flow.bytes_sent,
+            bytes_received=self._flow.bytes_received,
             samples=self._publishing.samples,
             samples_lost=self._publishing.samples_lost,
             reconnections=max(0, self._sessions - 1),
-            round_trip=self._session.round_trip,
+            round_trip=self._session.window.smoothed_round_trip,
         )
 
     # Words
@@ -199,11 +199,11 @@ class Link(Connection):
         # Also a number that is no `int`, as numpy's, may be right.
         if type(address) is not int or not 0 <= address <= self._highest_address:
             self._check_address(address)
-        codec = self._codec
+        codec, flow = self._codec, self._flow
         request = Request(codec, "R", codec.fields("R", address), codec.data_digits)
-        # As `_answer` would: this is the most frequent call.
-        request.owner = waiter = self._new_waiter()
-        self._submit(request)
+        # As `answer` would: this is the most frequent call.
+        request.owner = waiter = flow.new_waiter()
+        flow.submit(request)
         try:
             word: int = await waiter
         except BaseException:
@@ -218,7 +218,7 @@ class Link(Connection):
         if type(value) is not int or not 0 <= value <= self._highest_word:
             self._check_word(value)
         codec = self._codec
-        await self._answer(Request(codec, "W", codec.fields("W", address, value), 0))
+        await self._flow.answer(Request(codec, "W", codec.fields("W", address, value), 0))
 
     async def write_masked(self, address: int, value: int, mask: int) -> int:
         """Replace the bits of a word that are 1 in `mask` by those of `value`, atomically.
@@ -236,7 +236,7 @@ class Link(Connection):
         self._check_word(mask)
         codec = self._codec
         fields = codec.fields("WK", address, mask, value)
-        word: int = await self._answer(Request(codec, "WK", fields, codec.info.data_digits))
+        word: int = await self._flow.answer(Request(codec, "WK", fields, codec.info.data_digits))
         return word
 
     async def post(self, address: int, value: int) -> None:
@@ -256,7 +256,7 @@ class Link(Connection):
             await self._post_answered(Request(codec, "W", fields, 0))
             return
         request = Request(codec, "WS", fields, None)
-        self._submit(request)
+        self._flow.submit(request)
         if not request.sent:
             await self._sent(request)
 
@@ -279,7 +279,7 @@ class Link(Connection):
         self._raise_posted()
 
     async def _fence(self, *, leaving: bool) -> None:
-        await self._answer(Fence(self._codec, of_session=leaving))
+        await self._flow.answer(Fence(self._codec, of_session=leaving))
 
     def _raise_posted(self) -> None:
         first, count = self._posted_error, self._posted_failures
@@ -370,7 +370,7 @@ class Link(Connection):
             await self._post_answered(Batch(self._codec, "W", fields))
         else:
             batch = Batch(self._codec, "WS", fields)
-            self._submit(batch)
+            self._flow.submit(batch)
             if batch.sent != batch.count:
                 await self._sent(batch)
 
@@ -457,15 +457,15 @@ class Link(Connection):
         check_mode(mode)
         self._require(Feature.SEND_IMMEDIATE, "send-immediate")
         await self._ask("I", _SEND_IMMEDIATE[mode])
-        if self._stream is not None:
-            await self._stream.choose_send_immediate(mode)
+        if self._flow.stream is not None:
+            await self._flow.stream.choose_send_immediate(mode)
 
     # The inside
 
     async def _ask(self, command: str, *values: Any) -> None:
         """Have a request done that is answered by an acknowledgement."""
         codec = self._codec
-        await self._answer(Request(codec, command, codec.fields(command, *values), 0))
+        await self._flow.answer(Request(codec, command, codec.fields(command, *values), 0))
 
     async def _sent(self, posted: Request | Batch) -> None:
         """Wait until posted writes have found room."""
@@ -481,7 +481,7 @@ class Link(Connection):
     async def _post_answered(self, posted: Request | Batch) -> None:
         """Have writes done that are answered, with their error kept as that of posted ones."""
         try:
-            await self._answer(posted)
+            await self._flow.answer(posted)
         except UnityLinkError as error:
             self._note_posted(PostedFailure(error, 1))
 
@@ -508,12 +508,12 @@ class Link(Connection):
     async def _all(self, requests: list[Request]) -> list[Any]:
         """Have requests done in order, and return their answers; if one fails, the rest is not waited for."""
         if len(requests) == 1:
-            return [await self._answer(requests[0])]
+            return [await self._flow.answer(requests[0])]
         waiters = []
         for request in requests:
             request.owner = self._new_waiter()
             waiters.append(request.owner)
-        self._submit(Block(requests))
+        self._flow.submit(Block(requests))
         try:
             return [await waiter for waiter in waiters]
         except UnansweredError as error:
@@ -532,7 +532,7 @@ class Link(Connection):
 
     async def _batch(self, command: str, *columns: tuple[NDArray[Any], int]) -> Words:
         self._check_count(len(columns[0][0]))
-        words: Words = await self._answer(Batch(self._codec, command, columns))
+        words: Words = await self._flow.answer(Batch(self._codec, command, columns))
         return words
 
     def _divisor(self, rate_hz: float | None, divisor: int | None) -> int:

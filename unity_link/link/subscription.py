@@ -42,13 +42,12 @@ if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
+    from unity_link.link.flow import Flow
     from unity_link.link.runtime import Runtime, Waiter
     from unity_link.link.samples_together import SamplesTogether
     from unity_link.protocol.arrays import Words
     from unity_link.protocol.configuration import GatewayInfo
     from unity_link.protocol.group_table import HeldGroup
-    from unity_link.protocol.requests import Events
-    from unity_link.protocol.session import Session
 
 Overflow = Literal["drop_oldest", "fail"]
 NOT_OPEN = "the subscription is not open: write `async with ...subscribe(...) as samples:`, or `with` in blocking code"
@@ -144,24 +143,15 @@ class Publishing:
     """What the subscriptions of one link share: the way to the gateway's groups, the time, and the counts.
 
     Args:
-        session: of the link.
-        runtime: what runs the link.
-        go_on: does what follows from a call of the session.
-        answer: has a request done, and returns its answer.
+        flow: of the link.
+        runtime: what runs it.
     """
 
-    def __init__(
-        self,
-        session: Session,
-        runtime: Runtime,
-        go_on: Callable[[Events], None],
-        answer: Callable[[Request], Coroutine[Any, Any, Any]],
-    ) -> None:
+    def __init__(self, flow: Flow, runtime: Runtime) -> None:
         self.samples = 0
         self.samples_lost = 0
-        self._session = session
-        self._go_on = go_on
-        self._answer = answer
+        self._flow = flow
+        self._session = flow.session
         self.runtime = runtime
         self._clock: GatewayClock | None = None
         self._together: type[SamplesTogether] | None = None
@@ -245,12 +235,12 @@ class Publishing:
             schedule.flags, schedule.divisor, schedule.addresses, subscription.length, subscription, schedule.group
         )
         try:
-            self._go_on(session.start(group, self.runtime.time()))
+            self._flow.go_on(session.start(group, self.runtime.time()))
             await started
         except BaseException:
             # Whatever of it was sent may still be executed.
             _, events = session.release(group, self.runtime.time())
-            self._go_on(events)
+            self._flow.go_on(events)
             raise
         return group
 
@@ -259,14 +249,14 @@ class Publishing:
         request, events = self._session.release(group, self.runtime.time())
         if request is not None:
             request.owner = waiter = self.runtime.create_future()
-            self._go_on(events)
+            self._flow.go_on(events)
             # A gateway that is gone has stopped it, also one behind a server, and one that was reset knows it no more.
             with contextlib.suppress(LinkLostError, BusTimeoutError, OutOfRangeError):
                 await waiter
 
     async def publish(self, group: HeldGroup) -> None:
         """Have a group published once, now."""
-        await self._answer(Request(self._session.codec, "GP", group.text, 0))
+        await self._flow.answer(Request(self._session.codec, "GP", group.text, 0))
 
 
 class Subscription:

@@ -45,11 +45,12 @@ class Crc:
         self.polynomial = polynomial
         self.digits = bits // 4
         self.of: Callable[[bytes], int] = _COMPILED.get((bits, polynomial), self._by_table)
-        self.text = self._text()
+        self.text = self.text_before(b"")
         """Returns the CRC of bytes as it stands in a frame: upper-case hex digits."""
 
-    def _text(self) -> Callable[[bytes], bytes]:
-        of, layout = self.of, b"%%0%dX" % self.digits
+    def text_before(self, end: bytes) -> Callable[[bytes], bytes]:
+        """Return a function that gives the CRC of bytes as it stands in a frame, and `end` behind it."""
+        of, layout = self.of, b"%%0%dX" % self.digits + end
         if self.bits != 8:
             return lambda data: layout % of(data)
         texts = [layout % value for value in range(256)]

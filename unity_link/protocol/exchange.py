@@ -120,7 +120,10 @@ class Exchange:
         self._send = out.append
         self._id_number = codec.id_number
         self._id_digits = codec.info.id_digits
+        self._mask = codec.ring - 1
         self._open = codec.framing.open
+        self._ending = codec.framing.ending
+        self._ending_size = codec.framing.ending_size
         self._sample = codec.framing.prefix + b"P"
         """What samples begin with, which say nothing about requests."""
         self._end = b"" if Feature.HALF_DUPLEX in codec.info.features else LF
@@ -264,8 +267,10 @@ class Exchange:
 
         All are taken but those behind one that tells of a reset.
         """
-        start = 0
         window = self.window
+        start = self._receive_in_order(data, now, events) if window.is_quiet() else 0
+        if start == len(data):
+            return start
         batched = self._batching and len(data) >= FEWEST_BYTES
         sampling = bool(self._groups.begun)
         while True:
@@ -308,7 +313,7 @@ class Exchange:
             run = window.find(number)
             if not isinstance(run, BatchRun) or run.posted:
                 return start
-            offset = number - run.first & self.codec.ring - 1
+            offset = number - run.first & self._mask
             rows = min(run.count - offset, (len(data) - start) // run.reply_size)
             if rows < FEWEST_ROWS:
                 return start
@@ -321,16 +326,42 @@ class Exchange:
             window.answered(number, taken, now)
             start += taken * run.reply_size
 
+    def _receive_in_order(self, data: bytes, now: float, events: Events) -> int:
+        """Take the answers to the oldest requests, each just as it is expected, while the window is quiet.
+
+        It is told of them together. Return where they end.
+        """
+        window, ending, ending_size = self.window, self._ending, self._ending_size
+        start = count = size = 0
+        number = window.oldest
+        while type(run := window.find(number)) is Request:
+            end = start + run.reply_size
+            covered = data[start : end - ending_size]
+            if (
+                not covered.startswith(run.opening)
+                or data[end - ending_size : end] != ending(covered)
+                or LF in covered
+                or not run.take_data(covered[len(run.opening) :], events)
+            ):
+                break
+            count += 1
+            size += run.size
+            number = number + 1 & self._mask
+            start = end
+        if count:
+            window.heard = True
+            self._counters.responses += count
+            window.answered_in_order(count, size, now)
+        return start
+
     def _receive_answers(self, data: bytes, start: int, now: float, events: Events) -> int:
         """Take answers as long as they stand side by side; return where they end.
 
-        Those to one batch that follow each other are told to the window together, and so are those to the oldest
-        requests while it is quiet.
+        Those to one batch that follow each other are told to the window together.
         """
-        window, numbers, digits, mask = self.window, self._id_number, self._id_digits, self.codec.ring - 1
-        first = follows = count = size = 0
+        window, numbers, digits, mask = self.window, self._id_number, self._id_digits, self._mask
+        first = follows = count = 0
         together: Message | None = None
-        quiet = False
         while (end := data.find(b"\n", start)) >= 0:
             try:
                 body = self._open(data[start:end])
@@ -342,8 +373,8 @@ class Exchange:
             if number is None:
                 break
             run = window.find(number)
-            if count and (number != follows or (run is not together and not quiet)):
-                self._answered(first, count, size, now, quiet=quiet)
+            if count and (number != follows or run is not together):
+                self._answered(first, count, now)
                 # It may be one of these once more.
                 count, run = 0, window.find(number)
             if type(run) is Request:
@@ -356,24 +387,19 @@ class Exchange:
             if not accepted:
                 break
             if not count:
-                first, together, size = number, run, 0
-                quiet = number == window.oldest and window.quiet
+                first, together = number, run
             count += 1
-            size += run.size
             follows = number + 1 & mask
             start = end + 1
         if count:
-            self._answered(first, count, size, now, quiet=quiet)
+            self._answered(first, count, now)
         return start
 
-    def _answered(self, first: int, count: int, size: int, now: float, *, quiet: bool) -> None:
-        """Tell the window of answers to `count` requests from one ID on, which have `size` characters."""
+    def _answered(self, first: int, count: int, now: float) -> None:
+        """Tell the window of answers to `count` requests from one ID on."""
         self.window.heard = True
         self._counters.responses += count
-        if quiet:
-            self.window.answered_in_order(count, size, now)
-        else:
-            self.window.answered(first, count, now)
+        self.window.answered(first, count, now)
 
     def _receive_samples(self, data: bytes, start: int, now: float, events: Events) -> int:
         """Take samples as long as they stand side by side; return where they end."""
@@ -493,7 +519,7 @@ class Exchange:
         if run is None:
             self._counters.stray += 1
             return
-        offset = number - run.first & self.codec.ring - 1
+        offset = number - run.first & self._mask
         if head == 1 and body[0] == _LOWER_X:
             self._counters.errors += 1
             run.fail_part(offset, 1, gateway_error(_number_of(body[after:]), run.describe(offset)), events)
@@ -554,7 +580,7 @@ class Exchange:
 
     def _place(self, run: Message) -> int:
         """Return the place in its run of the oldest message that waits for an answer."""
-        return self.window.oldest - run.first & self.codec.ring - 1
+        return self.window.oldest - run.first & self._mask
 
     def _give_up(self, run: Message, error: UnansweredError | UnsupportedError, events: Events) -> None:
         """End what waits for answers that will never come; it is sent as ``h`` from now on."""

@@ -44,13 +44,16 @@ class Framing:
     def __init__(self, crc: Crc, node: int | None = None) -> None:
         self.crc = crc
         self.prefix = b"" if node is None else b"Z%02X" % node
-        self.overhead = len(self.prefix) + crc.digits + len(LF)
+        self.ending = crc.text_before(LF)
+        """Returns what stands behind a body and its prefix: their CRC and LF."""
+        self.ending_size = crc.digits + len(LF)
+        self.overhead = len(self.prefix) + self.ending_size
         """Characters of a checked frame beyond its body."""
 
     def checked(self, body: bytes) -> bytes:
         """Return the checked frame of `body`."""
         covered = self.prefix + body
-        return covered + self.crc.text(covered) + LF
+        return covered + self.ending(covered)
 
     def plain_request(self, body: bytes) -> bytes:
         """Return the plain frame of `body` as a host sends it."""

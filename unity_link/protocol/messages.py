@@ -164,6 +164,8 @@ class Codec:
         self.id_text, self.id_number = _id_tables(info.id_digits)
         self.lower = {name: name.lower().encode() for name in COMMANDS}
         """The commands as they stand before an ID."""
+        self.openings = {name: self.framing.prefix + letters for name, letters in self.lower.items()}
+        """The same behind the prefix of an addressed frame."""
         overhead = self.framing.overhead + info.id_digits
         self.head_sizes = {name: overhead + len(name) for name in COMMANDS}
         """Characters of a checked frame with an ID, beyond its fields or data."""

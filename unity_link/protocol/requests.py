@@ -176,7 +176,7 @@ class Request(Message):
         of_session: whether it has a meaning in the session alone in which it was made.
     """
 
-    __slots__ = ("_command", "answer", "done", "error", "fields", "frame", "of_session", "owner", "sent")
+    __slots__ = ("answer", "done", "error", "fields", "of_session", "opening", "owner", "sent")
 
     def __init__(
         self, codec: Codec, command: str, fields: bytes, reply_digits: int | None, *, of_session: bool = False
@@ -191,10 +191,10 @@ class Request(Message):
         self.codec = codec
         self.command = command
         self.given_up = False
-        self._command = codec.lower[command]
         self.fields = fields
         self.of_session = of_session
-        self.frame = b""
+        self.opening = b""
+        """What the frame begins with, and the answer to it: the prefix, the command and the ID that the window gave."""
         self.sent = False
         """Whether it was given an ID."""
         self.done = False
@@ -207,17 +207,22 @@ class Request(Message):
 
     def encode(self, offset: int, count: int) -> bytes:  # noqa: ARG002  (a request is a run of one)
         """Return the frame."""
-        if not self.frame:
-            codec = self.codec
-            self.frame = codec.framing.checked(self._command + codec.id_text[self.first] + self.fields)
-        return self.frame
+        codec = self.codec
+        self.opening = opening = codec.openings[self.command] + codec.id_text[self.first]
+        covered = opening + self.fields
+        return covered + codec.framing.ending(covered)
 
     def accept(self, offset: int, body: bytes, position: int, events: Events) -> bool:  # noqa: ARG002
         """Take the response."""
-        if not body.startswith(self._command) or len(body) + self.codec.framing.overhead != self.reply_size:
+        codec = self.codec
+        if not body.startswith(codec.lower[self.command]) or len(body) + codec.framing.overhead != self.reply_size:
             return False
+        return self.take_data(body[position:], events)
+
+    def take_data(self, data: bytes, events: Events) -> bool:
+        """Take what stands behind the ID in the response; False where it is no answer."""
         try:
-            answer = self.decode(body, position)
+            answer = self.decode(data)
         except ValueError:
             return False
         if not self.done:
@@ -226,13 +231,13 @@ class Request(Message):
             events.append(self)
         return True
 
-    def decode(self, body: bytes, position: int) -> Any:
+    def decode(self, data: bytes) -> Any:
         """Return what the response says."""
-        if position == len(body):
+        if not data:
             return None
         if self.command in _MANY_WORDS:
-            return protocol.arrays.parse_words(body[position:], self.codec.info.data_digits)
-        return int(body[position:], 16)
+            return protocol.arrays.parse_words(data, self.codec.data_digits)
+        return int(data, 16)
 
     def cancel(self) -> None:
         """Record that no call waits for it any more: it is not sent, or the gateway does as it was asked unheard."""
@@ -258,10 +263,7 @@ class Request(Message):
 
     def again(self, offset: int, count: int) -> Source | None:  # noqa: ARG002
         """Return the request itself where it changes nothing."""
-        if self.of_session or self.command not in REPEATABLE:
-            return None
-        self.frame = b""
-        return self
+        return None if self.of_session or self.command not in REPEATABLE else self
 
     # A source of itself
 

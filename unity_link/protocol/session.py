@@ -48,6 +48,8 @@ if TYPE_CHECKING:
 
 _FIRST_TURN = 256
 """Bytes of a question of the handshake and its answer, at most; gateways of later versions say more of themselves."""
+_NO_RING = 2
+"""IDs of the window while there is no session: as few as a ring can have."""
 _UNKNOWN_PATIENCE = 0.25
 """Seconds that an answer to the handshake can be on its way where nothing is known of the line."""
 SILENT = "the gateway does not answer any more"
@@ -106,6 +108,8 @@ class Session:
         """Whether a turn is waited for before each frame: `take_turn` gives it."""
         self._byte_time: float | None = None
         self._exchange: Exchange | None = None
+        self.window: Window[Any] = Window(_NO_RING)
+        """The window over the IDs of the session; while there is no session, one in which nothing is in flight."""
 
     # State
 
@@ -125,26 +129,6 @@ class Session:
         """The groups of the gateway; as `codec`."""
         assert self._groups is not None
         return self._groups
-
-    @property
-    def in_flight(self) -> int:
-        """Number of requests that were sent and not answered."""
-        return 0 if self._exchange is None else self._exchange.window.in_flight
-
-    @property
-    def unconfirmed(self) -> int:
-        """Number of posted writes that were sent behind the last request that is answered."""
-        return 0 if self._exchange is None else self._exchange.window.unfenced
-
-    @property
-    def round_trip(self) -> float | None:
-        """Smoothed round trip in seconds, None before the first answer of a session."""
-        return None if self._exchange is None else self._exchange.window.smoothed_round_trip
-
-    @property
-    def loses(self) -> bool:
-        """Whether the line has lost something not long ago."""
-        return self._exchange is not None and self._exchange.window.loses
 
     @property
     def deadline(self) -> float | None:
@@ -171,7 +155,7 @@ class Session:
     def is_owed_an_answer(self) -> bool:
         """Whether an answer can be on its way."""
         if self._exchange is not None:
-            return self._exchange.window.in_flight > 0 and not self._exchange.window.wants_repetition
+            return self.window.in_flight > 0 and not self.window.wants_repetition
         return self._handshake is not None and not self._handshake.asks
 
     def take_turn(self, now: float) -> Events:
@@ -190,7 +174,7 @@ class Session:
     def longest_turn(self) -> float:
         """Seconds after which no answer can come any more to what was just sent."""
         if self._exchange is not None:
-            return self._exchange.window.longest_answer
+            return self.window.longest_answer
         if self._byte_time is None:
             return _UNKNOWN_PATIENCE
         return ANSWER_PATIENCE + self._byte_time * _FIRST_TURN
@@ -198,9 +182,9 @@ class Session:
     def take_output(self) -> bytes:
         """Return the bytes to send, which are forgotten here."""
         out = self.output
-        if out and self._exchange is not None and self._exchange.window.loses:
+        if self.window.loses and out and self._exchange is not None:
             self._exchange.end_output()
-        data = out[0] if len(out) == 1 else b"".join(out)
+        data = b"".join(out)
         out.clear()
         return data
 
@@ -269,8 +253,8 @@ class Session:
     def _end_exchange(self, error: LinkLostError, events: Events) -> None:
         """End a session, keeping what may be sent again for the next one."""
         assert self._exchange is not None
-        window, refused = self._exchange.window, self._exchange.refused
-        self._exchange = None
+        window, refused = self.window, self._exchange.refused
+        self._exchange, self.window = None, Window(_NO_RING)
         self.groups.interrupted()
         again: list[Source] = []
         for run, offset, size, outcome in window.unanswered(refused):
@@ -429,7 +413,7 @@ class Session:
             pass
         elif exchange is not None:
             exchange.expire(now, events)
-            if exchange.window.lost:
+            if self.window.lost:
                 events.append(Unusable(LinkLostError(SILENT)))
         elif self._handshake is not None:
             self._handshake.expire(now)
@@ -476,7 +460,7 @@ class Session:
             self._fail_handshake(UnsupportedError(message), events)
             return
         credit = None if Feature.FLOW_CONTROL in info.features else info.receive_fifo_bytes
-        window: Window[Any] = Window(
+        self.window = Window(
             codec.ring,
             handshake.first,
             credit,
@@ -490,7 +474,7 @@ class Session:
         self._takes_turns = self._takes_turns and Feature.HALF_DUPLEX in info.features
         self._exchange = Exchange(
             self._codec,
-            window,
+            self.window,
             self._waiting,
             self._groups,
             self.counters,

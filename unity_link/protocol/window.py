@@ -132,6 +132,60 @@ class Window(Generic[R]):
         most: requests in flight, at most; None for half the ring.
     """
 
+    # With more than thirty attributes, Python finds those of a class without slots the slow way.
+    __slots__ = (
+        "_allowed",
+        "_allowed_after_loss",
+        "_asked_to",
+        "_byte_limit",
+        "_byte_time",
+        "_bytes",
+        "_came",
+        "_early_sign",
+        "_fence_due",
+        "_gap",
+        "_gave_up",
+        "_gone_back",
+        "_half",
+        "_least_round_trip",
+        "_mask",
+        "_measured_timeout",
+        "_most",
+        "_next_measurement",
+        "_next_sign",
+        "_refusals",
+        "_refused",
+        "_repeat_ambiguous_until",
+        "_repeat_end",
+        "_repeated_at",
+        "_repetitions",
+        "_reply_byte_time",
+        "_sent",
+        "_sent_once_from",
+        "_shortest_timeout",
+        "_silent_since",
+        "_silent_tries",
+        "_since",
+        "_slots",
+        "_timed",
+        "_timed_bytes",
+        "_timeout",
+        "_to_repeat",
+        "_tries",
+        "_troubled",
+        "_unfenced_bytes",
+        "_variation",
+        "executed",
+        "heard",
+        "loses",
+        "lost",
+        "next",
+        "oldest",
+        "smoothed_round_trip",
+        "timed_out",
+        "unfenced",
+    )
+
     def __init__(
         self,
         ring: int,
@@ -202,6 +256,10 @@ class Window(Generic[R]):
         """Number of IDs that were sent and are not done."""
         return self.next - self.oldest & self._mask
 
+    def is_lone(self) -> bool:
+        """Return whether one request alone is in flight."""
+        return self.next - self.oldest & self._mask == 1
+
     @property
     def idle_since(self) -> float:
         """When the last request was done; it holds while none is in flight."""
@@ -244,7 +302,10 @@ class Window(Generic[R]):
         run.sending = self._sent
         self._sent += count
         after = first + count & self._mask
-        self._fill(first, count, run)
+        if count == 1:
+            self._slots[first] = run
+        else:
+            self._fill(first, count, run)
         self._bytes += run.size * count
         if run.posted:
             if not self.unfenced:
@@ -252,8 +313,9 @@ class Window(Generic[R]):
             self.unfenced += count
             self._unfenced_bytes += run.size * count
         else:
-            self.unfenced = self._unfenced_bytes = 0
-            self._fence_due = None
+            if self.unfenced:
+                self.unfenced = self._unfenced_bytes = 0
+                self._fence_due = None
             if self._timed is None and now >= self._next_measurement:
                 self._timed = (first, now)
                 self._timed_bytes = (self._bytes, run.reply_size)
@@ -356,9 +418,8 @@ class Window(Generic[R]):
             return most
         return next(index for index, other in enumerate(slots) if other is not run)
 
-    @property
-    def quiet(self) -> bool:
-        """Whether an answer to the oldest says nothing of others: nothing was lost of late, or sent again."""
+    def is_quiet(self) -> bool:
+        """Return whether an answer to the oldest says nothing of others: nothing was lost of late, or sent again."""
         return (
             self.oldest == self.executed
             and not self.loses
@@ -368,11 +429,14 @@ class Window(Generic[R]):
         )
 
     def answered_in_order(self, count: int, size: int, now: float) -> None:
-        """Record the answers to the `count` oldest requests, which have `size` characters, while it is `quiet`."""
+        """Record the answers to the `count` oldest requests, which have `size` characters, while it is quiet."""
         number = self.oldest
         if self._timed is not None:
             self._time(number, count, now)
-        self._fill(number, count, None)
+        if count == 1:
+            self._slots[number] = None
+        else:
+            self._fill(number, count, None)
         self._bytes -= size
         self.oldest = self.executed = number + count & self._mask
         self._since = now
@@ -542,9 +606,6 @@ class Window(Generic[R]):
         return number - self.oldest & self._mask
 
     def _fill(self, first: int, count: int, run: R | None) -> None:
-        if count == 1:
-            self._slots[first] = run
-            return
         before_wrap = min(count, self._mask + 1 - first)
         self._slots[first : first + before_wrap] = [run] * before_wrap
         self._slots[: count - before_wrap] = [run] * (count - before_wrap)

@@ -1,7 +1,7 @@
 """Layer 1, stream: what stands between a driver's transport and the messages.
 
-It hands on what arrives in whole reads, keeps the beginning of a frame until its end has come, and holds back what is
-sent while the transport takes no bytes. It never looks into a frame.
+It hands on what arrives in whole reads, and holds back what is sent while the transport takes no bytes. It never looks
+into a frame.
 """
 
 from __future__ import annotations
@@ -11,7 +11,6 @@ from collections.abc import Awaitable
 from typing import TYPE_CHECKING, Any, Protocol, cast
 
 from unity_link.protocol.constants import QUICK_TIMEOUT, SHORTEST_TIMEOUT
-from unity_link.protocol.frames import LONGEST_FRAME
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -22,8 +21,8 @@ if TYPE_CHECKING:
 class Receiver(Protocol):
     """The reader of a stream."""
 
-    def receive(self, data: bytes) -> int:
-        """Take the whole frames in `data`, and return where the first that is not whole begins."""
+    def receive(self, data: bytes) -> None:
+        """Take what has arrived, cut anywhere."""
 
     def disconnected(self, reason: Exception | None) -> None:
         """Record that the stream has ended; `reason` is None where the other side closed it."""
@@ -59,7 +58,6 @@ class Stream(asyncio.Protocol):
         self._create_future = create_future or asyncio.get_running_loop().create_future
         self._closings: list[Ended] = []
         """What calls of `close` wait for."""
-        self._rest = b""
         self._held_back: list[bytes] = []
         self.paused = False
         """Whether the transport has asked for no more bytes: what is sent now is held back here."""
@@ -123,15 +121,9 @@ class Stream(asyncio.Protocol):
     def data_received(self, data: bytes) -> None:
         """Hand on a whole read."""
         self.bytes_received += len(data)
-        if self._rest:
-            data = self._rest + data
-            self._rest = b""
-        if self.receiver is None:
-            return
-        taken = self.receiver.receive(data)
-        # Noise without a line end is no frame; what is kept of it must not grow.
-        if 0 < len(data) - taken <= LONGEST_FRAME:
-            self._rest = data[taken:]
+        receiver = self.receiver
+        if receiver is not None:
+            receiver.receive(data)
 
     def pause_writing(self) -> None:
         """Hold back what is sent from now on."""

@@ -116,9 +116,9 @@ class Relayed(Request):
             self.stored()
         return accepted
 
-    def decode(self, body: bytes, position: int) -> bytes:
+    def decode(self, data: bytes) -> bytes:
         """Return the data as they stand in the response."""
-        return body[position:]
+        return data
 
     def fail(self, error: UnityLinkError, events: Events) -> None:
         """End it with an error; so is a posted write that was sent, of which nothing else is heard."""

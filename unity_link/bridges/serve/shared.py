@@ -54,7 +54,7 @@ class SharedLink(Connection):
         """The messages towards clients; None before the gateway has said for the first time what it is."""
         self.away = True
         """Whether requests are refused because the gateway has been away too long."""
-        self.turns = Turns(self._submit)
+        self.turns = Turns(self._flow.submit)
         self.slots: Slots
         self.clients: set[Client] = set()
         self.strangers: dict[Door, None] = {}
@@ -70,7 +70,7 @@ class SharedLink(Connection):
         self._last_words = ""
         self._patience: asyncio.TimerHandle | None = None
         self._errands: set[asyncio.Task[None]] = set()
-        self._handlers |= {
+        self._flow.handlers |= {
             Relayed: lambda request: request.tell(),
             RowsAnswered: lambda answered: answered.tell(),
             Sampled: lambda sample: sample.owner.receive(sample.body),
@@ -168,14 +168,14 @@ class SharedLink(Connection):
             self._changing_mode = self._run(self._change_mode())
 
     async def _change_mode(self) -> None:
-        while self._stream is not None and (mode := self._wanted_mode()) != self._mode:
+        while self._flow.stream is not None and (mode := self._wanted_mode()) != self._mode:
             self._mode = mode
             with contextlib.suppress(UnityLinkError):
                 await self._do("I", b"%02X" % mode)
                 # A new session, in which it was executed, may have begun meanwhile.
                 self._mode = mode
-            if self._stream is not None:
-                await self._stream.choose_send_immediate(_MODE_NAMES[mode])
+            if self._flow.stream is not None:
+                await self._flow.stream.choose_send_immediate(_MODE_NAMES[mode])
 
     def _wanted_mode(self) -> int:
         modes = {client.conversation.mode for client in self.clients if client.conversation} or {_ADAPTIVE}
@@ -185,7 +185,7 @@ class SharedLink(Connection):
 
     async def _do(self, command: str, fields: bytes) -> None:
         """Have a request of the server's own done."""
-        await self._answer(Request(self._codec, command, fields, 0, of_session=True))
+        await self._flow.answer(Request(self._codec, command, fields, 0, of_session=True))
 
     def _run(self, errand: Coroutine[Any, Any, None]) -> asyncio.Task[None]:
         """Do something that no request waits for; a connection that fails it tells so itself."""

@@ -1,0 +1,242 @@
+"""Layer 2, between a session and the world: bytes, time and the results of calls.
+
+A session does no I/O. `Flow` gives it what arrives and the time, sends what it has to send, and tells those who wait
+what has become of their requests. All that happens for every request is here, and none of it knows how a connection is
+opened or lost: `connection` does.
+
+It is an object of its own for the sake of speed, too: Python looks an attribute up four times as fast where the class
+has no `__getattr__`, and links have one for names that there are not.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import math
+from typing import TYPE_CHECKING, Any
+
+from unity_link.protocol.requests import Batch, Fence, Request
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from unity_link.link.runtime import Runtime, Timer
+    from unity_link.protocol.requests import Events, Source
+    from unity_link.protocol.session import Session
+    from unity_link.transport.stream import Stream
+    from unity_link.transport.turns import Seat
+
+_LATE = 0.05
+"""Seconds by which a timer may be behind the deadline before it is set anew: progress may have brought that forward."""
+
+
+class Flow:
+    """What passes between a session and the streams of its connections, one at a time.
+
+    Args:
+        session: of one link.
+        runtime: what runs the link.
+        disconnected: is called when the stream has ended, with the reason, None where the other side closed it.
+    """
+
+    def __init__(self, session: Session, runtime: Runtime, disconnected: Callable[[Exception | None], None]) -> None:
+        self.session = session
+        self.stream: Stream | None = None
+        """That of the connection, None while there is none."""
+        self.seat: Seat | None = None
+        """Where nodes share the medium: the link's place, whose turn is waited for."""
+        self.handlers: dict[type, Callable[[Any], None]] = {Request: settle, Fence: settle, Batch: settle}
+        """What each kind of event of the session is given to."""
+        self.disconnected = disconnected
+        self.now = runtime.time
+        self.new_waiter = runtime.create_future
+        self._runtime = runtime
+        self._timer: Timer | None = None
+        self._timer_at = math.inf
+        """When `_timer` is due."""
+        self._turn_timer: Timer | None = None
+        self._flushing = False
+        """Whether what the session has to send is sent when what runs now waits."""
+        self._bytes_before = (0, 0)
+        """Sent and received on the streams before this one."""
+
+    # Requests
+
+    def submit(self, source: Source) -> None:
+        """Have the session send what a source has.
+
+        Raises:
+            LinkLostError: where the link has ended.
+        """
+        session, now = self.session, self.now()
+        events = session.submit(source, now)
+        if events:
+            self._handle(events)
+        if self.seat is not None:
+            self._take_turns()
+        if session.output and not self._flushing:
+            self._send()
+        # Of posted writes, the first sets a time for their confirmation, and one of the next brings it.
+        if self._timer_at - now > _LATE or session.window.unfenced == 1 or type(source) is not Request:
+            self._set_timer()
+
+    async def answer(self, request: Request | Batch) -> Any:
+        """Have a request done, and return its answer; one that is cancelled is given up."""
+        request.owner = waiter = self.new_waiter()
+        self.submit(request)
+        try:
+            return await waiter
+        except BaseException:
+            request.cancel()
+            raise
+
+    def go_on(self, events: Events) -> None:
+        """Do what follows from a call of the session."""
+        if events:
+            self._handle(events)
+        if self.seat is not None:
+            self._take_turns()
+        if self.session.output and not self._flushing:
+            self._send()
+        self._set_timer()
+
+    def _handle(self, events: Events) -> None:
+        handlers = self.handlers
+        for event in events:
+            handlers[type(event)](event)
+
+    def _send(self) -> None:
+        """Send what the session has to: a lone request at once, all else together with what follows in this turn."""
+        if self.session.window.is_lone():
+            self._flush()
+        else:
+            self._flushing = True
+            self._runtime.call_soon(self._flush)
+
+    def _flush(self) -> None:
+        self._flushing = False
+        stream, data = self.stream, self.session.take_output()
+        if stream is not None and data:
+            stream.send(data)
+
+    # Streams
+
+    @property
+    def bytes_sent(self) -> int:
+        """Bytes sent on all connections."""
+        return self._bytes_before[0] + (0 if self.stream is None else self.stream.bytes_sent)
+
+    @property
+    def bytes_received(self) -> int:
+        """Bytes that have arrived on all connections."""
+        return self._bytes_before[1] + (0 if self.stream is None else self.stream.bytes_received)
+
+    def attach(self, stream: Stream) -> None:
+        """Begin with a stream that is connected."""
+        self.stream = stream
+        stream.receiver, stream.on_pause = self, self._pause
+        seat = self.seat = stream.seat
+        if seat is not None:
+            seat.on_turn = self._turn_has_come
+        self.session.connect(
+            self.now(), stream.shortest_timeout, takes_turns=seat is not None, byte_time=stream.byte_time
+        )
+
+    def detach(self) -> None:
+        """End the connection, and have nothing more to do with its stream."""
+        stream = self.stream
+        if self._turn_timer is not None:
+            self._turn_timer.cancel()
+            self._turn_timer = None
+        if stream is not None:
+            self._bytes_before = (self.bytes_sent, self.bytes_received)
+            self.stream = self.seat = None
+            stream.receiver = stream.on_pause = None
+            stream.abort()
+
+    def receive(self, data: bytes) -> None:
+        """Take what has arrived."""
+        now = self.now()
+        session = self.session
+        events = session.receive(data, now)
+        if events:
+            self._handle(events)
+        if self.seat is not None:
+            self._take_turns()
+            self._set_timer()
+        if session.output and not self._flushing:
+            if events:
+                self._send()
+            else:
+                # No call goes on for what has arrived, so nothing follows in this turn.
+                self._flush()
+        if self._timer_at - now > _LATE or session.window.loses:
+            self._set_timer()
+
+    def _pause(self) -> None:
+        if self.stream is not None and self.stream.paused:
+            self.session.pause_writing()
+        else:
+            self.go_on(self.session.resume_writing(self.now()))
+
+    # Turns, where nodes share the medium
+
+    def _take_turns(self) -> None:
+        """Release the turn when no answer is outstanding, and request the next one if there is something to send."""
+        session = self.session
+        if self._turn_timer is not None:
+            self._turn_timer.cancel()
+            self._turn_timer = None
+        seat = self.seat
+        if seat is None or seat.is_kept:
+            return
+        if not session.is_owed_an_answer and (seat.has_begun or not session.wants_turn):
+            seat.give_back()
+        if not session.wants_turn:
+            return
+        if seat.ask():
+            events = session.take_turn(self.now())
+            seat.begin(session.longest_turn)
+            self.go_on(events)
+        else:
+            patience = seat.patience
+            if patience < math.inf:
+                self._turn_timer = self._runtime.call_at(self.now() + patience, self._take_turns)
+
+    def _turn_has_come(self) -> None:
+        """Take the turn, where this link runs; its loop may be gone."""
+        with contextlib.suppress(RuntimeError):
+            self._runtime.call_soon_threadsafe(self._take_turns)
+
+    # Time
+
+    def _set_timer(self) -> None:
+        """Have `_tick` called by the session's deadline; a timer that comes too early sets itself again."""
+        deadline = self.session.deadline
+        if self._timer is not None:
+            if deadline is None or self._timer_at <= deadline:
+                return
+            self._timer.cancel()
+        if deadline is None:
+            self._forget_timer()
+        else:
+            # Kept here, for a timer of uvloop that is due at once cannot tell it.
+            self._timer_at = deadline
+            self._timer = self._runtime.call_at(deadline, self._tick)
+
+    def _forget_timer(self) -> None:
+        self._timer, self._timer_at = None, math.inf
+
+    def _tick(self) -> None:
+        self._forget_timer()
+        self.go_on(self.session.expire(self.now()))
+
+
+def settle(request: Request | Batch) -> None:
+    """Set the result or the error of the future that a call awaits."""
+    waiter = request.owner
+    if waiter is None or waiter.done():
+        return
+    if request.error is None:
+        waiter.set_result(request.answer)
+    else:
+        waiter.set_exception(request.error)
