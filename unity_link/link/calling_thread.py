@@ -114,7 +114,8 @@ class CallingThread:
 
     def __init__(self) -> None:
         self.time = time.monotonic
-        self.create_future = CallWaiter
+        self.create_future = self.create_lone_future = CallWaiter
+        self.ended = ()
         self._lock = threading.RLock()
         self.is_running_here: Callable[[], bool] = self._lock._is_owned  # type: ignore[attr-defined]  # noqa: SLF001
         """Whether this thread runs something of the link now."""
@@ -284,6 +285,9 @@ class CallingThread:
         self.attend()
         self.call_soon(job.step)
         return job
+
+    def wake(self) -> None:
+        """Do nothing: who awaits something goes on by itself."""
 
     async def finish(self, job: Job) -> None:
         """Cancel a job, and wait until it has ended."""

@@ -19,7 +19,7 @@ from unity_link.protocol.requests import Batch, Fence, Request
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from unity_link.link.runtime import Runtime, Timer
+    from unity_link.link.runtime import Runtime, Timer, Waiter
     from unity_link.protocol.requests import Events, Source
     from unity_link.protocol.session import Session
     from unity_link.transport.stream import Stream
@@ -44,11 +44,12 @@ class Flow:
         """That of the connection, None while there is none."""
         self.seat: Seat | None = None
         """Where nodes share the medium: the link's place, whose turn is waited for."""
-        self.handlers: dict[type, Callable[[Any], None]] = {Request: settle, Fence: settle, Batch: settle}
+        self.handlers: dict[type, Callable[[Any], None]] = dict.fromkeys((Request, Fence, Batch), settle)
         """What each kind of event of the session is given to."""
         self.disconnected = disconnected
         self.now = runtime.time
-        self.new_waiter = runtime.create_future
+        self._create_future, self._create_lone_future = runtime.create_future, runtime.create_lone_future
+        self._ended = runtime.ended
         self._runtime = runtime
         self._timer: Timer | None = None
         self._timer_at = math.inf
@@ -79,6 +80,10 @@ class Flow:
         if self._timer_at - now > _LATE or session.window.unfenced == 1 or type(source) is not Request:
             self._set_timer()
 
+    def new_waiter(self) -> Waiter:
+        """Return what the call of the next request awaits."""
+        return self._create_lone_future() if self.session.window.is_idle() else self._create_future()
+
     async def answer(self, request: Request | Batch) -> Any:
         """Have a request done, and return its answer; one that is cancelled is given up."""
         request.owner = waiter = self.new_waiter()
@@ -103,6 +108,9 @@ class Flow:
         handlers = self.handlers
         for event in events:
             handlers[type(event)](event)
+        if self._ended:
+            # Not before all is told: who is woken may ask for more at once, or close the link.
+            self._runtime.wake()
 
     def _send(self) -> None:
         """Send what the session has to: a lone request at once, all else together with what follows in this turn."""
@@ -158,8 +166,13 @@ class Flow:
         now = self.now()
         session = self.session
         events = session.receive(data, now)
-        if events:
+        if len(events) == 1 or self._flushing:
             self._handle(events)
+        elif events:
+            # What they ask for who are woken is sent together.
+            self._flushing = True
+            self._handle(events)
+            self._flush()
         if self.seat is not None:
             self._take_turns()
             self._set_timer()
@@ -232,7 +245,7 @@ class Flow:
 
 
 def settle(request: Request | Batch) -> None:
-    """Set the result or the error of the future that a call awaits."""
+    """Set the result or the error of what a call awaits."""
     waiter = request.owner
     if waiter is None or waiter.done():
         return

@@ -469,7 +469,7 @@ class Link(Connection):
 
     async def _sent(self, posted: Request | Batch) -> None:
         """Wait until posted writes have found room."""
-        posted.owner = waiter = self._new_waiter()
+        posted.owner = waiter = self._flow.new_waiter()
         if posted.done:
             settle(posted)
         try:
@@ -511,7 +511,7 @@ class Link(Connection):
             return [await self._flow.answer(requests[0])]
         waiters = []
         for request in requests:
-            request.owner = self._new_waiter()
+            request.owner = self._flow.new_waiter()
             waiters.append(request.owner)
         self._flow.submit(Block(requests))
         try:

@@ -79,7 +79,8 @@ class Structured:
 
     def __init__(self) -> None:
         self.time = anyio.current_time
-        self.create_future = TaskWaiter
+        self.create_future = self.create_lone_future = TaskWaiter
+        self.ended = ()
         self.sleep = anyio.sleep
         self._ready: deque[Callable[[], object]] = deque()
         self._stirred = anyio.Event()
@@ -139,6 +140,9 @@ class Structured:
         job = _TaskJob(self, coroutine)
         self._tasks.start_soon(job.run)
         return job
+
+    def wake(self) -> None:
+        """Do nothing: who awaits something goes on by itself."""
 
     async def finish(self, job: Job) -> None:
         """Cancel a job, and wait until it has ended."""

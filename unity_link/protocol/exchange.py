@@ -145,7 +145,7 @@ class Exchange:
             self._may_send
             and not self._waiting
             and isinstance(source, Request)
-            and (window.oldest == window.next or window.room(source.size, posted=source.posted))
+            and (window.is_idle() or window.room(source.size, posted=source.posted))
         ):
             source.sent = True
             self._counters.requests += 1
@@ -217,7 +217,7 @@ class Exchange:
             self._waiting.popleft()
         if window.wants_repetition:
             return not self.blocked
-        return bool(self._waiting) and (window.oldest == window.next)
+        return bool(self._waiting) and window.is_idle()
 
     def take_turn(self, now: float, events: Events) -> None:
         """Send one frame; with it the turn is used up."""
@@ -290,7 +290,7 @@ class Exchange:
         if start != len(data) and not data.startswith(self._sample, start):
             # Perhaps the beginning of a long answer on a slow line.
             window.heard = True
-        if window.oldest == window.next:
+        if window.is_idle():
             self._batching = False
         return start
 
@@ -555,7 +555,7 @@ class Exchange:
 
         Samples say neither that it does nor that it was not reset since.
         """
-        if self.window.oldest != self.window.next or not self._groups.begun:
+        if not self.window.is_idle() or not self._groups.begun:
             return None
         return self.window.idle_since + KEEP_ALIVE
 

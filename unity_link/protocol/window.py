@@ -256,6 +256,10 @@ class Window(Generic[R]):
         """Number of IDs that were sent and are not done."""
         return self.next - self.oldest & self._mask
 
+    def is_idle(self) -> bool:
+        """Return whether nothing is in flight."""
+        return self.next == self.oldest
+
     def is_lone(self) -> bool:
         """Return whether one request alone is in flight."""
         return self.next - self.oldest & self._mask == 1
