@@ -80,7 +80,6 @@ class Connection:
         resumes: bool = False,
         runtime: Runtime | None = None,
     ) -> None:
-        self._codec: Codec
         self._target = target
         self._name = name_of(target)
         self._reconnect = reconnect
@@ -156,11 +155,11 @@ class Connection:
             except ConnectError as error:
                 self._connection_failed(Unusable(UnsupportedError(str(error))))
                 return
-        self._codec = self._session.codec
+        self._flow.codec = self._session.codec
         self._sessions += 1
         log.info("%s: session %d has begun", self._name, self._sessions)
         self._restored = self._new_waiter()
-        self._begin(self._codec)
+        self._begin(self._flow.codec)
         if self._opened.done():
             self._resumption = self._runtime.create_task(self._resume())
         else:

@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
     from unity_link.link.runtime import Runtime, Timer, Waiter
+    from unity_link.protocol.messages import Codec
     from unity_link.protocol.requests import Events, Source
     from unity_link.protocol.session import Session
     from unity_link.transport.stream import Stream
@@ -40,6 +41,8 @@ class Flow:
 
     def __init__(self, session: Session, runtime: Runtime, disconnected: Callable[[Exception | None], None]) -> None:
         self.session = session
+        self.codec: Codec
+        """The messages of the gateway, once it has said what it is."""
         self.stream: Stream | None = None
         """That of the connection, None while there is none."""
         self.seat: Seat | None = None

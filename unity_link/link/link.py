@@ -117,8 +117,6 @@ class Link(Connection):
     # Life
 
     def _begin(self, codec: Codec) -> None:
-        self._highest_address = (1 << codec.info.address_bits) - 1
-        self._highest_word = (1 << codec.info.data_bits) - 1
         # Where both sides share a pair of wires, each must know when its turn is.
         self._takes_turns = Feature.HALF_DUPLEX in codec.info.features
         self._publishing.start(codec)
@@ -197,9 +195,10 @@ class Link(Connection):
     async def read(self, address: int) -> int:
         """Read the word at `address`."""
         # Also a number that is no `int`, as numpy's, may be right.
-        if type(address) is not int or not 0 <= address <= self._highest_address:
+        flow = self._flow
+        codec = flow.codec
+        if type(address) is not int or not 0 <= address <= codec.highest_address:
             self._check_address(address)
-        codec, flow = self._codec, self._flow
         request = Request(codec, "R", codec.fields("R", address), codec.data_digits)
         # As `answer` would: this is the most frequent call.
         request.owner = waiter = flow.new_waiter()
@@ -213,12 +212,13 @@ class Link(Connection):
 
     async def write(self, address: int, value: int) -> None:
         """Write `value` to `address`; when this returns it is on the bus."""
-        if type(address) is not int or not 0 <= address <= self._highest_address:
+        flow = self._flow
+        codec = flow.codec
+        if type(address) is not int or not 0 <= address <= codec.highest_address:
             self._check_address(address)
-        if type(value) is not int or not 0 <= value <= self._highest_word:
+        if type(value) is not int or not 0 <= value <= codec.highest_word:
             self._check_word(value)
-        codec = self._codec
-        await self._flow.answer(Request(codec, "W", codec.fields("W", address, value), 0))
+        await flow.answer(Request(codec, "W", codec.fields("W", address, value), 0))
 
     async def write_masked(self, address: int, value: int, mask: int) -> int:
         """Replace the bits of a word that are 1 in `mask` by those of `value`, atomically.
@@ -234,7 +234,7 @@ class Link(Connection):
         self._check_address(address)
         self._check_word(value)
         self._check_word(mask)
-        codec = self._codec
+        codec = self._flow.codec
         fields = codec.fields("WK", address, mask, value)
         word: int = await self._flow.answer(Request(codec, "WK", fields, codec.info.data_digits))
         return word
@@ -245,18 +245,19 @@ class Link(Connection):
         It is executed exactly once and in order all the same. Its errors are raised by the next `fence`, or where the
         ``async with`` block of the link ends. On a half-duplex medium each write is answered, and this returns then.
         """
-        if type(address) is not int or not 0 <= address <= self._highest_address:
+        flow = self._flow
+        codec = flow.codec
+        if type(address) is not int or not 0 <= address <= codec.highest_address:
             self._check_address(address)
-        if type(value) is not int or not 0 <= value <= self._highest_word:
+        if type(value) is not int or not 0 <= value <= codec.highest_word:
             self._check_word(value)
-        codec = self._codec
         fields = codec.fields("WS", address, value)
         self._posted = True
         if self._takes_turns:
             await self._post_answered(Request(codec, "W", fields, 0))
             return
         request = Request(codec, "WS", fields, None)
-        self._flow.submit(request)
+        flow.submit(request)
         if not request.sent:
             await self._sent(request)
 
@@ -279,7 +280,7 @@ class Link(Connection):
         self._raise_posted()
 
     async def _fence(self, *, leaving: bool) -> None:
-        await self._flow.answer(Fence(self._codec, of_session=leaving))
+        await self._flow.answer(Fence(self._flow.codec, of_session=leaving))
 
     def _raise_posted(self) -> None:
         first, count = self._posted_error, self._posted_failures
@@ -367,9 +368,9 @@ class Link(Connection):
         fields = [(where, self.gateway.address_digits), (what, self.gateway.data_digits)]
         self._posted = True
         if self._takes_turns:
-            await self._post_answered(Batch(self._codec, "W", fields))
+            await self._post_answered(Batch(self._flow.codec, "W", fields))
         else:
-            batch = Batch(self._codec, "WS", fields)
+            batch = Batch(self._flow.codec, "WS", fields)
             self._flow.submit(batch)
             if batch.sent != batch.count:
                 await self._sent(batch)
@@ -464,7 +465,7 @@ class Link(Connection):
 
     async def _ask(self, command: str, *values: Any) -> None:
         """Have a request done that is answered by an acknowledgement."""
-        codec = self._codec
+        codec = self._flow.codec
         await self._flow.answer(Request(codec, command, codec.fields(command, *values), 0))
 
     async def _sent(self, posted: Request | Batch) -> None:
@@ -488,7 +489,7 @@ class Link(Connection):
     async def _read_words(self, command: str, address: int, count: int, step: int) -> Words:
         # Imported here, not in the callback that takes the answer.
         arrays = protocol.arrays
-        codec, info = self._codec, self.gateway
+        codec, info = self._flow.codec, self.gateway
         requests: list[Request] = []
         for start in range(0, count, info.block_words):
             part = min(info.block_words, count - start)
@@ -497,7 +498,7 @@ class Link(Connection):
         return arrays.joined(await self._all(requests))
 
     async def _write_words(self, command: str, address: int, words: Words, step: int) -> None:
-        codec, most = self._codec, self.gateway.block_words
+        codec, most = self._flow.codec, self.gateway.block_words
         await self._all(
             [
                 Request(codec, command, codec.fields(command, address + step * start, words[start : start + most]), 0)
@@ -532,7 +533,7 @@ class Link(Connection):
 
     async def _batch(self, command: str, *columns: tuple[NDArray[Any], int]) -> Words:
         self._check_count(len(columns[0][0]))
-        words: Words = await self._flow.answer(Batch(self._codec, command, columns))
+        words: Words = await self._flow.answer(Batch(self._flow.codec, command, columns))
         return words
 
     def _divisor(self, rate_hz: float | None, divisor: int | None) -> int:
@@ -560,13 +561,15 @@ class Link(Connection):
             raise UnsupportedError(f"the gateway was built without {name}")
 
     def _check_address(self, address: int) -> None:
-        if not 0 <= _whole(address, "an address") <= self._highest_address:
-            raise ArgumentError(f"address {address:#x} is not from 0 to {self._highest_address:#x}")
+        if not 0 <= _whole(address, "an address") <= self._flow.codec.highest_address:
+            raise ArgumentError(f"address {address:#x} is not from 0 to {self._flow.codec.highest_address:#x}")
 
     def _check_word(self, value: int) -> None:
-        if not 0 <= _whole(value, "a word") <= self._highest_word:
+        if not 0 <= _whole(value, "a word") <= self._flow.codec.highest_word:
             bits = self.gateway.data_bits
-            raise ArgumentError(f"{value} does not fit in a word of {bits} bits (0 to {self._highest_word:#x})")
+            raise ArgumentError(
+                f"{value} does not fit in a word of {bits} bits (0 to {self._flow.codec.highest_word:#x})"
+            )
 
     def _check_count(self, count: int) -> None:
         if _whole(count, "a number of words") < 1:
@@ -575,18 +578,18 @@ class Link(Connection):
     def _check_block(self, address: int, count: int) -> None:
         self._check_count(count)
         self._check_address(address)
-        if address + count - 1 > self._highest_address:
+        if address + count - 1 > self._flow.codec.highest_address:
             raise ArgumentError(
-                f"{count} words from {address:#x} on would pass the last address, {self._highest_address:#x}"
+                f"{count} words from {address:#x} on would pass the last address, {self._flow.codec.highest_address:#x}"
             )
 
     def _addresses(self, addresses: ArrayLike) -> NDArray[Any]:
-        return protocol.arrays.in_range(addresses, self._highest_address, "address")
+        return protocol.arrays.in_range(addresses, self._flow.codec.highest_address, "address")
 
     def _words(self, values: ArrayLike) -> Words:
         arrays = protocol.arrays
-        words = arrays.in_range(values, self._highest_word, "value")
-        return words.astype(arrays.word_type(self._codec.info.data_digits))
+        words = arrays.in_range(values, self._flow.codec.highest_word, "value")
+        return words.astype(arrays.word_type(self._flow.codec.info.data_digits))
 
 
 def check_mode(mode: SendImmediate) -> None:

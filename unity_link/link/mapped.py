@@ -60,9 +60,9 @@ class MappedLink(Link):
         self.gateway = bus.info
         self._words_at = bus.words
         self._publishing = Polling(self._runtime, bus)
-        self._codec = Codec(bus.info, None)
-        self._begin(self._codec)
-        self._highest_address = len(bus.words) - 1
+        self._flow.codec = codec = Codec(bus.info, None)
+        self._begin(codec)
+        codec.highest_address = len(bus.words) - 1
 
     def _ended(self, error: LinkLostError) -> None:
         self._words_at = _CLOSED
@@ -98,7 +98,7 @@ class MappedLink(Link):
 
     async def read(self, address: int) -> int:
         """Read the word at `address`."""
-        if type(address) is not int or not 0 <= address <= self._highest_address:
+        if type(address) is not int or not 0 <= address <= self._flow.codec.highest_address:
             self._check_address(address)
         word = self._words_at[address]
         await self._done(1)
@@ -106,9 +106,9 @@ class MappedLink(Link):
 
     async def write(self, address: int, value: int) -> None:
         """Write `value` to `address`."""
-        if type(address) is not int or not 0 <= address <= self._highest_address:
+        if type(address) is not int or not 0 <= address <= self._flow.codec.highest_address:
             self._check_address(address)
-        if type(value) is not int or not 0 <= value <= self._highest_word:
+        if type(value) is not int or not 0 <= value <= self._flow.codec.highest_word:
             self._check_word(value)
         self._words_at[address] = value
         await self._done(1)

@@ -145,7 +145,7 @@ class Exchange:
             self._may_send
             and not self._waiting
             and isinstance(source, Request)
-            and (window.is_idle() or window.room(source.size, posted=source.posted))
+            and (window.is_idle() or window.has_room(source.size, posted=source.posted))
         ):
             source.sent = True
             self._counters.requests += 1

@@ -147,6 +147,8 @@ class Codec:
     def __init__(self, info: GatewayInfo, node: int | None = None) -> None:
         self.info = info
         self.data_digits = info.data_digits
+        self.highest_address: int = (1 << info.address_bits) - 1
+        self.highest_word: int = (1 << info.data_bits) - 1
         self.framing = Framing(Crc(info.crc_bits, info.crc_polynomial), node)
         self.ring: int = 16**info.id_digits
         """Number of IDs."""

@@ -299,6 +299,14 @@ class Window(Generic[R]):
             ids = min(ids, max(most, 0 if self._bytes else 1))
         return max(ids, 0)
 
+    def has_room(self, size: int, *, posted: bool) -> bool:
+        """Return whether one more request of `size` characters may be sent now."""
+        # What is done and still in flight would give more room, which is seldom needed.
+        ample = (self.next - self.oldest & self._mask) + 1 < self._allowed
+        if ample and self._byte_limit is None and self._to_repeat == self._repeat_end:
+            return True
+        return self.room(size, posted=posted) > 0
+
     def send(self, run: R, now: float) -> None:
         """Assign IDs to a run that is now sent. The caller has seen that there is room (an ``h`` needs none)."""
         first, count = self.next, run.count
@@ -616,15 +624,17 @@ class Window(Generic[R]):
 
     def _confirm(self, expected: int) -> None:
         """Move `executed` up: the posted writes that it passes are done, and their bytes have left the FIFO."""
-        position, posted = self.executed, 0
+        slots, mask, position = self._slots, self._mask, self.executed
+        posted = size = 0
         while position != expected:
-            run = self._slots[position]
+            run = slots[position]
             if run is not None:
-                self._bytes -= run.size
+                size += run.size
                 if run.posted:
-                    self._slots[position] = None
+                    slots[position] = None
                     posted += 1
-            position = position + 1 & self._mask
+            position = position + 1 & mask
+        self._bytes -= size
         self.executed = expected
         if self.loses:
             self._came_through(posted)
@@ -637,10 +647,10 @@ class Window(Generic[R]):
 
     def _news(self, now: float) -> None:
         """Move `oldest` up over what is done, and start the clock anew."""
-        slots, position = self._slots, self.oldest
-        if position != self.executed and slots[position] is None:
-            while position != self.executed and slots[position] is None:
-                position = position + 1 & self._mask
+        slots, mask, position, executed = self._slots, self._mask, self.oldest, self.executed
+        if position != executed and slots[position] is None:
+            while position != executed and slots[position] is None:
+                position = position + 1 & mask
             self.oldest = position
             self._moved(now)
         self._tries = self._silent_tries = 0

@@ -79,7 +79,7 @@ class SharedLink(Connection):
     @property
     def to_gateway(self) -> Codec:
         """The messages towards the gateway, which may be one node of several."""
-        return self._codec
+        return self._flow.codec
 
     # Clients
 
@@ -185,7 +185,7 @@ class SharedLink(Connection):
 
     async def _do(self, command: str, fields: bytes) -> None:
         """Have a request of the server's own done."""
-        await self._flow.answer(Request(self._codec, command, fields, 0, of_session=True))
+        await self._flow.answer(Request(self._flow.codec, command, fields, 0, of_session=True))
 
     def _run(self, errand: Coroutine[Any, Any, None]) -> asyncio.Task[None]:
         """Do something that no request waits for; a connection that fails it tells so itself."""
