@@ -69,7 +69,7 @@ async def received(arriving: list[Arriving], *, stamped: bool, together: bool, b
             link._flow.receive(piece)
         seen = [
             (sample.sequence, sample.time, sample.values.tolist(), sample.values.dtype, sample.lost)
-            for sample in (await samples.take() if samples._buffer else [])
+            for sample in (await samples.take() if samples._intake.buffer else [])
         ]
         counted = link.statistics
         return seen, samples.received, samples.lost, counted.samples, counted.samples_lost, counted.damaged_frames

@@ -435,9 +435,9 @@ async def test_samples_are_right_or_counted_as_lost_on_a_bad_line(make_bare: Mak
 @on_simulated_time
 async def test_what_is_no_sample_of_the_subscription_is_dropped(make_bare: Maker) -> None:
     async with unity_link.connect(make_bare(**SLOW)) as link, link.subscribe([0]) as samples:
-        samples.receive(b"P0000", 0.0)
-        samples.receive(b"P00000000000G00000000", 0.0)
-        samples.receive(b"P00G00000000000000000", 0.0)
+        samples._intake.receive(b"P0000", 0.0)
+        samples._intake.receive(b"P00000000000G00000000", 0.0)
+        samples._intake.receive(b"P00G00000000000000000", 0.0)
         assert samples.received == 0
 
 
@@ -508,7 +508,7 @@ async def test_a_reader_that_does_not_read_takes_bounded_memory(make_bare: Maker
         link.subscribe([0], rate_hz=1000, buffer=10) as samples,
     ):
         await asyncio.sleep(3)
-        assert len(samples._buffer) == 10
+        assert len(samples._intake.buffer) == 10
         assert samples.lost == samples.received - 10
 
 

@@ -126,14 +126,14 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
 
 @bug("a group that is set up again counts samples by its old number")
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
-    restart = subscription.Subscription.restart
+    restart = subscription.Intake.restart
 
     def going_on(self: Any) -> None:
         before = self._sequence
         restart(self)
         self._sequence = before
 
-    monkeypatch.setattr(subscription.Subscription, "restart", going_on)
+    monkeypatch.setattr(subscription.Intake, "restart", going_on)
 
 
 @bug("the time of samples goes back where the gateway was reset")
@@ -360,35 +360,35 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
 
 @bug("lost samples are counted one too few where the number goes round")
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
-    count_lost = subscription.Subscription._count_lost
+    count_lost = subscription.Intake._count_lost
 
     def counted(self: Any, sequence: int, at: float | None) -> int:
         lost: int = count_lost(self, sequence, at)
         return max(0, lost - 1)
 
-    monkeypatch.setattr(subscription.Subscription, "_count_lost", counted)
+    monkeypatch.setattr(subscription.Intake, "_count_lost", counted)
 
 
 @bug("samples that a full buffer drops are not counted")
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
     def following(self: Any) -> Any:
         self._dropped = 0
-        return self._buffer.popleft()
+        return self.buffer.popleft()
 
-    monkeypatch.setattr(subscription.Subscription, "_next", following)
+    monkeypatch.setattr(subscription.Intake, "next", following)
 
 
 @bug("the newest sample is dropped instead of the oldest")
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
-    keep = subscription.Subscription._keep
+    keep = subscription.Intake._keep
 
     def kept(self: Any, sample: Any) -> None:
-        if self._callback is None and len(self._buffer) == self._buffer_size:
+        if self._callback is None and len(self.buffer) == self._buffer_size:
             self.received += 1
             return
         keep(self, sample)
 
-    monkeypatch.setattr(subscription.Subscription, "_keep", kept)
+    monkeypatch.setattr(subscription.Intake, "_keep", kept)
 
 
 # The gateway's side

@@ -31,8 +31,13 @@ if TYPE_CHECKING:
 class SampleSource(Protocol):
     """A stream of samples of one gateway: `unity_link.Subscription` is one."""
 
-    lost: int
-    received: int
+    @property
+    def lost(self) -> int:
+        """Samples lost so far."""
+
+    @property
+    def received(self) -> int:
+        """Samples that arrived so far."""
 
     @property
     def rate_hz(self) -> float | None:

@@ -12,14 +12,14 @@ from typing import TYPE_CHECKING, Any
 from unity_link import protocol
 from unity_link.errors import ConnectError, LinkClosedError, LinkLostError, Outcome, UnsupportedError
 from unity_link.link.link import Link, SendImmediate, check_mode
-from unity_link.link.subscription import Publishing, Subscription
+from unity_link.link.subscription import Intake, Publishing
 from unity_link.protocol.messages import Codec, GroupFlag
 from unity_link.transport import name_of, open_bus
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
-    from unity_link.link.runtime import Runtime, Timer, Waiter
+    from unity_link.link.runtime import Runtime, Timer
     from unity_link.protocol.arrays import Words
     from unity_link.protocol.configuration import Feature, GatewayInfo
     from unity_link.transport import DriverUrl, MemoryBus, WordsByAddress
@@ -254,13 +254,13 @@ class Polling(Publishing):
         for group in tuple(self._polled):
             self._polled.discard(group)
             group.end()
-            group.subscription.fail(error)
+            group.intake.fail(error)
 
-    async def hold(self, subscription: Subscription, started: Waiter) -> _PolledGroup:  # noqa: ARG002  (it is at once)
+    async def hold(self, intake: Intake) -> _PolledGroup:
         """Begin to read the words of a subscription."""
         if self._words is _CLOSED:
             raise _closed()
-        group = _PolledGroup(self, subscription)
+        group = _PolledGroup(self, intake)
         self._polled.add(group)
         group.begin()
         return group
@@ -287,10 +287,10 @@ class Polling(Publishing):
 class _PolledGroup:
     """Words that are read again and again; what the host is too late for counts as lost."""
 
-    def __init__(self, polling: Polling, subscription: Subscription) -> None:
-        self.subscription = subscription
+    def __init__(self, polling: Polling, intake: Intake) -> None:
+        self.intake = intake
         self._polling = polling
-        self._schedule = subscription.schedule
+        self._schedule = intake.schedule
         self._period = self._schedule.divisor / polling.info.base_frequency_hz
         self._now = polling.runtime.time
         self._began = 0.0
@@ -302,7 +302,7 @@ class _PolledGroup:
 
     def begin(self) -> None:
         """Begin to count periods, if the subscription is periodic."""
-        self.subscription.restart()
+        self.intake.restart()
         self._began = self._now()
         if GroupFlag.PERIODIC in self._schedule.flags:
             self._plan()
@@ -336,6 +336,6 @@ class _PolledGroup:
         self._last = words
         self._sequence += 1
         instant = self._now() if GroupFlag.TIMESTAMP in self._schedule.flags else None
-        self.subscription.take_sample(
+        self.intake.take_sample(
             self._sequence & 0xFF, instant, self._polling.array(words), time.time(), self._polling.epoch
         )

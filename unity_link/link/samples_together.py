@@ -12,7 +12,7 @@ from unity_link.protocol import arrays
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from unity_link.link.subscription import GatewayClock, Subscription
+    from unity_link.link.subscription import GatewayClock, Intake
     from unity_link.protocol.arrays import Words
 
 _NO_WORDS: Words = np.zeros(0, np.uint8)
@@ -31,9 +31,7 @@ class SamplesTogether:
         self.words: list[Words] = [_NO_WORDS] * count
         self._timestamps: list[tuple[NDArray[np.intp], Words]] = []
 
-    def parse(
-        self, owners: list[Subscription], places: NDArray[np.intp], bodies: NDArray[np.uint8], digits: int
-    ) -> None:
+    def parse(self, owners: list[Intake], places: NDArray[np.intp], bodies: NDArray[np.uint8], digits: int) -> None:
         """Read samples of one length.
 
         Args:

@@ -168,7 +168,7 @@ class Publishing:
 
     def _receive_together(self, event: SampledTogether) -> None:
         """Take samples of several subscriptions that arrived together: the same as `receive` of each, in order."""
-        owners: list[Subscription] = event.owners
+        owners: list[Intake] = event.owners
         assert self._together is not None
         now, samples = event.arrived, self._together(len(owners))
         try:
@@ -211,12 +211,11 @@ class Publishing:
             for group in self._session.groups.end():
                 group.owner.fail(error.about(Outcome.NO_REQUEST))
 
-    async def hold(self, subscription: Subscription, started: Waiter) -> Any:
+    async def hold(self, intake: Intake) -> Any:
         """Take a free group and start it for a subscription; while there is no session, wait for one.
 
         Args:
-            subscription: takes the samples.
-            started: is done when it is started.
+            intake: takes the samples.
 
         Returns:
             What `release` and `publish` know it by.
@@ -228,15 +227,15 @@ class Publishing:
         from unity_link.link.samples_together import SamplesTogether
 
         self._together = SamplesTogether
-        session, schedule = self._session, subscription.schedule
+        session, schedule = self._session, intake.schedule
         if session.closed is not None:
             raise session.closed.about(Outcome.NOT_EXECUTED)
         group = session.hold(
-            schedule.flags, schedule.divisor, schedule.addresses, subscription.length, subscription, schedule.group
+            schedule.flags, schedule.divisor, schedule.addresses, intake.length, intake, schedule.group
         )
         try:
             self._flow.go_on(session.start(group, self.runtime.time()))
-            await started
+            await intake.started_up
         except BaseException:
             # Whatever of it was sent may still be executed.
             _, events = session.release(group, self.runtime.time())
@@ -259,37 +258,27 @@ class Publishing:
         await self._flow.answer(Request(self._session.codec, "GP", group.text, 0))
 
 
-class Subscription:
-    """A stream of samples; made by `Link.subscribe`.
+class Intake:
+    """What comes of one group: samples are counted, and kept for their reader or given to a callback.
 
-    ::
+    Apart from `Subscription` for the sake of speed, too: `flow` says why.
 
-        async with link.subscribe([0x88, 0x89], rate_hz=100) as samples:
-            async for sample in samples:
-                print(sample.time, sample.values)
-
-    Iteration ends with `LinkLostError` when the link ends, after the samples that had come before it.
+    Args:
+        publishing: what the subscriptions of the link share.
+        schedule: of the group.
+        buffer: samples that wait for their reader, at most.
+        overflow: what becomes of more.
+        callback: takes the samples, if there is one.
     """
 
     def __init__(
         self,
         publishing: Publishing,
         schedule: Schedule,
-        *,
         buffer: int,
         overflow: Overflow,
         callback: Callable[[Sample], object] | None,
     ) -> None:
-        if not isinstance(buffer, int):
-            raise ArgumentError(f"a buffer is a number of samples, not {buffer!r:.80}")
-        if callback is not None and not callable(callback):
-            raise ArgumentError(f"a callback is a function, not {callback!r:.80}")
-        if inspect.iscoroutinefunction(callback):
-            raise ArgumentError("a callback is a plain function, which may start a task: an async one is never awaited")
-        if buffer < 1:
-            raise ArgumentError(f"a buffer of {buffer} samples was asked for, at least 1 is needed")
-        if overflow not in ("drop_oldest", "fail"):
-            raise ArgumentError(f'overflow is "drop_oldest" or "fail", not {overflow!r}')
         self.schedule = schedule
         self.lost = 0
         """Samples lost so far: on the way, in the gateway, or in the buffer."""
@@ -299,125 +288,56 @@ class Subscription:
         """Characters of a publish."""
         self.words_at = HEAD
         """How many of them stand before the words."""
+        self.buffer: deque[Sample] = deque()
+        self.error: UnityLinkError | None = None
+        """Why there are no more samples, behind those that wait."""
+        self.ended = False
+        """Whether the reader wants no more."""
+        self.holder: object = None
+        """What is not garbage as long as the group is set up."""
+        self.started_up: Waiter = publishing.runtime.create_future()
+        """Done when samples come."""
         self._publishing = publishing
-        self._buffer: deque[Sample] = deque()
         self._buffer_size = buffer
         self._overflow = overflow
         self._callback = callback
         self._told: set[type[Exception]] = set()
         self._dropped = 0
         self._waiter: Waiter | None = None
-        self._entered = False
-        self._group = None
-        self._started: Waiter = publishing.runtime.create_future()
-        self._error = None
-        self._ended = False
         self._sequence = -1
         self._sampled_at: float | None = None
         self._due_hz: float | None = None
         """The rate, where time alone says how many samples are due."""
-        self._waits_for_block = callback is not None
-
-    _error: UnityLinkError | None = None
-    _group: Any = None
-    _waits_for_block = False
-    """Whether it has a callback, and nothing was done yet to have that called."""
-
-    def __del__(self) -> None:
-        """Warn of one that was not closed, and of one whose callback was never to be called."""
-        # One whose link was lost is over without the program's doing.
-        if self._group is not None and (self._error is None or isinstance(self._error, LinkClosedError)):
-            warnings.warn(f"{self!r} was not closed: use `async with`", ResourceWarning, stacklevel=1, source=self)
-        elif self._waits_for_block:
-            # One that only iterates is told when it does.
-            warnings.warn(f"no callback was called: {NOT_OPEN}", RuntimeWarning, stacklevel=1, source=self)
-
-    if not TYPE_CHECKING:  # A type checker refuses them by itself.
-        __await__ = refusing(NOT_OPEN)
-        __enter__ = __exit__ = refusing("write `async with` before this subscription: its link is not a blocking one")
-        __iter__ = refusing("write `async for` over the samples: their link is not a blocking one")
-        __getattr__ = missing_attribute("a subscription")
-
-    def __repr__(self) -> str:
-        """Return what is sampled, and what has come of it."""
-        count = len(self.schedule.addresses)
-        state = "over" if self._ended or self._error else "open" if self._group is not None else "not open"
-        return f"<subscription of {count} addresses, {state}: {self.received} samples, {self.lost} lost>"
 
     @property
     def rate_hz(self) -> float | None:
-        """The rate that the gateway publishes at, in Hz; None for a subscription that is not periodic."""
+        """The rate that the gateway publishes at, in Hz; None where that is not periodic."""
         if GroupFlag.PERIODIC not in self.schedule.flags:
             return None
         return self._publishing.info.base_frequency_hz / self.schedule.divisor
 
-    async def publish(self) -> None:
-        """Have one sample taken now, besides those that are due by themselves."""
-        if self._group is None:
-            raise ArgumentError(NOT_OPEN)
-        await self._publishing.publish(self._group)
+    # For the reader
 
-    async def __aenter__(self) -> Self:
-        if self._entered:
-            raise ArgumentError("this subscription has been entered before: make another one by `subscribe`")
-        self._entered, self._waits_for_block = True, False
-        timestamped = GroupFlag.TIMESTAMP in self.schedule.flags
-        self.words_at = HEAD + (TIMESTAMP_DIGITS if timestamped else 0)
-        self.length = self.words_at + self._publishing.info.data_digits * len(self.schedule.addresses)
-        try:
-            self._group = await self._publishing.hold(self, self._started)
-        except BaseException:
-            self._entered = False
-            raise
-        self._publishing.runtime.attend()
-        return self
-
-    async def __aexit__(
-        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
-    ) -> None:
-        self._ended = True
-        self._wake()
-        if self._group is not None:
-            group, self._group = self._group, None
-            self._publishing.runtime.leave()
-            await self._publishing.release(group)
-
-    def __aiter__(self) -> Self:
-        return self
-
-    async def __anext__(self) -> Sample:
-        if not self._buffer:
-            await self._wait()
-        return self._next()
-
-    async def take(self, count: int | None = None) -> list[Sample]:
-        """Wait until there is a sample, and return all that wait; for readers that work on many at once.
-
-        Args:
-            count: wait for so many, and return no more; there are fewer where the samples end.
-
-        Raises:
-            StopAsyncIteration: when the ``async with`` block has ended.
-        """
-        if count is not None:
-            return await so_many(self.__anext__, count)
-        await self._wait()
-        return [self._next() for _ in range(len(self._buffer))]
-
-    def _next(self) -> Sample:
-        sample = self._buffer.popleft()
+    def next(self) -> Sample:
+        """Return the sample that has waited longest."""
+        sample = self.buffer.popleft()
         if self._dropped:
             sample = msgspec.structs.replace(sample, lost=sample.lost + self._dropped)
             self._dropped = 0
         return sample
 
-    async def _wait(self) -> None:
-        while not self._buffer:
-            if self._error is not None:
-                raise self._error
-            if self._ended:
+    async def wait(self) -> None:
+        """Wait until there is a sample.
+
+        Raises:
+            StopAsyncIteration: where there will be none.
+        """
+        while not self.buffer:
+            if self.error is not None:
+                raise self.error
+            if self.ended:
                 raise StopAsyncIteration
-            if self._group is None:
+            if self.holder is None:
                 raise ArgumentError(NOT_OPEN)
             if self._waiter is not None:
                 raise ArgumentError("another task is already waiting for this subscription's next sample")
@@ -431,13 +351,13 @@ class Subscription:
 
     def started(self) -> None:
         """Record that samples come from now on."""
-        if not self._started.done():
-            self._started.set_result(None)
+        if not self.started_up.done():
+            self.started_up.set_result(None)
 
     def refused(self, error: UnityLinkError) -> None:
         """Record that there will be no samples."""
-        if not self._started.done():
-            self._started.set_exception(error)
+        if not self.started_up.done():
+            self.started_up.set_exception(error)
 
     def restart(self) -> None:
         """Begin to count anew: the gateway's sequence stands at 0."""
@@ -447,10 +367,10 @@ class Subscription:
 
     def fail(self, error: UnityLinkError) -> None:
         """End the stream with an error, behind the samples that wait."""
-        if self._error is None:
-            self._error = error
+        if self.error is None:
+            self.error = error
         self.refused(error)
-        self._wake()
+        self.wake()
 
     def receive(self, body: bytes, now: float) -> None:
         """Take a publish of the group."""
@@ -470,7 +390,7 @@ class Subscription:
         if instant is None and not (sequence - self._sequence - 1) & 0xFF:
             self._sequence += 1
             sample = Sample(self._sequence, None, arrived, words, 0, epoch)
-            if self._callback is not None and self._error is None:
+            if self._callback is not None and self.error is None:
                 # As `_keep` would: this is on the way of every sample of groups that alternate.
                 self.received += 1
                 self._publishing.samples += 1
@@ -538,12 +458,12 @@ class Subscription:
         return places
 
     def _keep_all(self, samples: list[Sample]) -> None:
-        room = self._buffer_size - len(self._buffer)
-        if self._callback is None and self._error is None and len(samples) <= room:
+        room = self._buffer_size - len(self.buffer)
+        if self._callback is None and self.error is None and len(samples) <= room:
             self._keep(samples[0])
             self.received += len(samples) - 1
             self._publishing.samples += len(samples) - 1
-            self._buffer.extend(samples[1:])
+            self.buffer.extend(samples[1:])
             return
         for sample in samples:
             self._keep(sample)
@@ -567,22 +487,22 @@ class Subscription:
         self._publishing.samples += 1
         if sample.lost:
             self._lose(sample.lost)
-        if self._error is not None:
+        if self.error is not None:
             self._lose(1)
             return
         if self._callback is not None:
             self._call(self._callback, sample)
             return
-        if len(self._buffer) == self._buffer_size:
+        if len(self.buffer) == self._buffer_size:
             if self._overflow == "fail":
                 self.fail(SamplesLostError(f"the reader is too slow: {self._buffer_size} samples are waiting for it"))
                 self._lose(1)
                 return
-            self._dropped += self._buffer.popleft().lost + 1
+            self._dropped += self.buffer.popleft().lost + 1
             self._lose(1)
-        self._buffer.append(sample)
+        self.buffer.append(sample)
         if self._waiter is not None:
-            self._wake()
+            self.wake()
 
     def _lose(self, count: int) -> None:
         self.lost += count
@@ -598,9 +518,148 @@ class Subscription:
                 what = f"a subscription's callback raised {type(error).__name__} (told once)"
                 report(what, error)
 
-    def _wake(self) -> None:
+    def wake(self) -> None:
+        """Have the reader look again at what there is."""
         if self._waiter is not None and not self._waiter.done():
             self._waiter.set_result(None)
+
+
+class Subscription:
+    """A stream of samples; made by `Link.subscribe`.
+
+    ::
+
+        async with link.subscribe([0x88, 0x89], rate_hz=100) as samples:
+            async for sample in samples:
+                print(sample.time, sample.values)
+
+    Iteration ends with `LinkLostError` when the link ends, after the samples that had come before it.
+    """
+
+    def __init__(
+        self,
+        publishing: Publishing,
+        schedule: Schedule,
+        *,
+        buffer: int,
+        overflow: Overflow,
+        callback: Callable[[Sample], object] | None,
+    ) -> None:
+        if not isinstance(buffer, int):
+            raise ArgumentError(f"a buffer is a number of samples, not {buffer!r:.80}")
+        if callback is not None and not callable(callback):
+            raise ArgumentError(f"a callback is a function, not {callback!r:.80}")
+        if inspect.iscoroutinefunction(callback):
+            raise ArgumentError("a callback is a plain function, which may start a task: an async one is never awaited")
+        if buffer < 1:
+            raise ArgumentError(f"a buffer of {buffer} samples was asked for, at least 1 is needed")
+        if overflow not in ("drop_oldest", "fail"):
+            raise ArgumentError(f'overflow is "drop_oldest" or "fail", not {overflow!r}')
+        self.schedule = schedule
+        self._publishing = publishing
+        self._intake = Intake(publishing, schedule, buffer, overflow, callback)
+        self._entered = False
+        self._group = None
+        self._waits_for_block = callback is not None
+
+    _group: Any = None
+    _waits_for_block = False
+    """Whether it has a callback, and nothing was done yet to have that called."""
+
+    def __del__(self) -> None:
+        """Warn of one that was not closed, and of one whose callback was never to be called."""
+        # One whose link was lost is over without the program's doing.
+        if self._group is not None and isinstance(self._intake.error, LinkClosedError | None):
+            warnings.warn(f"{self!r} was not closed: use `async with`", ResourceWarning, stacklevel=1, source=self)
+        elif self._waits_for_block:
+            # One that only iterates is told when it does.
+            warnings.warn(f"no callback was called: {NOT_OPEN}", RuntimeWarning, stacklevel=1, source=self)
+
+    if not TYPE_CHECKING:  # A type checker refuses them by itself.
+        __await__ = refusing(NOT_OPEN)
+        __enter__ = __exit__ = refusing("write `async with` before this subscription: its link is not a blocking one")
+        __iter__ = refusing("write `async for` over the samples: their link is not a blocking one")
+        __getattr__ = missing_attribute("a subscription")
+
+    def __repr__(self) -> str:
+        """Return what is sampled, and what has come of it."""
+        count = len(self.schedule.addresses)
+        over = self._intake.ended or self._intake.error is not None
+        state = "over" if over else "open" if self._group is not None else "not open"
+        return f"<subscription of {count} addresses, {state}: {self.received} samples, {self.lost} lost>"
+
+    @property
+    def rate_hz(self) -> float | None:
+        """The rate that the gateway publishes at, in Hz; None for a subscription that is not periodic."""
+        return self._intake.rate_hz
+
+    @property
+    def received(self) -> int:
+        """Samples that arrived so far."""
+        return self._intake.received
+
+    @property
+    def lost(self) -> int:
+        """Samples lost so far: on the way, in the gateway, or in the buffer."""
+        return self._intake.lost
+
+    async def publish(self) -> None:
+        """Have one sample taken now, besides those that are due by themselves."""
+        if self._group is None:
+            raise ArgumentError(NOT_OPEN)
+        await self._publishing.publish(self._group)
+
+    async def __aenter__(self) -> Self:
+        if self._entered:
+            raise ArgumentError("this subscription has been entered before: make another one by `subscribe`")
+        self._entered, self._waits_for_block = True, False
+        intake = self._intake
+        timestamped = GroupFlag.TIMESTAMP in self.schedule.flags
+        intake.words_at = HEAD + (TIMESTAMP_DIGITS if timestamped else 0)
+        intake.length = intake.words_at + self._publishing.info.data_digits * len(self.schedule.addresses)
+        try:
+            self._group = await self._publishing.hold(intake)
+        except BaseException:
+            self._entered = False
+            raise
+        intake.holder = self
+        self._publishing.runtime.attend()
+        return self
+
+    async def __aexit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        self._intake.ended = True
+        self._intake.wake()
+        if self._group is not None:
+            group, self._group = self._group, None
+            self._intake.holder = None
+            self._publishing.runtime.leave()
+            await self._publishing.release(group)
+
+    def __aiter__(self) -> Self:
+        return self
+
+    async def __anext__(self) -> Sample:
+        intake = self._intake
+        if not intake.buffer:
+            await intake.wait()
+        return intake.next()
+
+    async def take(self, count: int | None = None) -> list[Sample]:
+        """Wait until there is a sample, and return all that wait; for readers that work on many at once.
+
+        Args:
+            count: wait for so many, and return no more; there are fewer where the samples end.
+
+        Raises:
+            StopAsyncIteration: when the ``async with`` block has ended.
+        """
+        if count is not None:
+            return await so_many(self.__anext__, count)
+        intake = self._intake
+        await intake.wait()
+        return [intake.next() for _ in range(len(intake.buffer))]
 
 
 async def so_many(following: Callable[[], Coroutine[Any, Any, Sample]], count: int) -> list[Sample]:
