@@ -20,6 +20,7 @@ or where the ``with`` block ends; and that a connection was lost is noticed by t
 
 from __future__ import annotations
 
+import functools
 import threading
 import warnings
 import weakref
@@ -121,6 +122,11 @@ class BlockingLink(Sealed):
             self._runtime.close(None)
             raise
         self._end = weakref.finalize(self, _end_unclosed, self._runtime, self._link)
+        # Bound once, as they are called most: a closed link refuses them by itself.
+        run: Callable[..., Any] = self._runtime.run
+        self._read: Callable[[int], int] = functools.partial(run, self._link.read)
+        self._write: Callable[[int, int], None] = functools.partial(run, self._link.write)
+        self._post: Callable[[int, int], None] = functools.partial(run, self._link.post)
 
     def close(self) -> None:
         """End the link and its thread at once. May be called twice.
@@ -171,11 +177,11 @@ class BlockingLink(Sealed):
 
     def read(self, address: int) -> int:
         """Read the word at `address`."""
-        return self._call(self._link.read, address)
+        return self._read(address)
 
     def write(self, address: int, value: int) -> None:
         """Write `value` to `address`; when this returns it is on the bus."""
-        self._call(self._link.write, address, value)
+        self._write(address, value)
 
     def write_masked(self, address: int, value: int, mask: int) -> int:
         """Replace the bits of a word that are 1 in `mask`, atomically, and return the word as it was before."""
@@ -183,7 +189,7 @@ class BlockingLink(Sealed):
 
     def post(self, address: int, value: int) -> None:
         """Send a write without waiting for its execution."""
-        self._call(self._link.post, address, value)
+        self._post(address, value)
 
     def post_many(self, addresses: ArrayLike, values: ArrayLike) -> None:
         """Send many writes without waiting for their execution."""

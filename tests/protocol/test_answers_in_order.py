@@ -1,6 +1,7 @@
 """Answers that stand side by side are taken in one go: the same comes of it as line by line.
 
-Those to a batch are told to the window together, wherever they stand; those to single requests while it is quiet.
+Those to a batch are told to the window together, wherever they stand; those to single requests where they are just what
+is expected, and the window is quiet.
 """
 
 from __future__ import annotations
@@ -23,6 +24,7 @@ from unity_link.protocol.window import Window
 
 REPLIES = {"R": 8, "W": 0, "WS": None, "RM": 24, "H": 0}
 KINDS = ["whole"] * 12 + ["damaged", "lost", "double", "other ID", "error", "no session", "out of sequence", "sample"]
+KINDS += ["line end within", "line end in front", "plain", "short", "upper case"]
 INFO = GatewayInfo(id_digits=2)
 BATCHES = {"batch": 40, "small batch": 5}
 
@@ -57,6 +59,9 @@ class Line(Exchange):
                 if run.posted:
                     self._fence(now)
         self._fence(now)
+
+    def _receive_in_order(self, data: bytes, now: float, events: list[Any]) -> int:
+        return 0
 
     def _receive_answers(self, data: bytes, start: int, now: float, events: list[Any]) -> int:
         while (after := self._receive_group(data, start, now, events)) != start:
@@ -182,6 +187,12 @@ def frames(host: Host, kinds: list[str]) -> bytes:
             "no session": codec.framing.checked(b"x" + identifier + b"0A"),
             "out of sequence": codec.framing.checked(b"n" + identifier),
             "sample": codec.framing.checked(b"P010700000001"),
+            # Sound, and no answers all the same; or sound in a way that is seldom.
+            "line end within": codec.framing.checked(codec.lower[command] + identifier + b"00\n00005"),
+            "line end in front": codec.framing.checked(codec.lower[command] + identifier + b"\n000005A"),
+            "plain": codec.framing.plain_reply(codec.lower[command] + identifier + b"0000005A"),
+            "short": codec.framing.checked(codec.lower[command] + identifier + b"000005A"),
+            "upper case": codec.framing.checked(codec.lower[command].upper() + identifier + b"0000005A"),
         }[kind]
         number = number + 1 & codec.ring - 1
     return data
@@ -190,6 +201,11 @@ def frames(host: Host, kinds: list[str]) -> bytes:
 def pieces_of(data: bytes, cuts: list[int]) -> list[bytes]:
     ends = [*sorted({cut % (len(data) + 1) for cut in cuts} - {0}), len(data)]
     return [data[start:end] for start, end in zip([0, *ends], ends, strict=False) if start != end]
+
+
+def assert_has_room_where_there_is_some(window: Window[Any]) -> None:
+    for size, posted in ((8, False), (8, True), (60, False), (60, True)):
+        assert window.has_room(size, posted=posted) == (window.room(size, posted=posted) > 0)
 
 
 @pytest.mark.parametrize("node", [None, 5], ids=["own medium", "shared medium"])
@@ -209,6 +225,7 @@ def test_answers_side_by_side_are_what_they_are_line_by_line(
         for host in (quick, slow):
             host.hear(arriving, now)
         assert quick.state() == slow.state()
+        assert_has_room_where_there_is_some(quick.window)
         if slow.exchange.refused is not None or slow.window.lost:
             break
 
@@ -220,3 +237,11 @@ def test_side_by_side_is_a_way_of_its_own(monkeypatch: pytest.MonkeyPatch) -> No
     monkeypatch.setattr(Exchange, "_receive_line", None)
     host.hear([frames(host, ["whole"] * 8)], 0.0)
     assert [event.command for event in host.events] == ["R", "W", "RM", "R"]
+
+
+def test_answers_that_are_expected_are_a_way_of_their_own(monkeypatch: pytest.MonkeyPatch) -> None:
+    host = Host(Exchange, None)
+    host.ask(Turn(["R", "W", "RM", "H"], [], [], 0.0, cancelled=False), 0.0)
+    monkeypatch.setattr(Exchange, "_receive_answers", None)
+    host.hear([frames(host, ["whole"] * 4)], 0.0)
+    assert [event.command for event in host.events] == ["R", "W", "RM", "H"]

@@ -44,7 +44,7 @@ def sent(window: Window[Named], *names: str, now: float = 0.0) -> list[Named]:
 
 def repeated(window: Window[Named]) -> str:
     """Return what the window sends again, and nothing where it does not want to."""
-    if not window.wants_repetition:
+    if not window.wants_repetition():
         return ""
     return " ".join(f"{run.name}@{number}" for number, run, _, count in window.repetition() for _ in range(count))
 
@@ -273,7 +273,7 @@ def test_a_sign_that_comes_too_early_is_taken_also_at_the_very_time_of_a_fence(
     sent(window, *("a" for _ in range(100)))
     window.damaged(now=0.0)
     repeated(window)
-    assert window.wants_repetition
+    assert window.wants_repetition()
     window.damaged(now=0.25)
     sent(window, "p", now=0.5)
     assert window.deadline == 0.75
@@ -698,7 +698,7 @@ def test_the_repetition_sends_no_more_than_the_smaller_window_holds_and_goes_on_
     assert window.room(SIZE) == 0
     window.answered(10, 54, now=0.03)
     assert [part[2:] for part in window.repetition()] == [(76, 24)]
-    assert not window.wants_repetition
+    assert not window.wants_repetition()
     assert window.room(SIZE) > 0
 
 
@@ -891,7 +891,7 @@ class LossyLine(RuleBasedStateMachine):
         self.towards.append((run.first, run))
 
     def settle(self) -> None:
-        if self.window.wants_repetition:
+        if self.window.wants_repetition():
             self.towards.extend((number, run) for number, run, _, _ in self.window.repetition())
         if self.window.needs_fence(self.now):
             self.submit(Named("h"))

@@ -171,7 +171,8 @@ class CallingThread:
                         self._take_lock()
             finally:
                 try:
-                    self._run_ready()
+                    if self._ready:
+                        self._run_ready()
                 finally:
                     if self._parked or self._closed:
                         self._hand_over()
@@ -186,7 +187,8 @@ class CallingThread:
 
     def _wait(self, waiter: CallWaiter) -> None:
         """Poll, or have another thread poll, until there is a result."""
-        self._run_ready()
+        if self._ready:
+            self._run_ready()
         # Another thread may end what this one polls for.
         waiter.on_done = self._stir
         while not waiter.done():
@@ -194,7 +196,8 @@ class CallingThread:
                 self._park(waiter)
             else:
                 self._poll_once()
-            self._run_ready()
+            if self._ready:
+                self._run_ready()
 
     def _park(self, waiter: CallWaiter | None) -> None:
         """Wait until another thread has polled a result, or none polls."""

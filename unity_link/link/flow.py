@@ -4,8 +4,8 @@ A session does no I/O. `Flow` gives it what arrives and the time, sends what it 
 what has become of their requests. All that happens for every request is here, and none of it knows how a connection is
 opened or lost: `connection` does.
 
-It is an object of its own for the sake of speed, too: Python looks an attribute up four times as fast where the class
-has no `__getattr__`, and links have one for names that there are not.
+It is an object of its own for the sake of speed, too: Python finds the attributes of an object many times as fast where
+its class has no `__getattr__`, and links have one for names that there are not.
 """
 
 from __future__ import annotations

@@ -215,14 +215,14 @@ class Exchange:
             return False
         while self._waiting and self._waiting[0].unwanted():
             self._waiting.popleft()
-        if window.wants_repetition:
+        if window.wants_repetition():
             return not self.blocked
         return bool(self._waiting) and window.is_idle()
 
     def take_turn(self, now: float, events: Events) -> None:
         """Send one frame; with it the turn is used up."""
         self._may_send = True
-        if self.window.wants_repetition:
+        if self.window.wants_repetition():
             self.window.resume(now)
             self._repeat()
         else:
@@ -234,7 +234,7 @@ class Exchange:
 
     def go_on(self, now: float, events: Events) -> None:
         """Send what answers have made room for, or shown to be lost."""
-        if self.window.wants_repetition:
+        if self.window.wants_repetition():
             self._repeat()
         if self._waiting or self.window.unfenced:
             self.admit(now, events)
@@ -334,7 +334,7 @@ class Exchange:
         window, ending, ending_size = self.window, self._ending, self._ending_size
         start = count = size = 0
         number = window.oldest
-        while type(run := window.find(number)) is Request:
+        while start != len(data) and type(run := window.find(number)) is Request:
             end = start + run.reply_size
             covered = data[start : end - ending_size]
             if (
@@ -569,7 +569,7 @@ class Exchange:
             self._give_up(run, UnansweredError(reason), events)
         if window.lost:
             return
-        if window.wants_repetition:
+        if window.wants_repetition():
             self._repeat()
             self._counters.timeouts += window.timed_out and self._counters.repetitions > before
         self._fence(now)

@@ -155,7 +155,7 @@ class Session:
     def is_owed_an_answer(self) -> bool:
         """Whether an answer can be on its way."""
         if self._exchange is not None:
-            return self.window.in_flight > 0 and not self.window.wants_repetition
+            return self.window.in_flight > 0 and not self.window.wants_repetition()
         return self._handshake is not None and not self._handshake.asks
 
     def take_turn(self, now: float) -> Events:

@@ -271,9 +271,8 @@ class Window(Generic[R]):
 
     # Sending
 
-    @property
     def wants_repetition(self) -> bool:
-        """Whether the window has gone back, and not all was sent again yet: call `repetition` when something came."""
+        """Return whether it has gone back, and not all was sent again yet: call `repetition` when something came."""
         return self._to_repeat != self._repeat_end
 
     def most_room(self, size: int) -> int:
@@ -590,7 +589,7 @@ class Window(Generic[R]):
             if self._gone_back < MOST_SIGNS:
                 self._go_back(now)
                 return None
-        elif deadline is None or now < deadline or (deadline == self._fence_due and not self.wants_repetition):
+        elif deadline is None or now < deadline or (deadline == self._fence_due and not self.wants_repetition()):
             return None
         given_up = None
         self._tries += 1

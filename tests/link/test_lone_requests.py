@@ -1,0 +1,203 @@
+"""A request that is alone in flight: its task goes on with the answer, not a turn of the event loop later."""
+
+from __future__ import annotations
+
+import asyncio
+import subprocess
+import sys
+from contextvars import ContextVar
+from typing import TYPE_CHECKING, Any
+
+import pytest
+
+import unity_link
+from makers import SLOW, Maker
+from simulated_time import on_simulated_time
+from unity_link import LinkClosedError
+from unity_link.link.flow import Flow
+from unity_link.link.runtime import AsyncioRuntime, LoneFuture
+from unity_link.link.subscription import Intake
+from unity_link.protocol.exchange import Exchange
+from unity_link.protocol.requests import Request
+from unity_link.protocol.session import Session
+from unity_link.protocol.window import Window
+from unity_link.transport.stream import Stream
+from valve import Valve
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from unity_link import Link
+
+PLACE: ContextVar[str] = ContextVar("PLACE", default="outside")
+
+
+def watch(link: Link, look: Callable[[], object]) -> list[object]:
+    """Return what `look` gives each time when something has arrived and was dealt with."""
+    receive, seen = link._flow.receive, []
+
+    def receive_and_look(data: bytes) -> None:
+        receive(data)
+        seen.append(look())
+
+    link._flow.receive = receive_and_look  # type: ignore[method-assign]
+    return seen
+
+
+@on_simulated_time
+async def test_its_task_goes_on_when_the_answer_has_come_and_asks_at_once(make_bare: Maker) -> None:
+    async with unity_link.connect(make_bare(**SLOW)) as link:
+        words: list[int] = []
+        seen = watch(link, lambda: (len(words), link.statistics.in_flight))
+
+        async def work() -> None:
+            PLACE.set("inside")
+            for address in (1, 2, 3):
+                words.append(await link.read(address))
+                assert PLACE.get() == "inside"
+
+        await asyncio.create_task(work())
+        assert seen == [(1, 1), (2, 1), (3, 0)]
+        assert PLACE.get() == "outside"
+
+
+@on_simulated_time
+async def test_what_is_asked_for_by_those_who_are_woken_together_is_sent_together(make_bare: Maker) -> None:
+    valve = Valve(make_bare(**SLOW))
+    async with unity_link.connect(valve) as link:
+        assert link._flow.stream is not None
+        sent: list[bytes] = []
+        send = link._flow.stream.send
+        link._flow.stream.send = lambda data: (sent.append(data), send(data))[1]  # type: ignore[method-assign, func-returns-value]
+
+        async def work(address: int) -> None:
+            for _ in range(5):
+                await link.read(address)
+
+        await asyncio.gather(*map(work, range(8)))
+        assert len(sent) < 15
+        assert b"".join(sent).count(b"\n") == 40
+
+
+@on_simulated_time
+async def test_where_another_task_runs_it_goes_on_in_the_next_turn() -> None:
+    runtime, order = AsyncioRuntime(), []
+    future = runtime.create_lone_future()
+
+    async def wait() -> None:
+        order.append(await future)
+
+    task = asyncio.create_task(wait())
+    await asyncio.sleep(0)
+    future.set_result("woken")
+    runtime.wake()
+    order.append("still here")
+    await task
+    assert order == ["still here", "woken"]
+
+
+@on_simulated_time
+async def test_a_result_or_an_error_that_is_there_before_it_is_awaited_is_not_waited_for() -> None:
+    runtime = AsyncioRuntime()
+    future, failed = runtime.create_lone_future(), runtime.create_lone_future()
+    future.set_result(5)
+    failed.set_exception(LinkClosedError("over"))
+    runtime.wake()
+    assert await future == 5
+    with pytest.raises(LinkClosedError, match="over"):
+        await failed
+    awaitable: Any = future
+    assert asyncio.isfuture(awaitable)
+    assert awaitable.get_loop() is asyncio.get_running_loop()
+
+
+@on_simulated_time
+async def test_a_task_that_is_cancelled_ends_with_what_it_was_told_and_the_link_goes_on(make_bare: Maker) -> None:
+    valve = Valve(make_bare(**SLOW))
+    async with unity_link.connect(valve) as link:
+        valve.answers_pass = False
+        task = asyncio.create_task(link.read(1))
+        await asyncio.sleep(1e-4)
+        assert isinstance(task._fut_waiter, LoneFuture)  # type: ignore[attr-defined]
+        task.cancel("enough")
+        with pytest.raises(asyncio.CancelledError, match="enough"):
+            await task
+        with pytest.raises(TimeoutError):
+            async with asyncio.timeout(0.01):
+                await link.read(1)
+        valve.answers_pass = True
+        assert await link.read(1) == 0
+        assert task.cancelled()
+
+
+@on_simulated_time
+async def test_a_task_that_is_cancelled_when_its_answer_has_come_is_cancelled(make_bare: Maker) -> None:
+    async with unity_link.connect(make_bare(**SLOW)) as link:
+        future = link._flow.new_waiter()
+
+        async def wait() -> Any:
+            return await future
+
+        task = asyncio.create_task(wait())
+        await asyncio.sleep(0)
+        future.set_result(1)
+        assert future.cancel() is False
+        task.cancel()
+        link._runtime.wake()
+        with pytest.raises(asyncio.CancelledError):
+            await task
+
+
+@on_simulated_time
+async def test_who_is_woken_first_may_close_the_link_and_the_others_have_their_answers(make_bare: Maker) -> None:
+    valve = Valve(make_bare(**SLOW))
+    async with unity_link.connect(valve) as link:
+        got: list[int] = []
+
+        async def first() -> None:
+            got.append(await link.read(1))
+            await link.aclose()
+
+        async def second() -> None:
+            got.append(await link.read(2))
+
+        results = await asyncio.gather(first(), second(), second(), return_exceptions=True)
+        assert len(got) + sum(isinstance(result, LinkClosedError) for result in results) == 3
+        assert got[0] == 0
+
+
+def test_a_program_that_ends_when_its_answer_has_come_ends_as_it_says() -> None:
+    program = """
+import asyncio, sys, unity_link
+async def main():
+    async with unity_link.connect("sim:") as link:
+        async def end():
+            await link.read(0)
+            sys.exit(7)
+        await asyncio.gather(asyncio.create_task(end()), asyncio.sleep(60))
+asyncio.run(main())
+"""
+    ended = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, timeout=30, check=False)
+    assert (ended.returncode, ended.stdout, ended.stderr) == (7, "", "")
+
+
+@on_simulated_time
+async def test_one_that_is_lost_beside_an_idle_group_is_sent_again_as_soon_as_without(make_bare: Maker) -> None:
+    valve = Valve(make_bare(**SLOW))
+    async with unity_link.connect(valve) as link, link.subscribe([1]):
+        for _ in range(50):
+            await link.read(1)
+        await asyncio.sleep(0.3)
+        valve.requests_pass = False
+        task = asyncio.create_task(link.read(1))
+        await asyncio.sleep(1e-4)
+        valve.requests_pass = True
+        began = asyncio.get_running_loop().time()
+        assert await task == 0
+        assert asyncio.get_running_loop().time() - began < 0.1
+
+
+@pytest.mark.parametrize("hot", [Flow, Intake, Session, Exchange, Window, Request, Stream, LoneFuture])
+def test_what_every_request_passes_has_attributes_that_python_finds_quickly(hot: type) -> None:
+    assert not hasattr(hot, "__getattr__")
+    assert "__slots__" in vars(hot) or hot not in (Window, Request, LoneFuture)
