@@ -13,7 +13,7 @@ import pytest
 import unity_link
 from makers import SLOW, Maker
 from simulated_time import on_simulated_time
-from unity_link import LinkClosedError
+from unity_link import LinkClosedError, LinkLostError
 from unity_link.link.flow import Flow
 from unity_link.link.runtime import AsyncioRuntime, LoneFuture
 from unity_link.link.subscription import Intake
@@ -22,7 +22,7 @@ from unity_link.protocol.requests import Request
 from unity_link.protocol.session import Session
 from unity_link.protocol.window import Window
 from unity_link.transport.stream import Stream
-from valve import Valve
+from valve import Valve, cut
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -164,6 +164,25 @@ async def test_who_is_woken_first_may_close_the_link_and_the_others_have_their_a
         results = await asyncio.gather(first(), second(), second(), return_exceptions=True)
         assert len(got) + sum(isinstance(result, LinkClosedError) for result in results) == 3
         assert got[0] == 0
+
+
+@on_simulated_time
+async def test_who_is_woken_by_the_loss_of_the_connection_may_close_the_link(make_bare: Maker) -> None:
+    valve = Valve(make_bare(**SLOW))
+    async with unity_link.connect(valve, reconnect=True) as link:
+        valve.answers_pass = False
+
+        async def work() -> None:
+            with pytest.raises(LinkLostError):
+                await link.write(1, 2)
+            await link.aclose()
+
+        task = asyncio.create_task(work())
+        await asyncio.sleep(1e-4)
+        cut(link)
+        await task
+        assert link._flow.stream is None
+        assert asyncio.all_tasks() == {asyncio.current_task()}
 
 
 def test_a_program_that_ends_when_its_answer_has_come_ends_as_it_says() -> None:

@@ -300,6 +300,32 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(window.Window, "needs_fence", never)
 
 
+@bug("a task goes on in the middle of what its link is told")
+def _(monkeypatch: pytest.MonkeyPatch) -> None:
+    handle = flow.Flow._handle
+
+    def handle_and_wake(self: Any, events: Any) -> None:
+        handle(self, events)
+        self._runtime.wake()
+
+    monkeypatch.setattr(flow.Flow, "_handle", handle_and_wake)
+
+
+@bug("answers in order are taken without a look at their checks")
+def _(monkeypatch: pytest.MonkeyPatch) -> None:
+    receive_in_order = exchange.Exchange._receive_in_order
+
+    class Anything(bytes):
+        def __ne__(self, other: object) -> bool:
+            return False
+
+    def receive(self: Any, data: bytes, now: float, events: Any) -> int:
+        self._ending = lambda _: Anything()
+        return receive_in_order(self, data, now, events)
+
+    monkeypatch.setattr(exchange.Exchange, "_receive_in_order", receive)
+
+
 @bug("the timer is not set again after a repetition")
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
     tick = flow.Flow._tick

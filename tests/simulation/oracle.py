@@ -409,6 +409,8 @@ class Oracle:
         """Check that each word that was read was there while it was asked for."""
         assert ask.told is not None
         recorder = ask.link.recorder
+        if len(ask.answer) != len(ask.words):
+            raise WorldError("an answer of another length", f"{ask} gave {len(ask.answer)} words")
         for (address, _), answer in zip(ask.words, ask.answer, strict=True):
             word = int(answer)
             if word >> ADDRESS_SHIFT != address:

@@ -112,8 +112,7 @@ class Flow:
         for event in events:
             handlers[type(event)](event)
         if self._ended:
-            # Not before all is told: who is woken may ask for more at once, or close the link.
-            self._runtime.wake()
+            self._runtime.call_soon(self._runtime.wake)
 
     def _send(self) -> None:
         """Send what the session has to: a lone request at once, all else together with what follows in this turn."""
@@ -169,13 +168,9 @@ class Flow:
         now = self.now()
         session = self.session
         events = session.receive(data, now)
-        if len(events) == 1 or self._flushing:
-            self._handle(events)
-        elif events:
-            # What they ask for who are woken is sent together.
-            self._flushing = True
-            self._handle(events)
-            self._flush()
+        handlers = self.handlers
+        for event in events:
+            handlers[type(event)](event)
         if self.seat is not None:
             self._take_turns()
             self._set_timer()
@@ -187,6 +182,9 @@ class Flow:
                 self._flush()
         if self._timer_at - now > _LATE or session.window.loses:
             self._set_timer()
+        if self._ended:
+            # When all else is done: who goes on may ask for more at once, or close the link.
+            self._runtime.wake()
 
     def _pause(self) -> None:
         if self.stream is not None and self.stream.paused:
