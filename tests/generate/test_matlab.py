@@ -254,6 +254,7 @@ def test_every_word_of_octave_is_a_keyword(octave: Octave) -> None:
 
 
 def test_identifiers_are_unique_and_those_that_can_stay() -> None:
+    assert identifiers(["ans"]) == {"ans": "ans_"}
     made = identifiers(["end", "end_", "_a", "x_a", 80 * "b", 63 * "b", 63 * "b" + "c"], ["x_a_"])
     assert made["end_"] == "end_"
     assert made["x_a"] == "x_a"

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 LONGEST = 63
 """`namelengthmax` of MATLAB."""
 _KEYWORDS = """
-    arguments break case catch classdef continue do else elseif end end_try_catch end_unwind_protect endarguments
+    ans arguments break case catch classdef continue do else elseif end end_try_catch end_unwind_protect endarguments
     endclassdef endenumeration endevents endfor endfunction endif endmethods endparfor endproperties endspmd endswitch
     endwhile enumeration events for function global if import methods otherwise parfor persistent properties return spmd
     switch try until unwind_protect unwind_protect_cleanup while
@@ -23,7 +23,8 @@ _MEMBERS = """
     addlistener close delete eq findobj findprop ge groups gt isvalid le link listener lt ne networks notify
 """
 KEYWORDS = frozenset(_KEYWORDS.split())
-"""`iskeyword` of MATLAB and of Octave, and the words that begin the blocks of a class."""
+"""`iskeyword` of MATLAB and of Octave, the words that begin the blocks of a class, and `ans`, which each expression sets.
+"""
 MEMBERS = frozenset(_MEMBERS.split())
 """What the generated class has itself, and what every handle class inherits."""
 
