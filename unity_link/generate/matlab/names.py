@@ -23,8 +23,7 @@ _MEMBERS = """
     addlistener close delete eq findobj findprop ge groups gt isvalid le link listener lt ne networks notify
 """
 KEYWORDS = frozenset(_KEYWORDS.split())
-"""`iskeyword` of MATLAB and of Octave, the words that begin the blocks of a class, and `ans`, which each expression sets.
-"""
+"""`iskeyword` of MATLAB and of Octave, the words that begin the blocks of a class, and `ans`, which expressions set."""
 MEMBERS = frozenset(_MEMBERS.split())
 """What the generated class has itself, and what every handle class inherits."""
 
