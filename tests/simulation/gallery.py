@@ -283,7 +283,7 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
 
 @bug("answers are taken side by side while others are sent again")
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(window.Window, "quiet", property(lambda self: True))
+    monkeypatch.setattr(window.Window, "is_quiet", lambda self: True)
 
 
 @bug("errors of posted writes are told to nobody")
