@@ -68,7 +68,12 @@ async def test_what_is_asked_for_by_those_who_are_woken_together_is_sent_togethe
         assert link._flow.stream is not None
         sent: list[bytes] = []
         send = link._flow.stream.send
-        link._flow.stream.send = lambda data: (sent.append(data), send(data))[1]  # type: ignore[method-assign, func-returns-value]
+
+        def send_and_note(data: bytes) -> None:
+            sent.append(data)
+            send(data)
+
+        link._flow.stream.send = send_and_note  # type: ignore[method-assign]
 
         async def work(address: int) -> None:
             for _ in range(5):

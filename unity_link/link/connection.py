@@ -1,8 +1,8 @@
 """Layer 2, the life of a link: it is opened, lost, opened again and closed.
 
-`Connection` is what a link and the bridges that hand on requests of others have in common: it joins a session, which
-does no I/O, with a driver's stream, and with the clock and the futures of what runs it. It decides when a connection is
-opened again. What else the events of the session are for is the matter of those who build on it.
+`Connection` is what a link and the bridges that hand on requests of others have in common. It decides when a connection
+is opened, and opened again; what passes on it is the matter of its `Flow`, which joins the session with the stream.
+What else the events of the session are for is the matter of those who build on it.
 """
 
 from __future__ import annotations

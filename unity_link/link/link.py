@@ -194,9 +194,9 @@ class Link(Connection):
 
     async def read(self, address: int) -> int:
         """Read the word at `address`."""
-        # Also a number that is no `int`, as numpy's, may be right.
         flow = self._flow
         codec = flow.codec
+        # Also a number that is no `int`, as numpy's, may be right.
         if type(address) is not int or not 0 <= address <= codec.highest_address:
             self._check_address(address)
         request = Request(codec, "R", codec.fields("R", address), codec.data_digits)

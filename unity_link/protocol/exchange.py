@@ -4,10 +4,10 @@ What must wait for room in the window waits in one line; a source with more to s
 its turn, so that a batch of thousands does not hold up the others. Samples that arrive among the responses are told to
 belong to whatever their group is for at that point of the stream.
 
-Three ways lead through `Exchange.receive`. A line is looked at by itself; answers that stand side by side are taken in
-one go, and the window is told together of those to one batch, and of those to the oldest requests while it is quiet;
-and where many answers to a batch do, or samples, numpy takes as many as are exactly what is expected. What one leaves,
-the next takes.
+Four ways lead through `Exchange.receive`; what one leaves, the next takes. While the window is quiet, answers to the
+oldest requests are compared with what is expected. Of many answers to a batch, or samples, numpy takes as many as are
+exactly that. Other answers that stand side by side are looked up in turn, and the window is told together of those to
+one batch. A line that is left is looked at by itself.
 """
 
 from __future__ import annotations
