@@ -138,7 +138,7 @@ async def test_a_task_that_is_cancelled_ends_with_what_it_was_told_and_the_link_
 @on_simulated_time
 async def test_a_task_that_is_cancelled_when_its_answer_has_come_is_cancelled(make_bare: Maker) -> None:
     async with unity_link.connect(make_bare(**SLOW)) as link:
-        future = link._flow.new_waiter()
+        future = link._runtime.create_lone_future()
 
         async def wait() -> Any:
             return await future

@@ -1,7 +1,7 @@
 """Answers that stand side by side are taken in one go: the same comes of it as line by line.
 
 Those to a batch are told to the window together, wherever they stand; those to single requests where they are just what
-is expected, and the window is quiet.
+is expected, and the window is quiet. A request that is alone goes and is answered by the shortest way.
 """
 
 from __future__ import annotations
@@ -59,6 +59,12 @@ class Line(Exchange):
                 if run.posted:
                     self._fence(now)
         self._fence(now)
+
+    def submit_alone(self, request: Request, now: float) -> bytes:
+        return b""
+
+    def receive_alone(self, data: bytes, now: float, events: list[Any]) -> bool:
+        return False
 
     def _receive_in_order(self, data: bytes, now: float, events: list[Any]) -> int:
         return 0
@@ -140,12 +146,20 @@ class Host:
                 request = Fence(self.codec)
             else:
                 request = Request(self.codec, command, b"12", REPLIES[command])
-            self.exchange.submit(request, now, self.events)
+            frame = b""
+            if isinstance(request, Request) and not request.posted:
+                frame = self.exchange.submit_alone(request, now)
+            if frame:
+                self.sent.append(frame)
+            else:
+                self.exchange.submit(request, now, self.events)
         if request is not None and turn.cancelled:
             request.cancel()
 
     def hear(self, pieces: list[bytes], now: float) -> None:
         for piece in pieces:
+            if not self.rest and self.exchange.receive_alone(piece, now, self.events):
+                continue
             data = self.rest + piece
             self.rest = data[self.exchange.receive(data, now, self.events) :]
             if self.exchange.refused is not None:
@@ -237,6 +251,16 @@ def test_side_by_side_is_a_way_of_its_own(monkeypatch: pytest.MonkeyPatch) -> No
     monkeypatch.setattr(Exchange, "_receive_line", None)
     host.hear([frames(host, ["whole"] * 8)], 0.0)
     assert [event.command for event in host.events] == ["R", "W", "RM", "R"]
+
+
+def test_a_request_that_is_alone_has_a_way_of_its_own_both_ways(monkeypatch: pytest.MonkeyPatch) -> None:
+    host = Host(Exchange, None)
+    monkeypatch.setattr(Exchange, "submit", None)
+    monkeypatch.setattr(Exchange, "receive", None)
+    for command in ("R", "W", "RM", "H"):
+        host.ask(Turn([command], [], [], 0.0, cancelled=False), 0.0)
+        host.hear([frames(host, ["whole"])], 0.0)
+    assert [event.command for event in host.events] == ["R", "W", "RM", "H"]
 
 
 def test_answers_that_are_expected_are_a_way_of_their_own(monkeypatch: pytest.MonkeyPatch) -> None:

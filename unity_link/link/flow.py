@@ -51,7 +51,7 @@ class Flow:
         """What each kind of event of the session is given to."""
         self.disconnected = disconnected
         self.now = runtime.time
-        self._create_future, self._create_lone_future = runtime.create_future, runtime.create_lone_future
+        self.create_future, self._create_lone_future = runtime.create_future, runtime.create_lone_future
         self._ended = runtime.ended
         self._runtime = runtime
         self._timer: Timer | None = None
@@ -83,14 +83,32 @@ class Flow:
         if self._timer_at - now > _LATE or session.window.unfenced == 1 or type(source) is not Request:
             self._set_timer()
 
-    def new_waiter(self) -> Waiter:
-        """Return what the call of the next request awaits."""
-        return self._create_lone_future() if self.session.window.is_idle() else self._create_future()
+    def ask(self, request: Request) -> Waiter:
+        """Have the session send a request that has an answer, and return what awaits that.
+
+        Raises:
+            LinkLostError: where the link has ended.
+        """
+        now = self.now()
+        frame = self.session.submit_alone(request, now) if self.seat is None else b""
+        if not frame:
+            request.owner = waiter = self.create_future()
+            self.submit(request)
+            return waiter
+        request.owner = waiter = self._create_lone_future()
+        if self.stream is not None:
+            self.stream.send(frame)
+        if self._timer_at - now > _LATE:
+            self._set_timer()
+        return waiter
 
     async def answer(self, request: Request | Batch) -> Any:
         """Have a request done, and return its answer; one that is cancelled is given up."""
-        request.owner = waiter = self.new_waiter()
-        self.submit(request)
+        if isinstance(request, Request):
+            waiter = self.ask(request)
+        else:
+            request.owner = waiter = self.create_future()
+            self.submit(request)
         try:
             return await waiter
         except BaseException:

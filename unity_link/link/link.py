@@ -201,8 +201,7 @@ class Link(Connection):
             self._check_address(address)
         request = Request(codec, "R", codec.fields("R", address), codec.data_digits)
         # As `answer` would: this is the most frequent call.
-        request.owner = waiter = flow.new_waiter()
-        flow.submit(request)
+        waiter = flow.ask(request)
         try:
             word: int = await waiter
         except BaseException:
@@ -470,7 +469,7 @@ class Link(Connection):
 
     async def _sent(self, posted: Request | Batch) -> None:
         """Wait until posted writes have found room."""
-        posted.owner = waiter = self._flow.new_waiter()
+        posted.owner = waiter = self._flow.create_future()
         if posted.done:
             settle(posted)
         try:
@@ -512,7 +511,7 @@ class Link(Connection):
             return [await self._flow.answer(requests[0])]
         waiters = []
         for request in requests:
-            request.owner = self._flow.new_waiter()
+            request.owner = self._flow.create_future()
             waiters.append(request.owner)
         self._flow.submit(Block(requests))
         try:

@@ -255,10 +255,9 @@ class AsyncioRuntime:
 
     def wake(self) -> None:
         """Have those tasks go on now whose lone requests are done."""
-        ended = self.ended.copy()
-        self.ended.clear()
-        for future in ended:
-            future.wake()
+        ended = self.ended
+        while ended:
+            ended.pop(0).wake()
 
     def call_at(self, when: float, function: Callable[[], object], /) -> Timer:
         """Call a function at a time of the loop's clock."""

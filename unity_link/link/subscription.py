@@ -247,7 +247,7 @@ class Publishing:
         """Stop and release a group."""
         request, events = self._session.release(group, self.runtime.time())
         if request is not None:
-            request.owner = waiter = self._flow.new_waiter()
+            request.owner = waiter = self._flow.create_future()
             self._flow.go_on(events)
             # A gateway that is gone has stopped it, also one behind a server, and one that was reset knows it no more.
             with contextlib.suppress(LinkLostError, BusTimeoutError, OutOfRangeError):

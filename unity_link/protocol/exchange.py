@@ -4,10 +4,11 @@ What must wait for room in the window waits in one line; a source with more to s
 its turn, so that a batch of thousands does not hold up the others. Samples that arrive among the responses are told to
 belong to whatever their group is for at that point of the stream.
 
-Four ways lead through `Exchange.receive`; what one leaves, the next takes. While the window is quiet, answers to the
-oldest requests are compared with what is expected. Of many answers to a batch, or samples, numpy takes as many as are
-exactly that. Other answers that stand side by side are looked up in turn, and the window is told together of those to
-one batch. A line that is left is looked at by itself.
+A request that is alone goes and is answered by a way of its own, the shortest. Four lead through `Exchange.receive`;
+what one leaves, the next takes. While the window is quiet, answers to the oldest requests are compared with what is
+expected. Of many answers to a batch, or samples, numpy takes as many as are exactly that. Other answers that stand side
+by side are looked up in turn, and the window is told together of those to one batch. A line that is left is looked at
+by itself.
 """
 
 from __future__ import annotations
@@ -122,8 +123,6 @@ class Exchange:
         self._id_digits = codec.info.id_digits
         self._mask = codec.ring - 1
         self._open = codec.framing.open
-        self._ending = codec.framing.ending
-        self._ending_size = codec.framing.ending_size
         self._sample = codec.framing.prefix + b"P"
         """What samples begin with, which say nothing about requests."""
         self._end = b"" if Feature.HALF_DUPLEX in codec.info.features else LF
@@ -145,12 +144,9 @@ class Exchange:
             self._may_send
             and not self._waiting
             and isinstance(source, Request)
-            and (window.is_idle() or window.has_room(source.size, posted=source.posted))
+            and window.has_room(source.size, posted=source.posted)
         ):
-            source.sent = True
-            self._counters.requests += 1
-            window.send(source, now)
-            self._send(source.encode(0, 1))
+            self._send(self._begin(source, now))
             if source.posted and window.needs_fence(now):
                 self._confirm(now)
             return
@@ -162,6 +158,20 @@ class Exchange:
         else:
             # What is first has no room: it would have been sent by what made some.
             self._fence(now)
+
+    def submit_alone(self, request: Request, now: float) -> bytes:
+        """Return the frame of a request that has an answer, where nothing else is under way; nothing otherwise."""
+        window = self.window
+        if self._waiting or not self._may_send or not window.is_idle() or window.loses:
+            return b""
+        return self._begin(request, now)
+
+    def _begin(self, request: Request, now: float) -> bytes:
+        """Assign an ID to a request for which there is room, and return its frame."""
+        request.sent = True
+        self._counters.requests += 1
+        self.window.send(request, now)
+        return request.frame()
 
     def _number(self, run: Message, now: float) -> None:
         """Assign IDs to a run, and send it."""
@@ -262,6 +272,19 @@ class Exchange:
 
     # Responses
 
+    def receive_alone(self, data: bytes, now: float, events: Events) -> bool:
+        """Take the answer to a request that is alone in flight; False where what has come is anything else, or more."""
+        window = self.window
+        if self._waiting or not window.is_lone() or not window.is_quiet():
+            return False
+        request = window.find(window.oldest)
+        if type(request) is not Request or not request.take_frame(data, events):
+            return False
+        window.heard = True
+        self._counters.responses += 1
+        window.answered_in_order(1, request.size, now)
+        return True
+
     def receive(self, data: bytes, now: float, events: Events) -> int:
         """Take the whole frames of a read, and return where the first begins that was not taken.
 
@@ -331,18 +354,12 @@ class Exchange:
 
         It is told of them together. Return where they end.
         """
-        window, ending, ending_size = self.window, self._ending, self._ending_size
+        window = self.window
         start = count = size = 0
         number = window.oldest
         while start != len(data) and type(run := window.find(number)) is Request:
             end = start + run.reply_size
-            covered = data[start : end - ending_size]
-            if (
-                not covered.startswith(run.opening)
-                or data[end - ending_size : end] != ending(covered)
-                or LF in covered
-                or not run.take_data(covered[len(run.opening) :], events)
-            ):
+            if not run.take_frame(data[start:end], events):
                 break
             count += 1
             size += run.size

@@ -24,6 +24,7 @@ from unity_link.errors import (
     UnansweredError,
     UnityLinkError,
 )
+from unity_link.protocol.frames import LF
 from unity_link.protocol.window import Run
 
 if TYPE_CHECKING:
@@ -207,10 +208,25 @@ class Request(Message):
 
     def encode(self, offset: int, count: int) -> bytes:  # noqa: ARG002  (a request is a run of one)
         """Return the frame."""
+        return self.frame()
+
+    def frame(self) -> bytes:
+        """Return the frame, under the ID that the window gave."""
         codec = self.codec
         self.opening = opening = codec.openings[self.command] + codec.id_text[self.first]
         covered = opening + self.fields
         return covered + codec.framing.ending(covered)
+
+    def take_frame(self, frame: bytes, events: Events) -> bool:
+        """Take the frame of the response; False where it is anything else, or is not as it usually is."""
+        framing, opening = self.codec.framing, self.opening
+        covered = frame[: -framing.ending_size]
+        return (
+            covered.startswith(opening)
+            and frame == covered + framing.ending(covered)
+            and LF not in covered
+            and self.take_data(covered[len(opening) :], events)
+        )
 
     def accept(self, offset: int, body: bytes, position: int, events: Events) -> bool:  # noqa: ARG002
         """Take the response."""

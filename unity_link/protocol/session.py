@@ -295,6 +295,15 @@ class Session:
             self._waiting.append(source)
         return events
 
+    def submit_alone(self, request: Request, now: float) -> bytes:
+        """Return the frame of a request that has an answer, where nothing else is under way.
+
+        Returns:
+            The frame, to be sent at once; nothing where other things are under way: then `submit` it.
+        """
+        exchange = self._exchange
+        return b"" if exchange is None or self.output else exchange.submit_alone(request, now)
+
     # Groups
 
     def hold(
@@ -352,6 +361,9 @@ class Session:
     def receive(self, data: bytes, now: float) -> Events:
         """Take bytes of the connection, cut anywhere."""
         events: Events = []
+        exchange = self._exchange
+        if exchange is not None and not self._rest and exchange.receive_alone(data, now, events):
+            return events
         self._now = now
         if self._rest:
             data = self._rest + data

@@ -80,7 +80,7 @@ from unity_link.protocol.constants import (
 )
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Iterable, Iterator
 
 
 class Run:
@@ -300,29 +300,31 @@ class Window(Generic[R]):
 
     def has_room(self, size: int, *, posted: bool) -> bool:
         """Return whether one more request of `size` characters may be sent now."""
+        in_flight = self.next - self.oldest & self._mask
+        if not in_flight:
+            return True
         # What is done and still in flight would give more room, which is seldom needed.
-        ample = (self.next - self.oldest & self._mask) + 1 < self._allowed
-        if ample and self._byte_limit is None and self._to_repeat == self._repeat_end:
+        if in_flight + 1 < self._allowed and self._byte_limit is None and self._to_repeat == self._repeat_end:
             return True
         return self.room(size, posted=posted) > 0
 
     def send(self, run: R, now: float) -> None:
         """Assign IDs to a run that is now sent. The caller has seen that there is room (an ``h`` needs none)."""
         first, count = self.next, run.count
+        size = run.size * count
         run.first = first
         run.sending = self._sent
         self._sent += count
-        after = first + count & self._mask
+        self._bytes += size
         if count == 1:
             self._slots[first] = run
         else:
             self._fill(first, count, run)
-        self._bytes += run.size * count
         if run.posted:
             if not self.unfenced:
                 self._fence_due = now + FENCE_DELAY
             self.unfenced += count
-            self._unfenced_bytes += run.size * count
+            self._unfenced_bytes += size
         else:
             if self.unfenced:
                 self.unfenced = self._unfenced_bytes = 0
@@ -332,7 +334,7 @@ class Window(Generic[R]):
                 self._timed_bytes = (self._bytes, run.reply_size)
         if self.oldest == first:
             self._since = now
-        self.next = after
+        self.next = first + count & self._mask
 
     def needs_fence(self, now: float) -> bool:
         """Return whether posted writes have waited long enough, or are many enough, to be confirmed by an ``h``."""
@@ -616,6 +618,10 @@ class Window(Generic[R]):
     def _distance(self, number: int) -> int:
         return number - self.oldest & self._mask
 
+    def _between(self, first: int, last: int) -> Iterable[int]:
+        """Return the IDs from `first` on and before `last`."""
+        return range(first, last) if first <= last else chain(range(first, self._mask + 1), range(last))
+
     def _fill(self, first: int, count: int, run: R | None) -> None:
         before_wrap = min(count, self._mask + 1 - first)
         self._slots[first : first + before_wrap] = [run] * before_wrap
@@ -623,16 +629,15 @@ class Window(Generic[R]):
 
     def _confirm(self, expected: int) -> None:
         """Move `executed` up: the posted writes that it passes are done, and their bytes have left the FIFO."""
-        slots, mask, position = self._slots, self._mask, self.executed
+        slots = self._slots
         posted = size = 0
-        while position != expected:
+        for position in self._between(self.executed, expected):
             run = slots[position]
             if run is not None:
                 size += run.size
                 if run.posted:
                     slots[position] = None
                     posted += 1
-            position = position + 1 & mask
         self._bytes -= size
         self.executed = expected
         if self.loses:
