@@ -269,3 +269,13 @@ def test_answers_that_are_expected_are_a_way_of_their_own(monkeypatch: pytest.Mo
     monkeypatch.setattr(Exchange, "_receive_answers", None)
     host.hear([frames(host, ["whole"] * 4)], 0.0)
     assert [event.command for event in host.events] == ["R", "W", "RM", "H"]
+
+
+@pytest.mark.parametrize("kind", ["short", "line end within", "line end in front", "upper case", "plain", "damaged"])
+@pytest.mark.parametrize("count", [1, 2])
+def test_what_is_no_answer_as_it_should_be_is_not_taken_for_one(kind: str, count: int) -> None:
+    quick, slow = Host(Exchange, None), Host(Line, None)
+    for host in (quick, slow):
+        host.ask(Turn(["R"] * count, [], [], 0.0, cancelled=False), 0.0)
+        host.hear([frames(host, [kind] * count)], 0.0)
+    assert quick.state() == slow.state()

@@ -222,7 +222,8 @@ class Request(Message):
         framing, opening = self.codec.framing, self.opening
         covered = frame[: -framing.ending_size]
         return (
-            covered.startswith(opening)
+            len(frame) == self.reply_size
+            and covered.startswith(opening)
             and frame == covered + framing.ending(covered)
             and LF not in covered
             and self.take_data(covered[len(opening) :], events)
