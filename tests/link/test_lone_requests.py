@@ -85,6 +85,21 @@ async def test_what_is_asked_for_by_those_who_are_woken_together_is_sent_togethe
 
 
 @on_simulated_time
+async def test_a_medium_may_answer_while_it_is_given_the_request(make_bare: Maker) -> None:
+    async with unity_link.connect(make_bare(**SLOW)) as link:
+        flow = link._flow
+        assert flow.stream is not None
+
+        def answer(data: bytes) -> None:
+            identifier = data[1 : 1 + flow.codec.info.id_digits]
+            flow.receive(flow.codec.framing.checked(b"r" + identifier + b"0000002A"))
+
+        flow.stream.send = answer  # type: ignore[method-assign]
+        async with asyncio.timeout(1):
+            assert [await link.read(address) for address in (1, 2)] == [0x2A, 0x2A]
+
+
+@on_simulated_time
 async def test_where_another_task_runs_it_goes_on_in_the_next_turn() -> None:
     runtime, order = AsyncioRuntime(), []
     future = runtime.create_lone_future()

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import asyncio
 import contextlib
+import itertools
 import random
 from typing import TYPE_CHECKING
 
@@ -146,6 +147,20 @@ async def test_a_link_that_is_being_opened_to_a_node_that_is_not_there_does_not_
         assert max(waits) < ANSWER_PATIENCE + 256 * 10 / 115_200 + 0.02
         assert len(waits) > 1000
     assert line.collisions == []
+
+
+@on_simulated_time
+async def test_a_turn_ends_with_its_answer() -> None:
+    line = build_shared_line(NODES)
+    clock = asyncio.get_running_loop().time
+    async with unity_link.connect(line.at(1)) as one, unity_link.connect(line.at(2)) as other:
+        await asyncio.sleep(1)
+        times = [clock()]
+        for link in (one, other):
+            await link.read(0)
+            times.append(clock())
+        first, second = (after - before for before, after in itertools.pairwise(times))
+        assert second < 1.1 * first
 
 
 @on_simulated_time

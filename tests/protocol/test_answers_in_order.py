@@ -63,8 +63,8 @@ class Line(Exchange):
     def submit_alone(self, request: Request, now: float) -> bytes:
         return b""
 
-    def receive_alone(self, data: bytes, now: float, events: list[Any]) -> bool:
-        return False
+    def receive_alone(self, data: bytes, now: float) -> Request | None:
+        return None
 
     def _receive_in_order(self, data: bytes, now: float, events: list[Any]) -> int:
         return 0
@@ -105,7 +105,8 @@ class Turn(NamedTuple):
 
     commands: list[str]
     kinds: list[str]
-    cuts: list[int]
+    cuts: list[int] | None
+    """Where what arrives is cut; None: between the answers."""
     seconds: float
     cancelled: bool
 
@@ -115,7 +116,7 @@ turns = st.lists(
         Turn,
         st.lists(st.sampled_from([*REPLIES, "fence", *BATCHES]), max_size=12),
         st.lists(st.sampled_from(KINDS), max_size=14),
-        st.lists(st.integers(0, 1 << 16), max_size=4),
+        st.lists(st.integers(0, 1 << 16), max_size=4) | st.none(),
         st.sampled_from([0.0, 0.0001, 0.01, 3.0]),
         st.booleans(),
     ),
@@ -158,7 +159,8 @@ class Host:
 
     def hear(self, pieces: list[bytes], now: float) -> None:
         for piece in pieces:
-            if not self.rest and self.exchange.receive_alone(piece, now, self.events):
+            if not self.rest and (answered := self.exchange.receive_alone(piece, now)) is not None:
+                self.events.append(answered)
                 continue
             data = self.rest + piece
             self.rest = data[self.exchange.receive(data, now, self.events) :]
@@ -178,9 +180,9 @@ class Host:
         return window, told, counters, self.sent, self.rest, self.exchange.refused, self.exchange.deadline
 
 
-def frames(host: Host, kinds: list[str]) -> bytes:
+def frames(host: Host, kinds: list[str]) -> list[bytes]:
     """Return answers to what is under way, in order, with what `kinds` does to them."""
-    codec, data = host.codec, b""
+    codec, data = host.codec, []
     number = host.window.oldest
     for kind in kinds:
         run = host.window.find(number)
@@ -191,7 +193,7 @@ def frames(host: Host, kinds: list[str]) -> bytes:
         reply = codec.framing.checked(codec.lower[command] + identifier + b"%0*X" % (REPLIES[command] or 0, 0x5A))
         if not REPLIES[command]:
             reply = codec.framing.checked(codec.lower[command] + identifier)
-        data += {
+        kinds_of_answers = {
             "whole": reply,
             "damaged": reply[:-3] + b"?" + reply[-2:],
             "lost": b"",
@@ -207,12 +209,16 @@ def frames(host: Host, kinds: list[str]) -> bytes:
             "plain": codec.framing.plain_reply(codec.lower[command] + identifier + b"0000005A"),
             "short": codec.framing.checked(codec.lower[command] + identifier + b"000005A"),
             "upper case": codec.framing.checked(codec.lower[command].upper() + identifier + b"0000005A"),
-        }[kind]
+        }
+        data.append(kinds_of_answers[kind])
         number = number + 1 & codec.ring - 1
     return data
 
 
-def pieces_of(data: bytes, cuts: list[int]) -> list[bytes]:
+def pieces_of(answers: list[bytes], cuts: list[int] | None) -> list[bytes]:
+    if cuts is None:
+        return [answer for answer in answers if answer]
+    data = b"".join(answers)
     ends = [*sorted({cut % (len(data) + 1) for cut in cuts} - {0}), len(data)]
     return [data[start:end] for start, end in zip([0, *ends], ends, strict=False) if start != end]
 
@@ -249,7 +255,7 @@ def test_side_by_side_is_a_way_of_its_own(monkeypatch: pytest.MonkeyPatch) -> No
     host = Host(Exchange, None)
     host.ask(Turn(["R", "W", "RM", "small batch"], [], [], 0.0, cancelled=False), 0.0)
     monkeypatch.setattr(Exchange, "_receive_line", None)
-    host.hear([frames(host, ["whole"] * 8)], 0.0)
+    host.hear([b"".join(frames(host, ["whole"] * 8))], 0.0)
     assert [event.command for event in host.events] == ["R", "W", "RM", "R"]
 
 
@@ -259,7 +265,7 @@ def test_a_request_that_is_alone_has_a_way_of_its_own_both_ways(monkeypatch: pyt
     monkeypatch.setattr(Exchange, "receive", None)
     for command in ("R", "W", "RM", "H"):
         host.ask(Turn([command], [], [], 0.0, cancelled=False), 0.0)
-        host.hear([frames(host, ["whole"])], 0.0)
+        host.hear(frames(host, ["whole"]), 0.0)
     assert [event.command for event in host.events] == ["R", "W", "RM", "H"]
 
 
@@ -267,7 +273,7 @@ def test_answers_that_are_expected_are_a_way_of_their_own(monkeypatch: pytest.Mo
     host = Host(Exchange, None)
     host.ask(Turn(["R", "W", "RM", "H"], [], [], 0.0, cancelled=False), 0.0)
     monkeypatch.setattr(Exchange, "_receive_answers", None)
-    host.hear([frames(host, ["whole"] * 4)], 0.0)
+    host.hear([b"".join(frames(host, ["whole"] * 4))], 0.0)
     assert [event.command for event in host.events] == ["R", "W", "RM", "H"]
 
 
@@ -277,5 +283,5 @@ def test_what_is_no_answer_as_it_should_be_is_not_taken_for_one(kind: str, count
     quick, slow = Host(Exchange, None), Host(Line, None)
     for host in (quick, slow):
         host.ask(Turn(["R"] * count, [], [], 0.0, cancelled=False), 0.0)
-        host.hear([frames(host, [kind] * count)], 0.0)
+        host.hear([b"".join(frames(host, [kind] * count))], 0.0)
     assert quick.state() == slow.state()

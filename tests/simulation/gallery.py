@@ -294,7 +294,7 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
 @bug("posted writes are not confirmed")
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
     def never(self: Any, now: float) -> bool:
-        self._fence_due = None
+        self._fence_due = float("inf")
         return False
 
     monkeypatch.setattr(window.Window, "needs_fence", never)

@@ -79,7 +79,8 @@ class _Job(_Run):
     def step(self) -> None:
         """Run until the next wait."""
         try:
-            waiter = self._runtime.advance(self, self._coroutine)
+            self._runtime.running = self
+            waiter = self.waiter = self._coroutine.send(None)
         except (StopIteration, asyncio.CancelledError):
             self._end()
         except Exception as error:  # noqa: BLE001  (no call is there that could raise it)
@@ -128,7 +129,7 @@ class CallingThread:
         self._timers = Timers(self.time, self._stir)
         self.call_at = self._timers.call_at
         self._handlers: dict[int, Callable[[int], None]] = {}
-        self._run = _Run()
+        self.running = _Run()
         """What runs now."""
         self._relays: list[Relay] = []
         self._closed = False
@@ -157,7 +158,8 @@ class CallingThread:
             try:
                 while True:
                     try:
-                        waiter = self.advance(run, coroutine, error)
+                        self.running = run
+                        waiter = run.waiter = coroutine.send(None) if error is None else coroutine.throw(error)
                         error = None
                         self._wait(waiter)
                     except StopIteration as end:
@@ -176,14 +178,6 @@ class CallingThread:
                 finally:
                     if self._parked or self._closed:
                         self._hand_over()
-
-    def advance(
-        self, run: _Run, coroutine: Coroutine[CallWaiter, None, Any], error: BaseException | None = None
-    ) -> CallWaiter:
-        """Have a coroutine go on until its next wait, and return what it waits for; raises StopIteration at its end."""
-        self._run = run
-        waiter = run.waiter = coroutine.send(None) if error is None else coroutine.throw(error)
-        return waiter
 
     def _wait(self, waiter: CallWaiter) -> None:
         """Poll, or have another thread poll, until there is a result."""
@@ -236,8 +230,7 @@ class CallingThread:
         if patience <= 0:
             self._timers.run()
             return
-        found = self._outside(self._poll.poll, None if patience == math.inf else patience)
-        for descriptor, event in found:
+        for descriptor, event in self._outside(self._poll.poll, None if patience == math.inf else patience):
             handler = self._handlers.get(descriptor)
             if handler is not None:
                 handler(event)
@@ -252,6 +245,7 @@ class CallingThread:
         while not self.is_running_here():
             try:
                 self._lock.acquire()
+                break
             except BaseException as error:  # noqa: BLE001  (it is raised again)
                 interruption = error
         if interruption is not None:
@@ -310,7 +304,7 @@ class CallingThread:
     @asynccontextmanager
     async def timeout(self, seconds: float) -> AsyncIterator[None]:
         """Have the block raise TimeoutError after some time."""
-        run, expired = self._run, False
+        run, expired = self.running, False
 
         def expire() -> None:
             nonlocal expired
@@ -350,7 +344,7 @@ class CallingThread:
     async def open_medium(self, target: DriverUrl | Medium, stream: Stream) -> None:
         """Connect a stream to a medium."""
         if has_channel(target):
-            protocol, left = observed(target, stream), self._run.deadline
+            protocol, left = observed(target, stream), self.running.deadline
             patience = None if left is None else max(0.001, left - self.time())
             channel = self._outside(open_channel, target, patience)
             make_transport(self, channel, protocol)

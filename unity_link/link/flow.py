@@ -71,17 +71,14 @@ class Flow:
         Raises:
             LinkLostError: where the link has ended.
         """
-        session, now = self.session, self.now()
-        events = session.submit(source, now)
+        session = self.session
+        events = session.submit(source, self.now())
         if events:
             self._handle(events)
         if self.seat is not None:
             self._take_turns()
-        if session.output and not self._flushing:
+        if not self._flushing and session.output:
             self._send()
-        # Of posted writes, the first sets a time for their confirmation, and one of the next brings it.
-        if self._timer_at - now > _LATE or session.window.unfenced == 1 or type(source) is not Request:
-            self._set_timer()
 
     def ask(self, request: Request) -> Waiter:
         """Have the session send a request that has an answer, and return what awaits that.
@@ -90,16 +87,20 @@ class Flow:
             LinkLostError: where the link has ended.
         """
         now = self.now()
-        frame = self.session.submit_alone(request, now) if self.seat is None else b""
+        frame = self.session.submit_alone(request, now)
         if not frame:
             request.owner = waiter = self.create_future()
             self.submit(request)
             return waiter
-        request.owner = waiter = self._create_lone_future()
         if self.stream is not None:
+            # First of all, so that the gateway has it while the rest is done.
             self.stream.send(frame)
+        request.owner = waiter = self._create_lone_future()
         if self._timer_at - now > _LATE:
             self._set_timer()
+        if request.done:
+            # A medium within the program may answer at once.
+            settle(request)
         return waiter
 
     async def answer(self, request: Request | Batch) -> Any:
@@ -145,6 +146,8 @@ class Flow:
         stream, data = self.stream, self.session.take_output()
         if stream is not None and data:
             stream.send(data)
+        # Once for all that is sent together. Of posted writes, the first sets a time for their confirmation.
+        self._set_timer()
 
     # Streams
 
@@ -184,6 +187,16 @@ class Flow:
     def receive(self, data: bytes) -> None:
         """Take what has arrived."""
         now = self.now()
+        request = self.session.receive_alone(data, now) if self.seat is None else None
+        if request is None:
+            self._receive(data, now)
+        else:
+            settle(request)
+        if self._ended:
+            # When all else is done: who goes on may ask for more at once, or close the link.
+            self._runtime.wake()
+
+    def _receive(self, data: bytes, now: float) -> None:
         session = self.session
         events = session.receive(data, now)
         handlers = self.handlers
@@ -200,9 +213,6 @@ class Flow:
                 self._flush()
         if self._timer_at - now > _LATE or session.window.loses:
             self._set_timer()
-        if self._ended:
-            # When all else is done: who goes on may ask for more at once, or close the link.
-            self._runtime.wake()
 
     def _pause(self) -> None:
         if self.stream is not None and self.stream.paused:

@@ -4,11 +4,11 @@ What must wait for room in the window waits in one line; a source with more to s
 its turn, so that a batch of thousands does not hold up the others. Samples that arrive among the responses are told to
 belong to whatever their group is for at that point of the stream.
 
-A request that is alone goes and is answered by a way of its own, the shortest. Four lead through `Exchange.receive`;
-what one leaves, the next takes. While the window is quiet, answers to the oldest requests are compared with what is
-expected. Of many answers to a batch, or samples, numpy takes as many as are exactly that. Other answers that stand side
-by side are looked up in turn, and the window is told together of those to one batch. A line that is left is looked at
-by itself.
+A request that is alone goes by a way of its own, the shortest, and so does an answer that comes alone. Four ways lead
+through `Exchange.receive`; what one leaves, the next takes. While the window is quiet, answers to the oldest requests
+are compared with what is expected. Of many answers to a batch, or samples, numpy takes as many as are exactly that.
+Other answers that stand side by side are looked up in turn, and the window is told together of those to one batch. A
+line that is left is looked at by itself.
 """
 
 from __future__ import annotations
@@ -146,7 +146,10 @@ class Exchange:
             and isinstance(source, Request)
             and window.has_room(source.size, posted=source.posted)
         ):
-            self._send(self._begin(source, now))
+            source.sent = True
+            self._counters.requests += 1
+            window.send(source, now)
+            self._send(source.frame())
             if source.posted and window.needs_fence(now):
                 self._confirm(now)
             return
@@ -162,15 +165,11 @@ class Exchange:
     def submit_alone(self, request: Request, now: float) -> bytes:
         """Return the frame of a request that has an answer, where nothing else is under way; nothing otherwise."""
         window = self.window
-        if self._waiting or not self._may_send or not window.is_idle() or window.loses:
+        if self._waiting or not self._may_send or window.next != window.oldest or window.loses:
             return b""
-        return self._begin(request, now)
-
-    def _begin(self, request: Request, now: float) -> bytes:
-        """Assign an ID to a request for which there is room, and return its frame."""
         request.sent = True
         self._counters.requests += 1
-        self.window.send(request, now)
+        window.send(request, now)
         return request.frame()
 
     def _number(self, run: Message, now: float) -> None:
@@ -272,18 +271,18 @@ class Exchange:
 
     # Responses
 
-    def receive_alone(self, data: bytes, now: float, events: Events) -> bool:
-        """Take the answer to a request that is alone in flight; False where what has come is anything else, or more."""
+    def receive_alone(self, data: bytes, now: float) -> Request | None:
+        """Take the answer to the oldest request, and return that, where nothing else has come or waits for room."""
         window = self.window
-        if self._waiting or not window.is_lone() or not window.is_quiet():
-            return False
+        if self._waiting or window.unfenced or not window.is_quiet():
+            return None
         request = window.find(window.oldest)
-        if type(request) is not Request or not request.take_frame(data, events):
-            return False
+        if type(request) is not Request or not request.take_frame(data, []):
+            return None
         window.heard = True
         self._counters.responses += 1
         window.answered_in_order(1, request.size, now)
-        return True
+        return request
 
     def receive(self, data: bytes, now: float, events: Events) -> int:
         """Take the whole frames of a read, and return where the first begins that was not taken.

@@ -219,11 +219,12 @@ class Request(Message):
 
     def take_frame(self, frame: bytes, events: Events) -> bool:
         """Take the frame of the response; False where it is anything else, or is not as it usually is."""
+        if len(frame) != self.reply_size:
+            return False
         framing, opening = self.codec.framing, self.opening
         covered = frame[: -framing.ending_size]
         return (
-            len(frame) == self.reply_size
-            and covered.startswith(opening)
+            covered.startswith(opening)
             and frame == covered + framing.ending(covered)
             and LF not in covered
             and self.take_data(covered[len(opening) :], events)

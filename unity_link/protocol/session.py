@@ -358,12 +358,18 @@ class Session:
 
     # What arrives, and time
 
+    def receive_alone(self, data: bytes, now: float) -> Request | None:
+        """Take the answer to the oldest request, where that is all that has come and nothing waits for it.
+
+        Returns:
+            The request; None where something else has come, or more: then `receive` it.
+        """
+        exchange = self._exchange
+        return None if exchange is None or self._rest else exchange.receive_alone(data, now)
+
     def receive(self, data: bytes, now: float) -> Events:
         """Take bytes of the connection, cut anywhere."""
         events: Events = []
-        exchange = self._exchange
-        if exchange is not None and not self._rest and exchange.receive_alone(data, now, events):
-            return events
         self._now = now
         if self._rest:
             data = self._rest + data

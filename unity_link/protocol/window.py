@@ -58,6 +58,7 @@ by any progress after a sign of loss.
 from __future__ import annotations
 
 import math
+from collections import Counter
 from itertools import chain
 from typing import TYPE_CHECKING, Generic, NamedTuple, TypeVar
 
@@ -80,7 +81,7 @@ from unity_link.protocol.constants import (
 )
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Iterator
+    from collections.abc import Iterator
 
 
 class Run:
@@ -219,7 +220,8 @@ class Window(Generic[R]):
         self.unfenced = 0
         """Posted writes that nothing with an answer was sent behind."""
         self._unfenced_bytes = 0
-        self._fence_due: float | None = None
+        self._fence_due = math.inf
+        """When they are to be confirmed, if there are any."""
         self._timed: tuple[int, float] | None = None
         self._timed_bytes = (1, 1)
         self.smoothed_round_trip: float | None = None
@@ -328,7 +330,7 @@ class Window(Generic[R]):
         else:
             if self.unfenced:
                 self.unfenced = self._unfenced_bytes = 0
-                self._fence_due = None
+                self._fence_due = math.inf
             if self._timed is None and now >= self._next_measurement:
                 self._timed = (first, now)
                 self._timed_bytes = (self._bytes, run.reply_size)
@@ -342,7 +344,7 @@ class Window(Generic[R]):
             return False
         if self._byte_limit is not None and 4 * self._unfenced_bytes >= self._byte_limit:
             return True
-        return 4 * self.unfenced >= self._allowed or (self._fence_due is not None and now >= self._fence_due)
+        return 4 * self.unfenced >= self._allowed or now >= self._fence_due
 
     def repetition(self) -> Iterator[tuple[int, R, int, int]]:
         """Return what is to be sent again now, in order: ID, run, offset in the run, count."""
@@ -392,11 +394,14 @@ class Window(Generic[R]):
         oldest, mask = self.oldest, self._mask
         return self._sent_once_from if self._sent_once_from - oldest & mask <= self.next - oldest & mask else oldest
 
+    def _between(self, first: int, last: int) -> list[R | None]:
+        """Return what waits for answers to the IDs from `first` on and before `last`, None for those that are done."""
+        slots = self._slots
+        return slots[first:last] if first <= last else slots[first:] + slots[:last]
+
     def _done(self, first: int, last: int) -> int:
         """Return how many IDs are done, from `first` on and before `last`."""
-        slots = self._slots
-        between = slots[first:last] if first <= last else slots[first:] + slots[:last]
-        return between.count(None)
+        return self._between(first, last).count(None)
 
     def _open(self, first: int, last: int) -> int:
         """Return how many IDs are not done, from `first` on and before `last`."""
@@ -557,14 +562,14 @@ class Window(Generic[R]):
         repeating = self._to_repeat != self._repeat_end
         if self.unfenced == self.in_flight and not repeating:
             # Posted writes alone have no answer to wait for: their fence will.
-            return self._fence_due
+            return self._fence_due if self.unfenced else None
         run = self._slots[self.oldest]
         # RFC 6298 knows no messages of unlike sizes: the answer to a long one behind short ones is not late yet.
         wire_time = self._byte_time * self._bytes + self._reply_byte_time * (0 if run is None else run.reply_size)
         expiry = self._since + self._timeout + wire_time
         if self._early_sign is not None:
             expiry = min(expiry, self._early_sign[1])
-        return expiry if self._fence_due is None or repeating else min(expiry, self._fence_due)
+        return expiry if repeating else min(expiry, self._fence_due)
 
     @property
     def longest_answer(self) -> float:
@@ -618,10 +623,6 @@ class Window(Generic[R]):
     def _distance(self, number: int) -> int:
         return number - self.oldest & self._mask
 
-    def _between(self, first: int, last: int) -> Iterable[int]:
-        """Return the IDs from `first` on and before `last`."""
-        return range(first, last) if first <= last else chain(range(first, self._mask + 1), range(last))
-
     def _fill(self, first: int, count: int, run: R | None) -> None:
         before_wrap = min(count, self._mask + 1 - first)
         self._slots[first : first + before_wrap] = [run] * before_wrap
@@ -629,15 +630,19 @@ class Window(Generic[R]):
 
     def _confirm(self, expected: int) -> None:
         """Move `executed` up: the posted writes that it passes are done, and their bytes have left the FIFO."""
-        slots = self._slots
+        between = self._between(self.executed, expected)
         posted = size = 0
-        for position in self._between(self.executed, expected):
-            run = slots[position]
+        for run, count in Counter(between).items():
             if run is not None:
-                size += run.size
+                size += run.size * count
                 if run.posted:
-                    slots[position] = None
-                    posted += 1
+                    posted += count
+        if posted + between.count(None) == len(between):
+            self._fill(self.executed, len(between), None)
+        else:
+            for place, run in enumerate(between, self.executed):
+                if run is not None and run.posted:
+                    self._slots[place & self._mask] = None
         self._bytes -= size
         self.executed = expected
         if self.loses:
@@ -651,11 +656,13 @@ class Window(Generic[R]):
 
     def _news(self, now: float) -> None:
         """Move `oldest` up over what is done, and start the clock anew."""
-        slots, mask, position, executed = self._slots, self._mask, self.oldest, self.executed
-        if position != executed and slots[position] is None:
-            while position != executed and slots[position] is None:
-                position = position + 1 & mask
-            self.oldest = position
+        oldest = self.oldest
+        if oldest != self.executed and self._slots[oldest] is None:
+            between = self._between(oldest, self.executed)
+            done = len(between)
+            if between.count(None) != done:
+                done = next(place for place, run in enumerate(between) if run is not None)
+            self.oldest = oldest + done & self._mask
             self._moved(now)
         self._tries = self._silent_tries = 0
         self._since = now

@@ -115,20 +115,8 @@ class ChannelTransport(asyncio.Transport):
     def _on_ready(self, event: int) -> None:
         if event & POLLOUT:
             self._write_more()
-        if event & ~POLLOUT and not self._closing:
-            self._read()
-
-    def _write_more(self) -> None:
-        del self._unwritten[: self._write(self._unwritten)]
-        if self._closing:
+        if not event & ~POLLOUT or self._closing:
             return
-        if not self._unwritten:
-            self._watcher.watch(self._descriptor, POLLIN, self._on_ready)
-        if self._paused and len(self._unwritten) <= LOW_WATER:
-            self._paused = False
-            self._protocol.resume_writing()
-
-    def _read(self) -> None:
         try:
             data = self._channel.read()
         except BlockingIOError:
@@ -140,6 +128,16 @@ class ChannelTransport(asyncio.Transport):
         else:
             if data:
                 self._protocol.data_received(data)
+
+    def _write_more(self) -> None:
+        del self._unwritten[: self._write(self._unwritten)]
+        if self._closing:
+            return
+        if not self._unwritten:
+            self._watcher.watch(self._descriptor, POLLIN, self._on_ready)
+        if self._paused and len(self._unwritten) <= LOW_WATER:
+            self._paused = False
+            self._protocol.resume_writing()
 
     def _lose(self, reason: Exception | None) -> None:
         """Record that the medium is gone."""
