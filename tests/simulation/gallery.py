@@ -320,6 +320,20 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(requests.Request, "take_frame", take_frame)
 
 
+@bug("what waits for room is forgotten where an answer comes alone")
+def _(monkeypatch: pytest.MonkeyPatch) -> None:
+    receive_alone = exchange.Exchange.receive_alone
+
+    def with_nothing_waiting(self: Any, data: bytes, now: float) -> Any:
+        waiting, self._waiting = self._waiting, ()
+        try:
+            return receive_alone(self, data, now)
+        finally:
+            self._waiting = waiting
+
+    monkeypatch.setattr(exchange.Exchange, "receive_alone", with_nothing_waiting)
+
+
 @bug("the timer is not set again after a repetition")
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
     tick = flow.Flow._tick
