@@ -10,7 +10,6 @@ from __future__ import annotations
 
 import asyncio
 import inspect
-import math
 import socket
 import threading
 import time
@@ -27,7 +26,7 @@ from unity_link.link.waiter import Result
 from unity_link.transport import DriverUrl, has_channel, load_driver, observed, open_channel
 from unity_link.transport import prepare as prepare_medium
 from unity_link.transport.channel_transport import make_transport
-from unity_link.transport.polling import POLLIN, new_poll
+from unity_link.transport.polling import POLLIN, Poller
 
 if TYPE_CHECKING:
     from collections.abc import AsyncIterator, Callable, Coroutine, Generator
@@ -122,7 +121,7 @@ class CallingThread:
         """Whether this thread runs something of the link now."""
         self._polling = False
         """Whether a thread polls, for all."""
-        self._poll = new_poll()
+        self._poller = Poller()
         self._parked: list[threading.Lock] = []
         """One for each thread that waits for another; to release it wakes the thread."""
         self._ready: deque[Callable[[], object]] = deque()
@@ -189,7 +188,7 @@ class CallingThread:
             if self._polling:
                 self._park(waiter)
             else:
-                self._poll_once()
+                self._poll_once(may_spin=True)
             if self._ready:
                 self._run_ready()
 
@@ -224,13 +223,13 @@ class CallingThread:
             self._waking.close()
             self._woken.close()
 
-    def _poll_once(self) -> None:
+    def _poll_once(self, *, may_spin: bool) -> None:
         """Make the calls that are due, or wait for the next or for what can be read or written."""
-        patience = (self._timers.due - self.time()) * 1000
+        patience = self._timers.due - self.time()
         if patience <= 0:
             self._timers.run()
             return
-        for descriptor, event in self._outside(self._poll.poll, None if patience == math.inf else patience):
+        for descriptor, event in self._outside(self._poller.wait, patience, may_spin=may_spin):
             handler = self._handlers.get(descriptor)
             if handler is not None:
                 handler(event)
@@ -327,13 +326,13 @@ class CallingThread:
     def watch(self, descriptor: int, events: int, handler: Callable[[int], None]) -> None:
         """Call a handler where a file descriptor is ready for some of `POLLIN` and `POLLOUT`."""
         self._handlers[descriptor] = handler
-        self._poll.register(descriptor, events)
+        self._poller.register(descriptor, events)
         self._stir()
 
     def unwatch(self, descriptor: int) -> None:
         """Call no handler any more."""
         del self._handlers[descriptor]
-        self._poll.unregister(descriptor)
+        self._poller.unregister(descriptor)
         self._stir()
 
     async def prepare(self, url: DriverUrl) -> None:
@@ -401,7 +400,7 @@ class CallingThread:
                 if self._polling:
                     self._park(None)
                 else:
-                    self._poll_once()
+                    self._poll_once(may_spin=False)
                 self._run_ready()
             self._attendant = None
             self._hand_over()
