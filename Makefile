@@ -148,10 +148,11 @@ $(BIN)/python:
 	echo "Python 3.11 or later is needed, and $(or $(PYTHON),python3) is not: install it, or name one by: make PYTHON=/path/to/python3.11 $(MAKECMDGOALS)" >&2; \
 	exit 1
 
-# Without build isolation, so that the build back end is a locked one as well.
+# Without build isolation, so that the build back end is a locked one as well. Without dependencies, since a lock names all
+# of them: pip before 23.3 holds an extra that a package asks for (coverage[toml]) to the newest release, not to the lock's.
 define install
 	@echo "Installing $(1) into $(2)"
-	@$(2)/bin/python $(PIP_INSTALL) --require-hashes --requirement $(1)
+	@$(2)/bin/python $(PIP_INSTALL) --no-deps --require-hashes --requirement $(1)
 	@$(2)/bin/python $(PIP_INSTALL) --no-deps --no-build-isolation --editable .
 endef
 

@@ -40,7 +40,7 @@ def try_wheel(wheel: Path, folder: Path) -> None:
     run(sys.executable, "-m", "venv", folder / "env")
     programs = folder / "env" / "bin"
     install = (programs / "python", "-m", "pip", "install", "--quiet", "--disable-pip-version-check")
-    run(*install, "--require-hashes", "-r", ROOT / "requirements" / "core.lock")
+    run(*install, "--no-deps", "--require-hashes", "-r", ROOT / "requirements" / "core.lock")
     run(*install, "--no-deps", wheel)
     elsewhere = folder / "elsewhere"
     shutil.copytree(ROOT / "examples", elsewhere / "examples")
