@@ -1,7 +1,7 @@
 """Answers that stand side by side are taken in one go: the same comes of it as line by line.
 
-Those to a batch are told to the window together, wherever they stand; those to single requests where they are just what
-is expected, and the window is quiet. A request that is alone goes and is answered by the shortest way.
+They are compared with what is expected, and the window is told together of those whose IDs follow each other. A request
+that is alone goes and is answered by the shortest way.
 """
 
 from __future__ import annotations
@@ -20,6 +20,7 @@ from unity_link.protocol.frames import FrameError
 from unity_link.protocol.group_table import GroupTable
 from unity_link.protocol.messages import Codec
 from unity_link.protocol.requests import Batch, BatchRun, Fence, Request
+from unity_link.protocol.round_trip import RoundTrip
 from unity_link.protocol.window import Window
 
 REPLIES = {"R": 8, "W": 0, "WS": None, "RM": 24, "H": 0}
@@ -30,7 +31,7 @@ BATCHES = {"batch": 40, "small batch": 5}
 
 
 class Line(Exchange):
-    """An exchange that takes each line by itself, but for answers to a batch that follow each other.
+    """An exchange that opens and decodes each line by itself; the window is told of answers that follow each other.
 
     At each request it tries whether there is room, and asks the window for each source.
     """
@@ -66,32 +67,31 @@ class Line(Exchange):
     def receive_alone(self, data: bytes, now: float) -> Request | None:
         return None
 
-    def _receive_in_order(self, data: bytes, now: float, events: list[Any]) -> int:
-        return 0
-
     def _receive_answers(self, data: bytes, start: int, now: float, events: list[Any]) -> int:
         while (after := self._receive_group(data, start, now, events)) != start:
             start = after
         return start
 
     def _receive_group(self, data: bytes, start: int, now: float, events: list[Any]) -> int:
-        """Take answers to one batch that follow each other; return where they end."""
+        """Take checked answers whose IDs follow each other; return where they end."""
         taken: list[int] = []
         for line in data[start:].split(b"\n")[:-1]:
             try:
-                answer = self.codec.decode_response(self._open(line))
+                body = self._open(line)
+                answer = self.codec.decode_response(body)
             except (FrameError, ValueError):
                 break
             number = answer.id
-            if number is None or (answer.command, list(answer.fields)) != ("R", ["d"]):
+            if line.endswith(b"\r") or number is None or (taken and number != taken[-1] + 1 & 0xFF):
                 break
             run = self.window.find(number)
-            if not isinstance(run, BatchRun):
-                break
-            if taken and (number != taken[-1] + 1 & 0xFF or run is not self.window.find(taken[0])):
+            if isinstance(run, BatchRun):
+                if (answer.command, list(answer.fields)) != ("R", ["d"]):
+                    break
+                run._batch.put(run._start + (number - run.first & 0xFF), 1, answer.fields["d"], events)
+            elif type(run) is not Request or not run.accept(0, body, len(answer.command) + 2, events):
                 break
             taken.append(number)
-            run._batch.put(run._start + (number - run.first & 0xFF), 1, answer.fields["d"], events)
             start += len(line) + 1
         if taken:
             self.window.heard = True
@@ -171,6 +171,7 @@ class Host:
 
     def state(self) -> object:
         window = {name: getattr(self.window, name) for name in Window.__slots__}
+        window["round_trip"] = [getattr(self.window.round_trip, name) for name in RoundTrip.__slots__]
         window["_slots"] = [None if run is None else (run.first, run.command) for run in window["_slots"]]
         told = [
             (event.command, str(event.answer), str(event.error)) if isinstance(event, Request | Batch) else str(event)
@@ -266,14 +267,6 @@ def test_a_request_that_is_alone_has_a_way_of_its_own_both_ways(monkeypatch: pyt
     for command in ("R", "W", "RM", "H"):
         host.ask(Turn([command], [], [], 0.0, cancelled=False), 0.0)
         host.hear(frames(host, ["whole"]), 0.0)
-    assert [event.command for event in host.events] == ["R", "W", "RM", "H"]
-
-
-def test_answers_that_are_expected_are_a_way_of_their_own(monkeypatch: pytest.MonkeyPatch) -> None:
-    host = Host(Exchange, None)
-    host.ask(Turn(["R", "W", "RM", "H"], [], [], 0.0, cancelled=False), 0.0)
-    monkeypatch.setattr(Exchange, "_receive_answers", None)
-    host.hear([b"".join(frames(host, ["whole"] * 4))], 0.0)
     assert [event.command for event in host.events] == ["R", "W", "RM", "H"]
 
 

@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 from unity_link.protocol.configuration import Feature, GatewayInfo
 from unity_link.protocol.exchange import Counters
 from unity_link.protocol.requests import Events, Request
+from unity_link.protocol.round_trip import RoundTrip
 from unity_link.protocol.session import Session
 from unity_link.protocol.window import Window
 from unity_link.virtual import VirtualGateway
@@ -77,6 +78,7 @@ class Side:
 
     def state(self) -> object:
         window = {name: getattr(self.session.window, name) for name in Window.__slots__}
+        window["round_trip"] = [getattr(self.session.window.round_trip, name) for name in RoundTrip.__slots__]
         window["_slots"] = [None if run is None else (run.first, run.command) for run in window["_slots"]]
         told = [
             (event.command, str(event.answer), str(event.error)) if isinstance(event, Request) else str(event)

@@ -125,15 +125,15 @@ def test_a_session_that_was_never_connected_is_owed_nothing() -> None:
     assert session.window.loses is False
     assert not session.wants_turn
     assert session.deadline is None
-    assert session.window.smoothed_round_trip is None
+    assert session.window.round_trip.smoothed is None
 
 
 def test_the_round_trip_is_measured_by_the_answers() -> None:
     session, gateway = opened(resumes=False)
     session.submit(Request(session.codec, "H", b"", 0), 1.0)
     session.receive(gateway.receive(session.take_output(), 1.0), 1.25)
-    assert session.window.smoothed_round_trip is not None
-    assert 0 < session.window.smoothed_round_trip <= 0.25
+    assert session.window.round_trip.smoothed is not None
+    assert 0 < session.window.round_trip.smoothed <= 0.25
 
 
 def test_a_gateway_that_is_silent_after_its_reset_makes_the_connection_unusable_after_a_stated_time() -> None:

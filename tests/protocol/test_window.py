@@ -143,6 +143,63 @@ def test_a_damaged_request_while_an_answer_is_missing_is_perhaps_the_repetition_
     assert repeated(window) == "a@0"
 
 
+def test_a_damaged_request_while_nothing_is_repeated_is_one_that_was_not_executed() -> None:
+    window: Window[Named] = Window(RING, round_trip=0.01)
+    sent(window, *"abcd")
+    window.answer_damaged(now=0.001)
+    window.answered(1, 1, now=0.001)
+    window.damaged(now=0.001)
+    assert repeated(window) == "a@0 c@2 d@3"
+
+
+def test_a_damaged_request_behind_the_answer_to_a_repetition_is_another() -> None:
+    window: Window[Named] = Window(RING, round_trip=0.01)
+    sent(window, *"abcd")
+    window.answered(2, 1, now=0.001)
+    assert repeated(window) == "a@0 b@1"
+    window.answered(1, 1, now=0.002)
+    window.damaged(now=0.002)
+    assert repeated(window) == "a@0 d@3"
+
+
+def test_where_silence_follows_a_damaged_request_it_was_not_the_repetition() -> None:
+    window: Window[Named] = Window(RING, round_trip=0.01, shortest_timeout=1.0)
+    sent(window, *"abc")
+    window.answered(1, 1, now=0.001)
+    assert repeated(window) == "a@0"
+    window.damaged(now=0.02)
+    assert repeated(window) == "a@0"
+    window.answered(0, 1, now=0.029)
+    assert repeated(window) == ""
+    assert window.deadline == pytest.approx(0.039)
+    window.expire(now=0.039)
+    assert repeated(window) == "c@2"
+    assert not window.timed_out
+
+
+def test_what_is_damaged_behind_a_damaged_answer_before_anything_is_sent_again_is_another_loss() -> None:
+    window: Window[Named] = Window(RING, round_trip=0.01)
+    sent(window, *"abc")
+    window.damaged(now=0.001)
+    assert repeated(window) == "a@0 b@1 c@2"
+    for sign in (window.answer_damaged, window.damaged):
+        sign(now=0.02)
+    assert repeated(window) == "a@0 b@1 c@2"
+
+
+def test_a_damaged_answer_too_early_to_be_the_last_repetition_s_is_taken_when_silence_follows() -> None:
+    window: Window[Named] = Window(RING, round_trip=0.01, shortest_timeout=1.0)
+    sent(window, "a")
+    window.answer_damaged(now=0.001)
+    assert repeated(window) == "a@0"
+    window.answer_damaged(now=0.009)
+    assert repeated(window) == ""
+    assert window.deadline == pytest.approx(0.019)
+    window.expire(now=0.019)
+    assert repeated(window) == "a@0"
+    assert not window.timed_out
+
+
 def test_a_damaged_answer_has_posted_writes_sent_again_up_to_a_request_that_is_answered() -> None:
     window: Window[Named] = Window(RING)
     sent(window, "p", "p", "a", "p", "b")
@@ -776,7 +833,7 @@ def test_the_time_out_follows_rfc_6298() -> None:
     sent(window, "a", now=0.0)
     assert window.deadline == pytest.approx(0.1 + 4 * 0.05)
     window.answered(0, 1, now=0.2)
-    assert window.smoothed_round_trip == pytest.approx(0.1 * 7 / 8 + 0.2 / 8)
+    assert window.round_trip.smoothed == pytest.approx(0.1 * 7 / 8 + 0.2 / 8)
     sent(window, "b", now=1.0)
     assert window.deadline == pytest.approx(1.0 + 0.1125 + 4 * (0.05 * 3 / 4 + 0.1 / 4))
 
@@ -786,7 +843,7 @@ def test_a_request_that_was_sent_twice_is_not_timed() -> None:
     sent(window, "a", now=0.0)
     window.damaged(now=0.0)
     window.answered(0, 1, now=5.0)
-    assert window.smoothed_round_trip == pytest.approx(0.1)
+    assert window.round_trip.smoothed == pytest.approx(0.1)
 
 
 @pytest.mark.parametrize("seconds", [0.001, 0.025, 1.0])

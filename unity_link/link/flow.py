@@ -134,8 +134,9 @@ class Flow:
             self._runtime.call_soon(self._runtime.wake)
 
     def _send(self) -> None:
-        """Send what the session has to: a lone request at once, all else together with what follows in this turn."""
-        if self.session.window.is_lone():
+        """Send what the session has to: together with what follows in this turn, at once where nothing can."""
+        session = self.session
+        if session.window.is_lone() or session.is_full:
             self._flush()
         else:
             self._flushing = True

@@ -187,7 +187,7 @@ class Link(Connection):
             samples=self._publishing.samples,
             samples_lost=self._publishing.samples_lost,
             reconnections=max(0, self._sessions - 1),
-            round_trip=self._session.window.smoothed_round_trip,
+            round_trip=self._session.window.round_trip.smoothed,
         )
 
     # Words

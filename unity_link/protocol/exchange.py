@@ -4,11 +4,10 @@ What must wait for room in the window waits in one line; a source with more to s
 its turn, so that a batch of thousands does not hold up the others. Samples that arrive among the responses are told to
 belong to whatever their group is for at that point of the stream.
 
-A request that is alone goes by a way of its own, the shortest, and so does an answer that comes alone. Four ways lead
-through `Exchange.receive`; what one leaves, the next takes. While the window is quiet, answers to the oldest requests
-are compared with what is expected. Of many answers to a batch, or samples, numpy takes as many as are exactly that.
-Other answers that stand side by side are looked up in turn, and the window is told together of those to one batch. A
-line that is left is looked at by itself.
+A request that is alone goes by a way of its own, the shortest, and so does an answer that comes alone. Three ways lead
+through `Exchange.receive`; what one leaves, the next takes. Of many answers to a batch, or samples, numpy takes as many
+as are exactly what is expected. Other answers that stand side by side are compared with what is expected in turn, and
+the window is told of them together. A line that is left is looked at by itself.
 """
 
 from __future__ import annotations
@@ -123,6 +122,7 @@ class Exchange:
         self._id_digits = codec.info.id_digits
         self._mask = codec.ring - 1
         self._open = codec.framing.open
+        self._prefix_size = len(codec.framing.prefix)
         self._sample = codec.framing.prefix + b"P"
         """What samples begin with, which say nothing about requests."""
         self._end = b"" if Feature.HALF_DUPLEX in codec.info.features else LF
@@ -149,7 +149,7 @@ class Exchange:
             source.sent = True
             self._counters.requests += 1
             window.send(source, now)
-            self._send(source.frame())
+            self._send(source.encode())
             if source.posted and window.needs_fence(now):
                 self._confirm(now)
             return
@@ -170,7 +170,7 @@ class Exchange:
         request.sent = True
         self._counters.requests += 1
         window.send(request, now)
-        return request.frame()
+        return request.encode()
 
     def _number(self, run: Message, now: float) -> None:
         """Assign IDs to a run, and send it."""
@@ -178,12 +178,12 @@ class Exchange:
         self.window.send(run, now)
         if run.count > 1:
             self._batching = True
-        self._send(run.encode(0, run.count))
+        self._send(run.encode())
 
     def admit(self, now: float, events: Events) -> None:
         """Let sources into the window, in turn, as far as there is room."""
         waiting, window = self._waiting, self.window
-        room, of = 0, (0, False)
+        room = size = posted = 0
         while waiting and self._may_send:
             source = waiting[0]
             if source.unwanted():
@@ -192,11 +192,11 @@ class Exchange:
             if isinstance(source, Fence) and any(other in waiting for other in source.earlier):
                 waiting.rotate(-1)
                 continue
-            if of != (source.size, source.posted):
-                of = source.size, source.posted
-                room = window.room(source.size, posted=source.posted)
+            if size != source.size or posted != source.posted:
+                size, posted = source.size, source.posted
+                room = window.room(size, posted=posted)
             # A window that is small because the line loses is not waited for to grow.
-            if not room or (room < source.least() and room < window.most_room(source.size) // 2):
+            if not room or (room < source.least() and room < window.most_room(size) // 2):
                 break
             waiting.popleft()
             run = source.take(room, events)
@@ -204,9 +204,9 @@ class Exchange:
                 waiting.append(source)
             self._number(run, now)
             room -= run.count
-            if run.posted:
+            if posted:
                 self._fence(now)
-                of = 0, False
+                size = 0
         self._fence(now)
 
     def _fence(self, now: float) -> None:
@@ -259,7 +259,7 @@ class Exchange:
                 ids = (number + index & codec.ring - 1 for index in range(count))
                 frames = b"".join(codec.request("H", identifier, b"") for identifier in ids)
             else:
-                frames = run.encode(offset, count)
+                frames = run.frames_of(offset, count)
             self._send(frames)
             repeated = True
         if repeated and not self.window.loses:
@@ -281,7 +281,7 @@ class Exchange:
             return None
         window.heard = True
         self._counters.responses += 1
-        window.answered_in_order(1, request.size, now)
+        window.answered_alone(now)
         return request
 
     def receive(self, data: bytes, now: float, events: Events) -> int:
@@ -289,10 +289,7 @@ class Exchange:
 
         All are taken but those behind one that tells of a reset.
         """
-        window = self.window
-        start = self._receive_in_order(data, now, events) if window.is_quiet() else 0
-        if start == len(data):
-            return start
+        window, start = self.window, 0
         batched = self._batching and len(data) >= FEWEST_BYTES
         sampling = bool(self._groups.begun)
         while True:
@@ -348,74 +345,41 @@ class Exchange:
             window.answered(number, taken, now)
             start += taken * run.reply_size
 
-    def _receive_in_order(self, data: bytes, now: float, events: Events) -> int:
-        """Take the answers to the oldest requests, each just as it is expected, while the window is quiet.
-
-        It is told of them together. Return where they end.
-        """
-        window = self.window
-        start = count = size = 0
-        number = window.oldest
-        while start != len(data) and type(run := window.find(number)) is Request:
-            end = start + run.reply_size
-            if not run.take_frame(data[start:end], events):
-                break
-            count += 1
-            size += run.size
-            number = number + 1 & self._mask
-            start = end
-        if count:
-            window.heard = True
-            self._counters.responses += count
-            window.answered_in_order(count, size, now)
-        return start
-
     def _receive_answers(self, data: bytes, start: int, now: float, events: Events) -> int:
-        """Take answers as long as they stand side by side; return where they end.
+        """Take answers that are just as they are expected as long as they stand side by side; return where they end.
 
-        Those to one batch that follow each other are told to the window together.
+        The window is told together of those whose IDs follow each other.
         """
-        window, numbers, digits, mask = self.window, self._id_number, self._id_digits, self._mask
-        first = follows = count = 0
-        together: Message | None = None
-        while (end := data.find(b"\n", start)) >= 0:
-            try:
-                body = self._open(data[start:end])
-            except FrameError:
+        find, mask = self.window.find, self._mask
+        while start != len(data) and (first := self._number_at(data, start)) is not None:
+            number, before = first, start
+            while True:
+                run = find(number)
+                if type(run) is Request:
+                    end = start + run.reply_size
+                    taken = run.take_frame(data[start:end], events)
+                elif isinstance(run, BatchRun):
+                    end = start + run.reply_size
+                    taken = run.take_frame(number - run.first & mask, data[start:end], events)
+                else:
+                    # Others do more than to be answered.
+                    break
+                if not taken:
+                    break
+                number = number + 1 & mask
+                start = end
+            if start == before:
                 break
-            head = 1 if body[1:2] < b"G" else 2
-            after = head + digits
-            number = numbers.get(body[head:after])
-            if number is None:
-                break
-            run = window.find(number)
-            if count and (number != follows or run is not together):
-                self._answered(first, count, now)
-                # It may be one of these once more.
-                count, run = 0, window.find(number)
-            if type(run) is Request:
-                accepted = run.accept(0, body, after, events)
-            elif isinstance(run, BatchRun):
-                accepted = run.accept(number - run.first & mask, body, after, events)
-            else:
-                # Others do more than to be answered.
-                break
-            if not accepted:
-                break
-            if not count:
-                first, together = number, run
-            count += 1
-            follows = number + 1 & mask
-            start = end + 1
-        if count:
-            self._answered(first, count, now)
+            self.window.heard = True
+            self._counters.responses += number - first & mask
+            self.window.answered(first, number - first & mask, now)
         return start
 
-    def _answered(self, first: int, count: int, now: float) -> None:
-        """Tell the window of answers to `count` requests from one ID on."""
-        self.window.heard = True
-        self._counters.responses += count
-        self.window.answered(first, count, now)
+    def _number_at(self, data: bytes, start: int) -> int | None:
+        """Return the ID that an answer has that begins here, None where none does."""
+        start += self._prefix_size
+        after = start + (1 if data[start + 1 : start + 2] < b"G" else 2)
+        return self._id_number.get(data[after : after + self._id_digits])
 
     def _receive_samples(self, data: bytes, start: int, now: float, events: Events) -> int:
         """Take samples as long as they stand side by side; return where they end."""

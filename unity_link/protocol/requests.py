@@ -124,7 +124,7 @@ class Message(Run):
         count: number of messages.
     """
 
-    __slots__ = ("codec", "command", "given_up")
+    __slots__ = ("codec", "command", "frames", "given_up")
 
     def __init__(self, codec: Codec, command: str, fields_size: int, reply_digits: int | None, count: int = 1) -> None:
         head = codec.head_sizes[command]
@@ -133,10 +133,29 @@ class Message(Run):
         self.command = command
         self.given_up = False
         """Whether it will never be answered, and is sent as ``h`` from now on."""
+        self.frames = b""
+        """Of all its messages, as they were sent first."""
 
-    def encode(self, offset: int, count: int) -> bytes:
-        """Return the frames of `count` messages from `offset` on, under the IDs that the window gave."""
+    def encode(self) -> bytes:
+        """Return the frames, under the IDs that the window has given."""
         raise NotImplementedError
+
+    def frames_of(self, offset: int, count: int) -> bytes:
+        """Return the frames of some messages once more."""
+        return self.frames[offset * self.size : (offset + count) * self.size]
+
+    def data_of(self, frame: bytes, opening: bytes) -> bytes | None:
+        """Return what stands behind the ID in a response that begins so; None where it is anything else, or damaged."""
+        framing = self.codec.framing
+        covered = frame[: -framing.ending_size]
+        if (
+            len(frame) == self.reply_size
+            and covered.startswith(opening)
+            and frame == covered + framing.ending(covered)
+            and LF not in covered
+        ):
+            return covered[len(opening) :]
+        return None
 
     def accept(self, offset: int, body: bytes, position: int, events: Events) -> bool:
         """Take the response to one message, with its data from `position` on; False where it is no response to it."""
@@ -206,29 +225,18 @@ class Request(Message):
         self.owner: Any = None
         """What waits for it: nothing that the session looks at."""
 
-    def encode(self, offset: int, count: int) -> bytes:  # noqa: ARG002  (a request is a run of one)
-        """Return the frame."""
-        return self.frame()
-
-    def frame(self) -> bytes:
-        """Return the frame, under the ID that the window gave."""
+    def encode(self) -> bytes:
+        """Return the frame, under the ID that the window has given."""
         codec = self.codec
         self.opening = opening = codec.openings[self.command] + codec.id_text[self.first]
         covered = opening + self.fields
-        return covered + codec.framing.ending(covered)
+        self.frames = frame = covered + codec.framing.ending(covered)
+        return frame
 
     def take_frame(self, frame: bytes, events: Events) -> bool:
-        """Take the frame of the response; False where it is anything else, or is not as it usually is."""
-        if len(frame) != self.reply_size:
-            return False
-        framing, opening = self.codec.framing, self.opening
-        covered = frame[: -framing.ending_size]
-        return (
-            covered.startswith(opening)
-            and frame == covered + framing.ending(covered)
-            and LF not in covered
-            and self.take_data(covered[len(opening) :], events)
-        )
+        """Take the frame of the response; False where it is anything else, or not as it usually is."""
+        data = self.data_of(frame, self.opening)
+        return data is not None and self.take_data(data, events)
 
     def accept(self, offset: int, body: bytes, position: int, events: Events) -> bool:  # noqa: ARG002
         """Take the response."""
@@ -510,7 +518,7 @@ class BatchRun(Message):
         count: how many are.
     """
 
-    __slots__ = ("_batch", "_frames", "_start")
+    __slots__ = ("_batch", "_start")
 
     def __init__(self, batch: Batch, start: int, count: int) -> None:
         codec = batch.codec
@@ -518,14 +526,19 @@ class BatchRun(Message):
         super().__init__(codec, batch.command, width, batch.reply_digits, count)
         self._batch = batch
         self._start = start
-        self._frames = b""
 
-    def encode(self, offset: int, count: int) -> bytes:
-        """Return the frames of `count` messages from `offset` on."""
-        if not self._frames:
-            fields = self._batch.fields(self._start, self.count)
-            self._frames = protocol.arrays.request_rows(self.codec, self.command, self.first, fields)
-        return self._frames[offset * self.size : (offset + count) * self.size]
+    def encode(self) -> bytes:
+        """Return the frames, under the IDs that the window has given."""
+        fields = self._batch.fields(self._start, self.count)
+        self.frames = protocol.arrays.request_rows(self.codec, self.command, self.first, fields)
+        return self.frames
+
+    def take_frame(self, offset: int, frame: bytes, events: Events) -> bool:
+        """Take the frame of the response to one message; False where it is anything else, or not as it usually is."""
+        codec = self.codec
+        opening = codec.openings[self.command] + codec.id_text[self.first + offset & codec.ring - 1]
+        data = self.data_of(frame, opening)
+        return data is not None and self._take(self._start + offset, data, events)
 
     def accept(self, offset: int, body: bytes, position: int, events: Events) -> bool:
         """Take the response to one message."""

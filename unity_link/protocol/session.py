@@ -119,6 +119,11 @@ class Session:
         return self._exchange is not None
 
     @property
+    def is_full(self) -> bool:
+        """Whether what is asked for has to wait: for room, or for a session."""
+        return bool(self._waiting)
+
+    @property
     def codec(self) -> Codec:
         """The messages of the gateway; there are none before it has said for the first time what it is."""
         assert self._codec is not None

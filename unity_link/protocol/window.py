@@ -21,7 +21,8 @@ What comes in, and what the window does:
                                     was lost: where the gateway has executed all that, send it again; else go back
     response to any other ID        stale, the answer to a repetition: nothing
     ``n i``                         `executed` moves to i; go back, unless it was beyond i already
-    ``X01`` ``X07`` ``X09``         a request arrived damaged: go back
+    ``X01`` ``X07`` ``X09``         a request arrived damaged: go back; where it may be the repetition of one that was
+                                    executed, send the oldest again, and go back if silence follows
     ``X02`` ``X03``                 the same, and the third time for the same request: give that one up
     a frame with a wrong CRC        an answer arrived damaged, perhaps: send the oldest again
     time out, something was heard   go back, with twice the time out; after too many for the same request: give that
@@ -38,21 +39,20 @@ so that new requests follow also where the oldest alone is sent again.
 A damaged answer costs nothing but itself. Both directions keep the order, and the window knows in which order requests
 were sent, repetitions among them. So a response says which others will not come any more.
 
-A gap brings many signs (the damaged request, the out-of-sequence one behind it). So after it has gone back, the window
-takes no further sign as long as neither `oldest` nor `executed` has moved and a sign must still be about what was sent
-before: for the least round trip seen, and twice as long each time; the first few, for a usual round trip at most. A
-later sign says that the repetition was lost, too. An earlier one may say the same of a line that was quicker than ever
-before: where nothing comes for as long again, the window goes back for that. What brings no sign at all, the time out
-finds. From `MOST_SIGNS` on, a sign counts as a time out, so that what is damaged each time is given up as well. Where
-no flow control protects the gateway's receive FIFO, only the time out sends the same once more: what waits in the FIFO
-must have left it.
+A gap brings many signs (the damaged request, the out-of-sequence one behind it). So when it has gone back and sent
+something again, the window takes no further sign as long as neither `oldest` nor `executed` has moved and a sign must
+still be about what was sent before: for the least round trip seen, and twice as long each time; the first few, for a
+usual round trip at most. A later sign says that the repetition was lost, too. An earlier one may say the same of a line
+that was quicker than ever before: where nothing comes for as long again, the window goes back for that. What brings
+no sign at all, the time out finds. From `MOST_SIGNS` on, a sign counts as a time out, so that what is damaged each time
+is given up as well. Where no flow control protects the gateway's receive FIFO, only the time out sends the same once
+more: what waits in the FIFO must have left it.
 
 Something was *heard* if it can be about a request; samples are not. A request that is given up, or that is not wanted
 any more, keeps its ID, for those behind it build on it; when it is sent again, it is sent as ``h``.
 
-The time out is RFC 6298's, but never less than twice the round trip, with the clock of the caller. One request at a
-time is timed, and none that was sent twice. The doubling is undone by the answer to a request that was sent once, and
-by any progress after a sign of loss.
+The time out is RFC 6298's (`round_trip`), but never less than twice the round trip, with the clock of the caller. The
+doubling is undone by the answer to a request that was sent once, and by any progress after a sign of loss.
 """
 
 from __future__ import annotations
@@ -68,10 +68,8 @@ from unity_link.protocol.constants import (
     FENCE_DELAY,
     FEWEST_IN_FLIGHT,
     FEWEST_SILENT_TRIES,
-    FIRST_TIMEOUT,
     LONGEST_SILENCE,
     LONGEST_TIMEOUT,
-    MEASUREMENT_PAUSE,
     MOST_QUICK_SIGNS,
     MOST_REFUSALS,
     MOST_SIGNS,
@@ -79,6 +77,7 @@ from unity_link.protocol.constants import (
     SHORTEST_TIMEOUT,
     SLOWER_SIGNS,
 )
+from unity_link.protocol.round_trip import RoundTrip
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -120,6 +119,17 @@ class Unanswered(NamedTuple, Generic[R]):
     outcome: Outcome
 
 
+class EarlySign(NamedTuple):
+    """A sign of loss that may be about one before: it is taken where nothing comes for some time."""
+
+    sent: int
+    """Requests that had been sent when it came."""
+    pause: float
+    """For how long nothing must come, in seconds."""
+    due: float
+    """Until when."""
+
+
 class Window(Generic[R]):
     """The host's window over one session.
 
@@ -137,9 +147,9 @@ class Window(Generic[R]):
     __slots__ = (
         "_allowed",
         "_allowed_after_loss",
+        "_answered_last",
         "_asked_to",
         "_byte_limit",
-        "_byte_time",
         "_bytes",
         "_came",
         "_early_sign",
@@ -148,41 +158,33 @@ class Window(Generic[R]):
         "_gave_up",
         "_gone_back",
         "_half",
-        "_least_round_trip",
         "_mask",
-        "_measured_timeout",
         "_most",
-        "_next_measurement",
         "_next_sign",
         "_refusals",
         "_refused",
         "_repeat_ambiguous_until",
         "_repeat_end",
-        "_repeated_at",
         "_repetitions",
-        "_reply_byte_time",
         "_sent",
+        "_sent_at_sign",
         "_sent_once_from",
-        "_shortest_timeout",
+        "_sign_pause",
         "_silent_since",
         "_silent_tries",
         "_since",
         "_slots",
-        "_timed",
-        "_timed_bytes",
-        "_timeout",
         "_to_repeat",
         "_tries",
         "_troubled",
         "_unfenced_bytes",
-        "_variation",
         "executed",
         "heard",
         "loses",
         "lost",
         "next",
         "oldest",
-        "smoothed_round_trip",
+        "round_trip",
         "timed_out",
         "unfenced",
     )
@@ -200,7 +202,6 @@ class Window(Generic[R]):
         self._mask, self._half = ring - 1, ring // 2
         self._most = self._half if most is None else most
         self._byte_limit = byte_limit
-        self._byte_time = self._reply_byte_time = byte_time
         self._slots: list[R | None] = [None] * ring
         self.oldest = self.executed = self.next = first
         self._to_repeat = self._repeat_end = first
@@ -222,14 +223,8 @@ class Window(Generic[R]):
         self._unfenced_bytes = 0
         self._fence_due = math.inf
         """When they are to be confirmed, if there are any."""
-        self._timed: tuple[int, float] | None = None
-        self._timed_bytes = (1, 1)
-        self.smoothed_round_trip: float | None = None
-        """Smoothed round trip in seconds (SRTT of RFC 6298), None before the first."""
-        self._variation = 0.0
-        self._shortest_timeout = shortest_timeout if byte_limit is None else max(shortest_timeout, SHORTEST_TIMEOUT)
-        self._least_round_trip = 0.0 if round_trip is None else round_trip
-        self._measured_timeout = self._timeout = FIRST_TIMEOUT
+        shortest = shortest_timeout if byte_limit is None else max(shortest_timeout, SHORTEST_TIMEOUT)
+        self.round_trip = RoundTrip(byte_time, round_trip, shortest)
         # The first IDs: behind all that were sent again, behind the last that was sent again for a damaged answer, and
         # what the gateway expected when the window last went back.
         self._sent_once_from = self._asked_to = self._gap = first
@@ -242,16 +237,16 @@ class Window(Generic[R]):
         """How often the window has gone back to this `oldest`."""
         self.timed_out = False
         """Whether the window went back last because the time had run out."""
-        # When it last sent something again for a sign, and from when on a sign can be about that.
-        self._repeated_at = self._next_sign = self._next_measurement = float("-inf")
-        self._early_sign: tuple[int, float] | None = None
-        """Of a sign that came earlier: how many requests had been sent, and when it is to be taken."""
+        # From when on a sign can be about what was last sent again for one, how long that was from then, and how many
+        # requests had been sent until then.
+        self._next_sign, self._sign_pause, self._sent_at_sign = -math.inf, 0.0, -1
+        self._answered_last = -1
+        """Place of the last sending that was answered, while there are repetitions."""
+        self._early_sign: EarlySign | None = None
         self._refused = self._gave_up = self._troubled = False
         # The last: whether there is something that `_moved` has to begin anew.
         self.lost = False
         """The gateway does not answer any more: too many time outs in silence, or not even an ``h`` comes through."""
-        if round_trip is not None:
-            self._measure(round_trip)
 
     @property
     def in_flight(self) -> int:
@@ -331,9 +326,9 @@ class Window(Generic[R]):
             if self.unfenced:
                 self.unfenced = self._unfenced_bytes = 0
                 self._fence_due = math.inf
-            if self._timed is None and now >= self._next_measurement:
-                self._timed = (first, now)
-                self._timed_bytes = (self._bytes, run.reply_size)
+            trip = self.round_trip
+            if trip.timed is None and now >= trip.next_measurement:
+                trip.begin(first, now, self._bytes, run.reply_size)
         if self.oldest == first:
             self._since = now
         self.next = first + count & self._mask
@@ -350,12 +345,13 @@ class Window(Generic[R]):
         """Return what is to be sent again now, in order: ID, run, offset in the run, count."""
         least = self._open(self.oldest, self._behind_next_with_answer(self.oldest))
         room = max(self._allowed, least) - self._open(self.oldest, self._to_repeat)
+        mask, until, repetitions = self._mask, self._repeat_ambiguous_until, self._repetitions
         for run, offset, count in self._parts(self._to_repeat, self._repeat_end, room):
-            number = run.first + offset & self._mask
+            number = run.first + offset & mask
             for place in range(count):
-                self._repetitions[number + place & self._mask] = self._sent + place, self._repeat_ambiguous_until
+                repetitions[number + place & mask] = self._sent + place, until
             self._sent += count
-            self._to_repeat = number + count & self._mask
+            self._to_repeat = number + count & mask
             yield number, run, offset, count
         if not self._open(self._to_repeat, self._repeat_end):
             self._to_repeat = self._repeat_end
@@ -443,52 +439,41 @@ class Window(Generic[R]):
             and not self.loses
             and not self._troubled
             and not self._repetitions
-            and self._timeout == self._measured_timeout
+            and not self.round_trip.is_doubled
         )
 
-    def answered_in_order(self, count: int, size: int, now: float) -> None:
-        """Record the answers to the `count` oldest requests, which have `size` characters, while it is quiet."""
+    def answered_alone(self, now: float) -> None:
+        """Record the answer to the oldest request, while it is quiet."""
         number = self.oldest
-        if self._timed is not None:
-            self._time(number, count, now)
-        if count == 1:
-            self._slots[number] = None
-        else:
-            self._fill(number, count, None)
-        self._bytes -= size
-        self.oldest = self.executed = number + count & self._mask
+        run = self._slots[number]
+        assert run is not None
+        if self.round_trip.timed == number:
+            self.round_trip.end(now)
+        self._slots[number] = None
+        self._bytes -= run.size
+        self.oldest = self.executed = number + 1 & self._mask
         self._since = now
 
-    def _time(self, number: int, count: int, now: float) -> None:
-        """Measure the round trip, if the request that is timed is among so many from one ID on."""
-        assert self._timed is not None
-        timed, since = self._timed
-        if timed - number & self._mask < count:
-            round_trip = now - since
-            self._measure(round_trip)
-            self._byte_time = min(self._byte_time, round_trip / self._timed_bytes[0])
-            self._reply_byte_time = min(self._reply_byte_time, round_trip / self._timed_bytes[1])
-            self._timed = None
-            self._next_measurement = now + MEASUREMENT_PAUSE
-
     def answered(self, number: int, count: int, now: float) -> None:
-        """Record the answers to `count` IDs from `number` on, all of which wait for answers to one run."""
-        run = self._slots[number]
-        if run is None:
+        """Record the answers to `count` IDs from `number` on, all of which wait for one."""
+        if self._slots[number] is None:
             raise ValueError(f"no request with ID {number} waits for an answer")
-        if self._timed is not None:
-            self._time(number, count, now)
+        trip = self.round_trip
+        if trip.timed is not None and trip.timed - number & self._mask < count:
+            trip.end(now)
         # Without repetitions, the answer to the oldest says nothing of the others.
         tells = self._repetitions or number != self.oldest
-        sending = self._answered_sending(run, number + count - 1 & self._mask, now) if tells else 0
+        sending = self._answered_sending(number + count - 1 & self._mask, now) if tells else 0
+        after = number + count & self._mask
+        # Those before `executed` have left the FIFO already.
+        size = self._size(after, min(count, after - self.executed & self._mask))
         self._fill(number, count, None)
         if self.loses:
             self._came_through(count)
-        if self._timeout != self._measured_timeout and (number - self._sent_once_from & self._mask) <= self._half:
-            self._timeout = self._measured_timeout
-        after = number + count & self._mask
+        if trip.is_doubled and (number - self._sent_once_from & self._mask) <= self._half:
+            trip.undo_doubling()
         if number == self.oldest == self.executed:
-            self._bytes -= run.size * count
+            self._bytes -= size
             self.oldest = self.executed = after
             self._since = now
             if self._troubled:
@@ -499,7 +484,7 @@ class Window(Generic[R]):
         if self._distance(after) > self._distance(self.executed):
             if self._distance(number) > self._distance(self.executed):
                 self._confirm(number)
-            self._bytes -= run.size * (after - self.executed & self._mask)
+            self._bytes -= size
             self.executed = after
         self._news(now)
         self._find_lost(sending, now)
@@ -519,16 +504,18 @@ class Window(Generic[R]):
 
     def damaged(self, now: float) -> None:
         """Record ``X01``, ``X07`` or ``X09``: a request arrived damaged."""
-        if self.oldest == self.executed:
+        if not self._awaits_answer_again():
             self._go_back(now)
-        else:
-            # Perhaps the repetition of one of which the answer was lost; of another, ``n`` will tell.
-            self.answer_damaged(now)
+            return
+        # Perhaps the repetition of one of which the answer was lost. Of another, ``n`` will tell, or silence.
+        self.answer_damaged(now)
+        self._note_early_sign(now, self.round_trip.smoothed or 0.0)
 
     def answer_damaged(self, now: float) -> None:
         """Record that something arrived damaged: perhaps the answer to the oldest, or to the next if it came before."""
-        if self._gone_back and now < self._next_sign:
-            self._note_early_sign(now)
+        early = self._is_early(now)
+        if self._gone_back and early:
+            self._note_early_sign(now, self._sign_pause)
             return
         asked = self._distance(self._asked_to)
         if not 0 < asked <= self.in_flight:
@@ -538,8 +525,11 @@ class Window(Generic[R]):
             return
         start = self._asked_to
         end = self._asked_to = self._behind_next_with_answer(start)
-        if start != end and not self._is_to_be_repeated(start):
-            self._repeated_at, self._next_sign = now, now + self._least_round_trip
+        if start == end:
+            if early:
+                self._note_early_sign(now, self._sign_pause)
+        elif not self._is_to_be_repeated(start):
+            self._follow_sign(now, self.round_trip.least)
             self.timed_out = False
             self._repeat(start, end, now, self._next_sign)
 
@@ -564,22 +554,16 @@ class Window(Generic[R]):
             # Posted writes alone have no answer to wait for: their fence will.
             return self._fence_due if self.unfenced else None
         run = self._slots[self.oldest]
-        # RFC 6298 knows no messages of unlike sizes: the answer to a long one behind short ones is not late yet.
-        wire_time = self._byte_time * self._bytes + self._reply_byte_time * (0 if run is None else run.reply_size)
-        expiry = self._since + self._timeout + wire_time
+        expiry = self._since + self.round_trip.time_out(self._bytes, 0 if run is None else run.reply_size)
         if self._early_sign is not None:
-            expiry = min(expiry, self._early_sign[1])
+            expiry = min(expiry, self._early_sign.due)
         return expiry if repeating else min(expiry, self._fence_due)
 
     @property
     def longest_answer(self) -> float:
         """Seconds after which no answer can come any more to the oldest request, if it was sent just now."""
         run = self._slots[self.oldest]
-        return (
-            self._measured_timeout
-            + self._byte_time * self._bytes
-            + self._reply_byte_time * (0 if run is None else run.reply_size)
-        )
+        return self.round_trip.longest(self._bytes, 0 if run is None else run.reply_size)
 
     def resume(self, now: float) -> None:
         """Record that the turn has come in which something is sent again: the time for its answer begins."""
@@ -591,7 +575,7 @@ class Window(Generic[R]):
         A fence that is due is the matter of `needs_fence`.
         """
         deadline = self.deadline
-        if self._early_sign is not None and now >= self._early_sign[1]:
+        if self._early_sign is not None and now >= self._early_sign.due:
             self._early_sign = None
             if self._gone_back < MOST_SIGNS:
                 self._go_back(now)
@@ -602,7 +586,7 @@ class Window(Generic[R]):
         self._tries += 1
         self._troubled = True
         # Also where something was heard: it may be the beginning of a long answer on a slow line.
-        self._timeout = min(2 * self._timeout, LONGEST_TIMEOUT)
+        self.round_trip.double()
         if self.heard:
             self._silent_tries = 0
             if self._tries > MOST_TRIES:
@@ -619,6 +603,14 @@ class Window(Generic[R]):
         return given_up
 
     # The inside
+
+    def _size(self, end: int, count: int) -> int:
+        """Return how many characters the last requests before an ID have."""
+        first = end - count & self._mask
+        run = self._slots[first]
+        if run is not None and self._slots[end - 1] is run:
+            return run.size * count
+        return sum(run.size for run in self._between(first, end) if run is not None)
 
     def _distance(self, number: int) -> int:
         return number - self.oldest & self._mask
@@ -674,16 +666,16 @@ class Window(Generic[R]):
         self._since = now
         if not self.timed_out:
             # What the window went back for was a sign, so the answer is not a late one to what was sent before.
-            self._timeout = self._measured_timeout
+            self.round_trip.undo_doubling()
         if self._to_repeat != self._repeat_end and self._distance(self._to_repeat) > self.in_flight:
             self._to_repeat = self.oldest
             if self._distance(self._repeat_end) > self.in_flight:
                 self._repeat_end = self.oldest
         if self._early_sign is not None:
-            sent, _ = self._early_sign
+            sent, pause, _ = self._early_sign
             run = self._slots[self.oldest]
             waits = run is not None and self._sending(run, self.oldest) < sent
-            self._early_sign = (sent, now + self._next_sign - self._repeated_at) if waits else None
+            self._early_sign = EarlySign(sent, pause, now + pause) if waits else None
         self._troubled = self._to_repeat != self._repeat_end or self._early_sign is not None
 
     def _give_up(self) -> R | None:
@@ -698,23 +690,42 @@ class Window(Generic[R]):
     def _go_back(self, now: float, ambiguous_until: float = math.inf) -> None:
         """Go back for a sign of loss, unless it may be one of the loss before."""
         begun = self._to_repeat != self.oldest or self._repeat_end != self.next
-        known = self._gone_back and self.executed == self._gap and now < self._next_sign
+        known = self._gone_back and self.executed == self._gap and self._is_early(now)
         if known:
-            self._note_early_sign(now)
+            self._note_early_sign(now, self._sign_pause)
         elif self.oldest != self.next and begun:
             if self._gone_back == MOST_SIGNS:
                 # `expire` goes back for it, and counts the tries.
-                self._early_sign = (self._sent, now)
+                self._early_sign = EarlySign(self._sent, self._sign_pause, now)
                 self._troubled = True
                 return
             self.timed_out = False
             self._repeat_from_oldest(now, ambiguous_until)
 
-    def _note_early_sign(self, now: float) -> None:
-        """Record a sign that came before `_next_sign`, if it can be about the repetition at all."""
-        if self._early_sign is None and now > self._repeated_at:
-            self._early_sign = (self._sent, now + self._next_sign - self._repeated_at)
+    def _is_early(self, now: float) -> bool:
+        """Return whether a sign can be about what was lost before the last repetition.
+
+        As long as that is not sent, a sign is about another loss: both directions keep the order.
+        """
+        return now < self._next_sign and self._sent != self._sent_at_sign
+
+    def _follow_sign(self, now: float, pause: float) -> None:
+        """Record that something is to be sent again for a sign; one about it comes after `pause` at the earliest."""
+        self._next_sign, self._sign_pause, self._sent_at_sign = now + pause, pause, self._sent
+
+    def _note_early_sign(self, now: float, pause: float) -> None:
+        """Record a sign that is taken only if nothing comes for as long as `pause`."""
+        if self._early_sign is None:
+            self._early_sign = EarlySign(self._sent, pause, now + pause)
             self._troubled = True
+
+    def _awaits_answer_again(self) -> bool:
+        """Return whether a request that was executed may have been sent again, and the gateway not have come to it."""
+        executed = self._distance(self.executed)
+        return any(
+            place > self._answered_last and self._distance(number) < executed and self._slots[number] is not None
+            for number, (place, _) in self._repetitions.items()
+        )
 
     def _first_sending(self, run: R, number: int) -> int:
         """Return the place of the first sending of a request among all sendings."""
@@ -724,8 +735,10 @@ class Window(Generic[R]):
         """Return the place of the last sending of a request."""
         return max(self._first_sending(run, number), self._repetitions.get(number, _NONE)[0])
 
-    def _answered_sending(self, run: R, number: int, now: float) -> int:
+    def _answered_sending(self, number: int, now: float) -> int:
         """Return the place of the sending that is answered now, or of an earlier one where that is not known."""
+        run = self._slots[number]
+        assert run is not None
         first, (last, ambiguous_until) = self._first_sending(run, number), self._repetitions.get(number, _NONE)
         return first if now < ambiguous_until else max(first, last)
 
@@ -734,6 +747,7 @@ class Window(Generic[R]):
 
         Where the gateway has executed it, only the answer was lost, and what is behind it is on its way.
         """
+        self._answered_last = max(self._answered_last, sending)
         if self._sent_once == self.oldest:
             self._repetitions.clear()
         if not self._is_lost(self.oldest, sending):
@@ -765,12 +779,13 @@ class Window(Generic[R]):
         return position
 
     def _repeat_from_oldest(self, now: float, ambiguous_until: float = math.inf) -> None:
+        trip = self.round_trip
         if self._gone_back < MOST_QUICK_SIGNS:
-            pause = min(self._least_round_trip * 2**self._gone_back, self.smoothed_round_trip or 0.0)
+            pause = min(trip.least * 2**self._gone_back, trip.smoothed or 0.0)
         else:
-            pause = min(max(self._least_round_trip, SLOWER_SIGNS) * 2**self._gone_back, LONGEST_TIMEOUT)
+            pause = min(max(trip.least, SLOWER_SIGNS) * 2**self._gone_back, LONGEST_TIMEOUT)
         # What waits in a receive FIFO that can overflow must have left it before the same is sent once more.
-        self._repeated_at, self._next_sign = now, now + (pause if self._byte_limit is None else LONGEST_TIMEOUT)
+        self._follow_sign(now, pause if self._byte_limit is None else LONGEST_TIMEOUT)
         self._early_sign = None
         self._gone_back = min(self._gone_back + 1, MOST_SIGNS)
         self._refused = False
@@ -794,18 +809,6 @@ class Window(Generic[R]):
             self._repeat_ambiguous_until = ambiguous_until if whole else math.inf
         if self._distance(end) > self._distance(self._sent_once):
             self._sent_once_from = end
-        self._timed = None
+        self.round_trip.timed = None
         self._troubled = True
         self._since = now
-
-    def _measure(self, round_trip: float) -> None:
-        """Adapt the time out (RFC 6298, section 2)."""
-        if self.smoothed_round_trip is None:
-            self.smoothed_round_trip = round_trip
-            self._variation = round_trip / 2
-        else:
-            self._variation += (abs(self.smoothed_round_trip - round_trip) - self._variation) / 4
-            self.smoothed_round_trip += (round_trip - self.smoothed_round_trip) / 8
-        self._least_round_trip = min(self._least_round_trip, round_trip)
-        wanted = self.smoothed_round_trip + max(4 * self._variation, self.smoothed_round_trip)
-        self._measured_timeout = self._timeout = min(max(wanted, self._shortest_timeout), LONGEST_TIMEOUT)

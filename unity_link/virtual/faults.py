@@ -192,10 +192,9 @@ class _Direction:
         return self._held[0][0] if self._held else None
 
     def take(self, now: float) -> bytes:
-        held, pieces = self._held, []
+        held, taken = self._held, b""
         while held and held[0][0] <= now:
-            pieces.append(held.popleft()[1])
-        taken = pieces[0] if len(pieces) == 1 else b"".join(pieces)
+            taken += held.popleft()[1]
         self.held_bytes -= len(taken)
         return taken
 
@@ -262,11 +261,13 @@ class NoisyLine(Gateway):
         return _earlier(self._towards.next_due, self._gateway.next_due)
 
     def _step(self, now: float, room: int | None) -> None:
-        published = self._gateway.advance(now, room)
-        if published:
-            self._back.put(published, now)
         data = self._towards.take(now)
+        # To receive, a gateway advances first; it does not know of a medium without room.
+        if room is not None or not data:
+            self._send_back(self._gateway.advance(now, room), now)
         if data:
-            answer = self._gateway.receive(data, now)
-            if answer:
-                self._back.put(answer, now)
+            self._send_back(self._gateway.receive(data, now), now)
+
+    def _send_back(self, data: bytes, now: float) -> None:
+        if data:
+            self._back.put(data, now)
