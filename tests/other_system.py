@@ -10,6 +10,7 @@ import json
 import os
 import pkgutil
 import select
+import selectors
 import socket
 import sys
 import threading
@@ -88,6 +89,7 @@ def main() -> None:
             delattr(holder, name)
     if system == "win32":
         socket.socketpair = pair_by_tcp  # type: ignore[assignment]
+        selectors.DefaultSelector = selectors.SelectSelector  # type: ignore[assignment, misc]
     result = {
         "asyncio": loop.run_until_complete(answers(urls)),
         "blocking": blocking_answers(urls),

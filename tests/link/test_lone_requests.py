@@ -21,6 +21,7 @@ from unity_link.protocol.exchange import Exchange
 from unity_link.protocol.requests import Request
 from unity_link.protocol.session import Session
 from unity_link.protocol.window import Window
+from unity_link.transport.polling import SPIN
 from unity_link.transport.stream import Stream
 from valve import Valve, cut
 
@@ -114,6 +115,87 @@ async def test_where_another_task_runs_it_goes_on_in_the_next_turn() -> None:
     order.append("still here")
     await task
     assert order == ["still here", "woken"]
+
+
+class ModelledLoop:
+    """As much of an event loop as spinning needs, whose turns take some time each."""
+
+    TURN = SPIN / 20
+
+    def __init__(self) -> None:
+        self.now = 1.0
+        self.ready: list[Callable[[], object]] = []
+        self.turns = 0
+
+    def time(self) -> float:
+        return self.now
+
+    def call_soon(self, function: Callable[[], object]) -> None:
+        self.ready.append(function)
+
+    def wait(self, seconds: float) -> None:
+        """Let turns go by without sleeping, as long as there are some, and then the rest of the time."""
+        end, self.turns = self.now + seconds, 0
+        while self.ready and self.now < end:
+            self.now += self.TURN
+            self.turns += 1
+            ready, self.ready = self.ready, []
+            for function in ready:
+                function()
+        self.now = end
+
+
+def spinning(monkeypatch: pytest.MonkeyPatch, processors: int = 2) -> tuple[AsyncioRuntime, ModelledLoop]:
+    async def make() -> AsyncioRuntime:
+        return AsyncioRuntime()
+
+    monkeypatch.setattr("unity_link.transport.polling.count_processors", lambda: processors)
+    runtime, loop = asyncio.run(make()), ModelledLoop()
+    runtime._spinner._loop = loop  # type: ignore[assignment]
+    return runtime, loop
+
+
+def ask(runtime: AsyncioRuntime, loop: ModelledLoop, seconds: float) -> int:
+    """Return how many turns of the loop went by until an answer that takes so long."""
+    future = runtime.create_lone_future()
+    loop.wait(seconds)
+    future.set_result(None)
+    runtime.wake()
+    return loop.turns
+
+
+def test_while_a_quick_answer_is_awaited_the_loop_does_not_sleep(monkeypatch: pytest.MonkeyPatch) -> None:
+    runtime, loop = spinning(monkeypatch)
+    for _ in range(3):
+        assert ask(runtime, loop, SPIN / 2) == pytest.approx(10, abs=1)
+
+
+def test_when_the_answer_has_come_the_loop_may_sleep(monkeypatch: pytest.MonkeyPatch) -> None:
+    runtime, loop = spinning(monkeypatch)
+    ask(runtime, loop, SPIN / 2)
+    loop.wait(SPIN)
+    assert loop.turns == 1
+    assert not loop.ready
+
+
+def test_while_a_slow_answer_is_awaited_the_loop_sleeps(monkeypatch: pytest.MonkeyPatch) -> None:
+    runtime, loop = spinning(monkeypatch)
+    assert ask(runtime, loop, 20 * SPIN) == pytest.approx(20, abs=1)
+    for _ in range(3):
+        assert ask(runtime, loop, 20 * SPIN) == 0
+
+
+def test_on_a_clock_that_stands_still_until_all_wait_the_loop_does_not_spin(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(ModelledLoop, "TURN", 0.0)
+    runtime, loop = spinning(monkeypatch)
+    for _ in range(3):
+        assert ask(runtime, loop, SPIN / 2) == 1
+
+
+def test_on_a_single_processor_the_loop_does_not_spin(monkeypatch: pytest.MonkeyPatch) -> None:
+    runtime, loop = spinning(monkeypatch, processors=1)
+    for _ in range(3):
+        assert ask(runtime, loop, SPIN / 2) == 0
 
 
 @on_simulated_time

@@ -3,76 +3,106 @@
 from __future__ import annotations
 
 import math
+import selectors
+import socket
 from typing import TYPE_CHECKING
 
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from unity_link.transport.polling import SPIN, Poller
+from unity_link.transport.polling import READABLE, SPIN, WRITABLE, Poller
 
 if TYPE_CHECKING:
-    from unity_link.transport.polling import SelectPoll
+    from collections.abc import Mapping
 
-READY = [(3, 1)]
+    from _typeshed import FileDescriptorLike
+
+DESCRIPTOR = 3
+READY = [(DESCRIPTOR, READABLE)]
 LOOK = SPIN / 10
 """What a look takes, which does not sleep."""
 QUICK, SLOW = SPIN * 0.7, SPIN * 20
+FEWEST_SLOW = 8
+"""Slow answers in a row that end the spinning."""
 
 
-class ModelledPoll:
-    """``select.poll`` on a clock of its own, with one descriptor that is ready at a time."""
+class ModelledSelector(selectors.BaseSelector):
+    """A selector on a clock of its own, with one descriptor that is ready at a time."""
 
     def __init__(self) -> None:
         self.now = 0.0
         self.ready_at = math.inf
         self.looks = 0
         self.sleeps = 0
+        self.key = selectors.SelectorKey(DESCRIPTOR, DESCRIPTOR, READABLE, None)
 
-    def register(self, descriptor: int, events: int) -> None: ...
+    def register(self, fileobj: FileDescriptorLike, events: int, data: object = None) -> selectors.SelectorKey:
+        raise NotImplementedError
 
-    def unregister(self, descriptor: int) -> None: ...
+    def unregister(self, fileobj: FileDescriptorLike) -> selectors.SelectorKey:
+        raise NotImplementedError
 
-    def poll(self, patience_ms: float | None) -> list[tuple[int, int]]:
-        if patience_ms == 0:
+    def get_map(self) -> Mapping[FileDescriptorLike, selectors.SelectorKey]:
+        return {DESCRIPTOR: self.key}
+
+    def select(self, timeout: float | None = None) -> list[tuple[selectors.SelectorKey, int]]:
+        if timeout == 0:
             self.looks += 1
             self.now += LOOK
         else:
             self.sleeps += 1
-            end = math.inf if patience_ms is None else self.now + patience_ms / 1000
+            end = math.inf if timeout is None else self.now + timeout
             self.now = max(self.now, min(end, self.ready_at))
-        return READY if self.ready_at <= self.now else []
+        return [(self.key, READABLE)] if self.ready_at <= self.now else []
 
 
-def modelled(processors: int = 2) -> tuple[Poller, ModelledPoll]:
-    model = ModelledPoll()
-    poll: SelectPoll = model  # type: ignore[assignment]
-    return Poller(poll, lambda: model.now, processors), model
+def modelled(processors: int = 2) -> tuple[Poller, ModelledSelector]:
+    model = ModelledSelector()
+    return Poller(model, lambda: model.now, processors), model
 
 
-def answer(poller: Poller, model: ModelledPoll, after: float, *, may_spin: bool = True) -> None:
+def answer(poller: Poller, model: ModelledSelector, after: float, *, may_spin: bool = True) -> None:
     """Wait for what comes after some seconds, and expect it."""
     model.looks = model.sleeps = 0
     model.ready_at = model.now + after
     assert poller.wait(1.0, may_spin=may_spin) == READY
 
 
-def test_a_wait_after_a_short_one_does_not_sleep() -> None:
+def test_a_quick_answer_is_waited_for_without_sleeping_from_the_first_on() -> None:
     poller, model = modelled()
-    answer(poller, model, QUICK)
-    assert model.sleeps == 1
-    answer(poller, model, QUICK)
-    assert (model.looks, model.sleeps) == (7, 0)
+    for _ in range(3):
+        answer(poller, model, QUICK)
+        assert (model.looks, model.sleeps) == (7, 0)
 
 
-def test_a_slow_answer_ends_the_spinning_at_its_limit_and_the_next_wait_sleeps_at_once() -> None:
+def test_a_slow_answer_ends_the_spinning_at_its_limit() -> None:
     poller, model = modelled()
-    answer(poller, model, QUICK)
     answer(poller, model, SLOW)
     assert model.looks <= SPIN / LOOK + 1
     assert model.sleeps == 1
+
+
+def test_where_the_first_answer_is_slow_no_other_is_waited_for_by_spinning() -> None:
+    poller, model = modelled()
+    answer(poller, model, SLOW)
+    for _ in range(3):
+        answer(poller, model, SLOW)
+        assert (model.looks, model.sleeps) == (0, 1)
+
+
+def test_some_slow_answers_in_a_row_end_the_spinning_and_a_quick_one_begins_it_again() -> None:
+    poller, model = modelled()
+    answer(poller, model, QUICK)
+    for _ in range(FEWEST_SLOW):
+        answer(poller, model, SLOW)
+        assert model.looks
     answer(poller, model, SLOW)
     assert (model.looks, model.sleeps) == (0, 1)
+    answer(poller, model, QUICK)
+    assert (model.looks, model.sleeps) == (0, 1)
+    answer(poller, model, QUICK)
+    assert (model.looks > 0, model.sleeps) == (True, 0)
 
 
 @pytest.mark.parametrize(("processors", "may_spin"), [(1, True), (2, False)], ids=["one-processor", "not-in-a-call"])
@@ -88,6 +118,20 @@ def test_a_wait_that_found_nothing_is_not_a_short_one() -> None:
     assert poller.wait(SPIN / 2, may_spin=True) == []
     answer(poller, model, QUICK)
     assert model.looks == 0
+
+
+def test_what_is_registered_again_is_waited_for_as_was_said_last() -> None:
+    ours, theirs = socket.socketpair()
+    with ours, theirs:
+        poller = Poller()
+        poller.register(ours.fileno(), READABLE | WRITABLE)
+        assert poller.wait(0.0, may_spin=False) == [(ours.fileno(), WRITABLE)]
+        poller.register(ours.fileno(), READABLE)
+        assert poller.wait(0.0, may_spin=False) == []
+        theirs.send(b"!")
+        assert poller.wait(1.0, may_spin=False) == [(ours.fileno(), READABLE)]
+        poller.unregister(ours.fileno())
+        assert poller.wait(0.0, may_spin=False) == []
 
 
 @given(

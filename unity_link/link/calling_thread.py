@@ -26,7 +26,7 @@ from unity_link.link.waiter import Result
 from unity_link.transport import DriverUrl, has_channel, load_driver, observed, open_channel
 from unity_link.transport import prepare as prepare_medium
 from unity_link.transport.channel_transport import make_transport
-from unity_link.transport.polling import POLLIN, Poller
+from unity_link.transport.polling import READABLE, Poller
 
 if TYPE_CHECKING:
     from collections.abc import AsyncIterator, Callable, Coroutine, Generator
@@ -137,7 +137,7 @@ class CallingThread:
         self._waking, self._woken = socket.socketpair()
         for end in (self._waking, self._woken):
             end.setblocking(False)  # noqa: FBT003  (it has no name)
-        self.watch(self._woken.fileno(), POLLIN, self._empty)
+        self.watch(self._woken.fileno(), READABLE, self._empty)
         CALLING.add(self)
 
     # Calls
@@ -324,7 +324,7 @@ class CallingThread:
     # Media
 
     def watch(self, descriptor: int, events: int, handler: Callable[[int], None]) -> None:
-        """Call a handler where a file descriptor is ready for some of `POLLIN` and `POLLOUT`."""
+        """Call a handler where a file descriptor is ready for some of `READABLE` and `WRITABLE`."""
         self._handlers[descriptor] = handler
         self._poller.register(descriptor, events)
         self._stir()

@@ -9,9 +9,11 @@ from __future__ import annotations
 import asyncio
 import logging
 from typing import TYPE_CHECKING, Any, Never, Protocol, cast
+from weakref import WeakKeyDictionary
 
 from unity_link.link.waiter import Result
 from unity_link.transport import open_medium, prepare
+from unity_link.transport.polling import SPIN, Spinning
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Coroutine, Generator, Sequence
@@ -231,6 +233,47 @@ def _raise(error: BaseException) -> Never:
     raise error
 
 
+class _LoopSpinner:
+    """Keeps an event loop from sleeping while the answer to a lone request may come soon (see `transport.polling`).
+
+    Args:
+        loop: the event loop, for all links on it.
+    """
+
+    def __init__(self, loop: asyncio.AbstractEventLoop) -> None:
+        self._loop = loop
+        self._spinning = Spinning()
+        self._is_planned = False
+        """Whether the loop looks again in its next turn."""
+        self._until = self._looked_at = 0.0
+
+    def begin(self) -> float:
+        """Record that a lone request is sent now, and return the time."""
+        self._looked_at = now = self._loop.time()
+        if self._spinning.left:
+            self._until = now + SPIN
+            if not self._is_planned:
+                self._is_planned = True
+                self._loop.call_soon(self._look)
+        return now
+
+    def end(self, began: float) -> None:
+        """Record that the answer has come to a request which was sent at some time."""
+        self._until = 0.0
+        self._spinning.record(self._loop.time() - began)
+
+    def _look(self) -> None:
+        now = self._loop.time()
+        # A modelled clock stands still until all wait.
+        self._is_planned = self._looked_at < now < self._until
+        if self._is_planned:
+            self._looked_at = now
+            self._loop.call_soon(self._look)
+
+
+_spinners: WeakKeyDictionary[asyncio.AbstractEventLoop, _LoopSpinner] = WeakKeyDictionary()
+
+
 class AsyncioRuntime:
     """The event loop that is running."""
 
@@ -244,6 +287,9 @@ class AsyncioRuntime:
         self._loop = loop
         self.ended: list[LoneFuture] = []
         """Of lone requests, those that are done, and whose tasks are to go on."""
+        self._spinner = _spinners.get(loop) or _spinners.setdefault(loop, _LoopSpinner(loop))
+        self._asked_at = 0.0
+        """When the last lone request was sent."""
         self.create_task = loop.create_task
         self.timeout = asyncio.timeout
         self.sleep = asyncio.sleep
@@ -251,11 +297,13 @@ class AsyncioRuntime:
 
     def create_lone_future(self) -> LoneFuture:
         """Return what a call can await whose request is alone in flight."""
+        self._asked_at = self._spinner.begin()
         return LoneFuture(self._loop, self.ended)
 
     def wake(self) -> None:
         """Have those tasks go on now whose lone requests are done."""
         ended = self.ended
+        self._spinner.end(self._asked_at)
         while ended:
             ended.pop(0).wake()
 

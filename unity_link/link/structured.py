@@ -22,7 +22,7 @@ from unity_link.link.waiter import Result
 from unity_link.transport import DriverUrl, has_channel, load_driver, observed, open_channel
 from unity_link.transport import prepare as prepare_medium
 from unity_link.transport.channel_transport import make_transport
-from unity_link.transport.polling import POLLIN, POLLOUT
+from unity_link.transport.polling import READABLE, WRITABLE
 
 if TYPE_CHECKING:
     from collections.abc import AsyncIterator, Awaitable, Callable, Coroutine, Generator
@@ -165,7 +165,7 @@ class Structured:
     # Media
 
     def watch(self, descriptor: int, events: int, handler: Callable[[int], None]) -> None:
-        """Call a handler where a file descriptor is ready for some of `POLLIN` and `POLLOUT`."""
+        """Call a handler where a file descriptor is ready for some of `READABLE` and `WRITABLE`."""
         self._cancel_watch(descriptor)
         scope = self._watches[descriptor] = anyio.CancelScope()
         self._tasks.start_soon(self._watch, scope, descriptor, events, handler)
@@ -185,7 +185,7 @@ class Structured:
     ) -> None:
         with scope:
             async with anyio.create_task_group() as both:
-                for event, wait in ((POLLIN, anyio.wait_readable), (POLLOUT, anyio.wait_writable)):
+                for event, wait in ((READABLE, anyio.wait_readable), (WRITABLE, anyio.wait_writable)):
                     if events & event:
                         both.start_soon(_call_when_ready, scope, wait, descriptor, handler, event)
 

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Protocol
 
 from unity_link.errors import ConnectError
 from unity_link.transport.buffered import HIGH_WATER, LOW_WATER
-from unity_link.transport.polling import POLLIN, POLLOUT
+from unity_link.transport.polling import READABLE, WRITABLE
 from unity_link.transport.shared_port import SharedChannel
 
 if TYPE_CHECKING:
@@ -43,9 +43,9 @@ class LoopWatcher:
 
     def watch(self, descriptor: int, events: int, handler: Callable[[int], None]) -> None:
         """Call a handler where a file descriptor is ready."""
-        self._loop.add_reader(descriptor, handler, POLLIN)
-        if events & POLLOUT:
-            self._loop.add_writer(descriptor, handler, POLLOUT)
+        self._loop.add_reader(descriptor, handler, READABLE)
+        if events & WRITABLE:
+            self._loop.add_writer(descriptor, handler, WRITABLE)
         else:
             self._loop.remove_writer(descriptor)
 
@@ -75,7 +75,7 @@ class ChannelTransport(asyncio.Transport):
         self._unwritten = bytearray()
         self._paused = self._closing = False
         self._listening = True
-        watcher.watch(self._descriptor, POLLIN, self._on_ready)
+        watcher.watch(self._descriptor, READABLE, self._on_ready)
         protocol.connection_made(self)
 
     def write(self, data: bytes | bytearray | memoryview) -> None:
@@ -87,7 +87,7 @@ class ChannelTransport(asyncio.Transport):
             if written == len(data):
                 return
             data = data[written:]
-            self._watcher.watch(self._descriptor, POLLIN | POLLOUT, self._on_ready)
+            self._watcher.watch(self._descriptor, READABLE | WRITABLE, self._on_ready)
         self._unwritten += data
         if not self._paused and len(self._unwritten) > HIGH_WATER:
             self._paused = True
@@ -113,9 +113,9 @@ class ChannelTransport(asyncio.Transport):
             return len(data)
 
     def _on_ready(self, event: int) -> None:
-        if event & POLLOUT:
+        if event & WRITABLE:
             self._write_more()
-        if not event & ~POLLOUT or self._closing:
+        if not event & ~WRITABLE or self._closing:
             return
         try:
             data = self._channel.read()
@@ -134,7 +134,7 @@ class ChannelTransport(asyncio.Transport):
         if self._closing:
             return
         if not self._unwritten:
-            self._watcher.watch(self._descriptor, POLLIN, self._on_ready)
+            self._watcher.watch(self._descriptor, READABLE, self._on_ready)
         if self._paused and len(self._unwritten) <= LOW_WATER:
             self._paused = False
             self._protocol.resume_writing()
@@ -172,7 +172,7 @@ class SharedTransport(ChannelTransport):
             self._shared.drop_input()
         if not self._listening:
             self._listening = True
-            self._watcher.watch(self._descriptor, POLLIN, self._on_ready)
+            self._watcher.watch(self._descriptor, READABLE, self._on_ready)
         super().write(data)
 
     def _on_ready(self, event: int) -> None:

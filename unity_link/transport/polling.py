@@ -1,57 +1,25 @@
-"""Waiting for file descriptors without an event loop: ``select.poll``, or as much of it as Windows has."""
+"""Waiting for file descriptors without an event loop, and when it is worth not to sleep meanwhile."""
 
 from __future__ import annotations
 
 import math
 import os
-import select
+import selectors
 import time
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-POLLIN, POLLOUT = getattr(select, "POLLIN", 1), getattr(select, "POLLOUT", 4)
-
-
-class SelectPoll:
-    """What is used of ``select.poll``, for systems that have ``select.select`` alone."""
-
-    def __init__(self) -> None:
-        self._events: dict[int, int] = {}
-
-    def register(self, descriptor: int, events: int) -> None:
-        """Wait for some of `POLLIN` and `POLLOUT` from now on."""
-        self._events[descriptor] = events
-
-    def unregister(self, descriptor: int) -> None:
-        """Wait for a descriptor no more."""
-        del self._events[descriptor]
-
-    def poll(self, patience_ms: float | None) -> list[tuple[int, int]]:
-        """Return the descriptors that are ready, with their events, once there are some or the time is over."""
-        readable = [descriptor for descriptor, events in self._events.items() if events & POLLIN]
-        writable = [descriptor for descriptor, events in self._events.items() if events & POLLOUT]
-        seconds = None if patience_ms is None else patience_ms / 1000
-        ready_in, ready_out, failed = select.select(readable, writable, writable, seconds)
-        found = dict.fromkeys(ready_in, POLLIN)
-        # A connection that is refused is told as an exception there.
-        for descriptor in {*ready_out, *failed}:
-            found[descriptor] = found.get(descriptor, 0) | POLLOUT
-        return list(found.items())
-
-
+READABLE, WRITABLE = selectors.EVENT_READ, selectors.EVENT_WRITE
 SPIN = 100e-6
 """How long to look for what is ready before sleeping, in seconds.
 
 A processor that has gone to sleep for a wait takes 10 to 50 µs to go on, which is as long as a quick gateway takes to
 answer. With 30 µs, waits of the benchmark are now shorter, now longer than that.
 """
-
-
-def new_poll() -> select.poll | SelectPoll:
-    """Return what waits on this system."""
-    return select.poll() if hasattr(select, "poll") else SelectPoll()
+_WAITS = 8
+"""How many waits in a row are longer than that until a medium counts as slow."""
 
 
 def count_processors() -> int:
@@ -59,39 +27,69 @@ def count_processors() -> int:
     return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 
-class Poller:
-    """Waits for file descriptors, and may spin first: look again and again instead of sleeping.
+class Spinning:
+    """Whether to spin: to look again and again instead of sleeping.
 
-    It spins for at most `SPIN`, and only where the last wait was shorter: for a slow medium it sleeps at once.
-    On a single processor, spinning would keep the other side from running.
+    It is worth it where one of the last waits was shorter than `SPIN`. The first wait finds out, for a medium may be
+    that quick only where nobody sleeps. On a single processor, spinning would keep the other side from running.
+
+    Args:
+        processors: how many there are; None: on which this process may run.
+    """
+
+    def __init__(self, processors: int | None = None) -> None:
+        self._most = _WAITS if (processors or count_processors()) > 1 else 0
+        self.left = min(1, self._most)
+        """For how many more waits it is worth it, if none of them is short."""
+
+    def record(self, seconds: float) -> None:
+        """Record how long a wait took."""
+        if seconds < SPIN:
+            self.left = self._most
+        elif self.left:
+            self.left -= 1
+
+
+class Poller:
+    """Waits for file descriptors, and may spin first, for at most `SPIN`.
+
+    Of what Linux has, it is epoll that waits: ``poll`` on a terminal has the kernel first deliver what is on its way
+    there, which takes the longer the more often it is called.
     """
 
     def __init__(
         self,
-        poll: select.poll | SelectPoll | None = None,
+        selector: selectors.BaseSelector | None = None,
         clock: Callable[[], float] = time.monotonic,
         processors: int | None = None,
     ) -> None:
-        self._poll = poll or new_poll()
+        self._selector = selector or selectors.DefaultSelector()
         self._clock = clock
-        self._can_spin = (processors or count_processors()) > 1
-        self._last_was_short = False
-        self.register, self.unregister = self._poll.register, self._poll.unregister
+        self._spinning = Spinning(processors)
+        self.unregister = self._selector.unregister
+
+    def register(self, descriptor: int, events: int) -> None:
+        """Wait for some of `READABLE` and `WRITABLE` from now on."""
+        try:
+            self._selector.modify(descriptor, events)
+        except KeyError:
+            self._selector.register(descriptor, events)
 
     def wait(self, patience: float, *, may_spin: bool) -> list[tuple[int, int]]:
         """Return the descriptors that are ready, with their events, once there are some or so many seconds are over."""
         begin = self._clock()
-        found: list[tuple[int, int]] = []
-        if may_spin and self._last_was_short:
+        found: list[tuple[selectors.SelectorKey, int]] = []
+        if may_spin and self._spinning.left:
             found = self._spin(begin + min(SPIN, patience))
         if not found:
             left = patience - (self._clock() - begin)
-            found = self._poll.poll(None if left == math.inf else max(0, left) * 1000)
-        self._last_was_short = self._can_spin and bool(found) and self._clock() - begin < SPIN
-        return found
+            found = self._selector.select(None if left == math.inf else max(0, left))
+        if may_spin:
+            self._spinning.record(self._clock() - begin if found else math.inf)
+        return [(key.fd, events) for key, events in found]
 
-    def _spin(self, end: float) -> list[tuple[int, int]]:
-        found = self._poll.poll(0)
+    def _spin(self, end: float) -> list[tuple[selectors.SelectorKey, int]]:
+        found = self._selector.select(0)
         while not found and self._clock() < end:
-            found = self._poll.poll(0)
+            found = self._selector.select(0)
         return found

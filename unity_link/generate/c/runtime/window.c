@@ -21,7 +21,7 @@
  * posted writes count as they are confirmed. The repetition, too, sends only as many at a time. What is answered does not
  * count, so that new requests follow also where the oldest alone is sent again.
  *
- * A loss brings many signs. After going back, no further one counts as long as neither `oldest` nor `executed` has moved
+ * A loss brings many signs. When it was gone back for one, and that is sent, no further one counts as long as neither `oldest` nor `executed` has moved
  * and a sign must still be about what was sent before: for the least round trip seen, and twice as long each time; the
  * first few, for a usual round trip at most. A later one says that the repetition was lost, too. An earlier one may say
  * the same of a line that was quicker than ever before: where nothing comes for as long again, the window goes back for
@@ -143,7 +143,9 @@ static void start_window(ul_link *link, uint32_t first, double byte_time, double
     uint32_t half = (link->ring_mask + 1) / 2;
     link->oldest = link->executed = link->next = first;
     link->to_repeat = link->repeat_end = link->sent_once_from = link->asked_to = link->gap = first;
-    link->repeated_at = link->next_sign = link->next_measurement = -FOR_EVER;
+    link->next_sign = link->next_measurement = -FOR_EVER;
+    link->sent_at_sign = link->sent - 1;
+    link->knows_answered = false;
     link->most_in_flight = is_half_duplex(link) ? 1 : half < UL_WINDOW ? half : UL_WINDOW;
     link->allowed = link->most_in_flight;
     link->byte_limit = link->info.features & UL_FEATURE_FLOW_CONTROL ? SIZE_MAX : link->info.receive_fifo_bytes;
@@ -284,10 +286,24 @@ static void allow_more(ul_link *link)
     link->loses = link->allowed < link->most_in_flight;
 }
 
+/* Something is to be sent again for a sign; one about it comes after a pause at the earliest. */
+static void follow_sign(ul_link *link, double now, double pause)
+{
+    link->next_sign = now + pause;
+    link->sign_pause = pause;
+    link->sent_at_sign = link->sent;
+}
+
+/* Whether a sign can be about what was lost before the last repetition. As long as that is not sent, it is about another
+ * loss: both directions keep the order. */
+static bool is_early(const ul_link *link, double now)
+{
+    return now < link->next_sign && link->sent != link->sent_at_sign;
+}
+
 static void go_back(ul_link *link, double now, double ambiguous_until)
 {
-    link->repeated_at = now;
-    link->next_sign = now + pause_of(link);
+    follow_sign(link, now, pause_of(link));
     link->has_early_sign = false;
     if (link->gone_back < MOST_SIGNS) link->gone_back++;
     link->refused = false;
@@ -296,31 +312,31 @@ static void go_back(ul_link *link, double now, double ambiguous_until)
     repeat_part(link, link->oldest, link->next, now, ambiguous_until);
 }
 
-/* Have `note_time` take a sign at a time. */
-static void keep_sign(ul_link *link, double due)
+/* Have `note_time` take a sign at a time; its pause begins again where the oldest request changes. */
+static void keep_sign(ul_link *link, double due, double pause)
 {
     link->has_early_sign = true;
     link->early_sent = link->sent;
     link->early_due = due;
+    link->early_pause = pause;
 }
 
-/* Keep a sign that came before `next_sign`, if it can be about the repetition at all. */
-static void note_early_sign(ul_link *link, double now)
+/* Take a sign only if nothing comes for as long as a pause. */
+static void note_early_sign(ul_link *link, double now, double pause)
 {
-    if (link->has_early_sign || now <= link->repeated_at) return;
-    keep_sign(link, now + link->next_sign - link->repeated_at);
+    if (!link->has_early_sign) keep_sign(link, now + pause, pause);
 }
 
 /* Go back for a sign of loss, unless it may be one of the loss before. */
 static void note_loss(ul_link *link, double now, double ambiguous_until)
 {
     bool begun = link->to_repeat != link->oldest || link->repeat_end != link->next;
-    if (link->gone_back > 0 && link->executed == link->gap && now < link->next_sign) {
-        note_early_sign(link, now);
+    if (link->gone_back > 0 && link->executed == link->gap && is_early(link, now)) {
+        note_early_sign(link, now, link->sign_pause);
     } else if (link->oldest == link->next || !begun) {
         return;
     } else if (link->gone_back == MOST_SIGNS) {
-        keep_sign(link, now);
+        keep_sign(link, now, link->sign_pause);
     } else {
         link->waited = false;
         go_back(link, now, ambiguous_until);
@@ -338,6 +354,8 @@ static bool is_overtaken(const ul_link *link, uint32_t id, uint32_t sending)
  * gateway has executed it, only the answer was lost, and what is behind it is on its way. */
 static void find_lost(ul_link *link, uint32_t sending, double now)
 {
+    if (!link->knows_answered || came_before(link->answered, sending)) link->answered = sending;
+    link->knows_answered = true;
     if (!is_overtaken(link, link->oldest, sending)) return;
     link->waited = false;
     if (is_overtaken(link, link->executed, sending)) {
@@ -370,7 +388,7 @@ static void renew_early_sign(ul_link *link, double now)
     const ul_request *request = find(link, link->oldest);
     if (!link->has_early_sign) return;
     link->has_early_sign = request != NULL && came_before(request->last_sending, link->early_sent);
-    link->early_due = now + link->next_sign - link->repeated_at;
+    link->early_due = now + link->early_pause;
 }
 
 /* Begin anew with another oldest request. */
@@ -443,8 +461,9 @@ static void note_gap(ul_link *link, uint32_t expected, double now)
 static void note_damaged_answer(ul_link *link, double now)
 {
     uint32_t asked = distance(link, link->asked_to);
-    if (link->gone_back > 0 && now < link->next_sign) {
-        note_early_sign(link, now);
+    bool early = is_early(link, now);
+    if (link->gone_back > 0 && early) {
+        note_early_sign(link, now, link->sign_pause);
         return;
     }
     if (asked == 0 || asked > in_flight(link)) {
@@ -455,19 +474,34 @@ static void note_damaged_answer(ul_link *link, double now)
     }
     uint32_t start = link->asked_to, end = behind_next_with_answer(link, start);
     link->asked_to = end;
+    if (start == end && early) note_early_sign(link, now, link->sign_pause);
     if (start == end || is_to_be_repeated(link, start)) return;
-    link->repeated_at = now;
-    link->next_sign = now + link->least_round_trip;
+    follow_sign(link, now, link->least_round_trip);
     link->waited = false;
     repeat_part(link, start, end, now, link->next_sign);
+}
+
+/* Whether a request that was executed may have been sent again, and the gateway not have come to it. */
+static bool awaits_answer_again(const ul_link *link)
+{
+    for (uint32_t id = link->oldest; id != link->executed; id = after(link, id)) {
+        const ul_request *request = find(link, id);
+        if (request == NULL || request->first_sending == request->last_sending) continue;
+        if (!link->knows_answered || came_before(link->answered, request->last_sending)) return true;
+    }
+    return false;
 }
 
 /* Errors 01, 07 and 09: a request arrived damaged. */
 static void note_damaged_request(ul_link *link, double now)
 {
-    /* Else it is perhaps the repetition of one of which the answer was lost; of another, `n` will tell. */
-    if (link->oldest == link->executed) note_loss(link, now, FOR_EVER);
-    else note_damaged_answer(link, now);
+    if (!awaits_answer_again(link)) {
+        note_loss(link, now, FOR_EVER);
+        return;
+    }
+    /* Perhaps the repetition of one of which the answer was lost. Of another, `n` will tell, or silence. */
+    note_damaged_answer(link, now);
+    note_early_sign(link, now, link->round_trip);
 }
 
 /* The oldest request cannot be had. An `h` takes its place, for those behind it build on its ID; what it was is put
