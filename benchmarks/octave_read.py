@@ -2,18 +2,13 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
-from benchmarks.generated_clients import c_program, octave_package, row, seconds_bare, seconds_in_octave
-from benchmarks.measure import compare
+from benchmarks.generated_clients import c_program, octave_package, seconds_bare, seconds_in_octave
+from benchmarks.measure import Row, compare
 from benchmarks.responder import responder
 
-if TYPE_CHECKING:
-    from benchmarks.measure import Row
-
 READS = 2000
-MOST = 1.67
-"""Of 0.1 ms to 0.06."""
+MOST = 40e-6
+"""Seconds more than a bare program takes: 0.1 ms where that takes 0.06."""
 
 
 async def measure() -> Row:
@@ -23,4 +18,11 @@ async def measure() -> Row:
             lambda: seconds_in_octave(package, path, READS),
             lambda: seconds_bare(program, path, READS),
         )
-    return row("A read in Octave, one after the other, beside a bare program in C", pair, MOST)
+    return Row(
+        "A read in Octave, one after the other, beside a bare program in C",
+        f"{pair.ours * 1e6:.1f} us",
+        f"{pair.bare * 1e6:.1f} us",
+        f"{pair.ratio:.2f}",
+        f"at most {MOST * 1e6:.0f} us more",
+        pair.ours - pair.bare <= MOST,
+    )

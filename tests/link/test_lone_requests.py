@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import asyncio
+import gc
 import subprocess
 import sys
+import weakref
 from contextvars import ContextVar
 from typing import TYPE_CHECKING, Any
 
@@ -124,23 +126,23 @@ class ModelledLoop:
 
     def __init__(self) -> None:
         self.now = 1.0
-        self.ready: list[Callable[[], object]] = []
+        self.planned: list[Callable[[], object]] = []
         self.turns = 0
 
     def time(self) -> float:
         return self.now
 
-    def call_soon(self, function: Callable[[], object]) -> None:
-        self.ready.append(function)
+    def call_soon(self, function: Callable[..., object], *arguments: object) -> None:
+        self.planned.append(lambda: function(*arguments))
 
     def wait(self, seconds: float) -> None:
         """Let turns go by without sleeping, as long as there are some, and then the rest of the time."""
         end, self.turns = self.now + seconds, 0
-        while self.ready and self.now < end:
+        while self.planned and self.now < end:
             self.now += self.TURN
             self.turns += 1
-            ready, self.ready = self.ready, []
-            for function in ready:
+            planned, self.planned = self.planned, []
+            for function in planned:
                 function()
         self.now = end
 
@@ -150,8 +152,9 @@ def spinning(monkeypatch: pytest.MonkeyPatch, processors: int = 2) -> tuple[Asyn
         return AsyncioRuntime()
 
     monkeypatch.setattr("unity_link.transport.polling.count_processors", lambda: processors)
+    monkeypatch.setattr("unity_link.link.runtime._time_of", ModelledLoop.time)
     runtime, loop = asyncio.run(make()), ModelledLoop()
-    runtime._spinner._loop = loop  # type: ignore[assignment]
+    runtime._loop = loop  # type: ignore[assignment]
     return runtime, loop
 
 
@@ -175,7 +178,7 @@ def test_when_the_answer_has_come_the_loop_may_sleep(monkeypatch: pytest.MonkeyP
     ask(runtime, loop, SPIN / 2)
     loop.wait(SPIN)
     assert loop.turns == 1
-    assert not loop.ready
+    assert not loop.planned
 
 
 def test_while_a_slow_answer_is_awaited_the_loop_sleeps(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -190,6 +193,21 @@ def test_on_a_clock_that_stands_still_until_all_wait_the_loop_does_not_spin(monk
     runtime, loop = spinning(monkeypatch)
     for _ in range(3):
         assert ask(runtime, loop, SPIN / 2) == 1
+
+
+def test_an_event_loop_is_forgotten_with_its_links() -> None:
+    loop = asyncio.new_event_loop()
+
+    async def connect() -> None:
+        async with unity_link.connect("sim:") as link:
+            await link.read(1)
+
+    loop.run_until_complete(connect())
+    loop.close()
+    left = weakref.ref(loop)
+    del loop
+    gc.collect()
+    assert left() is None
 
 
 def test_on_a_single_processor_the_loop_does_not_spin(monkeypatch: pytest.MonkeyPatch) -> None:

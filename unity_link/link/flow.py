@@ -206,13 +206,15 @@ class Flow:
         if self.seat is not None:
             self._take_turns()
             self._set_timer()
-        if session.output and not self._flushing:
+        if session.output:
+            if self._flushing:
+                return
             if events:
                 self._send()
             else:
                 # No call goes on for what has arrived, so nothing follows in this turn.
                 self._flush()
-        if self._timer_at - now > _LATE or session.window.loses:
+        elif self._timer_at - now > _LATE or session.window.loses:
             self._set_timer()
 
     def _pause(self) -> None:

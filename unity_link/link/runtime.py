@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import asyncio
 import logging
+import time
 from typing import TYPE_CHECKING, Any, Never, Protocol, cast
 from weakref import WeakKeyDictionary
 
@@ -236,39 +237,42 @@ def _raise(error: BaseException) -> Never:
 class _LoopSpinner:
     """Keeps an event loop from sleeping while the answer to a lone request may come soon (see `transport.polling`).
 
-    Args:
-        loop: the event loop, for all links on it.
+    There is one for all links on a loop. It is given the loop each time, for it lives as long as that does.
     """
 
-    def __init__(self, loop: asyncio.AbstractEventLoop) -> None:
-        self._loop = loop
+    def __init__(self) -> None:
         self._spinning = Spinning()
         self._is_planned = False
         """Whether the loop looks again in its next turn."""
         self._until = self._looked_at = 0.0
 
-    def begin(self) -> float:
-        """Record that a lone request is sent now, and return the time."""
-        self._looked_at = now = self._loop.time()
+    def begin(self, loop: asyncio.AbstractEventLoop) -> float:
+        """Record that a lone request is sent now, and return the time, for `end`."""
+        self._looked_at = now = _time_of(loop)
         if self._spinning.left:
             self._until = now + SPIN
             if not self._is_planned:
                 self._is_planned = True
-                self._loop.call_soon(self._look)
+                loop.call_soon(self._look, loop)
         return now
 
-    def end(self, began: float) -> None:
+    def end(self, loop: asyncio.AbstractEventLoop, began: float) -> None:
         """Record that the answer has come to a request which was sent at some time."""
         self._until = 0.0
-        self._spinning.record(self._loop.time() - began)
+        self._spinning.record(_time_of(loop) - began)
 
-    def _look(self) -> None:
-        now = self._loop.time()
+    def _look(self, loop: asyncio.AbstractEventLoop) -> None:
+        now = _time_of(loop)
         # A modelled clock stands still until all wait.
         self._is_planned = self._looked_at < now < self._until
         if self._is_planned:
             self._looked_at = now
-            self._loop.call_soon(self._look)
+            loop.call_soon(self._look, loop)
+
+
+def _time_of(loop: asyncio.AbstractEventLoop) -> float:
+    """Return the time in seconds. The clock of uvloop has whole milliseconds; loops that model time are asyncio's."""
+    return loop.time() if isinstance(loop, asyncio.BaseEventLoop) else time.monotonic()
 
 
 _spinners: WeakKeyDictionary[asyncio.AbstractEventLoop, _LoopSpinner] = WeakKeyDictionary()
@@ -287,7 +291,7 @@ class AsyncioRuntime:
         self._loop = loop
         self.ended: list[LoneFuture] = []
         """Of lone requests, those that are done, and whose tasks are to go on."""
-        self._spinner = _spinners.get(loop) or _spinners.setdefault(loop, _LoopSpinner(loop))
+        self._spinner = _spinners.setdefault(loop, _LoopSpinner())
         self._asked_at = 0.0
         """When the last lone request was sent."""
         self.create_task = loop.create_task
@@ -297,13 +301,13 @@ class AsyncioRuntime:
 
     def create_lone_future(self) -> LoneFuture:
         """Return what a call can await whose request is alone in flight."""
-        self._asked_at = self._spinner.begin()
+        self._asked_at = self._spinner.begin(self._loop)
         return LoneFuture(self._loop, self.ended)
 
     def wake(self) -> None:
         """Have those tasks go on now whose lone requests are done."""
         ended = self.ended
-        self._spinner.end(self._asked_at)
+        self._spinner.end(self._loop, self._asked_at)
         while ended:
             ended.pop(0).wake()
 

@@ -29,6 +29,14 @@ class FrameError(ValueError):
     """A frame that is damaged, cut, or not for us."""
 
 
+class CheckError(FrameError):
+    """A frame whose check fails. Its text is made when it is asked for, which is seldom."""
+
+    def __str__(self) -> str:
+        """Return what is wrong."""
+        return f"wrong CRC in {self.args[0][:80]!r}"
+
+
 class OtherNodeError(FrameError):
     """A sound frame of another node on a shared medium."""
 
@@ -71,7 +79,7 @@ class Framing:
 
         Raises:
             OtherNodeError: where the frame is another node's.
-            FrameError: where the check fails.
+            CheckError: where the check fails.
         """
         if line and line[-1] == _CR_BYTE:
             covered = line[:-1]
@@ -79,7 +87,7 @@ class Framing:
             digits = self.crc.digits
             covered = line[:-digits]
             if self.crc.text(covered) != line[-digits:]:
-                raise FrameError(f"wrong CRC in {line[:80]!r}")
+                raise CheckError(line)
         if self.prefix:
             if not covered.startswith(self.prefix):
                 raise OtherNodeError(f"not from node {self.prefix[1:].decode()}: {line[:80]!r}")
