@@ -195,6 +195,16 @@ def test_on_a_clock_that_stands_still_until_all_wait_the_loop_does_not_spin(monk
         assert ask(runtime, loop, SPIN / 2) == 1
 
 
+def test_while_several_answers_are_awaited_the_loop_sleeps(monkeypatch: pytest.MonkeyPatch) -> None:
+    runtime, loop = spinning(monkeypatch)
+    other = runtime.create_lone_future()
+    loop.wait(20 * SPIN)
+    for _ in range(3):
+        assert ask(runtime, loop, SPIN / 2) == 0
+    assert other.cancel()
+    assert ask(runtime, loop, SPIN / 2) == pytest.approx(10, abs=1)
+
+
 def test_an_event_loop_is_forgotten_with_its_links() -> None:
     loop = asyncio.new_event_loop()
 

@@ -273,7 +273,12 @@ class Flow:
 
     def _tick(self) -> None:
         self._forget_timer()
-        self.go_on(self.session.expire(self.now()))
+        now, deadline = self.now(), self.session.deadline
+        if deadline is not None and deadline > now:
+            # Answers have come since the timer was set.
+            self._set_timer()
+        else:
+            self.go_on(self.session.expire(now))
 
 
 def settle(request: Request | Batch) -> None:

@@ -167,16 +167,19 @@ class LoneFuture(Result):
 
     Args:
         loop: of the task.
+        spinner: of the loop.
         ended: those that have a result or an error, and are to be woken.
     """
 
-    __slots__ = ("_asyncio_future_blocking", "_context", "_ended", "_loop", "_step")
+    __slots__ = ("_asyncio_future_blocking", "_context", "_ended", "_loop", "_spinner", "_step")
 
-    def __init__(self, loop: asyncio.AbstractEventLoop, ended: list[LoneFuture]) -> None:
+    def __init__(self, loop: asyncio.AbstractEventLoop, spinner: _LoopSpinner, ended: list[LoneFuture]) -> None:
         # As `Result` would: this is on the way of every read.
         self._done = self._asyncio_future_blocking = False
         self._result = self._error = None
         self._loop = loop
+        self._spinner = spinner
+        spinner.awaited += 1
         self._ended = ended
         self._step: Callable[[LoneFuture], object] | None = None
         """Has the task that awaits it go on."""
@@ -191,6 +194,7 @@ class LoneFuture(Result):
 
     def _end(self) -> None:
         self._done = True
+        self._spinner.awaited -= 1
         self._ended.append(self)
 
     def wake(self) -> None:
@@ -226,6 +230,7 @@ class LoneFuture(Result):
             return False
         self._error = asyncio.CancelledError() if msg is None else asyncio.CancelledError(msg)
         self._done = True
+        self._spinner.awaited -= 1
         self._wake_soon()
         return True
 
@@ -237,11 +242,14 @@ def _raise(error: BaseException) -> Never:
 class _LoopSpinner:
     """Keeps an event loop from sleeping while the answer to a lone request may come soon (see `transport.polling`).
 
-    There is one for all links on a loop. It is given the loop each time, for it lives as long as that does.
+    There is one for all links on a loop: where several have asked, there is enough to do without it. It is given the
+    loop each time, for it lives as long as that does.
     """
 
     def __init__(self) -> None:
         self._spinning = Spinning()
+        self.awaited = 0
+        """How many answers to lone requests are awaited."""
         self._is_planned = False
         """Whether the loop looks again in its next turn."""
         self._until = self._looked_at = 0.0
@@ -249,22 +257,20 @@ class _LoopSpinner:
     def begin(self, loop: asyncio.AbstractEventLoop) -> float:
         """Record that a lone request is sent now, and return the time, for `end`."""
         self._looked_at = now = _time_of(loop)
-        if self._spinning.left:
-            self._until = now + SPIN
-            if not self._is_planned:
-                self._is_planned = True
-                loop.call_soon(self._look, loop)
+        self._until = now + SPIN
+        if self._spinning.left and self.awaited == 1 and not self._is_planned:
+            self._is_planned = True
+            loop.call_soon(self._look, loop)
         return now
 
     def end(self, loop: asyncio.AbstractEventLoop, began: float) -> None:
         """Record that the answer has come to a request which was sent at some time."""
-        self._until = 0.0
         self._spinning.record(_time_of(loop) - began)
 
     def _look(self, loop: asyncio.AbstractEventLoop) -> None:
         now = _time_of(loop)
         # A modelled clock stands still until all wait.
-        self._is_planned = self._looked_at < now < self._until
+        self._is_planned = self.awaited == 1 and self._looked_at < now < self._until
         if self._is_planned:
             self._looked_at = now
             loop.call_soon(self._look, loop)
@@ -301,8 +307,9 @@ class AsyncioRuntime:
 
     def create_lone_future(self) -> LoneFuture:
         """Return what a call can await whose request is alone in flight."""
+        future = LoneFuture(self._loop, self._spinner, self.ended)
         self._asked_at = self._spinner.begin(self._loop)
-        return LoneFuture(self._loop, self.ended)
+        return future
 
     def wake(self) -> None:
         """Have those tasks go on now whose lone requests are done."""
