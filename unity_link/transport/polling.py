@@ -18,7 +18,7 @@ SPIN = 100e-6
 A processor that has gone to sleep for a wait takes 10 to 50 µs to go on, which is as long as a quick gateway takes to
 answer. With 30 µs, waits of the benchmark are now shorter, now longer than that.
 """
-_WAITS = 8
+REMEMBERED_WAITS = 8
 """How many waits in a row are longer than that until a medium counts as slow."""
 
 
@@ -38,7 +38,7 @@ class Spinning:
     """
 
     def __init__(self, processors: int | None = None) -> None:
-        self._most = _WAITS if (processors or count_processors()) > 1 else 0
+        self._most = REMEMBERED_WAITS if (processors or count_processors()) > 1 else 0
         self.left = min(1, self._most)
         """For how many more waits it is worth it, if none of them is short."""
 

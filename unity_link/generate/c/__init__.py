@@ -17,6 +17,7 @@ from unity_link.generate.c.layout import Layout
 from unity_link.generate.c.names import comment, number, string
 from unity_link.generate.c.signals import decoding, describe, examples, initializer, schedule
 from unity_link.protocol.constants import TABLE
+from unity_link.transport.polling import REMEMBERED_WAITS, SPIN
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
@@ -35,6 +36,8 @@ FILTERS: dict[str, Callable[..., Any]] = {
     "string": string,
 }
 RUNTIME = ("unity_link.h", "unity_link.c", "unity_link_posix.c")
+RUNTIME_VALUES = {"constants": TABLE, "SPIN": SPIN, "REMEMBERED_WAITS": REMEMBERED_WAITS}
+"""What the runtime has in common with the host in Python."""
 
 
 def files(interface: Interface, templates: Templates) -> Iterator[GeneratedFile]:
@@ -45,4 +48,4 @@ def files(interface: Interface, templates: Templates) -> Iterator[GeneratedFile]
     yield GeneratedFile(f"{layout.prefix}.h", templates.render("interface.h", examples=examples(layout), **values))
     yield GeneratedFile(f"{layout.prefix}.c", templates.render("interface.c", initializer=body, **values))
     for name in RUNTIME:
-        yield GeneratedFile(name, templates.render(name, constants=TABLE))
+        yield GeneratedFile(name, templates.render(name, **RUNTIME_VALUES))

@@ -24,7 +24,6 @@ from unity_link.errors import UnsupportedError
 from unity_link.generate import GeneratedFile, c
 from unity_link.generate.matlab.names import MEMBERS, identifiers
 from unity_link.generate.networks import Network, given_parameters, networks
-from unity_link.protocol.constants import TABLE
 from unity_link.spec import ComponentArray
 
 if TYPE_CHECKING:
@@ -95,12 +94,12 @@ def files(interface: Interface, templates: Templates) -> Iterator[GeneratedFile]
             yield GeneratedFile(f"{place}/{template.stem}", text)
     client = templates.of("c", c.FILTERS)
     for source in c.RUNTIME:
-        yield GeneratedFile(f"+{PACKAGE}/source/{source}", client.render(source, constants=TABLE))
+        yield GeneratedFile(f"+{PACKAGE}/source/{source}", client.render(source, **c.RUNTIME_VALUES))
 
 
 def _fingerprint() -> str:
     """Return what tells a MEX file that was built from other sources: it does not depend on the spec."""
-    digest = hashlib.sha256(repr(TABLE).encode())
+    digest = hashlib.sha256(repr(c.RUNTIME_VALUES).encode())
     folder = Path(c.__file__).parent
     paths = [*folder.glob("unity_link*.jinja"), *folder.glob("runtime/*.c"), *_SOURCE.glob("*.jinja")]
     for path in sorted(paths):

@@ -216,7 +216,8 @@ static ul_status start_session(opening *opens)
 
 ul_status ul_open(ul_link *link, const ul_transport *transport, int node, double timeout)
 {
-    memset(link, 0, sizeof *link);
+    /* Its port may be that of the transport. */
+    memset(&link->info, 0, sizeof *link - offsetof(ul_link, info));
     link->transport = *transport;
     if (!(transport->shortest_timeout > 0)) link->transport.shortest_timeout = SHORTEST_TIMEOUT;
     link->node = node;
