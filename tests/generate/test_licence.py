@@ -24,7 +24,7 @@ COPIED = sorted(
         ("unity_link/boards/data", "*.toml"),
     )
     for path in (ROOT / folder).rglob(pattern)
-    if path.is_file() and path.suffix != ".md"
+    if path.is_file() and path.suffix != ".md" and "build" not in path.relative_to(ROOT).parts
 )
 SCARA = compile_file(ROOT / "examples" / "scara.ul")
 
