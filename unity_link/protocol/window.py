@@ -721,11 +721,12 @@ class Window(Generic[R]):
 
     def _awaits_answer_again(self) -> bool:
         """Return whether a request that was executed may have been sent again, and the gateway not have come to it."""
-        executed = self._distance(self.executed)
-        return any(
-            place > self._answered_last and self._distance(number) < executed and self._slots[number] is not None
-            for number, (place, _) in self._repetitions.items()
-        )
+        for number, run in enumerate(self._between(self.oldest, self.executed), self.oldest):
+            if run is not None:
+                place, _ = self._repetitions.get(number & self._mask, _NONE)
+                if place > max(self._answered_last, self._first_sending(run, number)):
+                    return True
+        return False
 
     def _first_sending(self, run: R, number: int) -> int:
         """Return the place of the first sending of a request among all sendings."""
