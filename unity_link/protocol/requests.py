@@ -36,8 +36,9 @@ if TYPE_CHECKING:
     from unity_link.protocol.arrays import Words
     from unity_link.protocol.messages import Codec
 
-SMALLEST_BATCH = 32
-"""Messages of a batch that are worth a turn of numpy: room for so many is waited for while others are under way."""
+SMALLEST_BATCH = 512
+"""Messages of a batch for which room is waited for while others are under way, or for half of a smaller window: numpy
+takes about as long for few as for many, and what is left of the window is enough for the line."""
 _POSTED_RUNS = 8
 """One run of posted writes takes this part of the ring: a quarter of the window, behind which a fence is due."""
 REPEATABLE = frozenset({"R", "RM", "H"})
