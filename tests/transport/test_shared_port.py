@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import asyncio
 import functools
+import socket
 import threading
 from contextlib import AsyncExitStack, ExitStack, asynccontextmanager, contextmanager
 from typing import TYPE_CHECKING, Any, ParamSpec
@@ -14,7 +15,8 @@ import trio
 import unity_link
 from unity_link import ArgumentError, ConnectError, LinkLostError, blocking
 from unity_link.transport import open_channel, parse_url, shared_port
-from unity_link.transport.shared_port import SharedChannel
+from unity_link.transport.channel import SocketChannel
+from unity_link.transport.shared_port import Port, SharedChannel
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.serving import serve_pty, serve_tcp
 from unity_link.virtual.shared_line import SharedLine, build_shared_line
@@ -229,3 +231,17 @@ async def test_a_port_that_is_lost_is_lost_to_all_and_opened_anew(tmp_path: Path
             async with unity_link.connect(f"serial:{path}?node=2") as new:
                 assert await new.read(0) == 0
     assert not shared_port._PORTS
+
+
+def test_all_that_came_between_two_turns_is_dropped_also_where_a_read_gives_a_part_of_it() -> None:
+    ours, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
+    port = Port(("a port",), parse_url("tcp://gateway:1?node=1"))
+    port.channel = SocketChannel(ours)
+    channel = SharedChannel(port, port.line.join(1))
+    with theirs:
+        for piece in (bytes(4_095), bytes(4_095), b"the rest"):
+            theirs.send(piece)
+        channel.drop_input()
+        with pytest.raises(BlockingIOError):
+            channel.read()
+    channel.close()

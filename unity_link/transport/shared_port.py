@@ -30,6 +30,8 @@ _PORTS: dict[tuple[Any, ...], Port] = {}
 _OWED: dict[tuple[Any, ...], float] = {}
 """Until when an answer may come on a port that was closed."""
 _LOCK = threading.Lock()
+_READS_OF_ALL = 16
+"""Reads that take all that a port holds: Linux keeps up to 64 KiB of a terminal, and gives 4,095 bytes at a time."""
 
 
 class Port:
@@ -147,8 +149,9 @@ class SharedChannel:
     def drop_input(self) -> None:
         """Drop what has come between two turns."""
         with contextlib.suppress(OSError):
-            while len(os.read(self._descriptor, LARGEST_READ)) == LARGEST_READ:
-                pass
+            for _ in range(_READS_OF_ALL):
+                if not os.read(self._descriptor, LARGEST_READ):
+                    return
 
     def lose(self) -> None:
         """Record that the port is lost, to all links."""
