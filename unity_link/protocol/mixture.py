@@ -5,6 +5,7 @@ Frames of one size are looked at together, whatever groups they are of.
 
 from __future__ import annotations
 
+import sys
 from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
 
 import numpy as np
@@ -60,16 +61,16 @@ def find_mixture(data: bytes, start: int, framing: Framing, groups: Mapping[byte
         found, count, ends = _of_unlike_sizes(view, framing, head)
     known: list[tuple[NDArray[np.intp], list[Any]]] = []
     for places, bodies in found:
-        digits = bodies[:, 1:3].tobytes()
-        numbers = [digits[at : at + 2] for at in range(0, len(digits), 2)]
+        # Two digits as one number: many of those are quicker at hand than texts.
+        numbers = np.frombuffer(bodies[:, 1:3].tobytes(), np.uint16).tolist()
         owners = {}
         for number in set(numbers):
-            group = groups.get(number)
+            group = groups.get(number.to_bytes(2, sys.byteorder))
             if group is not None and group.length == bodies.shape[1]:
                 owners[number] = group.owner
             else:
                 count = min(count, int(places[numbers.index(number)]))
-        known.append((places, [owners.get(number) for number in numbers]))
+        known.append((places, [*map(owners.get, numbers)]))
     if not count:
         return None
     parts = [(places[places < count], bodies[: int(places.searchsorted(count))]) for places, bodies in found]
