@@ -217,7 +217,7 @@ class Link(Connection):
             self._check_address(address)
         if type(value) is not int or not 0 <= value <= codec.highest_word:
             self._check_word(value)
-        await flow.answer(Request(codec, "W", codec.fields("W", address, value), 0))
+        await flow.answer(Request(codec, "W", codec.write_fields(address, value), 0))
 
     async def write_masked(self, address: int, value: int, mask: int) -> int:
         """Replace the bits of a word that are 1 in `mask` by those of `value`, atomically.
@@ -250,7 +250,7 @@ class Link(Connection):
             self._check_address(address)
         if type(value) is not int or not 0 <= value <= codec.highest_word:
             self._check_word(value)
-        fields = codec.fields("WS", address, value)
+        fields = codec.write_fields(address, value)
         self._posted = True
         if self._takes_turns:
             await self._post_answered(Request(codec, "W", fields, 0))

@@ -289,8 +289,9 @@ class AsyncioRuntime:
 
     def __init__(self) -> None:
         loop = asyncio.get_running_loop()
-        # The loop's own methods: nothing stands between them and the calls.
-        self.time = loop.time
+        # The loop's own methods: nothing stands between them and the calls, nor between the calls and its clock.
+        is_monotonic = getattr(loop.time, "__func__", None) is asyncio.BaseEventLoop.time
+        self.time = time.monotonic if is_monotonic else loop.time
         self.create_future = loop.create_future
         self.call_soon = loop.call_soon
         self.call_soon_threadsafe = loop.call_soon_threadsafe

@@ -23,7 +23,7 @@ from unity_link.protocol.crc import Crc
 from unity_link.protocol.frames import Framing
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Callable, Sequence
 
     from numpy.typing import NDArray
 
@@ -173,6 +173,8 @@ class Codec:
         """Characters of a checked frame with an ID, beyond its fields or data."""
         self.commands = {name: row for name, row in COMMANDS.items() if row.feature in info.features}
         self._layouts = {name: self._layout(row.fields) for name, row in COMMANDS.items()}
+        self.write_fields = self._write_fields()
+        """Returns the fields of `W` and `WS` as `fields` does: this is on the way of every write."""
 
     # Requests, host to gateway
 
@@ -182,6 +184,13 @@ class Codec:
         if digits:
             return layout % (*values[:-1], hex_text(values[-1], digits))
         return layout % values
+
+    def _write_fields(self) -> Callable[[int, int], bytes]:
+        address, word = _PACKED.get(self.info.address_digits), _PACKED.get(self.info.data_digits)
+        if address is None or word is None:
+            return functools.partial(self.fields, "W")
+        pack = struct.Struct(f">{address}{word}").pack
+        return lambda address, word: hexlify(pack(address, word)).upper()
 
     def request(self, command: str, number: int, fields: bytes) -> bytes:
         """Return the checked frame of a request with an ID."""

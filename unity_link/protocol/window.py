@@ -58,7 +58,6 @@ doubling is undone by the answer to a request that was sent once, and by any pro
 from __future__ import annotations
 
 import math
-from collections import Counter
 from itertools import chain
 from typing import TYPE_CHECKING, Generic, NamedTuple, TypeVar
 
@@ -624,11 +623,11 @@ class Window(Generic[R]):
         """Move `executed` up: the posted writes that it passes are done, and their bytes have left the FIFO."""
         between = self._between(self.executed, expected)
         posted = size = 0
-        for run, count in Counter(between).items():
+        for run in between:
             if run is not None:
-                size += run.size * count
+                size += run.size
                 if run.posted:
-                    posted += count
+                    posted += 1
         if posted + between.count(None) == len(between):
             self._fill(self.executed, len(between), None)
         else:
