@@ -80,14 +80,16 @@ ROS_PYTHONS ?= python3.8 python3.10 python3.12
 ros-packages: $(ALL) ## run the generated packages of ROS on the Pythons of its distributions
 	@ROS_PYTHONS="$(ROS_PYTHONS)" $(BIN)/python -m pytest tests/generate/test_ros_packages.py $(PYTEST_ARGS)
 
-bench: $(ALL) bench-peers ## measure, beside peers too, and write benchmarks/RESULTS.md
+bench: $(ALL) bench-peers ## measure, beside peers and REVISION too, and write benchmarks/RESULTS.md
 	@$(BIN)/python -m benchmarks
+	@$(BIN)/python -m benchmarks.beside $(REVISION) $(QUICKER)
 
 bench-peers: $(PEERS) ## measure Unity-Link beside its peers, and write docs/performance.md
 	@$(PEERS_VENV)/bin/python -m benchmarks.peers
 
-# The revision that `make bench-beside` compares with.
+# The revision that `make bench-beside` compares with, and what of it `make bench` compares.
 REVISION ?= a3abcb1
+QUICKER = concurrent_reads posts batch_posts alternating_samples command_time
 bench-beside: $(ALL) ## measure this tree and REVISION in turn, and say what became slower
 	@$(BIN)/python -m benchmarks.beside $(REVISION)
 

@@ -3,7 +3,7 @@
 Each benchmark runs in a process of its own, here and there alternately, so that both meet the same machine. What is
 compared is the time of ours to that of the bare loop, which every run measures anew. How many times as quick as then
 it is by the clock alone stands beside it. A benchmark that the revision has not is lent to it, where all that it needs
-of the package and of the other benchmarks is there.
+of the package and of the other benchmarks is there; what more it needs is in `revisions`, as a patch.
 """
 
 from __future__ import annotations
@@ -31,6 +31,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterator
 
 HERE = Path(__file__).parents[1]
+PATCHES = Path(__file__).with_name("revisions")
 ROUNDS = 3
 SLOWER = 1.05
 """What counts as slower: more than the noise of the medians."""
@@ -60,6 +61,9 @@ def checked_out(revision: str) -> Iterator[Path]:
         _git("worktree", "add", "--detach", "--force", str(tree), revision)
         try:
             # What the revision could not be asked then, it is asked now.
+            patch = PATCHES / f"{revision}.patch"
+            if patch.exists():
+                _git("-C", str(tree), "apply", str(patch))
             for file in (HERE / "benchmarks").glob("*.py"):
                 if not (tree / "benchmarks" / file.name).exists():
                     shutil.copy(file, tree / "benchmarks")
