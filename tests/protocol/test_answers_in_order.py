@@ -50,7 +50,7 @@ class Line(Exchange):
                 waiting.rotate(-1)
             else:
                 room = window.room(source.size, posted=source.posted)
-                if room < min(source.least(), max(1, window.most_room(source.size) // 2)):
+                if room < min(source.least, max(1, window.most_room(source.size) // 2)):
                     break
                 waiting.popleft()
                 run = source.take(room, events)

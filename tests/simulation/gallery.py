@@ -313,7 +313,7 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
 
 @bug("answers in order are taken without a look at their checks")
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
-    def take_frame(self: Any, frame: bytes, events: Any) -> bool:
+    def take_frame(self: Any, offset: int, frame: bytes, events: Any) -> bool:
         covered = frame[: -self.codec.framing.ending_size]
         return covered.startswith(self.opening) and self.take_data(covered[len(self.opening) :], events)
 

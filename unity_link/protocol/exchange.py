@@ -196,7 +196,7 @@ class Exchange:
                 size, posted = source.size, source.posted
                 room = window.room(size, posted=posted)
             # A window that is small because the line loses is not waited for to grow.
-            if not room or (room < source.least() and room < window.most_room(size) // 2):
+            if not room or (room < source.least and room < window.most_room(size) // 2):
                 break
             waiting.popleft()
             run = source.take(room, events)
@@ -211,7 +211,8 @@ class Exchange:
 
     def _fence(self, now: float) -> None:
         """Confirm posted writes by an ``h`` where it is time."""
-        if self.window.needs_fence(now):
+        window = self.window
+        if window.unfenced and window.needs_fence(now):
             self._confirm(now)
 
     # Turns, where nodes share a medium
@@ -277,7 +278,7 @@ class Exchange:
         if self._waiting or window.unfenced or not window.is_quiet():
             return None
         request = window.find(window.oldest)
-        if type(request) is not Request or not request.take_frame(data, []):
+        if type(request) is not Request or not request.take_frame(0, data, []):
             return None
         window.heard = True
         self._counters.responses += 1
@@ -355,16 +356,11 @@ class Exchange:
             number, before = first, start
             while True:
                 run = find(number)
-                if type(run) is Request:
-                    end = start + run.reply_size
-                    taken = run.take_frame(data[start:end], events)
-                elif isinstance(run, BatchRun):
-                    end = start + run.reply_size
-                    taken = run.take_frame(number - run.first & mask, data[start:end], events)
-                else:
-                    # Others do more than to be answered.
+                # Others do more than to be answered.
+                if not (type(run) is Request or isinstance(run, BatchRun)):
                     break
-                if not taken:
+                end = start + run.reply_size
+                if not run.take_frame(number - run.first & mask, data[start:end], events):
                     break
                 number = number + 1 & mask
                 start = end

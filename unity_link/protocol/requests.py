@@ -98,8 +98,9 @@ class Source(Protocol):
     def posted(self) -> bool:
         """Whether the next message is a posted write."""
 
+    @property
     def least(self) -> int:
-        """Return for how many messages room is wanted before the next turn."""
+        """For how many messages room is wanted before the next turn."""
 
     def take(self, room: int, events: Events) -> Message:
         """Return the next run, of at most `room` messages."""
@@ -198,6 +199,7 @@ class Request(Message):
     """
 
     __slots__ = ("answer", "done", "error", "fields", "of_session", "opening", "owner", "sent")
+    least = 1
 
     def __init__(
         self, codec: Codec, command: str, fields: bytes, reply_digits: int | None, *, of_session: bool = False
@@ -234,7 +236,7 @@ class Request(Message):
         self.frames = frame = covered + codec.framing.ending(covered)
         return frame
 
-    def take_frame(self, frame: bytes, events: Events) -> bool:
+    def take_frame(self, offset: int, frame: bytes, events: Events) -> bool:  # noqa: ARG002
         """Take the frame of the response; False where it is anything else, or not as it usually is."""
         data = self.data_of(frame, self.opening)
         return data is not None and self.take_data(data, events)
@@ -293,10 +295,6 @@ class Request(Message):
         return None if self.of_session or self.command not in REPEATABLE else self
 
     # A source of itself
-
-    def least(self) -> int:
-        """Return one."""
-        return 1
 
     def take(self, room: int, events: Events) -> Message:  # noqa: ARG002
         """Return the request itself; a posted write that has waited for room is told as sent."""
@@ -368,6 +366,7 @@ class Block:
     """A source of several requests that are sent in order and answered one by one."""
 
     posted = False
+    least = 1
 
     def __init__(self, requests: list[Request]) -> None:
         self._requests = deque(requests)
@@ -376,10 +375,6 @@ class Block:
     def size(self) -> int:
         """Characters of the next request."""
         return self._requests[0].size
-
-    def least(self) -> int:
-        """Return one."""
-        return 1
 
     def take(self, room: int, events: Events) -> Message:
         """Return the next request."""
@@ -447,8 +442,9 @@ class Batch:
 
     # A source
 
+    @property
     def least(self) -> int:
-        """Return a number that is worth a turn."""
+        """A number that is worth a turn."""
         return min(self.smallest_turn, self.count - self.sent)
 
     def take(self, room: int, events: Events) -> Message:
@@ -603,8 +599,9 @@ class BatchPart:
         self._batch, self._start, self._count = batch, start, count
         self.size = batch.size
 
+    @property
     def least(self) -> int:
-        """Return a number that is worth a turn."""
+        """A number that is worth a turn."""
         return min(self._batch.smallest_turn, self._count)
 
     def take(self, room: int, events: Events) -> Message:  # noqa: ARG002  (what is repeated is not posted)

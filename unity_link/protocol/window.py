@@ -340,20 +340,22 @@ class Window(Generic[R]):
             return True
         return 4 * self.unfenced >= self._allowed or now >= self._fence_due
 
-    def repetition(self) -> Iterator[tuple[int, R, int, int]]:
+    def repetition(self) -> list[tuple[int, R, int, int]]:
         """Return what is to be sent again now, in order: ID, run, offset in the run, count."""
         least = self._open(self.oldest, self._behind_next_with_answer(self.oldest))
         room = max(self._allowed, least) - self._open(self.oldest, self._to_repeat)
-        mask, until, repetitions = self._mask, self._repeat_ambiguous_until, self._repetitions
-        for run, offset, count in self._parts(self._to_repeat, self._repeat_end, room):
-            number = run.first + offset & mask
-            for place in range(count):
-                repetitions[number + place & mask] = self._sent + place, until
-            self._sent += count
-            self._to_repeat = number + count & mask
-            yield number, run, offset, count
+        mask, until, repetitions, sent = self._mask, self._repeat_ambiguous_until, self._repetitions, self._sent
+        parts = self._parts(self._to_repeat, self._repeat_end, room)
+        for number, _, _, count in parts:
+            for place in range(number, number + count):
+                repetitions[place & mask] = sent, until
+                sent += 1
+        self._sent = sent
+        if parts:
+            self._to_repeat = parts[-1][0] + parts[-1][3] & mask
         if not self._open(self._to_repeat, self._repeat_end):
             self._to_repeat = self._repeat_end
+        return parts
 
     def unanswered(self, refused: int | None = None) -> Iterator[Unanswered[R]]:
         """Return all that is not done, in order.
@@ -380,7 +382,7 @@ class Window(Generic[R]):
         return number
 
     def _outcomes(self, position: int, last: int, outcome: Outcome) -> Iterator[Unanswered[R]]:
-        for run, offset, count in self._parts(position, last):
+        for _, run, offset, count in self._parts(position, last):
             yield Unanswered(run, offset, count, outcome)
 
     @property
@@ -402,20 +404,26 @@ class Window(Generic[R]):
         """Return how many IDs are not done, from `first` on and before `last`."""
         return (last - first & self._mask) - self._done(first, last)
 
-    def _parts(self, position: int, last: int, most: int | None = None) -> Iterator[tuple[R, int, int]]:
-        """Return the runs that wait for answers between two IDs, of `most` requests: run, offset in the run, count."""
-        slots, mask = self._slots, self._mask
+    def _parts(self, position: int, last: int, most: int | None = None) -> list[tuple[int, R, int, int]]:
+        """Return the parts of runs that wait for answers between two IDs, of `most` requests.
+
+        Each is an ID, the run, the offset in that, and how many requests follow.
+        """
+        slots, mask, parts = self._slots, self._mask, []
         room = len(slots) if most is None else most
         while position != last and room > 0:
             run = slots[position]
             if run is None:
                 position = position + 1 & mask
                 continue
-            first, offset = position, position - run.first & mask
-            while position != last and slots[position] is run and room > 0:
+            first = position
+            while True:
                 position = position + 1 & mask
                 room -= 1
-            yield run, offset, position - first & mask
+                if position == last or slots[position] is not run or room <= 0:
+                    break
+            parts.append((first, run, first - run.first & mask, position - first & mask))
+        return parts
 
     # Receiving
 
@@ -609,15 +617,17 @@ class Window(Generic[R]):
         run = self._slots[first]
         if run is not None and self._slots[end - 1] is run:
             return run.size * count
-        return sum(run.size for run in self._between(first, end) if run is not None)
+        return sum([run.size for run in self._between(first, end) if run is not None])
 
     def _distance(self, number: int) -> int:
         return number - self.oldest & self._mask
 
     def _fill(self, first: int, count: int, run: R | None) -> None:
-        before_wrap = min(count, self._mask + 1 - first)
-        self._slots[first : first + before_wrap] = [run] * before_wrap
-        self._slots[: count - before_wrap] = [run] * (count - before_wrap)
+        beyond = first + count - self._mask - 1
+        if beyond > 0:
+            self._slots[:beyond] = [run] * beyond
+            count -= beyond
+        self._slots[first : first + count] = [run] * count
 
     def _confirm(self, expected: int) -> None:
         """Move `executed` up: the posted writes that it passes are done, and their bytes have left the FIFO."""

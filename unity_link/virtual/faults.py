@@ -78,30 +78,32 @@ class Noise:
 
     def spoil(self, data: bytes) -> list[bytes]:
         """Return what becomes of `data`: pieces between which the stream stands still; most often it is one."""
-        if self._until_next >= len(data):
-            self._until_next -= len(data)
+        index, size = self._until_next, len(data)
+        if index >= size:
+            self._until_next = index - size
             return [data]
         pieces, piece, position = [], bytearray(), 0
-        while position + self._until_next < len(data):
-            index = position + self._until_next
+        while index < size:
             piece += data[position:index]
             kind = self._kinds[bisect(self._bounds, self._random.random() * self._total, 0, len(self._bounds) - 1)]
-            if kind == "stall":
-                pieces.append(bytes(piece))
-                piece.clear()
-            piece += self._fate(kind, data[index])
+            if kind == "flip":
+                piece.append(data[index] ^ 1 << self._draw_bit())
+            elif kind != "loss":
+                if kind == "stall":
+                    pieces.append(bytes(piece))
+                    piece.clear()
+                piece += data[index : index + 1] * (2 if kind == "double" else 1)
             position = index + 1
-            self._until_next = self._draw()
-        self._until_next -= len(data) - position
+            index = position + self._draw()
+        self._until_next = index - size
         piece += data[position:]
         return [*pieces, bytes(piece)]
 
-    def _fate(self, kind: str, byte: int) -> bytes:
-        if kind == "loss":
-            return b""
-        if kind == "flip":
-            return bytes([byte ^ 1 << self._random.randrange(8)])
-        return bytes([byte] * (2 if kind == "double" else 1))
+    def _draw_bit(self) -> int:
+        """Return what `randrange(8)` would, in a part of its time."""
+        while (bit := self._random.getrandbits(4)) > 7:
+            pass
+        return bit
 
     def _draw(self) -> int:
         """Return how many bytes pass before the next that does not pass unharmed."""
@@ -181,11 +183,10 @@ class _Direction:
 
     def put(self, data: bytes, now: float) -> None:
         due = max(now, self._held[-1][0]) if self._held else now
-        for number, piece in enumerate(self._noise.spoil(data)):
-            if number:
-                due += self._noise.stall_seconds
+        for piece in self._noise.spoil(data):
             self._held.append((due, piece))
             self.held_bytes += len(piece)
+            due += self._noise.stall_seconds
 
     @property
     def next_due(self) -> float | None:
@@ -237,7 +238,8 @@ class NoisyLine(Gateway):
     @property
     def next_due(self) -> float | None:
         """When the gateway has something to do, or a stall ends."""
-        return _earlier(self._next_at_gateway(), self._back.next_due)
+        due = self._next_at_gateway()
+        return _earlier(due, self._back.next_due) if self._back.held_bytes else due
 
     def receive(self, data: bytes, now: float) -> bytes:
         """Take bytes at the time `now`, in seconds, and give those that arrive back at once."""
@@ -258,7 +260,8 @@ class NoisyLine(Gateway):
 
     def _next_at_gateway(self) -> float | None:
         """When something happens at the gateway's end of the line."""
-        return _earlier(self._towards.next_due, self._gateway.next_due)
+        due = self._gateway.next_due
+        return _earlier(self._towards.next_due, due) if self._towards.held_bytes else due
 
     def _step(self, now: float, room: int | None) -> None:
         data = self._towards.take(now)

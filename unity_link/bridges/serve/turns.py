@@ -192,9 +192,10 @@ class Turns:
         """Whether the next request is a posted write."""
         return self._first().requests[0].posted
 
+    @property
     def least(self) -> int:
-        """Return for how many requests room is wanted before the next turn."""
-        return self._first().requests[0].least()
+        """For how many requests room is wanted before the next turn."""
+        return self._first().requests[0].least
 
     def take(self, room: int, events: Events) -> Message:
         """Return what the next client may send in one go."""
