@@ -81,8 +81,8 @@ ros-packages: $(ALL) ## run the generated packages of ROS on the Pythons of its 
 	@ROS_PYTHONS="$(ROS_PYTHONS)" $(BIN)/python -m pytest tests/generate/test_ros_packages.py $(PYTEST_ARGS)
 
 bench: $(ALL) bench-peers ## measure, beside peers and REVISION too, and write benchmarks/RESULTS.md
-	@$(BIN)/python -m benchmarks
 	@$(BIN)/python -m benchmarks.beside $(REVISION) $(QUICKER)
+	@$(BIN)/python -m benchmarks
 
 bench-peers: $(PEERS) ## measure Unity-Link beside its peers, and write docs/performance.md
 	@$(PEERS_VENV)/bin/python -m benchmarks.peers
