@@ -30,7 +30,8 @@ _FEWEST_ROWS = 20
 _ROWS_TOGETHER = 64
 """Rows that lie in one array: so many stay in memory where one of them is kept."""
 _CRC_TYPES: dict[int, type[np.unsignedinteger]] = {8: np.uint8, 16: np.uint16, 32: np.uint32}
-_NIBBLE_TO_ASCII = np.frombuffer(b"0123456789ABCDEF", np.uint8)
+_HEX_OF_BYTE = np.frombuffer(b"".join(b"%02X" % value for value in range(256)), np.uint16)
+"""The two digits of each byte, side by side in memory."""
 
 
 # Numbers
@@ -158,16 +159,20 @@ def crc_rows(crc: Crc, rows: NDArray[np.uint8]) -> NDArray[np.uint8]:
 
     With an initial value of 0 the CRC is linear, so it is one table look-up a column and an xor over the columns.
     """
-    table = _column_table(crc.bits, crc.polynomial, rows.shape[1])
-    crcs = np.bitwise_xor.reduce(table[np.arange(rows.shape[1]), rows], axis=1)
-    shifts = np.arange(crc.bits - 4, -1, -4, dtype=crcs.dtype)
-    digits: NDArray[np.uint8] = _NIBBLE_TO_ASCII[(crcs[:, None] >> shifts) & 15]
+    table, places = _column_table(crc.bits, crc.polynomial, rows.shape[1])
+    # In columns, as numpy reduces few long rows in less time than many short ones.
+    crcs = np.bitwise_xor.reduce(table.take(rows.T + places), axis=0)
+    octets = crcs.astype(crcs.dtype.newbyteorder(">")).view(np.uint8)
+    digits: NDArray[np.uint8] = _HEX_OF_BYTE.take(octets).view(np.uint8).reshape(-1, crc.digits)
     return digits
 
 
 @lru_cache(maxsize=64)
-def _column_table(bits: int, polynomial: int, length: int) -> NDArray[np.unsignedinteger]:
-    """Return what each byte at each column of a row adds to the row's CRC, shape (length, 256)."""
+def _column_table(bits: int, polynomial: int, length: int) -> tuple[NDArray[np.unsignedinteger], NDArray[np.intp]]:
+    """Return what each byte at each column of a row adds to the row's CRC, and where the part of each column begins.
+
+    The first has shape (length * 256,), the second (length, 1).
+    """
     step = np.array(byte_table(bits, polynomial), _CRC_TYPES[bits])
     columns = np.empty((length, 256), _CRC_TYPES[bits])
     columns[-1] = step
@@ -175,7 +180,13 @@ def _column_table(bits: int, polynomial: int, length: int) -> NDArray[np.unsigne
         after = columns[column + 1]
         # One more zero byte behind: the remainder moves up by eight bits.
         columns[column] = (after << 8 if bits > 8 else 0) ^ step[after >> bits - 8]
-    return columns
+    return columns.ravel(), np.arange(0, columns.size, 256)[:, None]
+
+
+def _count_alike(rows: NDArray[np.uint8], expected: NDArray[np.uint8]) -> int:
+    """Return how many rows come before the first that is not as expected."""
+    alike = rows == expected
+    return len(rows) if alike.all() else int(alike.all(axis=1).argmin())
 
 
 def open_rows(framing: Framing, rows: NDArray[np.uint8], head: bytes) -> NDArray[np.uint8]:
@@ -187,16 +198,22 @@ def open_rows(framing: Framing, rows: NDArray[np.uint8], head: bytes) -> NDArray
         head: what all of them begin with, the prefix among it.
     """
     end = rows.shape[1] - framing.crc.digits - len(LF)
-    sound = (rows[:, -1:] == LF[0]).all(axis=1) & (rows[:, : len(head)] == np.frombuffer(head, np.uint8)).all(axis=1)
-    sound &= (rows[:, end : -len(LF)] == crc_rows(framing.crc, rows[:, :end])).all(axis=1)
-    count = len(rows) if sound.all() else int(sound.argmin())
-    return rows[:count, len(framing.prefix) : end]
+    expected = rows.copy()
+    expected[:, : len(head)] = np.frombuffer(head, np.uint8)
+    expected[:, end : -len(LF)] = crc_rows(framing.crc, rows[:, :end])
+    expected[:, -1] = LF[0]
+    return rows[: _count_alike(rows, expected), len(framing.prefix) : end]
 
 
 @lru_cache
 def _id_rows(digits: int) -> NDArray[np.uint8]:
-    """Return the digits of all IDs, shape (ring, digits), side by side in memory: `take` would copy them otherwise."""
-    return np.ascontiguousarray(hex_rows(np.arange(16**digits), digits))
+    """Return the digits of all IDs, twice: shape (2 * ring, digits)."""
+    return np.tile(hex_rows(np.arange(16**digits), digits), (2, 1))
+
+
+def _ids(codec: Codec, first: int, count: int) -> NDArray[np.uint8]:
+    """Return the digits of so many consecutive IDs, shape (count, digits)."""
+    return _id_rows(codec.info.id_digits)[first : first + count]
 
 
 def request_rows(codec: Codec, command: str, first: int, fields: NDArray[np.uint8]) -> bytes:
@@ -218,8 +235,7 @@ def request_rows(codec: Codec, command: str, first: int, fields: NDArray[np.uint
         )
     framing = codec.framing
     head = np.frombuffer(framing.prefix + codec.lower[command], np.uint8)
-    ids = _id_rows(codec.info.id_digits).take(np.arange(first, first + count), axis=0, mode="wrap")
-    covered = np.concatenate((np.broadcast_to(head, (count, len(head))), ids, fields), axis=1)
+    covered = np.concatenate((np.broadcast_to(head, (count, len(head))), _ids(codec, first, count), fields), axis=1)
     ends = np.full((count, 1), LF[0], np.uint8)
     return np.concatenate((covered, crc_rows(framing.crc, covered), ends), axis=1).tobytes()
 
@@ -242,12 +258,12 @@ def matching_rows(codec: Codec, command: str, first: int, data: bytes, digits: i
     crc_digits = framing.crc.digits
     before = len(head) + codec.info.id_digits
     rows = np.frombuffer(data, np.uint8).reshape(-1, before + digits + crc_digits + 1)
-    ids = _id_rows(codec.info.id_digits).take(np.arange(first, first + len(rows)), axis=0, mode="wrap")
-    good = (rows[:, : len(head)] == head).all(axis=1)
-    good &= (rows[:, len(head) : before] == ids).all(axis=1)
-    good &= (rows[:, -1 - crc_digits : -1] == crc_rows(framing.crc, rows[:, : before + digits])).all(axis=1)
-    good &= rows[:, -1] == LF[0]
-    return rows[: len(rows) if good.all() else int(good.argmin()), before : before + digits]
+    expected = rows.copy()
+    expected[:, : len(head)] = head
+    expected[:, len(head) : before] = _ids(codec, first, len(rows))
+    expected[:, -1 - crc_digits : -1] = crc_rows(framing.crc, rows[:, : before + digits])
+    expected[:, -1] = LF[0]
+    return rows[: _count_alike(rows, expected), before : before + digits]
 
 
 def response_rows(codec: Codec, command: str, first: int, data: bytes, digits: int) -> Words | None:
