@@ -68,7 +68,7 @@ def test_the_fields_of_a_write_are_those_of_any_request(codec: Codec, data: st.D
     assert codec.write_fields(address, word) == codec.fields("W", address, word) == codec.fields("WS", address, word)
 
 
-@given(ALL_FEATURES, st.data())
+@given(codec=ALL_FEATURES, data=st.data())
 def test_every_request_is_read_as_it_was_written(codec: Codec, data: st.DataObject) -> None:
     request = data.draw(requests(codec))
     assert codec.decode_request(body_of(codec, request)) == request

@@ -394,10 +394,7 @@ class Intake:
                 # As `_keep` would: this is on the way of every sample of groups that alternate.
                 self.received += 1
                 self._publishing.samples += 1
-                try:
-                    self._callback(sample)
-                except Exception as error:  # noqa: BLE001  (see `_report`)
-                    self._report(error)
+                self._call(self._callback, sample)
             else:
                 self._keep(sample)
         elif not self._came_before(sequence, instant):
@@ -494,10 +491,7 @@ class Intake:
             self._lose(1)
             return
         if self._callback is not None:
-            try:
-                self._callback(sample)
-            except Exception as error:  # noqa: BLE001  (see `_report`)
-                self._report(error)
+            self._call(self._callback, sample)
             return
         if len(self.buffer) == self._buffer_size:
             if self._overflow == "fail":
@@ -514,12 +508,15 @@ class Intake:
         self.lost += count
         self._publishing.samples_lost += count
 
-    def _report(self, error: Exception) -> None:
-        """Report what the callback raised: it is the caller's own, and must not stop the link."""
-        # With each sample, it would be told thousands of times a second.
-        if type(error) not in self._told:
-            self._told.add(type(error))
-            report(f"a subscription's callback raised {type(error).__name__} (told once)", error)
+    def _call(self, callback: Callable[[Sample], object], sample: Sample) -> None:
+        try:
+            callback(sample)
+        except Exception as error:  # noqa: BLE001  (it is the caller's own, and must not stop the link)
+            # With each sample, it would be told thousands of times a second.
+            if type(error) not in self._told:
+                self._told.add(type(error))
+                what = f"a subscription's callback raised {type(error).__name__} (told once)"
+                report(what, error)
 
     def wake(self) -> None:
         """Have the reader look again at what there is."""

@@ -211,8 +211,7 @@ class Exchange:
 
     def _fence(self, now: float) -> None:
         """Confirm posted writes by an ``h`` where it is time."""
-        window = self.window
-        if window.unfenced and window.needs_fence(now):
+        if self.window.needs_fence(now):
             self._confirm(now)
 
     # Turns, where nodes share a medium

@@ -186,10 +186,10 @@ class Codec:
         return layout % values
 
     def _write_fields(self) -> Callable[[int, int], bytes]:
-        address, word = _PACKED.get(self.info.address_digits), _PACKED.get(self.info.data_digits)
-        if address is None or word is None:
+        digits = self.info.address_digits, self.info.data_digits
+        if not _PACKED.keys() >= {*digits}:
             return functools.partial(self.fields, "W")
-        pack = struct.Struct(f">{address}{word}").pack
+        pack = struct.Struct(">" + "".join(_PACKED[count] for count in digits)).pack
         return lambda address, word: hexlify(pack(address, word)).upper()
 
     def request(self, command: str, number: int, fields: bytes) -> bytes:

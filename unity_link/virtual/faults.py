@@ -87,7 +87,7 @@ class Noise:
             piece += data[position:index]
             kind = self._kinds[bisect(self._bounds, self._random.random() * self._total, 0, len(self._bounds) - 1)]
             if kind == "flip":
-                piece.append(data[index] ^ 1 << self._draw_bit())
+                piece.append(data[index] ^ 1 << self._random.randrange(8))
             elif kind != "loss":
                 if kind == "stall":
                     pieces.append(bytes(piece))
@@ -98,12 +98,6 @@ class Noise:
         self._until_next = index - size
         piece += data[position:]
         return [*pieces, bytes(piece)]
-
-    def _draw_bit(self) -> int:
-        """Return what `randrange(8)` would, in a part of its time."""
-        while (bit := self._random.getrandbits(4)) > 7:
-            pass
-        return bit
 
     def _draw(self) -> int:
         """Return how many bytes pass before the next that does not pass unharmed."""
@@ -238,8 +232,7 @@ class NoisyLine(Gateway):
     @property
     def next_due(self) -> float | None:
         """When the gateway has something to do, or a stall ends."""
-        due = self._next_at_gateway()
-        return _earlier(due, self._back.next_due) if self._back.held_bytes else due
+        return _earlier(self._next_at_gateway(), self._back.next_due)
 
     def receive(self, data: bytes, now: float) -> bytes:
         """Take bytes at the time `now`, in seconds, and give those that arrive back at once."""
@@ -260,8 +253,7 @@ class NoisyLine(Gateway):
 
     def _next_at_gateway(self) -> float | None:
         """When something happens at the gateway's end of the line."""
-        due = self._gateway.next_due
-        return _earlier(self._towards.next_due, due) if self._towards.held_bytes else due
+        return _earlier(self._towards.next_due, self._gateway.next_due)
 
     def _step(self, now: float, room: int | None) -> None:
         data = self._towards.take(now)
