@@ -359,7 +359,7 @@ class Exchange:
                 if not (type(run) is Request or isinstance(run, BatchRun)):
                     break
                 end = start + run.reply_size
-                if not run.take_frame(number - run.first & mask, data[start:end], events):
+                if end > len(data) or not run.take_frame(number - run.first & mask, data[start:end], events):
                     break
                 number = number + 1 & mask
                 start = end

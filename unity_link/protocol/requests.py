@@ -149,11 +149,12 @@ class Message(Run):
     def data_of(self, frame: bytes, opening: bytes) -> bytes | None:
         """Return what stands behind the ID in a response that begins so; None where it is anything else, or damaged."""
         framing = self.codec.framing
-        covered = frame[: -framing.ending_size]
+        ending = -framing.ending_size
+        covered = frame[:ending]
         if (
             len(frame) == self.reply_size
             and covered.startswith(opening)
-            and frame == covered + framing.ending(covered)
+            and frame[ending:] == framing.ending(covered)
             and LF not in covered
         ):
             return covered[len(opening) :]

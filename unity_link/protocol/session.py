@@ -387,11 +387,9 @@ class Session:
                 taken = exchange.receive(data, now, events)
                 if exchange.refused is not None:
                     self._gateway_was_reset(now, events)
-            if taken == len(data):
-                break
             data = data[taken:]
-            if not taken:
-                # Noise without a line end is no frame; what is kept of it must not grow.
+            if not taken or (exchange is not None and exchange is self._exchange):
+                # What is left is the beginning of a frame. Noise without a line end is none, and must not grow.
                 self._rest = data if len(data) <= LONGEST_FRAME else b""
                 break
         if self._exchange is not None:
