@@ -112,10 +112,23 @@ async def run(console: Console, names: list[str]) -> list[Row]:
     return rows
 
 
+def add_names(parser: argparse.ArgumentParser) -> None:
+    """Add the argument that names benchmarks."""
+    parser.add_argument(
+        "names", nargs="*", type=_named, metavar="NAME", help=f"all by default; there are {', '.join(NAMED)}"
+    )
+
+
+def _named(name: str) -> str:
+    if name not in NAMED:
+        raise argparse.ArgumentTypeError(f"there is no benchmark {name!r}, expected {', '.join(NAMED)}")
+    return name
+
+
 def main() -> int:
     """Run, show and write; 1 where a target was missed."""
     parser = argparse.ArgumentParser(prog="python -m benchmarks", description=__doc__)
-    parser.add_argument("names", nargs="*", choices=[*NAMED, []], help="benchmarks; all by default")
+    add_names(parser)
     arguments = parser.parse_args()
     console = Console()
     rows = asyncio.run(run(console, arguments.names or list(NAMED)))

@@ -24,7 +24,7 @@ import msgspec
 from rich.console import Console
 from rich.table import Table
 
-from benchmarks.__main__ import NAMED
+from benchmarks.__main__ import NAMED, add_names
 from benchmarks.measure import Row
 
 if TYPE_CHECKING:
@@ -56,14 +56,15 @@ class Comparison(msgspec.Struct, frozen=True):
 @contextlib.contextmanager
 def checked_out(revision: str) -> Iterator[Path]:
     """Check a revision out into a folder for as long as the context lasts."""
+    commit = commit_of(revision)
     with tempfile.TemporaryDirectory() as folder:
         tree = Path(folder) / "tree"
-        _git("worktree", "add", "--detach", "--force", str(tree), revision)
+        _git("worktree", "add", "--detach", "--force", str(tree), commit)
         try:
             # What the revision could not be asked then, it is asked now.
-            patch = PATCHES / f"{revision}.patch"
-            if patch.exists():
-                _git("-C", str(tree), "apply", str(patch))
+            for patch in PATCHES.glob("*.patch"):
+                if commit.startswith(patch.stem):
+                    _git("-C", str(tree), "apply", str(patch))
             for file in (HERE / "benchmarks").glob("*.py"):
                 if not (tree / "benchmarks" / file.name).exists():
                     shutil.copy(file, tree / "benchmarks")
@@ -72,10 +73,22 @@ def checked_out(revision: str) -> Iterator[Path]:
             _git("worktree", "remove", "--force", str(tree))
 
 
+def commit_of(revision: str) -> str:
+    """Return the hash of the commit that a branch, a tag or a part of a hash names."""
+    found = _run_git("rev-parse", "--verify", "--quiet", f"{revision}^{{commit}}")
+    if found.returncode:
+        raise SystemExit(f"{revision!r} is no revision of this repository: give a branch, a tag or a hash")
+    return found.stdout.strip()
+
+
 def _git(*arguments: str) -> None:
-    done = subprocess.run(["git", *arguments], cwd=HERE, capture_output=True, text=True, check=False)  # noqa: S607
+    done = _run_git(*arguments)
     if done.returncode:
         raise SystemExit(f"git {' '.join(arguments)}: {done.stderr.strip()}")
+
+
+def _run_git(*arguments: str) -> subprocess.CompletedProcess[str]:
+    return subprocess.run(["git", *arguments], cwd=HERE, capture_output=True, text=True, check=False)  # noqa: S607
 
 
 def measure(tree: Path, name: str) -> Row:
@@ -123,7 +136,7 @@ def main() -> int:
     """Compare all benchmarks, and show a table; 1 where one became slower."""
     parser = argparse.ArgumentParser(prog="python -m benchmarks.beside", description=__doc__)
     parser.add_argument("revision", help="of this repository")
-    parser.add_argument("names", nargs="*", choices=[*NAMED, []], help="benchmarks; all by default")
+    add_names(parser)
     parser.add_argument("--rounds", type=int, default=ROUNDS, help="how often each runs here and there")
     arguments = parser.parse_args()
     console = Console()

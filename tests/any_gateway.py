@@ -11,6 +11,7 @@ from unity_link.protocol.configuration import Feature, GatewayInfo
 def gateway_infos(draw: st.DrawFn) -> GatewayInfo:
     """Return any configuration that the protocol allows."""
     crc_bits = draw(st.sampled_from([8, 16, 32]))
+    features = Feature(draw(st.integers(0, 0xFFFF)))
     return GatewayInfo(
         data_bits=draw(st.integers(8, 64)),
         address_bits=draw(st.integers(8, 32)),
@@ -20,10 +21,10 @@ def gateway_infos(draw: st.DrawFn) -> GatewayInfo:
         block_words=draw(st.integers(1, 255)),
         groups=draw(st.integers(0, 256)),
         group_words=draw(st.integers(0, 255)),
-        base_frequency_millihertz=draw(st.integers(1, 16**10 - 1)),
+        base_frequency_millihertz=draw(st.integers(int(Feature.GROUPS in features), 16**10 - 1)),
         clock_hz=draw(st.integers(1, 16**8 - 1)),
         receive_fifo_bytes=draw(st.integers(0, 0xFFFF)),
         transmit_fifo_bytes=draw(st.integers(0, 0xFFFF)),
-        features=Feature(draw(st.integers(0, 0xFFFF))),
+        features=features,
         build_id=draw(st.integers(0, 0xFFFFFFFF)),
     )

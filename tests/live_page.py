@@ -103,6 +103,8 @@ def hear(connection: ClientConnection, kind: str) -> Any:
 class Samples(NamedTuple):
     """A message of samples."""
 
+    sent: float
+    """Seconds since 1970."""
     dropped: int
     tables: dict[int, list[np.ndarray[Any, Any]]]
 
@@ -114,7 +116,7 @@ def take(connection: ClientConnection, about: Any) -> Samples:
         data = connection.recv(timeout=PATIENCE)
         if isinstance(data, bytes):
             break
-    _, dropped = HEAD.unpack_from(data)
+    sent, dropped = HEAD.unpack_from(data)
     place = HEAD.size
     tables: dict[int, list[np.ndarray[Any, Any]]] = {number: [] for number in range(len(columns))}
     while place < len(data):
@@ -123,7 +125,7 @@ def take(connection: ClientConnection, about: Any) -> Samples:
         numbers = (2 + columns[stream]) * count
         tables[stream].append(np.frombuffer(data, "<f8", numbers, place).reshape(-1, count))
         place += 8 * numbers
-    return Samples(dropped, tables)
+    return Samples(sent, dropped, tables)
 
 
 def write(connection: ClientConnection, path: str, value: object, number: int = 7) -> Any:

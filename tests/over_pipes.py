@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import contextlib
 import shlex
 import sys
 import tempfile
@@ -40,10 +41,10 @@ async def connect_through_pipes(gateway: Gateway, protocol: asyncio.Protocol) ->
     client = _OnlyClient(gateway)
     with tempfile.TemporaryDirectory() as folder:
         path = str(Path(folder) / "gateway")
-        async with await asyncio.get_running_loop().create_unix_server(lambda: client, path) as server:
+        # From Python 3.12 on, `async with` would wait for the end of the connection.
+        with contextlib.closing(await asyncio.get_running_loop().create_unix_server(lambda: client, path)):
             # Without the site packages the program starts sooner.
             command = shlex.join([sys.executable, "-I", "-S", str(PROGRAM), path])
             transport = await open_medium(parse_url(f"pipes:{command}"), protocol)
             await client.accepted.wait()
-            server.close()
     return transport

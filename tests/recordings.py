@@ -17,19 +17,24 @@ if TYPE_CHECKING:
 
     import pytest
 
+    from unity_link.spec import Spec
+
 SPEC = Path(__file__).parents[1] / "examples" / "scara.ul"
 GATEWAY = "sim:scara?base_frequency_millihertz=20000000"
 """The robot of the paper, whose group publishes two hundred times a second here."""
 
 
-def record(path: Path, enough: Callable[[Recorder], bool], url: str = GATEWAY, **options: Any) -> Recorder:
-    """Record the moving robot until there is enough."""
+def record(
+    path: Path, enough: Callable[[Recorder], bool], url: str = GATEWAY, spec: Path | Spec = SPEC, **options: Any
+) -> Recorder:
+    """Record a robot until there is enough; that of the paper moves."""
 
     async def run() -> Recorder:
         async with unity_link.connect(url) as link:
-            robot = unity_link.load(SPEC)(link)
+            robot = unity_link.load(spec)(link)
             recorder = Recorder(robot, path, **options)
-            await robot.j1.pos_sp.set(50)
+            if spec is SPEC:
+                await robot.j1.pos_sp.set(50)
             running = asyncio.create_task(recorder.run())
             while not enough(recorder) and not running.done():  # noqa: ASYNC110  (a thread writes)
                 await asyncio.sleep(0.01)

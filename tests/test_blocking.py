@@ -13,7 +13,8 @@ import sys
 import tempfile
 import threading
 import time
-from collections.abc import Iterator
+import weakref
+from collections.abc import Callable, Iterator
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
@@ -22,6 +23,7 @@ from anyio.from_thread import start_blocking_portal
 
 import unity_link
 from unity_link import blocking
+from unity_link.link.calling_thread import CallingThread
 from unity_link.protocol.messages import ErrorCode
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.faults import Failing
@@ -77,6 +79,25 @@ def test_a_subscription_whose_link_is_closed_in_its_block_ends_and_counts_as_clo
     assert not recwarn.list
 
 
+@pytest.mark.parametrize(
+    "ask", [lambda samples: [next(samples)], blocking.BlockingSubscription.take], ids=["iterated", "taken"]
+)
+def test_samples_that_came_before_their_link_was_closed_are_given_and_then_its_end(
+    ask: Callable[[blocking.BlockingSubscription], list[unity_link.Sample]],
+) -> None:
+    with blocking.connect("sim:") as link, link.subscribe([0x10]) as samples:
+        for _ in range(5):
+            samples.publish()
+        assert next(samples).sequence == 0
+        samples.publish()
+        link.close()
+        taken = [sample.sequence for sample in samples.take(2)]
+        with pytest.raises(unity_link.LinkClosedError):  # noqa: PT012  (it comes behind them)
+            while True:
+                taken += [sample.sequence for sample in ask(samples)]
+        assert taken == [1, 2, 3, 4, 5]
+
+
 def test_iteration_ends_with_the_block() -> None:
     with blocking.connect("sim:") as link:
         with link.subscribe(0x10) as samples:
@@ -108,6 +129,23 @@ def test_a_closed_link_says_so_and_leaves_no_thread() -> None:
     assert threading.active_count() == before
     with pytest.raises(unity_link.LinkClosedError):
         link.read(0)
+
+
+@pytest.mark.skipif(not Path("/dev/fd").is_dir(), reason="this system does not tell what is open")
+def test_a_closed_link_leaves_no_descriptor_for_the_garbage_collector() -> None:
+    def count_open() -> int:
+        return len(list(Path("/dev/fd").iterdir()))
+
+    gc.collect()
+    gc.disable()
+    try:
+        before = count_open()
+        for _ in range(5):
+            with blocking.connect("sim:") as link:
+                assert link.read(0x10) == 0
+        assert count_open() == before
+    finally:
+        gc.enable()
 
 
 def test_control_c_in_a_waiting_call_ends_the_program_and_its_link() -> None:
@@ -299,6 +337,32 @@ def test_samples_are_taken_while_the_program_does_something_else(served: tuple[V
     assert [sample.sequence for sample in taken] == list(range(1000))
 
 
+def test_as_many_samples_are_taken_as_are_asked_for_and_fewer_where_they_end(tmp_path: Path) -> None:
+    with contextlib.ExitStack() as stack:
+        portal = stack.enter_context(start_blocking_portal())
+        serving = stack.enter_context(contextlib.ExitStack())
+        url = serving.enter_context(
+            portal.wrap_async_context_manager(serve_unix(VirtualGateway(), tmp_path / "gateway"))
+        )
+        link = stack.enter_context(blocking.connect(url))
+        samples = stack.enter_context(link.subscribe([0x10], rate_hz=1000))
+        for count in (0, -1, "5"):
+            with pytest.raises(unity_link.ArgumentError, match="a number of samples from 1 on was expected, not"):
+                samples.take(count)  # type: ignore[arg-type]
+        deadline = time.monotonic() + 60
+        while samples.received < 100 and time.monotonic() < deadline:
+            time.sleep(0.01)
+        # All that wait are fetched at once, and the link ends before the others are asked for.
+        assert next(samples).sequence == 0
+        waiting = len(samples._samples)
+        assert waiting
+        serving.close()
+        taken = samples.take(10_000)
+        assert [sample.sequence for sample in taken[:waiting]] == list(range(1, waiting + 1))
+        with pytest.raises(unity_link.LinkLostError):
+            samples.take(1)
+
+
 def test_calls_go_on_while_another_thread_waits_for_a_sample(served: tuple[VirtualGateway, str]) -> None:
     with (
         blocking.connect(served[1]) as link,
@@ -418,6 +482,30 @@ def test_a_link_that_its_own_callback_forgets_is_closed(served: tuple[VirtualGat
             time.sleep(0.001)
         gc.collect()
     assert threads_of_links() == []
+
+
+def test_a_job_that_is_cancelled_keeps_nothing_of_the_call_in_which_that_happened() -> None:
+    class Argument:
+        pass
+
+    runtime = CallingThread()
+
+    async def wait_for_ever() -> None:
+        await runtime.create_future()
+
+    async def cancel_a_job(_: Argument) -> None:
+        await runtime.finish(runtime.create_task(wait_for_ever()))
+
+    argument = Argument()
+    kept = weakref.ref(argument)
+    gc.disable()
+    try:
+        runtime.run(cancel_a_job, argument)
+        del argument
+        assert kept() is None
+    finally:
+        gc.enable()
+        runtime.close(None)
 
 
 def test_the_next_call_opens_a_lost_connection_again(tmp_path: Path) -> None:

@@ -72,10 +72,53 @@ def test_a_minute_passes_in_a_moment(unity_link_modelled_time, unity_link_open, 
 async def test_it_moves_under(unity_link_anyio_robot):
     assert await reach(unity_link_anyio_robot, 0.5) > 0.5
 """
+BATTERY = """
+import pytest
+
+@pytest.mark.asyncio
+async def test_battery(unity_link_robot):
+    assert await unity_link_robot.battery.get() == 12
+"""
+SEVERAL = """
+import pytest
+import unity_link
+from unity_link.bridges.serve import serve
+
+pytestmark = pytest.mark.unity_link(spec="rover.ul", model="rover.py:Rover")
+
+
+@pytest.mark.asyncio
+@pytest.mark.parametrize("medium", [
+    pytest.param(medium, marks=pytest.mark.unity_link(medium=medium)) for medium in ("sim", "tcp", "unix", "pty", "udp")
+])
+async def test_one_after_the_other(medium, unity_link_open):
+    for value in range(3):
+        async with unity_link_open() as link:
+            with pytest.raises(pytest.UsageError, match="this test has a link, and serves one at a time"):
+                async with unity_link_open():
+                    pass
+            assert await link.read(0x31) == value
+            await link.write(0x31, value + 1)
+
+
+@pytest.mark.asyncio
+async def test_several_at_once(unity_link_gateway, tmp_path):
+    async with serve(unity_link_gateway, unix=tmp_path / "shared") as server:
+        (url,) = server.urls
+        async with unity_link.connect(url) as one, unity_link.connect(url) as other:
+            for value in range(16):
+                await one.write(0x31, value)
+                assert await other.read(0x31) == value
+"""
 WRONG = {
     "unity_link(medium='tcq')": "medium='tcq': one of sim, tcp, unix, pty, udp was expected",
     "unity_link(speck='rover.ul')": "unity_link takes spec=, model=, medium=, noise=, seed= and rtl=, not",
     "unity_link(model='rover.py:Rover')": "model is for the robot of a spec",
+    "unity_link(spec=5)": "unity_link(spec=5): a path was expected",
+    "unity_link(spec='rover.ul', model=5)": "unity_link(model=5): text such as rover.py:Rover was expected",
+    "unity_link(spec='rover.ul', noise='0.1')": "unity_link(noise='0.1'): a number was expected",
+    "unity_link(spec='rover.ul', seed='x')": "unity_link(seed='x'): a whole number was expected",
+    "unity_link(spec='rover.ul', rtl='no')": "unity_link(rtl='no'): True or False was expected",
     "unity_link()": "a robot needs a spec: pytest.mark.unity_link(spec='robot.ul'), or unity_link_spec",
 }
 
@@ -149,11 +192,25 @@ def test_the_ini_file_says_what_all_tests_have(folder: Path) -> None:
     (folder / "pytest.ini").write_text(
         "[pytest]\nunity_link_spec = rover.ul\nunity_link_model = rover.py:Rover\nunity_link_medium = unix\n"
     )
-    (folder / "test_rover.py").write_text(
-        "import pytest\n\n@pytest.mark.asyncio\nasync def test_battery(unity_link_robot):\n"
-        "    assert await unity_link_robot.battery.get() == 12\n"
-    )
+    (folder / "test_rover.py").write_text(BATTERY)
     assert "1 passed" in run(folder)
+
+
+def test_paths_of_the_ini_file_are_below_its_folder(folder: Path) -> None:
+    (folder / "ci").mkdir()
+    (folder / "ci" / "board.ini").write_text(
+        "[pytest]\nunity_link_spec = ../rover.ul\nunity_link_model = ../rover.py:Rover\n"
+    )
+    (folder / "test_rover.py").write_text(BATTERY)
+    assert "1 passed" in run(folder, "-c", "ci/board.ini", "--rootdir=.")
+    (folder / "pytest.ini").unlink()
+    assert "1 passed" in run(folder, "-o", "unity_link_spec=rover.ul", "-o", "unity_link_model=rover.py:Rover")
+
+
+def test_links_are_opened_one_after_the_other_and_several_at_once_share_the_gateway(folder: Path) -> None:
+    (folder / "test_rover.py").write_text(SEVERAL)
+    said = run(folder)
+    assert "6 passed" in said, said
 
 
 def test_what_is_marked_wrongly_is_told_in_a_sentence(folder: Path) -> None:

@@ -3,6 +3,7 @@
 The link's own suite runs on it as well (tests/faces.py).
 """
 
+import gc
 from collections.abc import AsyncIterator, Awaitable, Callable, Iterator
 from contextlib import asynccontextmanager
 from pathlib import Path
@@ -12,9 +13,22 @@ import trio
 from anyio.from_thread import start_blocking_portal
 
 import unity_link
+from unity_link import UnsupportedError
+from unity_link.data import Group
+from unity_link.spec import compile_text
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.line import SlowLine
 from unity_link.virtual.serving import serve_pty, serve_tcp, serve_udp, serve_unix
+
+ROBOT = unity_link.load(
+    compile_text("""
+    group state(RATE=1000);
+    public robot() {
+      @word = 1: READWRITE(PUBLISH(state));
+      @wide = 2: unsigned 64 READWRITE();
+    }
+    """)
+)
 
 
 def run(program: Callable[[], Awaitable[object]]) -> None:
@@ -83,6 +97,56 @@ def test_a_call_that_is_cancelled_leaves_the_others_as_they_are() -> None:
             assert scope.cancelled_caught
             await link.write(1, 5)
             assert await link.read(1) == 5
+
+    run(program)
+
+
+def test_a_group_that_is_cancelled_leaves_no_coroutine_that_never_ran(recwarn: pytest.WarningsRecorder) -> None:
+    async def program() -> None:
+        async with unity_link.connect(SlowLine(VirtualGateway(), 300)) as link:
+            robot = ROBOT(link)
+            for work in (Group(robot.word, robot.wide).get(), Group(robot.word, robot.wide).set([1, 2])):
+                with trio.move_on_after(0.02) as scope:
+                    await work
+                assert scope.cancelled_caught
+
+    run(program)
+    gc.collect()
+    assert not recwarn.list
+
+
+def test_samples_over_several_gateways_are_refused_in_a_sentence() -> None:
+    async def program() -> None:
+        async with (
+            unity_link.connect(VirtualGateway()) as left,
+            unity_link.connect(VirtualGateway()) as right,
+        ):
+            group = Group(ROBOT(left).word, ROBOT(right).word)
+            await group.set([1, 2])
+            assert list((await group.get()).values()) == [1, 2]
+            with pytest.raises(UnsupportedError, match=r"^samples of several gateways need asyncio"):
+                async with group.subscribe(rate_hz=100):
+                    pass
+
+    run(program)
+
+
+def test_a_callback_that_is_cancelled_at_once_leaves_the_next_one_alone() -> None:
+    async def program() -> None:
+        async with unity_link.connect(VirtualGateway()) as link:
+            state = ROBOT(link).groups["state"]
+            sequences: list[int] = []
+            state.on_sample(lambda _: None).cancel()
+            with state.on_sample(lambda sample: sequences.append(sample.sequence)):
+                await trio.sleep(0.1)
+                with state.on_sample(lambda _: None):
+                    await trio.sleep(0.1)
+            await trio.sleep(0.1)
+            assert len(sequences) > 10
+            assert sequences == list(range(len(sequences)))
+            samples = link.statistics.samples
+            await trio.sleep(0.1)
+            assert link.statistics.samples == samples, "nothing is published to nobody"
 
     run(program)
 

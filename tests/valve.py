@@ -10,7 +10,8 @@ from unity_link.virtual.gateway import Gateway
 if TYPE_CHECKING:
     from collections.abc import MutableMapping
 
-    from unity_link import GatewayInfo, Link
+    from unity_link import GatewayInfo
+    from unity_link.link.connection import Connection
 
 
 class Valve(Gateway):
@@ -32,6 +33,15 @@ class Valve(Gateway):
 
     def __getattr__(self, name: str) -> Any:
         return getattr(self.gateway, name)
+
+    def go_away(self, connection: Connection) -> None:
+        """End a connection, and answer no other until `come_back`."""
+        self.requests_pass = self.answers_pass = False
+        cut(connection)
+
+    def come_back(self) -> None:
+        """Let everything through."""
+        self.requests_pass = self.answers_pass = True
 
     @property
     def memory(self) -> MutableMapping[int, int]:
@@ -60,8 +70,8 @@ def numbers_in(sent: bytes, info: GatewayInfo) -> list[int]:
     return [int(digits, 16) for digits in re.findall(heads, sent, re.MULTILINE)]
 
 
-def cut(link: Link) -> None:
-    """End the connection of a link as a cable that is pulled out does."""
-    assert link._flow.stream is not None
-    assert link._flow.stream._transport is not None
-    link._flow.stream._transport.abort()
+def cut(connection: Connection) -> None:
+    """End the connection of a link, or of a server, as a cable that is pulled out does."""
+    assert connection._flow.stream is not None
+    assert connection._flow.stream._transport is not None
+    connection._flow.stream._transport.abort()

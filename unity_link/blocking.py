@@ -28,9 +28,11 @@ from collections import deque
 from contextlib import suppress
 from typing import TYPE_CHECKING, Any, Self, TypeVar
 
-from unity_link.errors import LinkClosedError, Outcome, Sealed, missing, refusing
+from unity_link.errors import LinkClosedError, Outcome, Sealed, UnityLinkError, missing, refusing
 from unity_link.link import link as asynchronous
 from unity_link.link.calling_thread import CallingThread
+from unity_link.link.connection import CONNECT_TIMEOUT
+from unity_link.link.subscription import check_count
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Coroutine
@@ -50,7 +52,9 @@ LAST_PATIENCE = 2.0
 """Seconds that the end of a program waits for a link that was not closed."""
 
 
-def connect(target: str | Medium, *, timeout: float = 5.0, reconnect: bool | Reconnect = False) -> BlockingLink:
+def connect(
+    target: str | Medium, *, timeout: float = CONNECT_TIMEOUT, reconnect: bool | Reconnect = False
+) -> BlockingLink:
     """Open a link; `unity_link.connect` says what the arguments are and what is raised.
 
     The link is open when this returns; use it in a ``with`` block, or call `BlockingLink.close`.
@@ -244,10 +248,11 @@ class BlockingSubscription(Sealed):
         __aenter__ = __aexit__ = refusing("write `with` before a subscription of a blocking link")
         __aiter__ = refusing("write `for` over the samples of a blocking link, in a `with` block")
 
-    def __init__(self, subscription: AsyncSubscription, call: Callable[..., Any], run: Callable[..., None]) -> None:
+    def __init__(self, subscription: AsyncSubscription, call: Callable[..., Any], run: Callable[..., Any]) -> None:
         self._subscription = subscription
         self._call = call
         self._run = run
+        """As `call`, on a link that was closed, too: what had come before is still to be taken."""
         self._samples: deque[Sample] = deque()
 
     def _called(self) -> str:
@@ -278,11 +283,22 @@ class BlockingSubscription(Sealed):
 
     def take(self, count: int | None = None) -> list[Sample]:
         """Wait until there is a sample, and return all that wait; or so many, fewer where the samples end."""
-        waiting = len(self._samples) if count is None else min(count, len(self._samples))
-        taken = [self._samples.popleft() for _ in range(waiting)]
-        if count is None and taken:
+        if count is not None:
+            count = check_count(count)
+        waiting = self._samples
+        taken = [waiting.popleft() for _ in range(len(waiting) if count is None else min(count, len(waiting)))]
+        if len(taken) == count or (count is None and taken):
             return taken
-        return taken + (self._call(self._subscription.take, count and count - waiting) if count != waiting else [])
+        try:
+            following: list[Sample] = self._run(self._subscription.take, count and count - len(taken))
+        except (StopAsyncIteration, UnityLinkError):
+            if not taken:
+                raise
+            return taken
+        except BaseException:
+            waiting.extendleft(reversed(taken))
+            raise
+        return taken + following
 
     def __enter__(self) -> Self:
         self._call(self._subscription.__aenter__)
@@ -301,7 +317,7 @@ class BlockingSubscription(Sealed):
         if not self._samples:
             # All that wait at once: a call for each would be slow.
             try:
-                self._samples.extend(self._call(self._subscription.take))
+                self._samples.extend(self._run(self._subscription.take))
             except StopAsyncIteration:
                 raise StopIteration from None
         return self._samples.popleft()

@@ -205,6 +205,25 @@ def unassignable(thing: object, name: str, what: str) -> ArgumentError:
     return ArgumentError(str(missing(thing, name, what)))
 
 
+class OfLink:
+    """Something of a link, of which there is one: a copy of it is itself, and it goes through no pickle."""
+
+    __slots__ = ()
+
+    def _called(self) -> str:
+        """Return what messages call it."""
+        return repr(self)[1:-1]
+
+    def __copy__(self) -> Self:
+        return self
+
+    def __deepcopy__(self, _: dict[int, Any], /) -> Self:
+        return self
+
+    def __reduce__(self) -> Any:
+        raise ArgumentError(f"{self._called()} cannot be pickled: it is of no use without its link")
+
+
 class _Sealing(type):
     """Makes objects, and seals each when it is made."""
 
@@ -217,7 +236,7 @@ class _Sealing(type):
         return made
 
 
-class Sealed(metaclass=_Sealing):
+class Sealed(OfLink, metaclass=_Sealing):
     """Something whose attributes a program does not set, once it is made: that would hide them, and do nothing else."""
 
     __slots__ = ("_is_sealed",)
@@ -232,6 +251,16 @@ class Sealed(metaclass=_Sealing):
         def __getattr__(self, name: str) -> Any:
             raise AttributeError(name) if name.startswith("_") else missing(self, name, self._called())
 
-    def _called(self) -> str:
-        """Return what messages call it."""
-        return repr(self)[1:-1]
+    def _data(self) -> tuple[Any, ...] | None:
+        """Return what its class makes another one of; None where it is of a link, of which there is one."""
+        return None
+
+    def __deepcopy__(self, memo: dict[int, Any], /) -> Self:
+        import copy
+
+        data = self._data()
+        return self if data is None else type(self)(*copy.deepcopy(data, memo))
+
+    def __reduce__(self) -> Any:
+        data = self._data()
+        return super().__reduce__() if data is None else (type(self), data)

@@ -14,14 +14,17 @@ from __future__ import annotations
 
 import contextlib
 import importlib.util
+import os
+import threading
 from dataclasses import dataclass, replace
+from numbers import Real
 from pathlib import Path  # noqa: TC003  (pytest and dataclasses read it)
 from typing import TYPE_CHECKING, Any
 
 import pytest
 
 if TYPE_CHECKING:
-    from collections.abc import AsyncIterator, Callable, Coroutine
+    from collections.abc import AsyncIterator, Callable, Coroutine, Iterator
     from contextlib import AbstractAsyncContextManager
 
     from unity_link import Link
@@ -30,12 +33,20 @@ if TYPE_CHECKING:
 
 MEDIA = ("sim", "tcp", "unix", "pty", "udp")
 _INI = {
-    "unity_link_spec": "path of the spec of the robot, below the directory of the configuration",
+    "unity_link_spec": "path of the spec of the robot, below the folder of the ini file",
     "unity_link_model": "model of the robot, as rover.py:Rover",
     "unity_link_medium": f"what is between program and gateway: {', '.join(MEDIA)}",
     "unity_link_noise": "probability that a byte is lost, and that one is damaged",
     "unity_link_seed": "chooses the course of the noise",
 }
+_KINDS: dict[str, tuple[Any, str]] = {
+    "spec": (str | os.PathLike | None, "a path"),
+    "model": (str | None, "text such as rover.py:Rover"),
+    "noise": (Real | None, "a number"),
+    "seed": (int, "a whole number"),
+    "rtl": (bool, "True or False"),
+}
+"""What the marker takes."""
 
 
 @dataclass(frozen=True)
@@ -81,6 +92,10 @@ def unity_link_settings(request: pytest.FixtureRequest) -> Settings:
     for marker in reversed(list(request.node.iter_markers("unity_link"))):
         if marker.args or not marker.kwargs.keys() <= Settings.__annotations__.keys() - {"url"}:
             raise pytest.UsageError(f"unity_link takes spec=, model=, medium=, noise=, seed= and rtl=, not {marker}")
+        for name, value in marker.kwargs.items():
+            kind, expected = _KINDS.get(name, (object, ""))
+            if not isinstance(value, kind):
+                raise pytest.UsageError(f"unity_link({name}={value!r:.80}): {expected} was expected")
         here = request.path.parent
         found = dict(marker.kwargs)
         if found.get("spec") is not None:
@@ -95,10 +110,11 @@ def unity_link_settings(request: pytest.FixtureRequest) -> Settings:
 
 def _of_ini(config: pytest.Config) -> Settings:
     texts = {name.removeprefix("unity_link_"): str(config.getini(name)) for name in _INI}
+    folder = config.rootpath if config.inipath is None else config.inipath.parent
     try:
         return Settings(
-            spec=config.rootpath / texts["spec"] if texts["spec"] else None,
-            model=_below(config.rootpath, texts["model"]) if texts["model"] else None,
+            spec=folder / texts["spec"] if texts["spec"] else None,
+            model=_below(folder, texts["model"]) if texts["model"] else None,
             medium=texts["medium"] or "sim",
             noise=float(texts["noise"] or 0),
             seed=int(texts["seed"] or 0),
@@ -134,11 +150,12 @@ def _build(settings: Settings) -> BareGateway:
 def unity_link_open(
     request: pytest.FixtureRequest, unity_link_settings: Settings, tmp_path: Path
 ) -> Callable[[], AbstractAsyncContextManager[Link]]:
-    """Return what opens a link to the gateway of the test, in ``async with``; each call opens one."""
+    """Return what opens a link to the gateway of the test, in ``async with``; each call opens one, where none is."""
     if unity_link_settings.url is not None:
         return lambda: _connect(unity_link_settings.url)
     gateway = request.getfixturevalue("unity_link_gateway")
-    return lambda: _opened(unity_link_settings, gateway, tmp_path)
+    turn = threading.Lock()
+    return lambda: _opened(unity_link_settings, gateway, tmp_path, turn)
 
 
 def _connect(target: Any) -> AbstractAsyncContextManager[Link]:
@@ -147,13 +164,28 @@ def _connect(target: Any) -> AbstractAsyncContextManager[Link]:
     return unity_link.connect(target)
 
 
+@contextlib.contextmanager
+def _alone(turn: threading.Lock) -> Iterator[None]:
+    """Refuse a second link meanwhile: two would take each other's session, and writes of one could be lost."""
+    if not turn.acquire(blocking=False):
+        raise pytest.UsageError(
+            "the gateway of this test has a link, and serves one at a time: leave that first, or share the gateway by "
+            "unity_link.bridges.serve.serve(unity_link_gateway, unix=tmp_path / 'shared')"
+        )
+    try:
+        yield
+    finally:
+        turn.release()
+
+
 @contextlib.asynccontextmanager
-async def _opened(settings: Settings, bare: BareGateway, folder: Path) -> AsyncIterator[Link]:
+async def _opened(settings: Settings, bare: BareGateway, folder: Path, turn: threading.Lock) -> AsyncIterator[Link]:
     from unity_link.virtual.build import put_behind_line
 
     chances = {"loss": settings.noise, "flip": settings.noise} if settings.noise else None
     gateway = put_behind_line(bare, chances=chances, seed=settings.seed)
     async with contextlib.AsyncExitStack() as stack:
+        stack.enter_context(_alone(turn))
         target: Gateway | str = gateway
         if settings.medium != "sim":
             target = await stack.enter_async_context(_served(settings.medium, gateway, folder))

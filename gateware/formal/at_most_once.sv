@@ -114,7 +114,7 @@ module at_most_once_properties (
 	wire [8:0] d_words = \decoder.r [85:77];
 	wire d_partial = \decoder.r [86], d_exceeds = \decoder.r [87], d_flushed = \decoder.r [97];
 
-	(* hierconn *) wire [72:0] \executor.r ;
+	(* hierconn *) wire [73:0] \executor.r ;
 	wire [2:0] e_state = \executor.r [2:0];
 	wire e_in_session = \executor.r [3];
 	wire [7:0] e_expected = \executor.r [11:4];

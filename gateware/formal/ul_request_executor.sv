@@ -60,7 +60,7 @@ module ul_request_executor_properties (
 	reg executed;
 
 	// A record is laid out from its first field on, the lowest bit first.
-	(* hierconn *) wire [76:0] \dut.r ;
+	(* hierconn *) wire [77:0] \dut.r ;
 	wire [2:0] state = \dut.r [2:0];
 
 	wire taken = request_valid && request_accept;

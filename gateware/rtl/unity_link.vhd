@@ -38,7 +38,7 @@ entity unity_link is
     checked_frames : boolean := true;
     -- 8, 16, 32: bits of a frame's CRC.
     crc_bits : positive := 16;
-    -- crc_bits bits: its polynomial without the highest term, right-aligned.
+    -- crc_bits bits, not all 0: its polynomial without the highest term, right-aligned. The default is that of 16 bits.
     crc_polynomial : std_logic_vector(31 downto 0) := x"00001021";
     -- 1 to 255: most words in one block or queue request.
     block_words : positive := 255;
@@ -52,7 +52,7 @@ entity unity_link is
     clock_hz : positive := 50_000_000;
     -- 1 to 1000 * clock_hz / (groups + 8): the frequency of which periodic groups publish at integer divisions, in mHz.
     base_frequency_millihertz : positive := 100_000_000;
-    -- Powers of two, at least 2: bytes that wait for the gateway, and those that wait for the medium.
+    -- Powers of two, 2 to 32768: bytes that wait for the gateway, and those that wait for the medium.
     rx_fifo_depth : positive := 256;
     tx_fifo_depth : positive := 256;
     -- At least 1: cycles after which a bus access that is not answered ends with error 05; the bus then rests as long.

@@ -40,7 +40,7 @@ entity unity_link_core is
     checked_frames : boolean := true;
     -- 8, 16, 32: bits of a frame's CRC.
     crc_bits : positive := 16;
-    -- crc_bits bits: its polynomial without the highest term, right-aligned.
+    -- crc_bits bits, not all 0: its polynomial without the highest term, right-aligned. The default is that of 16 bits.
     crc_polynomial : std_logic_vector(31 downto 0) := x"00001021";
     -- 1 to 255: most words in one block or queue request.
     block_words : positive := 255;
@@ -54,7 +54,7 @@ entity unity_link_core is
     clock_hz : positive := 50_000_000;
     -- 1 to 1000 * clock_hz / (groups + 8): the frequency of which periodic groups publish at integer divisions, in mHz.
     base_frequency_millihertz : positive := 100_000_000;
-    -- Powers of two, at least 2: bytes that wait for the gateway, and those that wait for the medium.
+    -- Powers of two, 2 to 32768: bytes that wait for the gateway, and those that wait for the medium.
     rx_fifo_depth : positive := 256;
     tx_fifo_depth : positive := 256;
     -- At least 1: cycles after which a bus access that is not answered ends with error 05; the bus then rests as long.
@@ -132,7 +132,9 @@ end entity unity_link_core;
 
 architecture rtl of unity_link_core is
 
-  constant has_groups    : boolean  := groups > 0;
+  -- What an assertion below refuses must not end the elaboration before: so there are no groups then, and the memories
+  -- are no larger than the largest.
+  constant has_groups    : boolean  := groups > 0 and groups <= 256 and group_words > 0 and group_words <= 255;
   constant address_width : positive := 4 * digits_of(address_bits);
   constant id_width      : positive := 4 * id_digits;
   constant memory_width  : positive := maximum(data_bits, address_bits);
@@ -142,9 +144,9 @@ architecture rtl of unity_link_core is
   begin
 
     if has_groups then
-      return maximum(block_words, maximum(group_words, 2));
+      return minimum(maximum(block_words, maximum(group_words, 2)), 256);
     end if;
-    return maximum(block_words, 2);
+    return minimum(maximum(block_words, 2), 256);
 
   end function words_in_request;
 
@@ -314,11 +316,24 @@ begin
     report "unity_link: id_digits is " & integer'image(id_digits) & ", expected 2 or 3"
     severity failure;
 
+  assert (crc_bits /= 8 and crc_bits /= 16 and crc_bits /= 32)
+         or (unsigned(crc_polynomial) /= 0 and shift_right(unsigned(crc_polynomial), crc_bits) = 0)
+    report "unity_link: crc_polynomial is 0 or has more than the " & integer'image(crc_bits)
+           & " bits of crc_bits, expected that of a CRC of so many bits, such as 00000007, 00001021 or 04C11DB7"
+    severity failure;
+
+  -- The answer to Q has four digits for each.
+  assert rx_fifo_depth <= 32768 and tx_fifo_depth <= 32768
+    report "unity_link: rx_fifo_depth is " & integer'image(rx_fifo_depth) & " and tx_fifo_depth "
+           & integer'image(tx_fifo_depth) & ", expected 2 to 32768"
+    severity failure;
+
   assert block_words <= 255
     report "unity_link: block_words is " & integer'image(block_words) & ", expected 1 to 255"
     severity failure;
 
-  assert groups <= 256 and (groups = 0 or (group_words >= 1 and group_words <= 255))
+  -- `Q` has two digits for the words, also where there are no groups.
+  assert groups <= 256 and group_words <= 255 and (groups = 0 or group_words >= 1)
     report "unity_link: groups is " & integer'image(groups) & " and group_words " & integer'image(group_words)
            & ", expected 0 to 256 and 1 to 255"
     severity failure;

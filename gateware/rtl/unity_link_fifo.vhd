@@ -24,7 +24,7 @@ entity unity_link_fifo is
     -- Without them there is no datalink layer: all frames are plain, for a person at a terminal (a host needs checked
     -- ones).
     checked_frames : boolean := true;
-    -- 8, 16 or 32 bits; the polynomial without its highest term, right-aligned.
+    -- 8, 16 or 32 bits; the polynomial of so many without its highest term, right-aligned.
     crc_bits       : positive                      := 16;
     crc_polynomial : std_logic_vector(31 downto 0) := x"00001021";
     -- Most words in one block or queue request, 1 to 255.
@@ -37,7 +37,7 @@ entity unity_link_fifo is
     -- Frequency of clk in Hz, and of the base tick of periodic groups in mHz.
     clock_hz                  : positive := 50_000_000;
     base_frequency_millihertz : positive := 100_000_000;
-    -- Bytes; powers of two.
+    -- Bytes; powers of two, 2 to 32768.
     rx_fifo_depth : positive := 256;
     tx_fifo_depth : positive := 256;
     -- Cycles after which a bus access that is not answered ends with error 05.

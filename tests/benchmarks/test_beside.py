@@ -37,3 +37,10 @@ def test_what_a_revision_lacks_for_a_benchmark_is_said(tmp_path: Path) -> None:
     (tmp_path / "benchmarks" / "can.py").touch()
     assert beside.why_not(tmp_path, "asks") == "ModuleNotFoundError: No module named 'what_is_not_there'"
     assert beside.why_not(tmp_path, "can") == ""
+
+
+def test_a_revision_that_there_is_not_is_said() -> None:
+    with pytest.raises(
+        SystemExit, match="'nonsense' is no revision of this repository: give a branch, a tag or a hash"
+    ):
+        beside.commit_of("nonsense")

@@ -12,6 +12,7 @@ import pytest
 
 import unity_link
 from recordings import InPlace
+from sharing import PipedLink, sharing, until
 from simulated_time import run_simulated
 from unity_link import GatewayInfo
 from unity_link.bridges.carrying import Carrier
@@ -20,6 +21,7 @@ from unity_link.data import load
 from unity_link.protocol.messages import ErrorCode
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.faults import Failing
+from valve import Valve
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -122,3 +124,58 @@ def test_turns_of_polling_that_pass_while_the_end_takes_its_time_are_not_lost(tm
     carrier = run_simulated(carry())
     assert carrier.carried > 1000
     assert carrier.lost == 0
+
+
+def test_a_shared_gateway_that_is_away_at_the_beginning_is_waited_for(tmp_path: Path) -> None:
+    (tmp_path / "both.ul").write_text(SPEC)
+    robot_type = load(tmp_path / "both.ul")
+    told: list[str] = []
+
+    async def carry() -> Carrier:
+        gateway = Valve(VirtualGateway(GatewayInfo(base_frequency_millihertz=1_000_000)))
+        async with sharing(gateway) as shared, PipedLink(shared) as link:
+            gateway.go_away(shared)
+            await until(lambda: shared.away)
+            groups = [sampled.group for sampled in sampled_groups(robot_type(link))]
+            carrier = Carrier(groups, lambda *_: None, told.append, buffer=1 << 16)
+            running = asyncio.create_task(carrier.run(InPlace()))
+            await asyncio.sleep(10)
+            assert carrier.received == 0
+            gateway.come_back()
+            await asyncio.sleep(10)
+            running.cancel()
+            with pytest.raises(asyncio.CancelledError):
+                await running
+            return carrier
+
+    carrier = run_simulated(carry())
+    assert carrier.carried > 1000
+    assert told == ["starting a group: nothing on the bus answered (told once)"]
+
+
+def test_the_quickest_rate_is_of_groups_that_give_samples_whatever_happens(tmp_path: Path) -> None:
+    (tmp_path / "robot.ul").write_text("""
+group changed(1, 1, ON_CHANGE);
+group steady(2, 100);
+public robot() {
+  @a = 0x10: READ(PUBLISH(changed));
+  @b = 0x11: READ(PUBLISH(steady));
+  @c = 0x12: READ(POLL(2));
+}
+""")
+    robot_type = load(tmp_path / "robot.ul")
+
+    async def rate_of(*names: str) -> float | None:
+        async with unity_link.connect(VirtualGateway(GatewayInfo(base_frequency_millihertz=1_000_000))) as link:
+            groups = [sampled.group for sampled in sampled_groups(robot_type(link)) if sampled.name in names]
+            carrier = Carrier(groups, lambda *_: None, print, buffer=1 << 16)
+            running = asyncio.create_task(carrier.run(InPlace()))
+            await carrier.begun.wait()
+            rate = carrier.rate_hz
+            running.cancel()
+            await asyncio.wait([running])
+            return rate
+
+    assert run_simulated(rate_of("changed", "steady", "poll_2_hz")) == 10
+    assert run_simulated(rate_of("changed", "poll_2_hz")) == 2
+    assert run_simulated(rate_of("changed")) is None

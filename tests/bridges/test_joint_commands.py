@@ -32,6 +32,11 @@ public arm() { a: joint() @(0); b: fixed() @(8); }
 joint(): @(base) { @p = base: signed READWRITE(PUBLISH(state)); @e = base + 1: float WRITE(); }
 fixed(): @(base) { @p = base: signed READ(PUBLISH(state)); }
 """
+WHOLE_DEGREES = """
+group state(1, 10, JOINTS(POSITION=p, SET_POSITION=p, SET_EFFORT=e));
+public arm() { a: joint() @(0); }
+joint(): @(base) { @p = base: signed READWRITE(UNIT="deg", PUBLISH(state)); @e = base + 1: float WRITE(UNIT="Nmm"); }
+"""
 NONE: dict[str, list[float]] = {"position": [], "velocity": [], "effort": []}
 
 
@@ -92,6 +97,15 @@ async def test_a_message_that_cannot_be_is_a_sentence(
 ) -> None:
     with pytest.raises(ArgumentError, match=what):
         commands_of(scara).of_state(names, NONE | values)
+
+
+@pytest.mark.asyncio
+@pytest.mark.parametrize("part", ["position", "effort"])
+async def test_a_value_that_no_number_holds_in_the_unit_of_the_spec_is_a_sentence(part: str) -> None:
+    async with unity_link.connect("sim:") as link:
+        joints = commands_of(unity_link.load(compile_text(WHOLE_DEGREES))(link))
+        with pytest.raises(ArgumentError, match="1e\\+308 is no finite number in"):
+            joints.of_array(part, [1e308])
 
 
 @given(values=st.lists(st.floats(-2, 2) | st.just(math.nan), min_size=4, max_size=4), order=st.permutations(range(4)))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import re
 import shutil
 import socket
@@ -278,11 +279,11 @@ def test_plots_keep_every_peak_in_a_bounded_number_of_rows(page: Page) -> None:
               const stream = { rate: 50000, latest: [null] };
               const history = new History([{ stream, column: 0 }]);
               const count = 500_000;
-              const [at, lost, values] = [1, 2, 3].map(() => new Float64Array(count));
+              const [at, missing, values] = [1, 2, 3].map(() => new Float64Array(count));
               for (let i = 0; i < count; i++) at[i] = 1e9 + i / 50000;
               values[count - 77] = 5;
               values[count - 1234] = -7;
-              history.take(stream, { count, at, lost, columns: [values] }, 10);
+              history.take(stream, { count, at, missing, columns: [values] }, 10);
               history.flush();
               const [x, y] = history.rows;
               return [x.length, Math.max(...y), Math.min(...y), x.every((one, i) => i === 0 || one >= x[i - 1])];
@@ -290,6 +291,60 @@ def test_plots_keep_every_peak_in_a_bounded_number_of_rows(page: Page) -> None:
         )
         assert rows <= 8192
         assert (high, low, ascending) == (5, -7, True)
+
+
+@needs_chromium
+@pytest.mark.parametrize("rate", [10, 50000], ids=["each sample is a row", "a row has many samples"])
+def test_a_curve_has_a_gap_before_a_sample_that_others_are_missing_before(page: Page, rate: int) -> None:
+    with shown(page, "sim:scara", SPEC):
+        values = page.evaluate(
+            """async (rate) => {
+              const { History } = await import("/history.js");
+              const stream = { rate, latest: [null] };
+              const history = new History([{ stream, column: 0 }]);
+              const at = [1, 2, 7, 8].map((second) => 1e9 + second);
+              history.take(stream, { count: 4, at, missing: [0, 0, 1, 0], columns: [[5, 6, 7, 8]] }, 10);
+              history.flush();
+              return history.rows[1];
+            }""",
+            rate,
+        )
+    assert values == [5, 6, None, 7, 8]
+
+
+@needs_chromium
+@pytest.mark.parametrize(
+    ("began", "polled", "shown_then"),
+    [(1.02, [], [7, 7]), (9.0, [], [None, None]), (9.0, [8.9], [8, 8]), (9.0, [1.1], [None, None])],
+    ids=["one was lost", "the gateway was away", "polled before the others went on", "polled after the others stopped"],
+)
+def test_in_a_plot_of_several_streams_no_value_from_before_the_gateway_was_away_is_held(
+    page: Page, began: float, polled: list[float], shown_then: list[float | None]
+) -> None:
+    with shown(page, "sim:scara", SPEC):
+        rows = page.evaluate(
+            """async ({ began, polled }) => {
+              const { History } = await import("/history.js");
+              const { Stream } = await import("/streams.js");
+              const [quick, slow] = [100, 2].map((rate) => new Stream({ name: "", rate_hz: rate }, 1));
+              const history = new History([{ stream: quick, column: 0 }, { stream: slow, column: 0 }]);
+              quick.cards.push({ history });
+              const take = (stream, at, value, gap) =>
+                stream.take({ count: 1, at: [at], missing: [gap], columns: [[value]] }, 1);
+              take(slow, 0.9, 7, 0);
+              take(quick, 1, 1, 0);
+              for (const at of polled) take(slow, at, 8, 0);
+              take(quick, began, 2, 1);
+              take(quick, began + 0.01, 3, 0);
+              take(slow, began + 0.015, 9, 0);
+              take(quick, began + 0.02, 4, 0);
+              history.flush();
+              return history.rows[2];
+            }""",
+            {"began": began, "polled": polled},
+        )
+    # Each sample of the quick one is a row, and so is the gap.
+    assert rows == [7, None, *shown_then, 9]
 
 
 @needs_chromium
@@ -312,3 +367,58 @@ def test_states_keep_their_places_in_a_plot_and_have_their_names_there(page: Pag
     assert -1 < low < 0
     assert 5 < high < 6
     assert (numbers, names) == ([0, 1, 5], ["idle", "run", "stop"])
+
+
+@needs_chromium
+def test_a_sample_that_stands_alone_is_a_point(page: Page) -> None:
+    with shown(page, "sim:scara", SPEC):
+        colored = page.evaluate(
+            """async () => {
+              const { makePlot, show } = await import("/plots.js");
+              const element = document.createElement("div");
+              element.style.cssText = "width: 400px; height: 200px";
+              document.body.append(element);
+              const colored = [];
+              const no = null;
+              for (const values of [[no, no, 1, no, no], [no, no, no, no, no], [no, 1, 1, 1, no]]) {
+                element.replaceChildren();
+                const curve = { label: "one", stepped: false };
+                const plot = makePlot(element, [curve], null);
+                show(plot, [[1, 2, 3, 4, 5], values], 6, 6);
+                await new Promise((done) => setTimeout(done, 100));
+                const canvas = element.querySelector("canvas");
+                const { data } = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height);
+                let found = 0;
+                for (let i = 0; i < data.length; i += 4) {
+                  const color = data.slice(i, i + 3);
+                  found += data[i + 3] > 200 && Math.max(...color) - Math.min(...color) > 100;
+                }
+                colored.push(found);
+              }
+              element.remove();
+              return colored;
+            }"""
+        )
+    alone, none, line = colored
+    assert none == 0
+    assert 4 < alone < line
+
+
+@needs_chromium
+def test_the_window_is_what_its_list_says_when_a_browser_comes_back_to_the_page(page: Page) -> None:
+    with shown(page, "sim:scara", SPEC):
+        page.locator("#window").select_option("60")
+        page.goto("about:blank")
+        page.go_back()
+        expect(page.locator("#state")).to_have_text("connected")
+        assert page.locator("#window").input_value() == "60"
+        assert page.evaluate("window.unityLink.window") == 60
+
+
+@needs_chromium
+def test_the_address_of_a_program_that_was_started_anew_is_taken_in_a_page_that_is_open(page: Page) -> None:
+    with shown(page, "sim:scara", SPEC, "--allow-writes", fragment="token=old") as running:
+        expect(page.locator("#state")).to_have_text("connected")
+        expect(page.get_by_label("pos_sp", exact=True).first).to_be_disabled()
+        page.evaluate(f"location.hash = {json.dumps(running.url.partition('#')[2])}")
+        expect(page.get_by_label("pos_sp", exact=True).first).to_be_enabled()

@@ -16,6 +16,7 @@ from websockets.exceptions import ConnectionClosed
 
 from bridge_programs import wait_until
 from live_page import SPEC, TOKEN, Live, Sleeper, connections_of, handshake, hear, live, looking, memory_of, take, write
+from searching import examples
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -129,7 +130,7 @@ MESSAGES = (
 )
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=examples(60))
 @given(messages=st.lists(MESSAGES, min_size=1, max_size=5))
 def test_whatever_a_page_says_others_are_served(running: Live, messages: list[str | bytes]) -> None:
     with looking(running) as page, suppress(ConnectionClosed):
@@ -146,7 +147,6 @@ FRAMES = st.tuples(
 ).map(lambda frame: bytes([frame[0] | 0x80 * frame[2], 0x80 | len(frame[1])]) + bytes(4) + frame[1])
 
 
-@settings(max_examples=100, deadline=None)
 @given(frames=st.lists(FRAMES | st.binary(max_size=40), max_size=6), ends=st.booleans())
 def test_whatever_frames_come_others_are_served(running: Live, frames: list[bytes], ends: bool) -> None:
     page = Sleeper(running)
@@ -270,7 +270,7 @@ def test_a_handshake_that_is_none_makes_no_page(running: Live, old: bytes, new: 
     assert heard == b"" or heard.startswith((b"HTTP/1.1 4", b"HTTP/1.1 101 ")), heard
 
 
-@settings(max_examples=150, deadline=None)
+@settings(max_examples=examples(150))
 @given(data=st.data())
 def test_requests_that_were_damaged_anywhere_stop_nothing(running: Live, data: st.DataObject) -> None:
     said = bytearray(data.draw(st.sampled_from([handshake(running.host), b"GET / HTTP/1.1\r\nHost: x\r\n\r\n"])))

@@ -7,9 +7,10 @@ import contextlib
 import signal
 import socket
 import subprocess
+from contextlib import AsyncExitStack
 from pathlib import Path
 from types import SimpleNamespace
-from typing import Any
+from typing import TYPE_CHECKING, Any
 from urllib.error import HTTPError
 from urllib.request import Request, urlopen
 
@@ -17,6 +18,7 @@ import numpy as np
 import pytest
 from websockets.exceptions import InvalidStatus
 
+import unity_link
 from bridge_programs import PATIENCE, PROGRAM, wait_until
 from live_page import (
     COUNTS_PER_DEGREE,
@@ -30,10 +32,24 @@ from live_page import (
     take,
     write,
 )
-from simulated_time import run_simulated
+from recorded_bus import RecordedBus
+from sharing import PipedLink, sharing
+from simulated_time import on_simulated_time, run_simulated
 from unity_link import BusTimeoutError, blocking
-from unity_link.bridges.live.outbox import BATCH_HEAD, HEAD, Chunk, Outbox
+from unity_link.bridges.live.outbox import BATCH_HEAD, HEAD, Chunk, Outbox, Tabulator
 from unity_link.bridges.live.round_trips import RoundTrips
+from unity_link.bridges.sampled import sampled_groups
+from unity_link.data import Batch
+from unity_link.data.layout import GroupLayout
+from unity_link.link.subscription import Sample
+from unity_link.spec import compile_text
+from unity_link.virtual import VirtualGateway
+from unity_link.virtual.build import build_gateway
+from valve import Valve
+
+if TYPE_CHECKING:
+    from unity_link import Link
+    from unity_link.link.connection import Connection
 
 
 @pytest.fixture
@@ -239,7 +255,7 @@ def test_a_message_has_one_table_for_each_stream() -> None:
 
 
 def test_round_trips_are_counted_in_bins_of_equal_ratio() -> None:
-    trips = RoundTrips(SimpleNamespace(link=None, bus=None, signal=SimpleNamespace(address=0)))  # type: ignore[arg-type]
+    trips = RoundTrips([SimpleNamespace(link=None, signal=SimpleNamespace(fifo=False))])  # type: ignore[list-item]
     assert trips.histogram().median is None
     for seconds in (0.0, 1.01e-6, 1.01e-3, 1.02e-3, 5.0, 100.0):
         trips.take(seconds)
@@ -264,7 +280,8 @@ def test_round_trips_are_those_of_the_bus_of_a_signal_and_an_error_is_an_answer_
 
     async def measure() -> RoundTrips:
         link = SimpleNamespace(statistics=SimpleNamespace(reconnections=0))
-        trips = RoundTrips(SimpleNamespace(link=link, bus=Behind(), signal=SimpleNamespace(address=5)))  # type: ignore[arg-type]
+        signal = SimpleNamespace(address=5, fifo=False)
+        trips = RoundTrips([SimpleNamespace(link=link, bus=Behind(), signal=signal)])  # type: ignore[list-item]
         with contextlib.suppress(TimeoutError):
             async with asyncio.timeout(10):
                 await trips.run()
@@ -272,3 +289,101 @@ def test_round_trips_are_those_of_the_bus_of_a_signal_and_an_error_is_an_answer_
 
     assert sum(run_simulated(measure()).histogram().counts) >= 90
     assert set(asked) == {5}
+
+
+QUEUES = """
+group log(1, TRIGGER);
+public robot() {
+  @log = 0x10: unsigned READ(FIFO, PUBLISH(log));
+  %s
+}
+"""
+
+
+@on_simulated_time
+@pytest.mark.parametrize(
+    ("others", "asked"), [("", set()), ("@a = 0x20: READ(POLL(10));", {0x20})], ids=["a queue alone", "others, too"]
+)
+async def test_round_trips_take_nothing_out_of_a_queue(others: str, asked: set[int]) -> None:
+    gateway = VirtualGateway()
+    bus = RecordedBus(gateway)
+    async with unity_link.connect(gateway) as link:
+        robot = unity_link.load(compile_text(QUEUES % others))(link)
+        trips = RoundTrips([proxy for sampled in sampled_groups(robot) for proxy in sampled.group.proxies])
+        with contextlib.suppress(TimeoutError):
+            async with asyncio.timeout(2):
+                await trips.run()
+    assert set(bus.reads) == asked
+
+
+@on_simulated_time
+@pytest.mark.parametrize("served", [False, True], ids=["its own link", "a shared link"])
+async def test_a_curve_is_interrupted_where_the_gateway_was_away_and_nowhere_else(served: bool) -> None:
+    gateway = Valve(build_gateway("scara"))
+    async with AsyncExitStack() as stack:
+        link: Link
+        nearest: Connection
+        if served:
+            nearest = shared = await stack.enter_async_context(sharing(gateway))
+            link = await stack.enter_async_context(PipedLink(shared))
+        else:
+            nearest = link = await stack.enter_async_context(unity_link.connect(gateway, reconnect=True))
+        robot = unity_link.load(SPEC)(link)
+        group = robot.groups["state"]
+        tabulator = Tabulator(0, group, 100.0)
+        samples = await stack.enter_async_context(group.subscribe(rate_hz=100))
+        tables = []
+        for away in (False, True, False):
+            if away:
+                gateway.go_away(nearest)
+                await asyncio.sleep(3)
+                gateway.come_back()
+            for _ in range(5):
+                batch = await samples.take(50)
+                assert batch.time is not None
+                tables.append(tabulator.tabulate(batch, batch.time).table)
+    at, missing = np.hstack(tables)[:2]
+    assert missing[np.diff(at, prepend=at[0]) > 1].tolist() == [1]
+    assert missing.sum() == 1
+
+
+STREAMS = compile_text("""
+group steady(1, 100, TIMESTAMPS);
+group changed(2, 100, ON_CHANGE, TIMESTAMPS);
+public robot() {
+  @a = 0x10: READ(PUBLISH(steady));
+  @b = 0x11: READ(PUBLISH(changed));
+}
+""")
+
+
+@pytest.mark.parametrize(
+    ("group", "times", "epochs", "lost", "missing"),
+    [
+        ("steady", [0, 0.1, 0.2, 0.3], [0, 0, 0, 0], [0, 0, 0, 0], [0, 0, 0, 0]),
+        ("steady", [0, 0.1, 0.2, 0.3], [0, 0, 0, 0], [7, 0, 5, 0], [1, 0, 1, 0]),
+        ("steady", [0, 0.1, 0.2, 0.3], [4, 4, 5, 5], [0, 0, 0, 0], [0, 0, 1, 0]),
+        ("steady", [0, 0.1, 2.1, 2.2], [0, 0, 0, 0], [0, 0, 0, 0], [0, 0, 1, 0]),
+        ("changed", [0, 0.1, 20.1, 90], [0, 0, 0, 0], [0, 0, 0, 0], [0, 0, 0, 0]),
+    ],
+    ids=["none is missing", "some were lost", "it began anew", "none came for long", "none changed for long"],
+)
+@pytest.mark.parametrize("size", [1, 2, 3])
+def test_a_curve_is_interrupted_before_a_sample_that_others_are_missing_before_also_between_batches(
+    group: str, times: list[float], epochs: list[int], lost: list[int], missing: list[int], size: int
+) -> None:
+    async def tabulate() -> list[float]:
+        async with unity_link.connect(VirtualGateway()) as link:
+            sampled = unity_link.load(STREAMS)(link).groups[group]
+            tabulator, layout = Tabulator(0, sampled, 10.0), GroupLayout(sampled.proxies)
+            samples = [
+                Sample(0, at, at, np.zeros(1, np.uint64), gone, epoch)
+                for at, gone, epoch in zip(times, lost, epochs, strict=True)
+            ]
+            found: list[float] = []
+            for place in range(0, len(samples), size):
+                batch = Batch(layout, samples[place : place + size])
+                found += tabulator.tabulate(batch, np.array(times[place : place + size])).table[1].tolist()
+            return found
+
+    assert run_simulated(tabulate()) == missing

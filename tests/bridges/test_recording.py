@@ -7,6 +7,7 @@ import itertools
 import json
 import math
 import os
+import re
 import signal
 import subprocess
 from pathlib import Path
@@ -244,9 +245,10 @@ def test_wrong_use_is_told_in_one_sentence(arguments: list[str], words: str) -> 
     assert words in result.stderr
 
 
-def test_a_speed_that_is_none_is_refused(recorded: Path) -> None:
-    for speed in (0, math.inf):
-        with pytest.raises(ArgumentError, match=f"a speed of {speed:g} was asked for"):
+def test_a_speed_at_which_nothing_can_be_played_is_refused(recorded: Path) -> None:
+    for speed in (0, 1e300, math.inf):
+        words = re.escape(f"a speed of {speed:g} was asked for, expected more than 0 and at most 1e+06")
+        with pytest.raises(ArgumentError, match=words):
             replay(Recording(recorded), speed=speed)
 
 
@@ -265,6 +267,15 @@ def test_an_export_that_is_interrupted_leaves_the_tables_as_they_were(
     with pytest.raises(KeyboardInterrupt):
         export(Recording(recorded), form, tmp_path / "some", interrupt)
     assert {path: path.read_bytes() for path in (tmp_path / "some").iterdir()} == tables
+
+
+@pytest.mark.parametrize("form", ["csv", "parquet"])
+def test_a_table_whose_name_a_directory_has_is_told_by_that_name(form: str, recorded: Path, tmp_path: Path) -> None:
+    taken = tmp_path / f"{recorded.stem}.state.{form}"
+    taken.mkdir()
+    with pytest.raises(RecordingError, match=f"^{re.escape(str(taken))} cannot be written: Is a directory$"):
+        export(Recording(recorded), form, tmp_path)
+    assert list(tmp_path.glob("*.part")) == []
 
 
 def test_a_directory_that_cannot_be_written_is_told(recorded: Path) -> None:

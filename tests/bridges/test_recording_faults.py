@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import asyncio
 import contextlib
+import datetime as dt
+import json
 import os
 import re
 import resource
@@ -15,7 +17,7 @@ import threading
 import time
 import tracemalloc
 from contextlib import contextmanager
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import lz4.frame
 import numpy as np
@@ -24,25 +26,34 @@ from hypothesis import given
 from hypothesis import strategies as st
 from mcap.data_stream import RecordBuilder
 from mcap.reader import make_reader
-from mcap.records import Chunk
+from mcap.records import Attachment, Chunk, DataEnd
+from mcap.stream_reader import StreamReader
+from mcap.writer import MCAP0_MAGIC
 from pyarrow import csv
 from zstandard import ZstdCompressor
 
 import unity_link
 from bridge_programs import PROGRAM, wait_for, wait_until
+from generate.every_kind import every_kind
 from recordings import GATEWAY, SPEC, record, run, sequence_in, was_cut, work_in_place
+from sharing import PipedLink, sharing
 from simulated_time import run_simulated
-from unity_link import LinkLostError
-from unity_link.bridges.recording import Recorder, Recording, RecordingError, recorder
-from unity_link.bridges.recording.files import INTERRUPTION
+from unity_link import GatewayError, LinkLostError, UnityLinkError
+from unity_link.bridges.gateway_time import SteadyClock
+from unity_link.bridges.recording import Recorder, Recording, RecordingError, export, recorder, replay
+from unity_link.bridges.recording.files import GATEWAY as GATEWAY_FILE
+from unity_link.bridges.recording.files import INTERFACE, INTERRUPTION
 from unity_link.spec import compile_text
 from unity_link.virtual.build import build_gateway
 from unity_link.virtual.gateway import VirtualGateway
 from unmeasured import unmeasured_environment
+from valve import Valve
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
     from pathlib import Path
+
+    from unity_link import Link
 
 SUMMARY = re.compile(r"([\d,]+) samples in .* ([\d,]+) lost")
 
@@ -51,6 +62,14 @@ SUMMARY = re.compile(r"([\d,]+) samples in .* ([\d,]+) lost")
 def recorded(tmp_path_factory: pytest.TempPathFactory) -> Path:
     path = tmp_path_factory.mktemp("recording") / "run.mcap"
     record(path, lambda recorder: recorder.samples >= 100)
+    return path
+
+
+@pytest.fixture(scope="module")
+def recorded_kinds(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A recording with signals of every kind."""
+    path = tmp_path_factory.mktemp("kinds") / "kinds.mcap"
+    record(path, lambda recorder: recorder.samples >= 10, "sim:", every_kind(32), poll_hz=100)
     return path
 
 
@@ -163,6 +182,114 @@ def test_a_file_that_was_damaged_anywhere_is_read_as_far_as_it_can_be_or_refused
     with contextlib.suppress(RecordingError):
         assert set(sequence_in(path)) <= set(sequence_in(recorded))
         assert sum(1 for _ in Recording(path).in_order()) <= len(sequence_in(recorded))
+
+
+Place = tuple[str | int, ...]
+"""Where something stands in JSON: names and indices, from the outside in."""
+NUMBERS = st.sampled_from([0, -1, 1, 3, 64, 65, 255, 1 << 16, 1 << 31, 1 << 63, 1 << 70, 0.5, 5e-324, 1e308, -1e308])
+
+
+def head_of(path: Path, name: str) -> Any:
+    """Return what an attachment of a recording says."""
+    with path.open("rb") as file:
+        return next(json.loads(found.data) for found in make_reader(file).iter_attachments() if found.name == name)
+
+
+def with_head(recorded: Path, name: str, head: Any) -> Path:
+    """Write a recording again with another attachment, and with checks that are right."""
+    builder = RecordBuilder()
+    with recorded.open("rb") as file:
+        for record in StreamReader(file, emit_chunks=True).records:
+            if isinstance(record, DataEnd):
+                break
+            if isinstance(record, Attachment) and record.name == name:
+                record.data = json.dumps(head).encode()
+            record.write(builder)
+    DataEnd(0).write(builder)
+    path = recorded.with_name("changed.mcap")
+    path.write_bytes(MCAP0_MAGIC + builder.end())  # type: ignore[no-untyped-call]
+    return path
+
+
+def numbers_in(json: Any, place: Place = ()) -> Iterator[Place]:
+    """Return where the numbers in JSON stand, without those of lines and columns, which are most of them."""
+    if "span" in place:
+        return
+    if isinstance(json, (int, float)) and not isinstance(json, bool):
+        yield place
+    for step, inner in json.items() if isinstance(json, dict) else enumerate(json) if isinstance(json, list) else ():
+        yield from numbers_in(inner, (*place, step))
+
+
+def put(json: Any, place: Place, number: float) -> None:
+    """Put a number at a place of JSON."""
+    for step in place[:-1]:
+        json = json[step]
+    json[place[-1]] = number
+
+
+FIRST_SIGNAL: Place = ("root", "parts", 1, "signals", 0)
+
+
+@pytest.mark.parametrize(
+    ("name", "place", "number", "said"),
+    [
+        (INTERFACE, ("data_bits",), 1 << 31, "data_bits is 2147483648, expected 8 to 64"),
+        (INTERFACE, ("address_bits",), -1, "address_bits is -1, expected 8 to 32"),
+        (INTERFACE, (*FIRST_SIGNAL, "word_bits"), 0, "j2.cpos: word_bits is 0, expected 32"),
+        (INTERFACE, (*FIRST_SIGNAL, "lowest_bit"), 1 << 63, "j2.cpos: lowest_bit is 9223372036854775808, expected 0"),
+        (INTERFACE, (*FIRST_SIGNAL, "address"), 256, "j2.cpos: address is 256, expected 0 to 255"),
+        (INTERFACE, (*FIRST_SIGNAL, "kind", "width"), 1 << 31, "j2.cpos: width is 2147483648, expected 1 to 64"),
+        (INTERFACE, (*FIRST_SIGNAL, "kind", "width"), -1, "j2.cpos: width is -1, expected 1 to 64"),
+        (INTERFACE, ("groups", 0, "divisor"), 0, "state: divisor is 0, expected 1 to 65535"),
+        (INTERFACE, ("groups", 0, "rate_hz"), 5e-324, "state: rate_hz is 5e-324, expected 1e-06 to 1000000000.0"),
+        (
+            GATEWAY_FILE,
+            ("base_frequency_millihertz",),
+            0,
+            "the gateway reports base_frequency_millihertz = 0, expected 1",
+        ),
+        (GATEWAY_FILE, ("clock_hz",), 0, "the gateway reports clock_hz = 0, expected 1"),
+    ],
+)
+def test_a_recording_with_a_number_that_cannot_be_is_refused_with_it(
+    recorded: Path, name: str, place: Place, number: float, said: str
+) -> None:
+    head = head_of(recorded, name)
+    put(head, place, number)
+    path = with_head(recorded, name, head)
+
+    with pytest.raises(RecordingError, match=re.escape(f"{path} is damaged: {said}")):
+        Recording(path)
+
+
+def test_a_recording_of_a_gateway_without_groups_and_base_frequency_is_replayed(recorded: Path) -> None:
+    head = head_of(recorded, GATEWAY_FILE)
+    head.update(features=0, base_frequency_millihertz=0)
+
+    gateway, _ = replay(Recording(with_head(recorded, GATEWAY_FILE, head)))
+
+    assert gateway.receive(b"H\r", 0.0) == b"H\r\n"
+
+
+@given(data=st.data(), name=st.sampled_from([INTERFACE, GATEWAY_FILE]))
+def test_whatever_the_numbers_of_a_recording_are_it_is_refused_or_read(
+    recorded: Path, recorded_kinds: Path, data: st.DataObject, name: str
+) -> None:
+    whole = data.draw(st.sampled_from([recorded, recorded_kinds]))
+    head = head_of(whole, name)
+    for place in data.draw(st.lists(st.sampled_from([*numbers_in(head)]), min_size=1, max_size=3)):
+        put(head, place, data.draw(NUMBERS))
+    path = with_head(whole, name, head)
+
+    with contextlib.suppress(UnityLinkError):
+        read = Recording(path)
+        export(read, "csv", path.parent)
+        for group in read.groups:
+            read[group.name].to_pandas()
+        _, player = replay(read, loop=True)
+        for second in range(3):
+            player.read(0, float(second))
 
 
 @pytest.mark.parametrize("said", [128 << 20, 1000], ids=["says so", "says less"])
@@ -416,6 +543,90 @@ def test_a_gateway_that_was_reset_behind_an_open_line_is_found_and_recorded_on(
     # A link takes nine seconds of silence for a lost one.
     assert 0 < np.diff(times).min() < np.diff(times).max() < 15
     assert interruptions_in(path) == 1
+
+
+def test_behind_a_server_the_time_without_samples_is_the_interruption(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    work_in_place(monkeypatch)
+    monkeypatch.setattr(SteadyClock, "now", lambda _: asyncio.get_running_loop().time())
+    path = tmp_path / "run.mcap"
+    said: list[str] = []
+
+    async def be_away_in_the_middle() -> None:
+        gateway = Valve(build_gateway("scara"))
+        async with sharing(gateway) as shared, PipedLink(shared) as link:
+            robot = unity_link.load(SPEC)(link)
+            running = asyncio.create_task(Recorder(robot, path, poll_hz=5, report=said.append).run())
+            await asyncio.sleep(1.5)
+            gateway.go_away(shared)
+            await asyncio.sleep(4)
+            gateway.come_back()
+            await asyncio.sleep(6)
+            running.cancel()
+            await asyncio.wait([running])
+
+    run_simulated(be_away_in_the_middle())
+
+    recorded = [samples.time for samples, _ in Recording(path).samples() if samples.group.name == "state"]
+    hole = float(np.diff(np.concatenate(recorded)).max())
+    with path.open("rb") as file:
+        (note,) = [record.metadata for record in make_reader(file).iter_metadata()]
+    began, ended = (dt.datetime.fromisoformat(note[name]) for name in ("from", "to"))
+    assert hole > 4
+    assert (ended - began).total_seconds() == pytest.approx(hole, abs=0.3)
+    assert [line for line in said if line.startswith("the gateway")] == [
+        "the gateway has gone away: recording goes on when it is back",
+        f"the gateway is back after {(ended - began).total_seconds():.1f} s",
+    ]
+
+
+ON_CHANGE_ALONE = compile_text("""
+group changed(1, 10, ON_CHANGE);
+public robot() { @a = 0x10: READWRITE(PUBLISH(changed)); }
+""")
+
+
+@pytest.mark.parametrize("others_ask", [False, True], ids=["an idle link", "a link that others use"])
+def test_behind_a_server_an_interruption_is_noted_also_where_nothing_is_sampled_at_a_rate(
+    others_ask: bool, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    work_in_place(monkeypatch)
+    monkeypatch.setattr(SteadyClock, "now", lambda _: asyncio.get_running_loop().time())
+    path = tmp_path / "run.mcap"
+    said: list[str] = []
+
+    async def ask(link: Link) -> None:
+        while True:
+            with contextlib.suppress(GatewayError, LinkLostError):
+                await link.write(0x20, 1)
+            await asyncio.sleep(0.1)
+
+    async def be_away_in_the_middle() -> None:
+        gateway = Valve(VirtualGateway())
+        async with sharing(gateway) as shared, PipedLink(shared) as link, PipedLink(shared) as other:
+            robot = unity_link.load(ON_CHANGE_ALONE)(link)
+            running = asyncio.create_task(Recorder(robot, path, report=said.append).run())
+            asking = asyncio.create_task(ask(link if others_ask else other))
+            await asyncio.sleep(3)
+            await other.write(0x10, 1)
+            assert said == []
+            gateway.go_away(shared)
+            await asyncio.sleep(6)
+            assert said == ["the gateway has gone away: recording goes on when it is back"]
+            gateway.come_back()
+            await asyncio.sleep(6)
+            for task in (running, asking):
+                task.cancel()
+                await asyncio.wait([task])
+
+    run_simulated(be_away_in_the_middle())
+
+    with path.open("rb") as file:
+        (note,) = [record.metadata for record in make_reader(file).iter_metadata()]
+    began, ended = (dt.datetime.fromisoformat(note[name]) for name in ("from", "to"))
+    assert 5.9 < (ended - began).total_seconds() < 11
+    assert said[1:] == [f"the gateway is back after {(ended - began).total_seconds():.1f} s"]
 
 
 POLLED_TOO = compile_text("""

@@ -31,7 +31,7 @@ from unity_link.virtual import VirtualGateway
 if TYPE_CHECKING:
     from pathlib import Path
 
-SPEC = compile_text("""
+SPEC = """
 group fast(1, 10, TIMESTAMPS);
 group slow(2, 200, TIMESTAMPS);
 public robot() {
@@ -40,7 +40,14 @@ public robot() {
   @c = 0x12: READ(PUBLISH(slow));
   @d = 0x13: READ(POLL(50));
 }
-""")
+"""
+WITHOUT_A_PERIOD = """
+group triggered(1, TRIGGER);
+public robot() {
+  @a = 0x10: READ(PUBLISH(triggered));
+  @b = 0x11: READ(PUBLISH(triggered));
+}
+"""
 INFO = GatewayInfo(base_frequency_millihertz=2_000_000)
 Batches = list[tuple[int, list[tuple[float, tuple[int, ...]]]]]
 """Numbers of groups, and samples of them: instants, and words."""
@@ -57,18 +64,18 @@ class Milliseconds:
 
 
 @functools.cache
-def robot() -> Any:
+def robot(spec: str) -> Any:
     async def make() -> Any:
         async with unity_link.connect(VirtualGateway(INFO)) as link:
-            return unity_link.load(SPEC)(link)
+            return unity_link.load(compile_text(spec))(link)
 
     return run_simulated(make())
 
 
-def recorded(path: Path, batches: Batches, syncs: set[int]) -> Recording:
+def recorded(path: Path, batches: Batches, syncs: set[int], spec: str = SPEC) -> Recording:
     """Record batches of the groups of those numbers: instants in seconds, and words."""
-    groups = sampled_groups(robot())
-    file = RecordingFile(path, robot().interface, INFO, groups, overwrite=True)
+    groups = sampled_groups(robot(spec))
+    file = RecordingFile(path, robot(spec).interface, INFO, groups, overwrite=True)
     counters = [itertools.count() for _ in groups]
     for number, (group, rows) in enumerate(batches):
         layout = GroupLayout(groups[group].group.proxies)
@@ -100,6 +107,14 @@ def recordings(draw: st.DrawFn) -> Batches:
     order = draw(st.permutations([group for group, _ in batches]))
     queues = [iter([batch for batch in batches if batch[0] == group]) for group in range(len(ADDRESSES))]
     return [next(queues[group]) for group in order]
+
+
+@pytest.mark.parametrize("spec", [SPEC, WITHOUT_A_PERIOD], ids=["of a period", "without a period"])
+def test_a_recording_of_one_instant_stands_still_again_and_again(tmp_path: Path, spec: str) -> None:
+    _, player = replay(recorded(tmp_path / "run.mcap", [(0, [(EPOCH, (5, 6))])], set(), spec), loop=True)
+    for now in (0.0, 0.1, 5.0, 5000.0):
+        assert [player.read(place, now) for place in range(2)] == [5, 6]
+        assert not player.ended
 
 
 @given(recordings(), st.sets(st.integers(0, 90)), st.sampled_from([200, 2000, 1 << 22]), st.data())
@@ -190,7 +205,7 @@ def test_two_groups_of_different_rate_are_replayed_side_by_side(
         gateway = VirtualGateway(INFO)
         gateway.attach(Milliseconds(), range(0x10, 0x14))
         async with unity_link.connect(gateway) as link:
-            running = asyncio.create_task(Recorder(unity_link.load(SPEC)(link), path).run())
+            running = asyncio.create_task(Recorder(unity_link.load(compile_text(SPEC))(link), path).run())
             await asyncio.sleep(3)
             running.cancel()
             await asyncio.wait([running])

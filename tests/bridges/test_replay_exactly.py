@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 
 import unity_link
 from recordings import work_in_place
+from searching import examples
 from simulated_time import run_simulated
 from unity_link.bridges.recording import Recorder, Recording, replay
 from unity_link.protocol.configuration import GatewayInfo
@@ -89,7 +90,7 @@ def record(
 
 
 @given(robots, st.integers(8, 14), st.booleans())
-@settings(suppress_health_check=[HealthCheck.function_scoped_fixture], max_examples=12)
+@settings(suppress_health_check=[HealthCheck.function_scoped_fixture], max_examples=examples(12))
 def test_a_recording_of_a_replay_is_that_recording(
     tmp_path: Path,
     monkeypatch: pytest.MonkeyPatch,

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import asyncio
 import contextlib
+import socket
 from typing import TYPE_CHECKING
 
 import pytest
@@ -13,7 +14,14 @@ import unity_link
 from sharing import Terminal, sharing
 from simulated_time import on_simulated_time
 from unity_link.bridges.serve import serve
-from unity_link.bridges.serve.door import HURRY, MOST_CLIENTS, MOST_STRANGERS, Door
+from unity_link.bridges.serve.door import (
+    HURRY,
+    KEEP_ALIVE,
+    MOST_CLIENTS,
+    MOST_STRANGERS,
+    Door,
+    enable_keep_alive,
+)
 from unity_link.virtual import VirtualGateway
 
 if TYPE_CHECKING:
@@ -76,3 +84,21 @@ async def test_links_are_opened_with_the_token_while_256_strangers_hold_connecti
         for _ in range(5):
             async with unity_link.connect(f"{server.urls[0]}?token={TOKEN}", timeout=60) as link:
                 assert await link.read(0) == 0
+
+
+@pytest.mark.parametrize("names", [set(KEEP_ALIVE), {"TCP_KEEPALIVE", "TCP_KEEPINTVL", "TCP_KEEPCNT"}, set()])
+@pytest.mark.skipif(not hasattr(socket, "TCP_USER_TIMEOUT"), reason="has not all options")
+def test_the_system_finds_machines_that_have_gone_by_the_options_that_it_has(
+    names: set[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(socket, "TCP_KEEPALIVE", socket.TCP_KEEPIDLE, raising=False)
+    numbers = {name: getattr(socket, name) for name in KEEP_ALIVE}
+    for name in set(KEEP_ALIVE) - names:
+        monkeypatch.delattr(socket, name)
+    with socket.socket() as connection, socket.socket() as untouched:
+        enable_keep_alive(connection)
+        assert connection.getsockopt(socket.SOL_SOCKET, socket.SO_KEEPALIVE)
+        for name, number in numbers.items():
+            default = untouched.getsockopt(socket.IPPROTO_TCP, number)
+            is_set = any(numbers[other] == number for other in names)
+            assert connection.getsockopt(socket.IPPROTO_TCP, number) == (KEEP_ALIVE[name] if is_set else default)

@@ -33,7 +33,7 @@ def gateway_of(groups: int) -> VirtualGateway:
 
 def drop(shared: SharedLink) -> None:
     """End the server's connection to the gateway."""
-    cut(shared)  # type: ignore[arg-type]
+    cut(shared)
 
 
 async def come_back(shared: SharedLink) -> None:

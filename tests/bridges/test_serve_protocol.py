@@ -11,8 +11,11 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from searching import examples
 from sharing import call, settle, sharing, tell_of_reset
 from simulated_time import on_simulated_time, run_simulated
+from unity_link.bridges.serve import client
+from unity_link.bridges.serve.client import MOST_UNDER_WAY
 from unity_link.bridges.serve.conversation import Conversation
 from unity_link.protocol.configuration import Feature, GatewayInfo
 from unity_link.protocol.messages import Codec, ErrorCode
@@ -62,11 +65,11 @@ def test_every_vector_is_answered_byte_for_byte(path: Path) -> None:
     @on_simulated_time
     async def play() -> None:
         async with sharing(gateway) as shared:
-            client = call(shared)
+            terminal = call(shared)
             for step in steps:
-                client.transport.write(step["send"].encode("latin-1"))
+                terminal.transport.write(step["send"].encode("latin-1"))
                 await settle(shared)
-                answers, publishes = parted(client.take())
+                answers, publishes = parted(terminal.take())
                 assert answers == in_words_of(shared, step["answers"].encode("latin-1")), step
                 assert publishes == step.get("publishes", "").encode("latin-1").splitlines(keepends=True), step
 
@@ -83,11 +86,11 @@ def test_every_worked_example_of_the_protocol_holds(example: Example) -> None:
     @on_simulated_time
     async def play() -> None:
         async with sharing(gateway) as shared:
-            client = call(shared)
+            terminal = call(shared)
             for sent, answered in example.exchange:
-                client.transport.write(sent)
+                terminal.transport.write(sent)
                 await settle(shared)
-                assert client.take() == in_words_of(shared, answered), sent
+                assert terminal.take() == in_words_of(shared, answered), sent
 
     play()
 
@@ -117,24 +120,24 @@ async def hold_conversation(operations: list[tuple[Any, ...]]) -> tuple[list[byt
     gateway.attach(Failing(), [7])
     heard = []
     async with sharing(gateway) as shared:
-        client = call(shared)
+        terminal = call(shared)
         expected = 0
         for command, offset, count, spelling in operations:
             first = expected + offset
             if command == "reset":
-                await tell_of_reset(shared, gateway, client)
+                await tell_of_reset(shared, gateway, terminal)
             elif command == "K":
                 expected = first % CODEC.ring
-                client.transport.write(b"K%b\r" % CODEC.id_text[expected])
+                terminal.transport.write(b"K%b\r" % CODEC.id_text[expected])
             else:
-                client.transport.write(spelling(b"".join(requests(command, first, count))))
+                terminal.transport.write(spelling(b"".join(requests(command, first, count))))
                 expected += count if offset == 0 else 0
             await settle(shared)
-            heard.append(client.take())
+            heard.append(terminal.take())
     return heard, dict(gateway.memory)
 
 
-@settings(max_examples=60)
+@settings(max_examples=examples(60))
 @given(st.lists(OPERATIONS, max_size=12))
 def test_the_short_ways_of_single_words_answer_as_the_long_way(operations: list[tuple[Any, ...]]) -> None:
     begun = [("K", 0, 1, bytes), *operations]
@@ -145,3 +148,16 @@ def test_the_short_ways_of_single_words_answer_as_the_long_way(operations: list[
     ):
         slow = run_simulated(hold_conversation(begun))
     assert quick == slow
+
+
+@settings(max_examples=examples(60))
+@given(st.lists(OPERATIONS, max_size=12), st.sampled_from([MOST_UNDER_WAY, MOST_UNDER_WAY // 3]))
+def test_a_client_that_is_heard_in_turns_is_answered_as_one_that_is_heard_at_once(
+    operations: list[tuple[Any, ...]], cost: int
+) -> None:
+    begun = [("K", 0, 1, bytes), *operations]
+    with patch.object(client, "COST_HERE", 0):
+        at_once = run_simulated(hold_conversation(begun))
+    with patch.object(client, "COST_HERE", cost):
+        in_turns = run_simulated(hold_conversation(begun))
+    assert in_turns == at_once

@@ -32,7 +32,7 @@ CODEC = Codec(GatewayInfo())
 
 def lose(shared: SharedLink) -> None:
     """End the server's connection to the gateway, with all that is under way on it."""
-    cut(shared)  # type: ignore[arg-type]
+    cut(shared)
 
 
 async def say(client: Terminal, shared: SharedLink, text: bytes) -> list[bytes]:

@@ -13,6 +13,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from recorded_bus import RecordedBus
+from searching import examples
 from shared_pair import PAIR, SharedPair
 from sharing import PipedLink, call, open_directly, settle, sharing, until
 from simulated_time import on_simulated_time, run_simulated
@@ -139,10 +140,10 @@ async def test_groups_of_all_clients_must_fit_into_the_gateway_only_while_they_r
     gateway = VirtualGateway(GatewayInfo(base_frequency_millihertz=KILOHERTZ, groups=2))
     async with sharing(gateway) as shared, PipedLink(shared) as one, PipedLink(shared) as two:
         async with one.subscribe([1], rate_hz=100), one.subscribe([2], rate_hz=100):
+            refused = two.subscribe([3], rate_hz=100)
             with pytest.raises(OutOfRangeError):
-                async with two.subscribe([3], rate_hz=100):
-                    pass
-        async with two.subscribe([3], rate_hz=100) as samples, two.subscribe([4], rate_hz=100):
+                await refused.__aenter__()
+        async with refused as samples, two.subscribe([4], rate_hz=100):
             assert (await anext(samples)).lost == 0
 
 
@@ -381,7 +382,35 @@ async def test_what_waits_for_a_client_that_does_not_read_is_bounded() -> None:
         assert client._under_way < MOST_UNDER_WAY + 4096
 
 
-@settings(max_examples=60)
+@pytest.mark.parametrize("flood", [b"Q\r", b"\n", b"\x00\n", b"R0A0000\n", b"GS00000101\r", b"I00\r", b"K000\r"])
+@on_simulated_time
+async def test_a_client_that_floods_the_server_leaves_the_others_their_turns(flood: bytes) -> None:
+    async with sharing(VirtualGateway()) as shared, PipedLink(shared) as other:
+        noisy = call(shared)
+        (client,) = shared.clients - {other.client}
+        noisy.transport.write(flood * 20_000)
+        for _ in range(10):
+            await other.read(0)
+        assert len(client._rest) > len(flood) * 10_000
+        await until(lambda: not client._rest)
+        assert await other.read(0) == 0
+
+
+@on_simulated_time
+async def test_what_the_server_says_itself_to_a_client_that_does_not_read_is_bounded() -> None:
+    async with sharing(VirtualGateway()) as shared:
+        deaf = call(shared)
+        (client,) = shared.clients
+        assert client._transport is not None
+        deaf.transport.pause_reading()
+        deaf.transport.write(b"Q\r" * 20_000)
+        await asyncio.sleep(1)
+        assert MOST_UNSENT < client._transport.get_write_buffer_size() < 2 * MOST_UNSENT
+        deaf.transport.resume_reading()
+        await until(lambda: deaf.heard.count(b"Q") == 20_000)
+
+
+@settings(max_examples=examples(60))
 @given(
     st.lists(
         st.one_of(
@@ -474,7 +503,7 @@ async def test_a_short_absence_of_the_gateway_is_not_seen() -> None:
     valve = Valve(VirtualGateway())
     async with sharing(valve) as shared, PipedLink(shared) as link:
         await link.write(1, 42)
-        cut(shared)  # type: ignore[arg-type]
+        cut(shared)
         assert await link.read(1) == 42
         assert shared._sessions == 2
         assert link.statistics.reconnections == 0
@@ -493,7 +522,7 @@ async def be_away(*, power: bool) -> None:
         async with link.subscribe([1], rate_hz=100) as samples:
             await anext(samples)
             valve.requests_pass = valve.answers_pass = False
-            cut(shared)  # type: ignore[arg-type]
+            cut(shared)
             with pytest.raises(BusTimeoutError):
                 await link.write(5, 1)
             with pytest.raises(BusTimeoutError):
@@ -531,7 +560,7 @@ async def test_a_write_of_which_it_is_unknown_whether_it_was_executed_is_not_sen
         tasks = [asyncio.create_task(link.write(address, 9)) for address in range(5)]
         tasks += [asyncio.create_task(link.write_many(range(10, 30), range(10, 30)))]
         await asyncio.sleep(0.003)
-        cut(shared)  # type: ignore[arg-type]
+        cut(shared)
         valve.answers_pass = True
         results = await asyncio.gather(*tasks, return_exceptions=True)
         assert {type(result) for result in results} == {BusTimeoutError}
@@ -581,7 +610,7 @@ async def test_what_is_asked_of_a_group_in_a_short_absence_finds_it_set_up_again
         client = call(shared)
         client.transport.write(b"GS00010001010A\rGN00\r")
         await settle(shared)
-        cut(shared)  # type: ignore[arg-type]
+        cut(shared)
         client.take()
         client.transport.write(b"GX00\rGN00\r")
         await until(lambda: client.heard.count(b"P00") > 10)
@@ -614,7 +643,7 @@ async def test_a_server_whose_gateway_is_away_refuses_posted_writes_in_their_ord
         await settle(shared)
         client.take()
         valve.requests_pass = False
-        cut(shared)  # type: ignore[arg-type]
+        cut(shared)
         await asyncio.sleep(0.01)
         client.transport.write(b"w0000A00000001\rws0010A00000002\rh002\rws0030A00000003\rr0040A\r")
         await asyncio.sleep(PATIENCE + 1)
@@ -632,7 +661,7 @@ async def test_a_posted_write_that_was_lost_is_told_before_what_was_asked_behind
         valve.answers_pass = False
         client.transport.write(b"r0000A\rws0010A00000002\rh002\r")
         await asyncio.sleep(0.001)
-        cut(shared)  # type: ignore[arg-type]
+        cut(shared)
         valve.answers_pass = True
         await until(lambda: client.heard.count(b"\n") == 3)
         assert client.take() == b"r00000000002\r\nx00105\r\nh002\r\n"

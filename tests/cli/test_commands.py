@@ -184,6 +184,14 @@ def test_a_command_without_stdout_does_its_work() -> None:
     assert result.stderr.startswith("3 samples in ")
 
 
+@pytest.mark.parametrize(
+    ("command", "code", "lines"), [("watch sim: 0x10 --count 3", 0, 4), ("read sim: none", 2, 0)], ids=["note", "error"]
+)
+def test_a_command_whose_stderr_takes_nothing_does_its_work(command: str, code: int, lines: int) -> None:
+    result = in_shell(f"unity-link {command} 2>/dev/full")
+    assert (result.returncode, len(result.stdout.splitlines())) == (code, lines)
+
+
 def test_watch_counts_the_samples_that_it_has_written_and_not_those_that_came_meanwhile() -> None:
     fast = "sim:?base_frequency_millihertz=50000000"
     result = run("watch", fast, "0x10", "--rate", "50000", "--count", "3")
@@ -199,6 +207,42 @@ def test_characters_that_the_output_cannot_hold_are_written_in_another_way() -> 
     result = in_shell("PYTHONIOENCODING=ascii unity-link demo --duration 1")
     assert result.returncode == 0
     assert r"\xb5s" in result.stdout
+
+
+ODD_NAME = os.fsdecode(b"a\xf6")
+
+
+def in_odd_place(command: str, place: Path) -> subprocess.CompletedProcess[str]:
+    environment = f"export UNITY_LINK_MEMORY={place}/memory; cd {place}; name=$(printf 'a\\366'); spec=$name.ul"
+    return in_shell(f"{environment}; unity-link {command}")
+
+
+@pytest.fixture(scope="module")
+def odd_place(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Return a directory with a spec and a recording whose names are no UTF-8."""
+    place = tmp_path_factory.mktemp("odd")
+    (place / f"{ODD_NAME}.ul").write_text("public odd() { @a = 0: READWRITE(POLL(50)); }")
+    in_odd_place("record sim: $spec --output $name.mcap --duration 1", place)
+    return place
+
+
+@pytest.mark.parametrize(
+    "command",
+    [
+        "show $spec --json",
+        "get sim:$spec",
+        "generate python $spec --output .",
+        "info sim:?snoop=$name",
+        "record sim: $spec --output $name.mcap --overwrite --duration 1 --json",
+        "export $name.mcap --csv --json",
+        "export $name.mcap --parquet",
+    ],
+)
+def test_a_file_whose_name_is_no_utf_8_is_one_like_any_other(command: str, odd_place: Path) -> None:
+    result = in_odd_place(command, odd_place)
+    assert result.returncode == 0, result.stderr
+    if "--json" in command:
+        json.loads(result.stdout)
 
 
 @pytest.mark.rtl

@@ -77,6 +77,13 @@ def test_signals_are_written_by_name_with_units_names_and_truths(rover: str) -> 
     assert json.loads(result.stdout)["values"] == {"left": -1.5, "state": "RUN", "lamp": True}
 
 
+@pytest.mark.parametrize("given", ["0x1A", "0x1A A", "26A", "26 A"])
+def test_a_number_that_ends_as_its_unit_does_is_read_whole(given: str, tmp_path: Path) -> None:
+    spec = tmp_path / "motor.ul"
+    spec.write_text('public motor() { @current = 0: unsigned 16 READWRITE(UNIT="A"); }')
+    assert run("set", "sim:", str(spec), f"current={given}").stdout == "current  26 A\n"
+
+
 @pytest.mark.parametrize(
     ("arguments", "words"),
     [
@@ -183,6 +190,14 @@ def test_a_memory_that_cannot_be_written_is_no_error(tmp_path: Path, monkeypatch
     completion.note("sim:")
     completion.remember_used()
     assert completion.remembered() == []
+
+
+def test_a_user_without_a_home_uses_the_command_line_all_the_same(monkeypatch: pytest.MonkeyPatch) -> None:
+    for variable in ("UNITY_LINK_MEMORY", "XDG_STATE_HOME"):
+        monkeypatch.delenv(variable, raising=False)
+    # As the system answers for a user that it does not know.
+    monkeypatch.setattr(Path, "home", mock.Mock(side_effect=RuntimeError("Could not determine home directory.")))
+    assert run("read", "sim:", "0").returncode == 0
 
 
 def test_the_schemes_that_are_offered_are_known() -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import gc
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -74,6 +75,54 @@ def test_samples_of_a_group_whose_link_is_closed_in_their_block_end_and_count_as
     del samples
     gc.collect()
     assert not recwarn.list
+
+
+def test_samples_of_a_group_that_came_before_its_link_was_closed_are_given_and_then_its_end(
+    link: blocking.BlockingLink, robot: Any
+) -> None:
+    group = Group(robot.j1.cpos, rate_hz=100)
+    loop = iter(group)
+    first = next(loop).sequence
+    with group.subscribe(rate_hz=100) as samples:
+        began = next(iter(samples)).sequence
+        while samples.received < 20:
+            link.read(0)
+        link.close()
+        batch = samples.take(10)
+        assert batch.sequence.tolist() == list(range(began + 1, began + 11))
+        assert len(samples.take()) >= 9
+        with pytest.raises(LinkClosedError):
+            samples.take()
+    seen = [first]
+    with pytest.raises(LinkClosedError):
+        seen += (sample.sequence for sample in loop)
+    assert len(seen) > 10
+    assert seen == list(range(first, first + len(seen)))
+
+
+def test_loops_that_are_left_in_many_threads_leave_nothing_subscribed(robot: Any) -> None:
+    def leave_loops() -> None:
+        for _ in range(40):
+            for _ in robot.groups["state"]:
+                break
+
+    gc.disable()
+    try:
+        for _ in range(4):
+            with ThreadPoolExecutor(6) as threads:
+                for leaving in [threads.submit(leave_loops) for _ in range(6)]:
+                    leaving.result(60)
+            assert robot.groups["state"]._thing.feed._listeners == {}
+    finally:
+        gc.enable()
+
+
+def test_a_loop_chooses_how_many_samples_wait_for_it(robot: Any) -> None:
+    newest = robot.j1.cpos.samples(buffer=1, overflow="drop_oldest")
+    assert len([value for value, _ in zip(newest, range(3), strict=False)]) == 3
+    some = robot.groups["state"].samples(buffer=1000)
+    sequences = [sample.sequence for sample, _ in zip(some, range(3), strict=False)]
+    assert sequences == [sequences[0] + place for place in range(3)]
 
 
 def test_a_group_is_of_one_link(robot: Any) -> None:

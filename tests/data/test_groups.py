@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import math
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -10,7 +12,7 @@ import pytest
 import unity_link
 from recorded_bus import RecordedBus
 from simulated_time import on_simulated_time
-from unity_link import ArgumentError, BusError
+from unity_link import ArgumentError, BusError, GatewayInfo
 from unity_link.data import Group
 from unity_link.spec import compile_text
 from unity_link.virtual import VirtualGateway
@@ -104,6 +106,17 @@ async def test_nothing_is_sent_if_one_value_is_wrong() -> None:
 
 
 @on_simulated_time
+async def test_values_that_are_none_are_refused() -> None:
+    wrong: tuple[Any, ...] = (5, None)
+    async with unity_link.connect(VirtualGateway()) as link:
+        group = ROBOT(link).groups["arm"]
+        for values in wrong:
+            for write in (group.set, group.post):
+                with pytest.raises(ArgumentError, match=r"^arm takes values in order or by"):
+                    await write(values)
+
+
+@on_simulated_time
 async def test_signals_that_cannot_be_in_a_group_are_named() -> None:
     async with unity_link.connect(VirtualGateway()) as link:
         robot = ROBOT(link)
@@ -174,6 +187,38 @@ async def test_one_bus_error_is_raised_and_leaves_the_other_writes() -> None:
 
 
 @on_simulated_time
+async def test_a_queue_refuses_what_it_would_refuse_of_one_value_and_remembers_what_was_written() -> None:
+    kinds = unity_link.load(
+        compile_text("""
+        enum mode { off, manual }
+        public robot() {
+          @limited = 0: float WRITE(FIFO, MIN=-1, MAX=1);
+          @plain = 1: float WRITE(FIFO);
+          @mode = 2: mode 4 WRITE(FIFO);
+          @half = 3: signed 16 WRITE(FIFO, SCALE=0.5);
+        }
+        """)
+    )
+    async with unity_link.connect(VirtualGateway()) as link:
+        robot = kinds(link)
+        for port, values, words in (
+            (robot.limited, [0, math.nan], "limited: nan is outside of its limits, -1 to 1"),
+            (robot.limited, "x", "limited: 'x' is no value of float 32: a number was expected"),
+            (robot.half, [math.nan], "half: nan is outside of"),
+            (robot.half, ["0.5"], "half: '0.5' is no value of signed 16: a number was expected"),
+            (robot.mode, ["manuel"], "mode: 'manuel' is no value of mode: off, manual are"),
+        ):
+            with pytest.raises(ArgumentError) as caught:
+                await port.append(values)
+            assert str(caught.value).startswith(words)
+        await robot.plain.append([math.nan, math.inf])
+        await robot.mode.set("manual")
+        await robot.half.set(0.7)
+        assert robot.mode.value is kinds.enumerations["mode"]["manual"]
+        assert robot.half.value == 0.5
+
+
+@on_simulated_time
 async def test_queues_take_and_give_values_of_their_kind() -> None:
     kinds = unity_link.load(
         compile_text("""
@@ -202,8 +247,14 @@ async def test_queues_take_and_give_values_of_their_kind() -> None:
         gateway.attach(queue, [address])
     async with unity_link.connect(gateway) as link:
         robot = kinds(link)
+        changes: list[float] = []
+        robot.both.on_change(changes.append)
         await robot.both.append([1, -2.5, 4])
         assert queues[0].words == [2, 0xFFFB, 8]
+        assert (robot.both.value, changes) == (4, [4]), "the last one that was written"
+        for count in (None, "2", 2.0):
+            with pytest.raises(ArgumentError, match="a number of words is a whole number, not"):
+                await robot.both.take(count)
         await robot.both.set(0.5)
         assert (await robot.both.take(3)).tolist() == [1, -2.5, 4]
         assert await robot.both.get() == 0.5
@@ -214,3 +265,44 @@ async def test_queues_take_and_give_values_of_their_kind() -> None:
         assert await robot["from"].get() is kinds.enumerations["mode"]["on"]  # type: ignore[attr-defined]
         await robot.to.append(range(300))
         assert queues[2].words == list(range(300)), "more than one request holds"
+
+
+@on_simulated_time
+async def test_a_list_is_appended_exactly_where_numpy_makes_floats_of_it() -> None:
+    kinds = unity_link.load(
+        compile_text("""
+        public robot() {
+          GATEWAY(DATA_BITS=64);
+          @large = 1: WRITE(FIFO);
+          @limited = 2: WRITE(FIFO, MAX=9223372036854775809);
+        }
+        """)
+    )
+    gateway = VirtualGateway(GatewayInfo(data_bits=64))
+    bus = RecordedBus(gateway)
+    exact: list[list[Any]] = [[1, 2**63 + 1], [2**64 - 1, 0], [1.0, 2**53 + 1], [np.uint64(2**63 + 1), np.int64(1)]]
+    async with unity_link.connect(gateway) as link:
+        robot = kinds(link)
+        for values in exact:
+            await robot.large.append(values)
+        assert [word for _, word in bus.writes] == [int(value) for values in exact for value in values]
+        await robot.limited.append([1, 2**63 + 1])
+        for port, values, message in (
+            (robot.limited, [1, 2**63 + 2], "limited: 9223372036854775810 is outside of its limits, 0 to"),
+            (robot.large, [-1, 2**63 + 1], "large: -1 is outside of 0 to"),
+            (robot.large, [0.5, 2**63], "large: 0.5 is no value of unsigned 64: a whole number was expected"),
+        ):
+            with pytest.raises(ArgumentError, match=message):
+                await port.append(values)
+
+
+@on_simulated_time
+async def test_of_a_field_that_two_robots_have_the_last_value_is_written() -> None:
+    fields = unity_link.load(compile_text("public r() { @low = 1[3:0]: READWRITE(); @high = 1[7:4]: READWRITE(); }"))
+    gateway = VirtualGateway()
+    async with unity_link.connect(gateway) as link:
+        one, other = fields(link), fields(link)
+        await Group(one.low, other.low).set([1, 2])
+        assert gateway.memory[1] == 2
+        await Group(one.low, one.high, other.low).set([1, 7, 4])
+        assert gateway.memory[1] == 0x74

@@ -13,6 +13,7 @@ from hypothesis import strategies as st
 import unity_link
 from generate.peers import serve
 from generate.programs import SANITIZED, C, compiled, generated, linked, output
+from searching import examples
 from simulated_time import run_simulated
 from unity_link import ArgumentError
 from unity_link.data import Group
@@ -61,7 +62,7 @@ def logger() -> tuple[VirtualGateway, Queue]:
     return gateway, Queue(gateway)
 
 
-@settings(max_examples=20)
+@settings(max_examples=examples(20))
 @given(bursts=st.lists(st.integers(1, 30), min_size=1, max_size=8), loss=st.sampled_from([0, 0.002]))
 def test_each_word_comes_once_and_in_order_and_lost_ones_are_counted(bursts: list[int], loss: float) -> None:
     async def check() -> None:

@@ -3,7 +3,10 @@
 from __future__ import annotations
 
 import asyncio
+import gc
 import itertools
+import math
+from concurrent.futures import ThreadPoolExecutor
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -14,9 +17,12 @@ from hypothesis import strategies as st
 import unity_link
 from counting_device import CountingDevice
 from logged import told
+from sharing import PipedLink, sharing, until
 from simulated_time import on_simulated_time
 from unity_link import (
     ArgumentError,
+    BusError,
+    BusTimeoutError,
     Feature,
     GatewayInfo,
     LinkClosedError,
@@ -24,11 +30,13 @@ from unity_link import (
     SamplesLostError,
     UnsupportedError,
 )
-from unity_link.data import Batch, Group, GroupSubscription
+from unity_link.data import Batch, Group, GroupSubscription, Registration
 from unity_link.data.feed import Feed, Listener
 from unity_link.link.subscription import Sample
+from unity_link.protocol.messages import ErrorCode
 from unity_link.spec import compile_text
 from unity_link.virtual import VirtualGateway
+from unity_link.virtual.bus import AccessError
 from valve import Valve
 
 if TYPE_CHECKING:
@@ -264,6 +272,170 @@ async def test_a_callback_that_raises_for_one_sample_gets_the_others_of_its_batc
     assert [message for message, _ in told(caplog)] == ["a callback for samples of state raised ValueError (told once)"]
 
 
+@on_simulated_time
+async def test_samples_that_are_taken_late_do_not_take_the_place_of_a_newer_value(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    loop = asyncio.get_running_loop()
+    for clock in ("time.monotonic", "time.time"):
+        monkeypatch.setattr(clock, loop.time)
+    async with unity_link.connect(counting()) as link:
+        robot = ROBOT(link)
+        changes: list[int] = []
+        robot.silent.on_change(changes.append)
+        async with Group(robot.count, robot.silent, robot.time).subscribe(rate_hz=100) as samples:
+            await anext(samples)
+            await asyncio.sleep(0.105)
+            await Group(robot.silent, robot.time).set([3, 3])
+            batch = await samples.take()
+            assert batch[robot.time].tolist() == [0] * len(batch)
+            for signal in (robot.silent, robot.time):
+                assert (signal.value, signal.age) == (3, 0)
+            assert robot.count.value == batch[robot.count][-1], "of which nothing newer is known"
+            await Group(robot.silent, robot.time).set([4, 4])
+            await asyncio.sleep(0.1)
+            batch = await samples.take()
+            assert robot.time.value == batch[robot.time][-1] == 4
+        assert changes == [0, 3, 4]
+
+
+@on_simulated_time
+async def test_no_change_is_passed_over_where_the_program_is_held_up_between_two_looks_at_clocks(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    loop = asyncio.get_running_loop()
+    held = itertools.cycle([0.0, 0.0, 0.05])
+    held_up = 0.0
+
+    def clock() -> float:
+        return loop.time() + held_up
+
+    def clock_after_a_while() -> float:
+        nonlocal held_up
+        held_up += next(held)
+        return clock()
+
+    monkeypatch.setattr("time.monotonic", clock)
+    monkeypatch.setattr("time.time", clock_after_a_while)
+    async with unity_link.connect(counting()) as link:
+        robot = ROBOT(link)
+        counts: list[int] = []
+        with robot.count.on_change(counts.append):
+            await asyncio.sleep(1)
+        assert len(counts) > 90
+        assert counts == list(range(1, len(counts) + 1))
+
+
+@on_simulated_time
+async def test_of_two_subscriptions_the_newer_samples_count_whichever_is_read_last() -> None:
+    async with unity_link.connect(counting()) as link:
+        robot = ROBOT(link)
+        group = Group(robot.count)
+        async with group.subscribe(rate_hz=100) as late, group.subscribe(rate_hz=100) as soon:
+            await late.take()
+            await asyncio.sleep(0.1)
+            newest = (await soon.take(20))[robot.count][-1]
+            assert (await late.take(2))[robot.count][-1] < newest
+            assert robot.count.value == newest
+
+
+@on_simulated_time
+@pytest.mark.parametrize("kind", ["on_sample", "on_batch"])
+async def test_a_callback_that_another_one_cancels_is_not_called_for_the_same_samples(kind: str) -> None:
+    async with unity_link.connect(counting()) as link:
+        state = ROBOT(link).groups["state"]
+        seen: list[object] = []
+        second: Registration
+        first = getattr(state, kind)(lambda _: second.cancel())
+        second = getattr(state, kind)(seen.append)
+        await asyncio.sleep(0.1)
+        first.cancel()
+        assert seen == []
+
+
+@on_simulated_time
+async def test_a_callback_that_cancels_itself_is_not_called_for_the_rest_of_a_batch() -> None:
+    async with unity_link.connect(counting()) as link:
+        state = ROBOT(link).groups["state"]
+        seen: list[GroupSample] = []
+
+        def once(sample: GroupSample) -> None:
+            seen.append(sample)
+            registration.cancel()
+
+        async with state.subscribe() as samples:
+            batch = await samples.take(5)
+        registration = state.on_sample(once)
+        (listener,) = state.feed._listeners
+        listener.deliver(batch)
+        assert len(seen) == 1
+
+
+@pytest.mark.parametrize("info", [INFO, WITHOUT_GROUPS], ids=["published", "polled"])
+def test_numbers_of_numpy_are_taken_for_what_they_are(info: GatewayInfo) -> None:
+    numbers: Any = np
+
+    @on_simulated_time
+    async def check() -> None:
+        async with unity_link.connect(counting(info)) as link:
+            robot = ROBOT(link)
+            for rate in (numbers.float32(50), numbers.float16(50), numbers.int8(50)):
+                assert Group(robot.count, rate_hz=rate).subscribe().rate_hz == 50
+                async with Group(robot.count).subscribe(rate_hz=rate, buffer=numbers.uint8(200)) as samples:
+                    assert samples.rate_hz == 50
+                    assert len(await samples.take(numbers.int64(3))) == 3
+            newest = robot.count.samples(buffer=numbers.int8(5), overflow="drop_oldest")
+            await anext(newest)
+            await asyncio.sleep(4)
+            assert await anext(newest) > 300
+
+    check()
+
+
+@on_simulated_time
+async def test_a_loop_that_could_keep_no_samples_is_refused() -> None:
+    wrong: list[tuple[dict[str, Any], str]] = [
+        ({"buffer": 0}, "a buffer of 0 samples was asked for, at least 1 is needed"),
+        ({"buffer": 2.5}, "a buffer is a number of samples, not 2.5"),
+        ({"overflow": "drop"}, 'overflow is "drop_oldest" or "fail", not \'drop\''),
+    ]
+    async with unity_link.connect(counting()) as link:
+        robot = ROBOT(link)
+        for options, message in wrong:
+            for samples in (robot.count.samples, robot.groups["state"].samples):
+                with pytest.raises(ArgumentError, match=message):
+                    await anext(samples(**options))
+
+
+@pytest.mark.parametrize("info", [INFO, WITHOUT_GROUPS], ids=["published", "polled"])
+def test_what_no_subscription_of_a_group_can_have_is_refused_whoever_reads(info: GatewayInfo) -> None:
+    wrong: list[tuple[dict[str, Any], str]] = [
+        ({"rate_hz": "5"}, "a rate is a number of Hz, not '5'"),
+        ({"rate_hz": 0}, "a rate of 0 Hz was asked for, expected"),
+        ({"rate_hz": math.nan}, "a rate of nan Hz was asked for, expected"),
+        ({"rate_hz": 10**400}, "a rate of inf Hz was asked for, expected"),
+        ({"rate_hz": 5, "divisor": 2}, "a rate and a divisor were given, expected one of them"),
+        ({"divisor": "2"}, "a divisor is a whole number, not '2'"),
+        ({"divisor": 0}, "a divisor of 0 was asked for, expected 1 to 65535"),
+        ({"rate_hz": 5, "buffer": 0}, "a buffer of 0 samples was asked for, at least 1 is needed"),
+        ({"rate_hz": 5, "overflow": "drop"}, 'overflow is "drop_oldest" or "fail", not \'drop\''),
+    ]
+
+    @on_simulated_time
+    async def check() -> None:
+        async with unity_link.connect(counting(info)) as link:
+            group = ROBOT(link).groups["state"]
+            for options, message in wrong:
+                with pytest.raises(ArgumentError, match=f"^{message}"):
+                    group.subscribe(**options)
+            with pytest.raises(ArgumentError, match=r"^a group: a rate is a number of Hz above 0, not 1000"):
+                Group(*group.proxies, rate_hz=10**400)
+        async with unity_link.connect(counting(info), timeout=10**400):
+            pass
+
+    check()
+
+
 # The end of a link
 
 
@@ -494,6 +666,128 @@ async def test_a_gateway_without_groups_is_polled_at_their_rates() -> None:
             robot.groups["edges"].subscribe()
 
 
+class Refusing(CountingDevice):
+    """A device that counts its reads, while it does not refuse them."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.is_away = False
+
+    def read(self, offset: int, now: float) -> int:
+        if self.is_away:
+            raise AccessError(ErrorCode.BUS_ERROR)
+        return super().read(offset, now)
+
+
+@on_simulated_time
+async def test_callbacks_wait_for_the_next_turn_where_a_polled_read_is_refused(
+    caplog: pytest.LogCaptureFixture,
+) -> None:
+    gateway, device = VirtualGateway(INFO), Refusing()
+    gateway.attach(device, [0x12])
+    async with unity_link.connect(gateway) as link:
+        robot = ROBOT(link)
+        counts: list[int] = []
+        samples: list[GroupSample] = []
+        polled: Any = robot.publishing_group(robot.slow)
+        with robot.slow.on_change(counts.append), polled.on_sample(samples.append):
+            await asyncio.sleep(0.21)
+            device.is_away = True
+            await asyncio.sleep(0.5)
+            assert len(counts) == 5
+            device.is_away = False
+            await asyncio.sleep(0.2)
+        assert counts == [sample.values[robot.slow] for sample in samples] == list(range(1, 10))
+        assert [sample.lost for sample in samples] == [0, 0, 0, 0, 0, 10, 0, 0, 0]
+        assert not tasks_of_feeds()
+    ((message, error),) = told(caplog)
+    assert message == "a read of what is polled at 20 Hz, which callbacks wait for, was refused (told once)"
+    assert isinstance(error, BusError)
+
+
+@on_simulated_time
+async def test_a_loop_is_told_of_a_polled_read_that_is_refused_and_another_one_begins_anew(
+    caplog: pytest.LogCaptureFixture,
+) -> None:
+    gateway, device = VirtualGateway(INFO), Refusing()
+    gateway.attach(device, [0x12])
+    async with unity_link.connect(gateway) as link:
+        robot = ROBOT(link)
+        seen: list[int] = []
+
+        async def loop() -> None:
+            async for value in robot.slow:
+                seen.append(value)
+                device.is_away = value == 3
+
+        for _ in range(2):
+            with pytest.raises(BusError, match="read at 0x12"):
+                await loop()
+            await asyncio.sleep(0.1)
+            assert not tasks_of_feeds()
+            device.is_away, device.count = False, 0
+        assert seen == [1, 2, 3, 1, 2, 3]
+        assert told(caplog) == []
+        with robot.slow.on_change(lambda _: None):
+            for _ in range(2):
+                with pytest.raises(BusError, match="read at 0x12"):
+                    await loop()
+                await asyncio.sleep(0.1)
+                device.is_away, device.count = False, 0
+        assert seen == [1, 2, 3] * 4
+        assert len(told(caplog)) == 1
+
+
+@on_simulated_time
+async def test_callbacks_wait_for_a_shared_gateway_that_is_away_and_a_loop_is_told(
+    caplog: pytest.LogCaptureFixture,
+) -> None:
+    gateway = Valve(counting())
+    async with sharing(gateway) as shared, PipedLink(shared) as link:
+        robot = ROBOT(link)
+        counts: list[int] = []
+        samples: list[GroupSample] = []
+        gateway.go_away(shared)
+        await until(lambda: shared.away)
+        with robot.count.on_change(counts.append), robot.groups["state"].on_sample(samples.append):
+            with pytest.raises(BusTimeoutError):
+                await anext(aiter(robot.count))
+            await asyncio.sleep(10)
+            assert counts == []
+            gateway.come_back()
+            await asyncio.sleep(10)
+            assert len(counts) > 100
+            assert counts == [sample.values[robot.count] for sample in samples]
+            last = counts[-1]
+            assert await anext(aiter(robot.count)) > last
+        await asyncio.sleep(0.1)
+        assert not tasks_of_feeds()
+    ((message, error),) = told(caplog)
+    assert message == "the samples of state, which callbacks wait for, do not come yet (told once)"
+    assert isinstance(error, BusTimeoutError)
+
+
+@on_simulated_time
+async def test_loops_and_callbacks_go_on_where_the_gateway_is_reset(caplog: pytest.LogCaptureFixture) -> None:
+    gateway = counting()
+    async with unity_link.connect(gateway) as link:
+        robot = ROBOT(link)
+        published: list[int] = []
+        polled: list[int] = []
+        with robot.count.on_change(published.append), robot.slow.on_change(polled.append):
+            loop = aiter(robot.slow)
+            await anext(loop)
+            await asyncio.sleep(0.5)
+            gateway.reset()
+            await asyncio.sleep(0.2)
+            before = len(published), len(polled)
+            await asyncio.sleep(1)
+            assert len(published) > before[0] + 90
+            assert len(polled) > before[1] + 15
+            assert [await anext(loop) for _ in polled[1:]] == polled[1:]
+    assert told(caplog) == []
+
+
 @on_simulated_time
 async def test_a_polled_group_can_wait_for_changes() -> None:
     async with unity_link.connect(VirtualGateway(WITHOUT_GROUPS)) as link:
@@ -505,3 +799,104 @@ async def test_a_polled_group_can_wait_for_changes() -> None:
             assert not waiting.done()
             await robot.silent.set(7)
             assert (await waiting).values[robot.silent] == 7
+
+
+@on_simulated_time
+async def test_what_was_polled_when_a_reader_was_cancelled_is_given_to_the_next() -> None:
+    async with unity_link.connect(counting(WITHOUT_GROUPS)) as link:
+        robot = ROBOT(link)
+        async with robot.groups["state"].subscribe(overflow="fail") as samples:
+            with pytest.raises(TimeoutError):
+                async with asyncio.timeout(0.1):
+                    await samples.take(1000)
+            came = samples.received
+            assert came > 5
+            batch = await samples.take(came + 5)
+            assert batch.sequence.tolist() == list(range(came + 5))
+            assert samples.lost == 0
+
+
+@on_simulated_time
+@pytest.mark.parametrize("info", [INFO, WITHOUT_GROUPS], ids=["published", "polled"])
+async def test_what_is_taken_behind_one_sample_of_a_batch_begins_with_the_others(info: GatewayInfo) -> None:
+    async with unity_link.connect(counting(info)) as link:
+        robot = ROBOT(link)
+        async with robot.groups["state"].subscribe() as samples:
+            await asyncio.sleep(0.2)
+            first = await anext(samples)
+            batch = await samples.take(30)
+            following = await anext(samples)
+            rest = await samples.take()
+        seen = [first.sequence, *batch.sequence.tolist(), following.sequence, *rest.sequence.tolist()]
+        assert seen[1:32] == list(range(seen[1], seen[1] + 31))
+        lost = [first.lost, *batch.lost.tolist(), following.lost, *rest.lost.tolist()]
+        assert len(seen) + sum(lost) == seen[-1] + 1
+
+
+@on_simulated_time
+async def test_a_change_is_told_once_where_samples_are_taken_behind_one_of_a_batch() -> None:
+    gateway = counting()
+    gateway.attach(CountingDevice(), [0x15])
+    async with unity_link.connect(gateway) as link:
+        robot = ROBOT(link)
+        changes: list[int] = []
+        robot.silent.on_change(changes.append)
+        async with Group(robot.silent).subscribe(rate_hz=100) as samples:
+            await asyncio.sleep(0.1)
+            await anext(samples)
+            assert len(changes) > 5
+            for count in (2, 30, None):
+                await samples.take(count)
+            assert robot.silent.value == changes[-1]
+        assert changes == list(range(1, samples.received + 1))
+
+
+@on_simulated_time
+async def test_a_polled_read_that_is_cancelled_is_a_lost_sample() -> None:
+    gateway = Valve(counting(WITHOUT_GROUPS))
+    async with unity_link.connect(gateway) as link:
+        robot = ROBOT(link)
+        async with robot.groups["state"].subscribe() as samples:
+            assert (await anext(samples)).sequence == 0
+            gateway.requests_pass = False
+            for _ in range(3):
+                with pytest.raises(TimeoutError):
+                    async with asyncio.timeout(0.0101):
+                        await anext(samples)
+            gateway.requests_pass = True
+            following = await anext(samples)
+            assert following.sequence == 1 + following.lost == 1 + samples.lost
+            assert samples.lost >= 3
+
+
+@on_simulated_time
+async def test_taking_behind_the_end_of_a_group_of_two_gateways_leaves_no_task(
+    caplog: pytest.LogCaptureFixture,
+) -> None:
+    async with unity_link.connect(counting()) as left, unity_link.connect(counting()) as right:
+        a, b = ROBOT(left), ROBOT(right)
+        async with Group(a.count, b.count).subscribe(rate_hz=50) as samples:
+            await samples.take()
+        for _ in range(2):
+            with pytest.raises(StopAsyncIteration):
+                await samples.take()
+        assert asyncio.all_tasks() == {asyncio.current_task()}
+        del samples
+        gc.collect()
+    assert told(caplog) == []
+
+
+@on_simulated_time
+async def test_a_callback_where_no_event_loop_runs_is_refused_in_a_sentence() -> None:
+    async with unity_link.connect(counting()) as link:
+        robot = ROBOT(link)
+        state = robot.groups["state"]
+        with ThreadPoolExecutor(1) as thread:
+            for listen in (robot.count.on_change, state.on_sample, state.on_batch):
+                with pytest.raises(ArgumentError, match=r"^no event loop runs here: "):
+                    thread.submit(listen, print).result(60)
+        with state.on_sample(lambda _: None):
+            await asyncio.sleep(0.1)
+        await asyncio.sleep(0.1)
+        assert not tasks_of_feeds()
+        assert not state.feed._listeners

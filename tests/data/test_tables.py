@@ -20,6 +20,7 @@ from pyarrow import parquet
 import unity_link
 from generate.every_kind import every_kind
 from recordings import record
+from searching import examples
 from unity_link import ArgumentError
 from unity_link.bridges.recording import Recorder, Recording, export
 from unity_link.data import Batch, Group
@@ -82,7 +83,7 @@ ROWS = [[3, 7, 7], [0xFFFF_FFFF, 1, 0], [4, 2, 2]]
 
 
 @pytest.mark.parametrize("bits", [16, 32, 64])
-@settings(max_examples=30)
+@settings(max_examples=examples(30))
 @given(data=st.data())
 def test_all_three_libraries_have_what_the_samples_have_one_by_one(bits: int, data: st.DataObject) -> None:
     words = st.lists(st.integers(0, (1 << bits) - 1), min_size=1, max_size=40)

@@ -20,7 +20,7 @@ from logged import told
 from recorded_bus import RecordedBus
 from simulated_time import on_simulated_time
 from unity_link import ArgumentError, BusError, Feature, GatewayInfo, UnsupportedError
-from unity_link.data import Group, Readable, ReadWrite, Writable
+from unity_link.data import Group, Readable, ReadWrite, Registration, Writable
 from unity_link.spec import Access, compile_text
 from unity_link.virtual import VirtualGateway
 
@@ -223,6 +223,18 @@ async def test_a_callback_hears_of_each_change_that_is_seen() -> None:
 
 
 @on_simulated_time
+async def test_a_callback_that_another_one_cancels_is_not_called_for_the_same_change() -> None:
+    async with unity_link.connect(VirtualGateway()) as link:
+        robot = ROBOT(link)
+        seen: list[float] = []
+        second: Registration
+        robot.angle.on_change(lambda _: second.cancel())
+        second = robot.angle.on_change(seen.append)
+        await robot.angle.set(1)
+        assert seen == []
+
+
+@on_simulated_time
 async def test_a_callback_that_raises_is_logged_and_stops_nobody(caplog: pytest.LogCaptureFixture) -> None:
     async with unity_link.connect(VirtualGateway()) as link:
         robot = ROBOT(link)
@@ -234,6 +246,29 @@ async def test_a_callback_that_raises_is_logged_and_stops_nobody(caplog: pytest.
     ((message, error),) = told(caplog)
     assert message == "a callback of angle raised ZeroDivisionError (told once)"
     assert isinstance(error, ZeroDivisionError)
+
+
+@on_simulated_time
+async def test_a_callback_that_asks_a_cancelled_task_for_its_result_stops_nobody(
+    caplog: pytest.LogCaptureFixture,
+) -> None:
+    async with unity_link.connect(VirtualGateway()) as link:
+        robot = ROBOT(link)
+        task = asyncio.create_task(asyncio.sleep(9))
+        task.cancel()
+        await asyncio.sleep(0)
+        seen: list[float] = []
+        robot.angle.on_change(lambda _: task.result())
+        robot.angle.on_change(seen.append)
+        await robot.angle.set(1)
+        assert seen == [1]
+        async with link.subscribe([0], rate_hz=100, callback=lambda _: task.result()) as samples:
+            await asyncio.sleep(1)
+            assert samples.received > 50
+    assert [message for message, _ in told(caplog)] == [
+        "a callback of angle raised CancelledError (told once)",
+        "a subscription's callback raised CancelledError (told once)",
+    ]
 
 
 @on_simulated_time

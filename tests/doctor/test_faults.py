@@ -153,6 +153,22 @@ def test_a_port_that_is_not_there() -> None:
     assert "unplugged" in examined("serial:/dev/nosuch")
 
 
+def test_a_socket_and_a_device_of_memory_that_are_not_there_are_not_unplugged() -> None:
+    faults = examined("unix:/nowhere/at/all")
+    assert "is it served?" in faults["nothing listens"]["text"]
+    assert faults["nothing listens"]["advice"].startswith("start what serves the gateway")
+    faults = examined("mmio:/dev/uio99")
+    assert "it cannot be mapped (No such file or directory)" in faults["failed"]["text"]
+
+
+def test_mapped_memory_has_no_gateway_to_be_examined(tmp_path: Path) -> None:
+    (tmp_path / "bus").write_bytes(bytes(1024))
+    assert examined(f"mmio:{tmp_path}/bus") == {}
+    result = CliRunner().invoke(app, ["doctor", f"mmio:{tmp_path}/bus", "--json"])
+    last = json.loads(result.stdout.splitlines()[-1])
+    assert (last["check"], last["text"]) == ("memory", "256 words of 32 bits are mapped, and no gateway is between")
+
+
 def test_a_port_that_another_program_has_is_told_with_that_program() -> None:
     with served(serve_pty(VirtualGateway())) as url:
         holding = "import serial, sys; p = serial.Serial(sys.argv[1], exclusive=True); print(flush=True); input()"

@@ -17,6 +17,7 @@ from fuzz import serving
 from fuzz.choices import Choices
 from unity_link.bridges.live.writing import Hello, Write
 from unity_link.bridges.recording.reader import Recording
+from unity_link.bridges.recording.replay import replay
 from unity_link.errors import UnityLinkError
 from unity_link.protocol.configuration import GatewayInfo
 from unity_link.protocol.crc import Crc
@@ -166,7 +167,7 @@ def spec(data: bytes) -> None:
 
 
 def recording(data: bytes) -> None:
-    """Read a file as a recording, in both orders."""
+    """Read a file as a recording, in both orders, as tables and as a gateway."""
     path = _FOLDER / "input.mcap"
     path.write_bytes(data)
     with contextlib.suppress(UnityLinkError):
@@ -175,6 +176,11 @@ def recording(data: bytes) -> None:
             pass
         for _ in read.in_order():
             pass
+        for group in read.groups:
+            read[group.name].to_numpy()
+        gateway, _ = replay(read, loop=True)
+        for now in (0.0, 0.5):
+            gateway.receive(b"RM00FF\r", now)
 
 
 def snooped(data: bytes) -> None:

@@ -36,6 +36,24 @@ enum mode { off, on }
 public ul_x() { @a = 1: mode READWRITE(PUBLISH(words)); }
 group words(1, 10);
 """
+PARAMETERS_OF_NETWORKS = """\
+public robot(words, status, network) {
+  GATEWAY(ADDRESS_BITS=12);
+  TOSNET(CTRL=words, COMM=status, NODES=2) { @a = 1: READWRITE(); }
+  more: TOSNET(CTRL=network, BASE=0x400, NODES=2);
+}
+"""
+NOTHING_INSIDE = """\
+public robot() { @a = 1: READ(); b: nothing(); c[2]: nothing(); d: around(); }
+around() { e: nothing(); }
+nothing() { }
+"""
+NOTHING_AT_ALL = "public robot() { }"
+TRIGRAPHS = """\
+/// Is it so??/
+/// At the end: \\
+public robot() { @a = 1: READ(); }
+"""
 
 
 def names(words: Iterable[str]) -> st.SearchStrategy[str]:

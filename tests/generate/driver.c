@@ -163,6 +163,10 @@ static void subscribe(void)
     one->on_change = strchr(flags, 'c') != NULL;
     one->trigger = strchr(flags, 'e') != NULL;
     one->immediate = strchr(flags, 'i') != NULL;
+    if (strchr(flags, 'd') != NULL) {
+        one->divisor = (unsigned)one->rate_hz;
+        one->rate_hz = 0;
+    }
     if (strchr(flags, '1') != NULL) one->group = 1;
     if (strchr(flags, 'b') != NULL) one->callback = called_back;
     if (strchr(flags, 'z') != NULL) one->callback = close_link;
@@ -304,6 +308,14 @@ static void do_command(const char *command)
         subscribe();
     } else if (!strcmp(command, "again")) {
         finish(ul_subscribe(&the_link, &subscriptions[next_number()]), NULL, 0);
+    } else if (!strcmp(command, "rate")) {
+        ul_subscription *one = &subscriptions[next_number()];
+        one->rate_hz = strtod(next_text(), NULL);
+        finish(UL_OK, NULL, 0);
+    } else if (!strcmp(command, "storage")) {
+        ul_subscription *one = &subscriptions[next_number()];
+        one->storage_words = next_number();
+        finish(UL_OK, NULL, 0);
     } else if (!strcmp(command, "publish")) {
         finish(ul_publish(&the_link, &subscriptions[next_number()]), NULL, 0);
     } else if (!strcmp(command, "unsubscribe")) {

@@ -39,6 +39,43 @@ joint(): @(base) {
 """
 
 
+LIMITS_BEYOND_DOUBLES = compile_text("""\
+public robot() {
+  GATEWAY(DATA_BITS=64);
+  @a = 0: unsigned 64 READWRITE(MAX=18446744073709551614);
+  @b = 1: signed 64 READWRITE(MIN=-9223372036854775807);
+  @c = 2: unsigned 64 READWRITE(MAX=9007199254740993);
+  @d = 3: unsigned 64 READWRITE(MIN=9007199254740993);
+  @e = 4: signed 64 READWRITE(MIN=-9223372036854775808, MAX=-9007199254740993);
+  @f = 5: signed 8 READWRITE(MIN=-2.5, MAX=2.5);
+  @g = 6: unsigned 60 READWRITE();
+}
+""")
+"""Limits that a double does not hold, and some that no whole number is."""
+LIMIT_TRIALS: list[tuple[str, int, bool]] = [
+    ("a", 2**64 - 2, True),
+    ("a", 2**64 - 1, False),
+    ("b", -(2**63) + 1, True),
+    ("b", -(2**63), False),
+    ("b", 2**63 - 1, True),
+    ("c", 2**53 + 1, True),
+    ("c", 2**53 + 2, False),
+    ("d", 2**53 + 1, True),
+    ("d", 2**53, False),
+    ("d", 2**64 - 1, True),
+    ("e", -(2**63), True),
+    ("e", -(2**53) - 1, True),
+    ("e", -(2**53), False),
+    ("f", -2, True),
+    ("f", 2, True),
+    ("f", -3, False),
+    ("f", 3, False),
+    ("g", 2**60 - 1, True),
+    ("g", 2**60, False),
+]
+"""Signals of that spec, values, and whether they take them."""
+
+
 def every_kind(word_bits: int) -> Spec:
     """Compile a spec of every kind for a gateway of words of so many bits, and addresses of 8."""
     kinds = [

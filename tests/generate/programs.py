@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from types import TracebackType
 
     from unity_link.spec import Spec
+    from unity_link.virtual.gateway import Gateway
 
 C = ("gcc", "-std=c99")
 CPP = ("g++", "-std=c++17")
@@ -146,3 +147,21 @@ class Simulated(Driven):
         # A clock of which the steps are lost in the rounding would stand still.
         self.now = max(until, math.nextafter(self.now, math.inf))
         return b""
+
+
+class SimulatedLine(Simulated):
+    """The same with a gateway on a line that takes its time: it says by itself what arrives, and when."""
+
+    def __init__(self, program: Path, line: Gateway) -> None:
+        super().__init__(program, line.receive)
+        self._line = line
+
+    def _wait(self, seconds: float, sent: bytes) -> bytes:
+        until = max(self.now + seconds, math.nextafter(self.now, math.inf))
+        arrived = self._line.receive(sent, self.now)
+        while not arrived and (due := self._line.next_due) is not None and due <= until:
+            self.now = max(due, self.now)
+            arrived = self._line.advance(self.now)
+        if not arrived:
+            self.now = until
+        return arrived

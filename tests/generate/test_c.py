@@ -7,11 +7,14 @@ import math
 import re
 import socket
 import statistics
+import subprocess
+import sys
 import time
 from collections import Counter
 from itertools import pairwise
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Literal
 
+import msgspec
 import numpy as np
 import pytest
 from hypothesis import Phase, example, given, settings
@@ -21,9 +24,13 @@ from generate.awkward_names import (
     FUNCTIONS_OF_A_FAMILY,
     GROUPS_BY_KEYWORDS,
     INTERFACE_AS_A_PARAMETER,
+    NOTHING_AT_ALL,
+    NOTHING_INSIDE,
+    PARAMETERS_OF_NETWORKS,
+    TRIGRAPHS,
     awkward_specs,
 )
-from generate.every_kind import WORD_BITS, bad_values, every_kind, written
+from generate.every_kind import LIMIT_TRIALS, LIMITS_BEYOND_DOUBLES, WORD_BITS, bad_values, every_kind, written
 from generate.peers import (
     MEDIA,
     Fault,
@@ -37,10 +44,25 @@ from generate.peers import (
     serve,
     simulate,
 )
-from generate.programs import CPP, HERE, SANITIZED, C, Driven, Simulated, checked, compiled, generated, linked, output
+from generate.programs import (
+    CPP,
+    HERE,
+    PATIENCE,
+    SANITIZED,
+    C,
+    Driven,
+    Simulated,
+    SimulatedLine,
+    checked,
+    compiled,
+    generated,
+    linked,
+    output,
+)
+from searching import examples
 from simulated_host import LineOfASession, SimulatedHost, outcome_of
 from spec_examples import FIGURE_1, specs
-from unity_link.errors import Outcome
+from unity_link.errors import Outcome, UnsupportedError
 from unity_link.generate.c.layout import Layout
 from unity_link.protocol.configuration import Feature, GatewayInfo
 from unity_link.protocol.constants import (
@@ -154,7 +176,7 @@ def test_names_that_c_or_cpp_keep_for_themselves_get_an_underscore(tmp_path: Pat
     compiled(CPP, [tmp_path / "program.cc"], tmp_path)
 
 
-@settings(max_examples=12, phases=[Phase.explicit, Phase.reuse, Phase.generate])
+@settings(max_examples=examples(12), phases=[Phase.explicit, Phase.reuse, Phase.generate])
 @given(specs())
 def test_any_spec_makes_code_that_compiles(tmp_path_factory: pytest.TempPathFactory, file: File) -> None:
     directory = tmp_path_factory.mktemp("any")
@@ -166,11 +188,15 @@ def test_any_spec_makes_code_that_compiles(tmp_path_factory: pytest.TempPathFact
     compiled(CPP, [directory / "program.cc"], directory, "-fsyntax-only")
 
 
-@settings(max_examples=4, phases=[Phase.explicit, Phase.reuse, Phase.generate])
+@settings(max_examples=examples(4), phases=[Phase.explicit, Phase.reuse, Phase.generate])
 @given(awkward_specs())
 @example(GROUPS_BY_KEYWORDS)
 @example(INTERFACE_AS_A_PARAMETER)
 @example(FUNCTIONS_OF_A_FAMILY)
+@example(PARAMETERS_OF_NETWORKS)
+@example(NOTHING_INSIDE)
+@example(NOTHING_AT_ALL)
+@example(TRIGRAPHS)
 def test_any_names_make_code_that_compiles(tmp_path_factory: pytest.TempPathFactory, text: str) -> None:
     directory = tmp_path_factory.mktemp("names")
     files = generated("cpp", compile_text(text), directory)
@@ -361,6 +387,11 @@ def test_what_no_gateway_could_do_is_refused_before_it_is_sent(client: Driven) -
         assert client("wblock 10 1 10000") == "38 block write at 0x10: the gateway's words have fewer bits"
         assert client("rblock FF 2") == "38 block read at 0xFF: it would pass the gateway's last address"
         assert client("rblock FF 0") == "38 block read at 0xFF: at least one word is needed"
+        for command, name in (("wblock", "block write"), ("wqueue", "queue write")):
+            refused = f"38 {name} at 0x00: the gateway's words have fewer bits"
+            # The last word is of a request of its own.
+            assert client(f"{command} 0 {'1 ' * 0xFF}10000") == refused
+            assert client(f"{command} 0 10000{' 1' * 0xFF}") == refused
         assert client.words("statistics")[0] == sent
 
 
@@ -376,19 +407,186 @@ def test_what_no_gateway_could_do_is_refused_before_it_is_sent(client: Driven) -
         ),
         ("serial:/dev/x?node=5&baud=fast", BAD_ARGUMENT, "'baud=fast' is no option of this URL: NAME=NUMBER"),
         ("serial:/dev/x?rtscts=2", BAD_ARGUMENT, "'rtscts=2' is no option of this URL: 0 or 1 was expected"),
-        ("serial:/dev/x?baud=0", BAD_ARGUMENT, "'baud=0' is no option of this URL: a rate above 0 was expected"),
+        ("serial:/dev/x?baud=0", BAD_ARGUMENT, "'baud=0' is no option of this URL: a rate from 1 to 2147483647 was"),
+        ("serial:/dev/x?baud=2147483648", BAD_ARGUMENT, "'baud=2147483648' is no option of this URL: a rate from 1 to"),
+        ("serial:/dev/x?baud=99999999999999999999", BAD_ARGUMENT, "'baud=99999999999999999999' is no option of this"),
+        ("tcp://localhost:65537", BAD_ARGUMENT, "'tcp://localhost:65537' is no URL of a gateway: serial:PORT"),
+        ("tcp://localhost:-1", BAD_ARGUMENT, "'tcp://localhost:-1' is no URL of a gateway: serial:PORT"),
         ("tcp://localhost:1?node=255", BAD_ARGUMENT, "'node=255' is no option of this URL: a number from 0 to 254"),
         ("tcp://localhost:1?baud=9600", BAD_ARGUMENT, "'baud=9600' is no option of this URL: node=NUMBER or map="),
         ("tcp://localhost:1?map=all", BAD_ARGUMENT, "'map=all' is no option of this URL: map=any was expected"),
         ("tcp://localhost:1?map=anything", BAD_ARGUMENT, "'map=anything' is no option of this URL: map=any was"),
         ("serial:/dev/nosuch", NO_CONNECTION, "serial:/dev/nosuch cannot be opened: there is no such port"),
-        ("unix:/nosuch", NO_CONNECTION, "unix:/nosuch cannot be opened: there is no such port"),
+        ("unix:/nosuch", NO_CONNECTION, "unix:/nosuch cannot be opened: there is no such socket; is it served?"),
         ("tcp://127.0.0.1:1", NO_CONNECTION, "tcp://127.0.0.1:1 cannot be opened: nothing accepts the connection"),
     ],
 )
 def test_what_cannot_be_opened_is_told_in_a_sentence(client: Driven, url: str, status: str, words: str) -> None:
     assert client(f"connect {url} 1").startswith(status + words)
     assert client("read 0").startswith(LOST_NOT_EXECUTED)
+
+
+@pytest.mark.parametrize("url", ["", "serial:/dev/ttyNOPE", "nosuch:"], ids=["never", "no port", "no URL"])
+def test_every_call_on_a_link_that_never_opened_says_so(client: Driven, url: str) -> None:
+    if url:
+        assert not client(f"connect {url} 1").startswith("0")
+    calls = (
+        *("read 10", "write 10 1", "post 10 1", "masked 10 1 1", "rblock 10 3", "wblock 10 1 2", "rqueue 10 2"),
+        *("wqueue 10 1 2", "rmany 10 11", "wmany 10 1 11 2", "batch 10 1", "fence", "immediate 1"),
+        *("subscribe 0 100 - 10", "next 0 0.01", "next 0 0", "await 0 1 0.01", "poll 0", "poll 0.01"),
+    )
+    assert {call: client(call)[:3] for call in calls} == dict.fromkeys(calls, LOST_NOT_EXECUTED)
+    assert (
+        client("next 0 0")
+        == f"{LOST_NOT_EXECUTED}subscription: the link was lost; the request is known not to be executed"
+    )
+    assert client("publish 0").startswith(BAD_ARGUMENT)
+    for call in ("unsubscribe 0", "end", "close"):
+        assert client(call) == "0"
+
+
+INTERRUPTED = """\
+#define _XOPEN_SOURCE 700
+#include "unity_link.h"
+#include <signal.h>
+#include <stdio.h>
+#include <sys/time.h>
+static ul_link the_link;
+static volatile sig_atomic_t handled;
+static void handle(int number) { (void)number; handled++; }
+int main(int count, char **arguments) {
+    struct sigaction action = {.sa_handler = handle};
+    struct itimerval often = {{0, 10000}, {0, 10000}}, never = {{0, 0}, {0, 0}};
+    (void)count;
+    sigaction(SIGALRM, &action, NULL);
+    setitimer(ITIMER_REAL, &often, NULL);
+    ul_connect(&the_link, arguments[1], 0.5);
+    setitimer(ITIMER_REAL, &never, NULL);
+    printf("%d %s\\n", (int)handled, ul_error(&the_link));
+    return 0;
+}
+"""
+
+
+def test_a_signal_that_the_program_handles_leaves_a_connection_its_time(runtime: list[Path], tmp_path: Path) -> None:
+    (tmp_path / "program.c").write_text(INTERRUPTED)
+    objects = compiled(C, [tmp_path / "program.c"], tmp_path, *SANITIZED, f"-I{runtime[0].parent}")
+    program = linked(C, [*runtime, *objects], tmp_path / "program", *SANITIZED)
+    with socket.create_server(("127.0.0.1", 0), backlog=0) as full, socket.create_connection(full.getsockname()):
+        # The one place is taken, so that whoever knocks now is not answered.
+        handled, error = output(program, f"tcp://127.0.0.1:{full.getsockname()[1]}").split(" ", 1)
+    assert error.rstrip().endswith("cannot be opened: the connection was not accepted in time")
+    assert int(handled) > 10
+
+
+PATIENT = """\
+#define _POSIX_C_SOURCE 200809L
+#include "unity_link.h"
+#include <netdb.h>
+#include <netinet/in.h>
+#include <poll.h>
+#include <stdio.h>
+#include <sys/socket.h>
+#include <time.h>
+int __real_getaddrinfo(const char *, const char *, const struct addrinfo *, struct addrinfo **);
+int __wrap_getaddrinfo(const char *, const char *, const struct addrinfo *, struct addrinfo **);
+int __wrap_clock_gettime(clockid_t, struct timespec *);
+int __wrap_poll(struct pollfd *, nfds_t, int);
+int __real_poll(struct pollfd *, nfds_t, int);
+static double the_time;
+static ul_link the_link;
+/* Time passes with each look at the clock, and while the program waits; what is there is there at once. */
+int __wrap_clock_gettime(clockid_t which, struct timespec *time) {
+    (void)which;
+    the_time += 1e-6;
+    time->tv_sec = (time_t)the_time;
+    time->tv_nsec = (long)((the_time - (double)time->tv_sec) * 1e9);
+    return 0;
+}
+int __wrap_poll(struct pollfd *polled, nfds_t count, int milliseconds) {
+    int ready = __real_poll(polled, count, 0);
+    if (ready == 0) the_time += milliseconds * 1e-3;
+    return ready;
+}
+/* To look up a name takes its time, and it has the same address twice. */
+int __wrap_getaddrinfo(const char *host, const char *port, const struct addrinfo *hints, struct addrinfo **found) {
+    int status = __real_getaddrinfo(host, port, hints, found);
+    the_time += 2;
+    if (status == 0 && (*found)->ai_next == NULL) __real_getaddrinfo(host, port, hints, &(*found)->ai_next);
+    return status;
+}
+int main(int count, char **arguments) {
+    (void)count;
+    ul_connect(&the_link, arguments[1], 5.0);
+    printf("%.1f %s\\n", the_time, ul_error(&the_link));
+    return 0;
+}
+"""
+
+
+@pytest.mark.parametrize(
+    ("backlog", "sentence"),
+    [(8, "no gateway answered: check"), (0, "cannot be opened: the connection was not accepted in time")],
+    ids=["silent", "not accepted"],
+)
+def test_the_time_out_is_that_of_all_addresses_and_of_the_answer_together(
+    runtime: list[Path], tmp_path: Path, backlog: int, sentence: str
+) -> None:
+    (tmp_path / "program.c").write_text(PATIENT)
+    objects = compiled(C, [tmp_path / "program.c"], tmp_path, *SANITIZED, f"-I{runtime[0].parent}")
+    wrapped = [f"-Wl,--wrap={name}" for name in ("getaddrinfo", "clock_gettime", "poll")]
+    program = linked(C, [*runtime, *objects], tmp_path / "program", *SANITIZED, *wrapped)
+    with (
+        socket.create_server(("127.0.0.1", 0), backlog=backlog) as server,
+        socket.create_connection(server.getsockname()),
+    ):
+        passed, error = output(program, f"tcp://127.0.0.1:{server.getsockname()[1]}").split(" ", 1)
+    assert sentence in error
+    assert passed == "5.0"
+
+
+HANDED_DOWN = """\
+#include "unity_link.h"
+#include <stdio.h>
+#include <stdlib.h>
+static ul_link the_link;
+int main(int count, char **arguments) {
+    (void)count;
+    if (ul_connect(&the_link, arguments[1], 5.0)) return puts(ul_error(&the_link));
+    return system("ls -l /proc/self/fd | grep -e socket: -e eventpoll -e /dev/pts/");
+}
+"""
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="looks into /proc")
+@pytest.mark.parametrize("medium", ["tcp", "unix", "pty"])
+def test_a_program_that_is_started_meanwhile_does_not_keep_the_connection_open(
+    runtime: list[Path], tmp_path: Path, medium: Literal["tcp", "unix", "pty"]
+) -> None:
+    (tmp_path / "program.c").write_text(HANDED_DOWN)
+    objects = compiled(C, [tmp_path / "program.c"], tmp_path, *SANITIZED, f"-I{runtime[0].parent}")
+    program = linked(C, [*runtime, *objects], tmp_path / "program", *SANITIZED)
+    with simulate(medium, *([str(tmp_path / "socket")] if medium == "unix" else [])) as url:
+        told = subprocess.run([program, url], capture_output=True, text=True, timeout=PATIENCE, check=False)
+    assert not told.stdout
+
+
+def test_a_time_out_may_be_longer_than_the_system_can_wait_at_once(client: Driven) -> None:
+    with simulate("tcp") as url:
+        # In milliseconds, the largest int and a half.
+        client.words(f"connect {url} 2147483.6475")
+        client.words("close")
+        client.words(f"connect {url} inf")
+
+
+def test_a_time_out_that_is_no_number_has_passed(client: Driven) -> None:
+    with simulate("tcp") as url:
+        assert client(f"connect {url} nan").startswith(NO_CONNECTION)
+        client.words(f"connect {url} 5")
+        client.words("subscribe 0 0 - 10")
+        assert client("await 0 1 nan").startswith(NO_SAMPLE)
+        client.words("poll nan")
+        assert client("next 0 nan").startswith(NO_SAMPLE)
 
 
 def test_a_port_at_which_nobody_speaks_is_no_gateway(client: Driven) -> None:
@@ -798,15 +996,21 @@ def test_an_opening_that_noise_has_drawn_out_does_not_have_later_losses_wait(dri
         client.words("close")
 
 
-def test_a_gateway_without_flow_control_gets_no_more_than_its_fifo_holds(client: Driven) -> None:
-    built = {"features": Feature(0x7F) & ~Feature.FLOW_CONTROL, "receive_fifo_bytes": 64}
-    with serve(build_gateway(configuration=built, bytes_per_second=20_000)) as url:
-        client.words(f"connect {url} 10")
+def test_a_gateway_without_flow_control_gets_no_more_than_its_fifo_holds(driver: Path) -> None:
+    # One answer at a time has room on the way back, so requests wait before the gateway.
+    built = {
+        "features": Feature(0x7F) & ~Feature.FLOW_CONTROL,
+        "receive_fifo_bytes": 64,
+        "transmit_fifo_bytes": 16,
+    }
+    with SimulatedLine(driver, build_gateway(configuration=built, bytes_per_second=20_000)) as client:
+        client.words("connect test: 10")
         for value in range(100):
             client.words(f"post 10 {value:X}")
         assert client.words("rmany " + "10 " * 50) == [99] * 50
         client.words("wblock 20 " + " ".join(f"{value:X}" for value in range(6)))
         assert client.words("statistics")[2:] == [0, 0, 0, 0]
+        client.words("close")
 
 
 @pytest.mark.parametrize("medium", MEDIA)
@@ -1103,6 +1307,49 @@ def test_a_gateway_of_another_version_is_named_with_what_to_do_and_sent_nothing_
     assert [frame for frame in gateway.heard if frame] == ["Q"] * 3
 
 
+def reporting(reported: bytes) -> Callable[[bytes, float], bytes]:
+    """Return a gateway that says other things of itself than it does."""
+    gateway, check, told = VirtualGateway(), Framing(Crc()).checked, GatewayInfo().to_hex()
+
+    def receive(data: bytes, now: float) -> bytes:
+        answers = gateway.receive(data, now)
+        return answers.replace(check(b"Q" + told), check(b"Q" + reported)).replace(told, reported)
+
+    return receive
+
+
+@pytest.mark.parametrize(
+    "reported",
+    [
+        {"data_bits": 7},
+        {"data_bits": 65},
+        {"address_bits": 33},
+        {"id_digits": 4},
+        {"block_words": 0},
+        {"groups": 257},
+        {"clock_hz": 0},
+        {"base_frequency_millihertz": 0},
+        {"crc_bits": 24},
+        {"crc_polynomial": 0x11021},
+        {"crc_polynomial": 0},
+    ],
+    ids=lambda reported: " ".join(map(str, *reported.items())),
+)
+def test_numbers_that_no_gateway_has_are_refused_in_the_words_of_python(driver: Path, reported: dict[str, int]) -> None:
+    told = msgspec.structs.replace(GatewayInfo(), **reported)
+    with pytest.raises(UnsupportedError) as refused:
+        told.check()
+    with Simulated(driver, reporting(told.to_hex())) as client:
+        assert client("connect test: 5") == f"{UNSUPPORTED}{refused.value}"
+
+
+def test_a_gateway_without_groups_may_have_no_base_frequency(driver: Path) -> None:
+    told = msgspec.structs.replace(GatewayInfo(), base_frequency_millihertz=0, features=Feature(0))
+    with Simulated(driver, reporting(told.to_hex())) as client:
+        client.words("connect test: 5")
+        client("close")
+
+
 def test_a_version_that_is_damaged_on_the_way_twice_in_the_same_words_is_asked_for_again(driver: Path) -> None:
     gateway, damaged = VirtualGateway(), [b"Q02"] * 2
 
@@ -1126,6 +1373,23 @@ def test_a_half_duplex_medium_has_one_request_at_a_time_and_none_without_an_answ
         client.words("close")
     assert gateway.most_at_once == 1
     assert gateway.bus_log.writes[-5:] == [(0x10, value) for value in range(5)]
+
+
+@pytest.mark.parametrize("code", ["00", "0B", "20", "22", "28", "FF"])
+def test_an_error_that_the_protocol_does_not_have_is_an_error_of_the_gateway(driver: Path, code: str) -> None:
+    gateway, checked = VirtualGateway(), Framing(Crc()).checked
+
+    def failing(data: bytes, now: float) -> bytes:
+        answers, asked = gateway.receive(data, now), re.search(rb"r(...)10", data)
+        return checked(b"x%b%b" % (asked[1], code.encode())) if asked else answers
+
+    with Simulated(driver, failing) as client:
+        client.words("connect test: 5")
+        status, sentence = client("read 10").split(" ", 1)
+        assert sentence == "read at 0x10: an error of the gateway that this version does not know"
+        assert int(status) not in range(1, 11)
+        assert client.words("read 11") == [0]
+        client.words("close")
 
 
 # Samples
@@ -1229,6 +1493,75 @@ def test_a_subscription_that_cannot_be_is_refused(client: Driven) -> None:
         client.words("subscribe 1 10 - 10")
 
 
+class Hearing:
+    """A gateway that keeps the flags and divisors that groups were asked for with."""
+
+    def __init__(self) -> None:
+        self._gateway = VirtualGateway()
+        self.schedules: list[tuple[int, int]] = []
+
+    def __call__(self, data: bytes, now: float) -> bytes:
+        """Take bytes at a time, and return what arrives."""
+        for flags, divisor in re.findall(rb"gs.{5}(..)(....)", data):
+            self.schedules.append((int(flags, 16), int(divisor, 16)))
+        return self._gateway.receive(data, now)
+
+
+PERIODIC, TRIGGER = 1, 2
+
+
+@pytest.mark.parametrize(
+    ("asked", "flags", "divisor"),
+    [("0 -", 0, 1), ("0 e", TRIGGER, 1), ("100 -", PERIODIC, 1000), ("20 d", PERIODIC, 20)],
+    ids=["request", "trigger", "rate", "divisor"],
+)
+def test_the_same_structure_subscribes_the_same_again_also_on_another_link(
+    driver: Path, asked: str, flags: int, divisor: int
+) -> None:
+    gateway = Hearing()
+    with Simulated(driver, gateway) as client:
+        client.words("connect test: 5")
+        client.words(f"subscribe 0 {asked} 10")
+        client.words("unsubscribe 0")
+        client.words("again 0")
+        client.words("close")
+        client.words("connect test: 5")
+        client.words("again 0")
+        assert gateway.schedules == [(flags, divisor)] * 3
+        client.words("close")
+
+
+def test_what_a_subscription_was_before_or_could_not_be_does_not_count_when_it_is_asked_for_anew(driver: Path) -> None:
+    gateway = Hearing()
+    with Simulated(driver, gateway) as client:
+        client.words("connect test: 5")
+        assert client("subscribe 0 1e9 - 10").startswith(BAD_ARGUMENT)
+        for rate in ("0", "100", "1000", "0"):
+            client.words(f"rate 0 {rate}")
+            client.words("again 0")
+            client.words("unsubscribe 0")
+        # Refused for its address, when its rate had been found good.
+        assert client("subscribe 0 100 - 100").startswith(BAD_ARGUMENT)
+        client.words("subscribe 0 0 - 10")
+        assert gateway.schedules == [(0, 1), (PERIODIC, 1000), (PERIODIC, 100), (0, 1), (0, 1)]
+        client.words("close")
+
+
+def test_samples_that_wait_are_still_there_when_a_new_subscription_was_refused(client: Driven) -> None:
+    with simulate("tcp") as url:
+        client.words(f"connect {url} 5")
+        client.words("subscribe 0 0 - 10")
+        for _ in range(3):
+            client.words("publish 0")
+        client.words("unsubscribe 0")
+        client.words("rate 0 nan")
+        assert client("again 0").startswith(BAD_ARGUMENT)
+        client.words("storage 0 0")
+        client.words("rate 0 0")
+        assert client("again 0").startswith(BAD_ARGUMENT)
+        assert [client("next 0 0").split()[1] for _ in range(3)] == ["0", "1", "2"]
+
+
 # Signals
 
 
@@ -1292,6 +1625,123 @@ int main(int count, char **arguments) {{
 """
 
 
+TWICE = """\
+#include "feeder.h"
+#include <stdio.h>
+static ul_link the_link;
+static feeder_first_subscription first;
+static feeder_second_subscription second;
+int main(int count, char **arguments) {
+    feeder_first one;
+    feeder_second two;
+    (void)count;
+    if (ul_connect(&the_link, arguments[1], 5.0)) return puts(ul_error(&the_link));
+    printf("%d %d", feeder_first_subscribe(&the_link, &first), feeder_second_subscribe(&the_link, &second));
+    for (int turn = 0; turn < 2; turn++) {
+        ul_publish(&the_link, &first.base);
+        ul_publish(&the_link, &second.base);
+        if (turn == 0) printf(" %d", feeder_first_subscribe(&the_link, &first));
+        printf(" %d", feeder_first_next(&the_link, &first, &one, NULL, 5.0));
+        printf(" %d", feeder_second_next(&the_link, &second, &two, NULL, 5.0));
+    }
+    printf("\\n%s\\n", ul_error(&the_link));
+    ul_unsubscribe(&the_link, &first.base);
+    printf("%d\\n", feeder_first_subscribe(&the_link, &first));
+    return ul_close(&the_link);
+}
+"""
+
+
+def test_a_group_that_is_subscribed_already_is_refused_and_goes_on_as_do_the_others(
+    runtime: list[Path], tmp_path: Path
+) -> None:
+    spec = compile_text(
+        "group first(1, TRIGGER); group second(2, TRIGGER);\n"
+        "public feeder() { @a = 1: READ(PUBLISH(first)); @b = 2: READ(PUBLISH(second)); }\n"
+    )
+    generated("c", spec, tmp_path)
+    (tmp_path / "program.c").write_text(TWICE)
+    objects = compiled(C, [tmp_path / "feeder.c", tmp_path / "program.c"], tmp_path, *SANITIZED, "-O0")
+    program = linked(C, [*runtime, *objects], tmp_path / "program", *SANITIZED)
+    with simulate("tcp") as url:
+        assert output(program, url).splitlines() == ["0 0 38 0 0 0 0", "subscription: it has begun already", "0"]
+
+
+TWO_LINKS = """\
+#include "unity_link.h"
+#include <stdio.h>
+static ul_link one, other;
+static uint64_t storage[UL_STORAGE(4, 1)];
+static void say(ul_status status) { printf("%d ", status); }
+int main(int count, char **arguments) {
+    uint32_t address = 0x10;
+    ul_subscription samples = {
+        .addresses = &address, .count = 1, .storage = storage, .storage_words = UL_STORAGE(4, 1)};
+    ul_sample sample;
+    (void)count;
+    if (ul_connect(&one, arguments[1], 5.0)) return puts(ul_error(&one));
+    if (ul_connect(&other, arguments[2], 5.0)) return puts(ul_error(&other));
+    say(ul_unsubscribe(&other, &samples));
+    say(ul_subscribe(&one, &samples));
+    say(ul_unsubscribe(&other, &samples));
+    puts(ul_error(&other));
+    say(ul_publish(&one, &samples));
+    say(ul_next(&one, &samples, &sample, 5.0));
+    say(ul_unsubscribe(&one, &samples));
+    say(ul_unsubscribe(&one, &samples));
+    say(ul_subscribe(&other, &samples));
+    say(ul_close(&other));
+    say(ul_unsubscribe(&other, &samples));
+    say(ul_subscribe(&one, &samples));
+    return ul_close(&one);
+}
+"""
+
+
+def test_a_subscription_is_ended_by_its_own_link_alone_and_goes_on_where_another_refuses_that(
+    runtime: list[Path], tmp_path: Path
+) -> None:
+    (tmp_path / "program.c").write_text(TWO_LINKS)
+    objects = compiled(C, [tmp_path / "program.c"], tmp_path, *SANITIZED, f"-I{runtime[0].parent}")
+    program = linked(C, [*runtime, *objects], tmp_path / "program", *SANITIZED)
+    with simulate("tcp") as one, simulate("tcp") as other:
+        assert output(program, one, other).splitlines() == [
+            "0 0 38 subscription: it was begun on another link, which alone ends it",
+            "0 0 0 0 0 0 0 0 ",
+        ]
+
+
+FAR_RATES = """\
+#include "feeder.h"
+#include <stdio.h>
+static ul_link the_link;
+static feeder_slow_subscription slow;
+static feeder_fast_subscription fast;
+int main(int count, char **arguments) {
+    (void)count;
+    if (ul_connect(&the_link, arguments[1], 5.0)) return puts(ul_error(&the_link));
+    printf("%d %d ", feeder_slow_subscribe(&the_link, &slow), feeder_fast_subscribe(&the_link, &fast));
+    printf("%.6f %.6f\\n", slow.base.actual_rate_hz, fast.base.actual_rate_hz);
+    return ul_close(&the_link);
+}
+"""
+
+
+def test_a_group_with_a_rate_that_the_gateway_does_not_have_is_published_at_the_nearest(
+    runtime: list[Path], tmp_path: Path
+) -> None:
+    spec = compile_text(
+        "group slow(RATE=0.5); group fast(RATE=300000);\n"
+        "public feeder() { @a = 1: READ(PUBLISH(slow)); @b = 2: READ(PUBLISH(fast)); }\n"
+    )
+    generated("c", spec, tmp_path)
+    (tmp_path / "program.c").write_text(FAR_RATES)
+    objects = compiled(C, [tmp_path / "feeder.c", tmp_path / "program.c"], tmp_path, *SANITIZED, "-O0")
+    program = linked(C, [*runtime, *objects], tmp_path / "program", *SANITIZED)
+    with simulate("tcp") as url:
+        assert output(program, url) == f"0 0 {100_000 / 65535:.6f} 100000.000000\n"
+
+
 MAPPED = """\
 #include "scara.h"
 #include <stdio.h>
@@ -1328,6 +1778,49 @@ def test_signals_of_another_map_are_refused_before_anything_is_sent_unless_that_
         assert output(program, f"{url}?map=any").splitlines()[0].startswith("0 0 0 0 0 ")
     with simulate("tcp", *mapped, f"build_id={spec.interface().fingerprint}") as url:
         assert output(program, url).splitlines()[0].startswith("0 0 0 0 0 ")
+
+
+def test_limits_that_no_double_holds_are_kept_exactly(runtime: list[Path], tmp_path: Path) -> None:
+    interface = LIMITS_BEYOND_DOUBLES.interface()
+    steps = [step(interface.signals[name], f"robot.{name}", value) for name, value, _ in LIMIT_TRIALS]
+    functions = "".join(f"static void f{index}(void) {text}" for index, text in enumerate(steps))
+    calls = " ".join(f"f{index}();" for index in range(len(steps)))
+    (tmp_path / "program.c").write_text(PROGRAM.format(functions=functions, calls=calls))
+    generated("c", LIMITS_BEYOND_DOUBLES, tmp_path)
+    objects = compiled(C, [tmp_path / "robot.c", tmp_path / "program.c"], tmp_path, *SANITIZED, "-O0")
+    program = linked(C, [*runtime, *objects], tmp_path / "program", *SANITIZED)
+    with simulate("tcp", "--set", "data_bits=64") as url:
+        lines = output(program, url).splitlines()
+    for line, (name, value, is_taken) in zip(lines, LIMIT_TRIALS, strict=True):
+        status, _, held = line.split()
+        assert status == ("0" if is_taken else BAD_ARGUMENT.strip()), (name, value)
+        assert (int(held) == value) == is_taken, (name, value)
+
+
+def test_a_refused_number_and_its_limits_are_told_exactly(runtime: list[Path], tmp_path: Path) -> None:
+    calls = [
+        ("unsigned", "a", "UINT64_MAX", "a: 18446744073709551615 is outside of 0 to 18446744073709551614"),
+        (
+            "signed",
+            "b",
+            "INT64_MIN",
+            "b: -9223372036854775808 is outside of -9223372036854775807 to 9223372036854775807",
+        ),
+        ("unsigned", "c", "9007199254740994u", "c: 9007199254740994 is outside of 0 to 9007199254740993"),
+        ("signed", "f", "INT64_MAX", "f: 9223372036854775807 is outside of -2 to 2"),
+        ("unsigned", "g", "1234567890123456789u", "g: 1234567890123456789 is outside of 0 to 1152921504606846975"),
+    ]
+    lines = "".join(
+        f"    ul_set_{coding}(&link, &robot.{name}, {value}); puts(ul_error(&link));\n"
+        for coding, name, value, _ in calls
+    )
+    (tmp_path / "program.c").write_text(
+        '#include "robot.h"\n#include <stdio.h>\nint main(void) {\n    static ul_link link;\n' + lines + "}\n"
+    )
+    generated("c", LIMITS_BEYOND_DOUBLES, tmp_path)
+    objects = compiled(C, [tmp_path / "robot.c", tmp_path / "program.c"], tmp_path, *SANITIZED, "-O0")
+    program = linked(C, [*runtime, *objects], tmp_path / "program", *SANITIZED)
+    assert output(program).splitlines() == [said for *_, said in calls]
 
 
 @pytest.mark.parametrize("word_bits", WORD_BITS)

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 import pytest
 
-from generate.every_kind import WORD_BITS, every_kind, written
+from generate.every_kind import LIMIT_TRIALS, LIMITS_BEYOND_DOUBLES, WORD_BITS, every_kind, written
 from generate.peers import MEDIA, FaultyLine, Medium, ObservedGateway, lose, replace, serve, simulate
 from generate.programs import CPP, SANITIZED, C, compiled, generated, linked, output
 from spec_examples import FIGURE_1
@@ -47,12 +47,14 @@ WALKER = compile_text("""\
 enum mode { off, walking = 4, class }
 group state(1, 100, TIMESTAMPS);
 group targets;
+group slow(RATE=0.5);
 public walker() {
   GATEWAY(ADDRESS_BITS=8, DATA_BITS=32);
   @mode = 0x60[3:0]: mode READWRITE(PUBLISH(state));
   @on = 0x60[4]: bool READWRITE(PUBLISH(state));
   @speed = 0x60[15:8]: signed READWRITE(SCALE=0.5, MIN=-10, MAX=10, UNIT="mm/s");
   @clock = 0x61: unsigned 64 READWRITE(PUBLISH(state));
+  @age = 0x65: READ(PUBLISH(slow));
   @samples = 0x63: signed 16 READWRITE(FIFO);
   @gain = 0x64: float READWRITE();
   legs[3]: leg() @(0x10 * i);
@@ -99,6 +101,27 @@ def test_the_headers_compile_without_a_warning(word_bits: int | None, tmp_path: 
     text = f'#include "{name}.hpp"\nvoid use(unity_link::Link &link) {{ {name.title()} own{{link}}; {uses} }}\n'
     (tmp_path / "program.cc").write_text(text)
     compiled(CPP, [tmp_path / "program.cc"], tmp_path)
+
+
+def test_a_value_of_an_enumeration_may_have_all_64_bits(tmp_path: Path) -> None:
+    spec = compile_text(
+        "enum big { none, middle = 0x80000000, high = 0x8000000000000000, all = 0xFFFFFFFFFFFFFFFF }\n"
+        "public robot() { GATEWAY(DATA_BITS=64); @b = 0: big 64 READWRITE(); }\n"
+    )
+    files = generated("cpp", spec, tmp_path)
+    source = tmp_path / "program.cc"
+    body = """
+    Robot own{link};
+    own.b.set(Robot::Big::all);
+    CHECK(link.read(0) == ~std::uint64_t{0} && own.b.get() == Robot::Big::all);
+    own.b.set(Robot::Big::high);
+    CHECK(link.read(0) == std::uint64_t{1} << 63 && std::string(to_string(own.b.get())) == "high");
+    """
+    source.write_text(f'#include "robot.hpp"\n{HEAD}{body}{TAIL}')
+    objects = compiled(C, [path for path in files if path.suffix == ".c"], tmp_path, *SANITIZED)
+    objects += compiled(CPP, [source], tmp_path, *SANITIZED, "-O0")
+    with simulate("tcp", "--set", "data_bits=64") as url:
+        output(linked(CPP, objects, tmp_path / "program", *SANITIZED), url)
 
 
 def test_the_files_in_c_are_those_of_the_target_c() -> None:
@@ -208,6 +231,27 @@ def test_values_of_every_kind_stand_on_the_bus_and_come_back_as_in_python(tmp_pa
         decoded = signal.decode(own)
         assert decoded == signal.decode(signal.encode(value)), (signal.path, line)
         assert (float.fromhex(shown) if signal.kind.is_float else int(shown)) == decoded, (signal.path, line)
+
+
+def test_limits_that_no_double_holds_are_kept_exactly(tmp_path: Path) -> None:
+    signals = LIMITS_BEYOND_DOUBLES.interface().signals
+    body = "    Robot own{link};\n"
+    for name, value, is_taken in LIMIT_TRIALS:
+        number = f"{cpp_value(signals[name], value)}"
+        call = f"own.{name}.set({number})"
+        body += (
+            f"    {call}; CHECK(own.{name}.get() == {number});\n"
+            if is_taken
+            else f"    THROWS(ArgumentError, {call});\n"
+            f'    CHECK(last.rfind("{name}: {value} is outside of ", 0) == 0);\n'
+        )
+    files = generated("cpp", LIMITS_BEYOND_DOUBLES, tmp_path)
+    source = tmp_path / "program.cc"
+    source.write_text(f'#include "robot.hpp"\n{HEAD}{body}{TAIL}')
+    objects = compiled(C, [path for path in files if path.suffix == ".c"], tmp_path, *SANITIZED)
+    objects += compiled(CPP, [source], tmp_path, *SANITIZED, "-O0")
+    with simulate("tcp", "--set", "data_bits=64") as url:
+        output(linked(CPP, objects, tmp_path / "program", *SANITIZED), url)
 
 
 @pytest.mark.parametrize(
@@ -399,6 +443,10 @@ def test_groups_come_by_callback_and_one_by_one(medium: Medium, runtime: list[Pa
     auto feed = robot.state.subscribe();
     auto next = feed.next(5s);
     CHECK(next && next->first.clock == 77 && next->second.sequence == 0);
+    CHECK(std::abs(robot.slow.subscribe().subscription().rate_hz() - 100000.0 / 65535) < 1e-9);
+    THROWS(ArgumentError, (unity_link::Subscription{link, {0x61}, {0.5}}));
+    THROWS(ArgumentError, robot.state.subscribe());
+    CHECK(last == "subscription: group 1 of the gateway is in use, or there is none" && feed.next(5s));
     feed.subscription().stop();
 
     unity_link::Subscription samples{link, {0x61, 0x62}};

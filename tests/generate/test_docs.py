@@ -14,6 +14,7 @@ from hypothesis import given, settings
 from markdown_it import MarkdownIt
 
 from generate.every_kind import WORD_BITS, every_kind
+from searching import examples
 from spec_examples import FIGURE_1, specs
 from unity_link.generate import generate
 from unity_link.generate.docs.pages import Page, markdown, number
@@ -126,7 +127,7 @@ def test_pages_of_every_kind_are_whole(bits: int) -> None:
     check(every_kind(bits))
 
 
-@settings(max_examples=10 + getattr(settings.default, "max_examples", 0) // 10)
+@settings(max_examples=examples(20))
 @given(file=specs())
 def test_pages_of_any_spec_are_whole(file: File) -> None:
     check(compile_text(print_file(file)))
@@ -179,6 +180,13 @@ def test_groups_modules_and_enumerations_have_their_tables() -> None:
     assert "| 100…1FF | MEMORY | pool |" in text
     assert "| 4 | manual | By hand. |" in text
     assert "| parameters | ctrl, base = 64 |" in text
+
+
+def test_the_map_of_the_largest_memory_is_as_short_as_that_of_any_other() -> None:
+    (memory, _, end) = Page(
+        compile_text("public x() { GATEWAY(ADDRESS_BITS=32); m: MEMORY(SIZE=0x100000000); }").interface()
+    ).map
+    assert (memory[0], end[0]) == ("00000000", "FFFFFFF0")
 
 
 def test_the_map_skips_the_middle_of_a_large_module() -> None:

@@ -10,12 +10,13 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 import msgspec
+import pytest
 
 from generate.every_kind import WORD_BITS, bad_values, every_kind, good_values
 from generate.octave import Octave, doubles, words
 from generate.peers import simulate
 from unity_link.generate import generate
-from unity_link.generate.matlab.names import KEYWORDS, identifiers
+from unity_link.generate.matlab.names import FUNCTIONS, KEYWORDS, MEMBERS, identifiers
 from unity_link.spec import Access, KindName, compile_file, compile_text
 
 if TYPE_CHECKING:
@@ -169,6 +170,48 @@ public robot() {
     assert shown["about"] == f"° the 'angle' signed 32 {doubles(-5)}"
 
 
+_LIMITS = """\
+robot = robot('{url}');
+attempt('below in a small class', @() robot.far.encode(uint8(255)));
+attempt('least', @() robot.far.encode(uint16(500)));
+attempt('above in a class without sign', @() robot.negative.encode(uint8(0)));
+attempt('most', @() robot.negative.encode(int8(-1)));
+attempt('above by a fraction', @() robot.part.encode(int64(3)));
+attempt('most of a fraction', @() robot.part.encode(single(2)));
+attempt('below by one', @() robot.large.encode(int64(2) ^ 53));
+attempt('no less', @() robot.large.encode(int64(2) ^ 53 + 1));
+attempt('scaled', @() robot.scaled.encode(uint8(255)));
+attempt('scaled least', @() robot.scaled.encode(int16(500)));
+"""
+
+
+def test_limits_hold_for_values_of_any_class(octave: Octave) -> None:
+    spec = """public robot() {
+  @far = 1: unsigned 16 READWRITE(MIN=500);
+  @negative = 2: signed 8 READWRITE(MIN=-5, MAX=-1);
+  @part = 3: signed 8 READWRITE(MIN=-2.5, MAX=2.5);
+  @large = 4: unsigned 64 READWRITE(MIN=0x20000000000001);
+  @scaled = 6: unsigned 16 READWRITE(SCALE=0.5, MIN=500);
+}
+"""
+    octave.generate(compile_text(spec))
+    with simulate("tcp") as url:
+        shown = octave.run(_LIMITS.format(url=url))
+    said = {label: text.partition(" ")[2] for label, text in shown.items()}
+    assert said == {
+        "below in a small class": "far: 255 is outside of its limits, at least 500",
+        "least": "error",
+        "above in a class without sign": "negative: 0 is outside of its limits, -5 to -1",
+        "most": "error",
+        "above by a fraction": "part: 3 is outside of its limits, -2.5 to 2.5",
+        "most of a fraction": "error",
+        "below by one": "large: 9007199254740992 is outside of its limits, at least 9007199254740993",
+        "no less": "error",
+        "scaled": "scaled: 255 is outside of its limits, at least 500",
+        "scaled least": "error",
+    }
+
+
 def test_the_guide_says_what_happens(octave: Octave) -> None:
     guide = (EXAMPLES.parent / "docs" / "how-to" / "matlab.md").read_text(encoding="utf-8")
     lines = [
@@ -251,6 +294,47 @@ def test_every_word_of_octave_is_a_keyword(octave: Octave) -> None:
     words = octave.run("show('words', iskeyword());")["words"].split()
     assert "while" in words
     assert {word for word in words if not word.startswith("__")} <= KEYWORDS
+
+
+def test_every_function_that_is_called_is_one_that_no_class_hides(octave: Octave) -> None:
+    specs = (every_kind(64), compile_file(EXAMPLES / "walker.ul"))
+    texts = [file.text for spec in specs for file in generate("matlab", spec) if file.name.endswith(".m")]
+    code = re.sub(r"%.*|'[^'\n]*'", "", "\n".join(texts))
+    called = ", ".join(f"'{name}'" for name in sorted(set(re.findall(r"(?<![.\w])([A-Za-z]\w*)\(", code))))
+    shown = octave.run(f"""\
+called = {{{called}}};
+for index = 1:numel(called)
+  show(called{{index}}, exist(called{{index}}));
+end
+""")
+    functions = {name for name, kind in shown.items() if kind in (doubles(2), doubles(5))}
+    assert {"numel", "strjoin"} <= functions
+    assert functions <= {*FUNCTIONS, *KEYWORDS, *MEMBERS}
+
+
+@pytest.mark.parametrize("name", ["struct", "numel", "link", "size"])
+def test_an_interface_may_have_the_name_of_a_function_or_of_what_the_class_has(name: str, octave: Octave) -> None:
+    octave.generate(compile_text(f"public {name}() {{ @a = 1: signed 16 READWRITE(PUBLISH(g)); }}\ngroup g(1, 10);"))
+    with simulate("tcp") as url:
+        shown = octave.run(f"""\
+robot = {name}_('{url}');
+robot.a.set(-2);
+show('read', robot.groups.g.get().a);
+""")
+    assert shown["read"] == doubles(-2)
+
+
+def test_a_parameter_that_is_no_identifier_is_given_by_another_name(octave: Octave) -> None:
+    octave.generate(
+        compile_text("public nets(end, _comm) { TOSNET(CTRL=end, COMM=_comm, SIZE=16) { @a = 1: READWRITE(); } }")
+    )
+    text = (octave.folder / "nets.m").read_text(encoding="utf-8")
+    assert set(re.findall(r"given\.(\w+)", text)) == {"end_", "x_comm"}
+    with simulate("tcp") as url:
+        shown = octave.run(
+            f"robot = nets('{url}', 'end_', 32, 'x_comm', 33);\nshow('networks', numel(robot.networks));"
+        )
+    assert shown["networks"] == doubles(1)
 
 
 def test_identifiers_are_unique_and_those_that_can_stay() -> None:

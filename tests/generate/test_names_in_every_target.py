@@ -17,6 +17,7 @@ from hypothesis import Phase, given, settings
 from generate.awkward_names import LONG, awkward_specs
 from generate.octave import Octave, why_not
 from generate.programs import generated
+from searching import examples
 from unity_link.errors import UnityLinkError
 from unity_link.generate import TARGETS, generate
 from unity_link.generate.matlab.names import KEYWORDS, MEMBERS
@@ -53,7 +54,7 @@ IN_MATLAB = (
     "self",
     "uint64",
 )
-QUICKLY = settings(max_examples=3, phases=[Phase.explicit, Phase.reuse, Phase.generate])
+QUICKLY = settings(max_examples=examples(3), phases=[Phase.explicit, Phase.reuse, Phase.generate])
 
 
 @QUICKLY
@@ -111,7 +112,7 @@ def test_any_names_make_vhdl_that_can_be_analysed(text: str, tmp_path_factory: p
 
 
 @pytest.mark.skipif(bool(why_not()), reason=why_not())
-@settings(QUICKLY, max_examples=2)
+@settings(QUICKLY, max_examples=examples(2))
 @given(text=awkward_specs(IN_MATLAB))
 def test_any_names_make_a_class_that_octave_takes(text: str, tmp_path_factory: pytest.TempPathFactory) -> None:
     octave = Octave(tmp_path_factory.mktemp("octave"))

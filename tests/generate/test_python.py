@@ -15,6 +15,7 @@ import unity_link
 from generate.every_kind import WORD_BITS, every_kind, good_values
 from simulated_time import on_simulated_time
 from spec_examples import FIGURE_1
+from unity_link import ArgumentError
 from unity_link.data import Group, read_interface
 from unity_link.generate import generate, write
 from unity_link.generate.python import docstring
@@ -168,6 +169,26 @@ def test_the_model_survives_the_module() -> None:
         same(spec.interface())
 
 
+def test_limits_of_64_bits_are_exact_in_the_module() -> None:
+    interface = compile_text("""
+public large() {
+  GATEWAY(DATA_BITS=8);
+  @a0 = 0: unsigned 64 READWRITE(MAX=18446744073709551614);
+  @a1 = 8: signed 64 READWRITE(MIN=-9223372036854775807);
+  @a2 = 16: unsigned 64 READWRITE(MAX=9007199254740993);
+  @a3 = 24: float READWRITE(MIN=-2.5, MAX=3);
+}
+""").interface()
+    made = read_interface(model_text(interface))
+    limits = {path: signal.limits for path, signal in made.signals.items()}
+    assert limits == {path: signal.limits for path, signal in interface.signals.items()}
+    assert limits["a2"][1] == 9007199254740993
+    made.signals["a2"].encode(9007199254740993)
+    for path, value in (("a0", 18446744073709551615), ("a1", -9223372036854775808), ("a2", 9007199254740994)):
+        with pytest.raises(ArgumentError):
+            made.signals[path].encode(value)
+
+
 @pytest.mark.asyncio
 async def test_the_generated_scara_reads_writes_and_is_published(tmp_path: Path) -> None:
     module = imported(compile_file(EXAMPLES / "scara.ul"), tmp_path)
@@ -197,6 +218,14 @@ def test_names_that_python_has_taken_get_an_underscore(tmp_path: Path) -> None:
             assert robot.Component[1].link_.import_.signal.address == 0xA1
 
     check()
+
+
+def test_a_class_may_be_called_by_a_name_of_which_the_first_letter_is_a_digit(tmp_path: Path) -> None:
+    text = (
+        "enum _1st { a } public _9x() { @a = 1: _1st READ(); b: _2nd() @(2); } _2nd(): @(base) { @c = base: READ(); }"
+    )
+    module = imported(compile_text(text), tmp_path)
+    assert module.__all__ == ["_1st", "_2nd", "_9x"]
 
 
 def test_the_module_needs_no_compiler_of_specs(tmp_path: Path) -> None:

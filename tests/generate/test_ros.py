@@ -22,6 +22,7 @@ import yaml
 
 from unity_link import blocking
 from unity_link.generate import generate, write
+from unity_link.generate.ros.topics import topic_names
 from unity_link.spec import compile_file, compile_text
 
 if TYPE_CHECKING:
@@ -150,3 +151,21 @@ def test_a_description_with_signs_of_xml_and_quotes_stays_a_description(target: 
     for path in tmp_path.rglob("*"):
         if path.is_file() and (path.suffix == ".py" or path.name == "bridge"):
             ast.parse(path.read_text(), str(path))
+
+
+@pytest.mark.parametrize(("interface", "package"), [("Arm_", "arm"), ("_9x", "x9x"), ("__", "x")])
+def test_the_name_of_a_package_begins_with_a_letter(interface: str, package: str) -> None:
+    spec = compile_text(f"public {interface}() {{ @a = 1: READ(); }}")
+    for target in ("ros1", "ros2"):
+        assert {file.name.partition("/")[0] for file in generate(target, spec)} == {f"{package}_unity_link"}
+
+
+def test_joints_of_the_interface_itself_have_its_name() -> None:
+    spec = compile_text(
+        "group g(1, 10, JOINTS(POSITION=pos));\n"
+        "public motor() { @pos = 1: READ(PUBLISH(g)); knee: joint() @(2); motor: joint() @(3); }\n"
+        "joint(): @(base) { @pos = base: READ(PUBLISH(g)); }"
+    )
+    names = topic_names(spec.interface())
+    assert [names[joint.name] for joint in spec.interface().groups[0].joints] == ["motor_2", "knee", "motor"]
+    assert names["pos"] == "pos"

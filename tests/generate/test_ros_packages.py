@@ -21,7 +21,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from bridge_programs import PROGRAM, Noted, wait_until
@@ -29,7 +29,7 @@ from generate.every_kind import WORD_BITS, every_kind
 from generate.ros_on_paper import Paper
 from spec_examples import FIGURE_1
 from unity_link import ArgumentError, GatewayInfo, blocking
-from unity_link.bridges.topics import joint_command_topics, published_groups
+from unity_link.bridges.topics import command_topics, joint_command_topics, published_groups
 from unity_link.generate import generate, write
 from unity_link.generate.ros import OLDEST_PYTHON
 from unity_link.spec import compile_file, compile_text
@@ -115,7 +115,7 @@ def test_a_package_runs_on_the_python_of_its_distribution(target: str, python: s
     assert warnings == [
         f"the gateway answers at {url}",
         "j1.pos_sp: 500.0 is outside of its limits, -130 to 130 deg",
-        "j2.pos_sp: inf is no finite number",
+        "j2.pos_sp: inf is no finite number in deg",
     ]
     assert told["written"] == 1 + 2 + 3
     assert told["subscribed"]["/arm/joint_commands"] == "sensor_msgs/JointState"
@@ -199,6 +199,45 @@ def set_joints(bridge: Any, robot: Any) -> None:
     for values in ({"j1.pos_sp": 30, "j2.pos_sp": 40}, {"j1.pos_sp": 31}, {"j2.pos_sp": -5}):
         bridge.write([(signals[path], value) for path, value in values.items()])
     bridge.close()
+
+
+POLLED = """
+public robot() {
+  @count = 0x10: unsigned 40 READ(POLL(100));
+  @state = 0x11[31:8]: READ(POLL(100));
+  @after = 0x12: READ(POLL(100));
+}
+"""
+
+
+@pytest.mark.asyncio
+async def test_a_polled_value_of_several_words_is_read_in_one_transaction_of_the_bus(tmp_path: Path) -> None:
+    package = loaded(packages(tmp_path / "package", "ros1", compile_text(POLLED)))
+    gateway = VirtualGateway()
+    gateway.memory.update({0x10: 0xFFFFFFFF, 0x11: 0xABCDEF12, 0x12: 7})
+    async with serve_unix(gateway, tmp_path / "gateway") as url:
+        paper = Paper(url)
+        asked, values = await asyncio.to_thread(polled, package["bridge"].Bridge(paper, package["robot"]), paper)
+    assert asked == ["RM1002", "R12"]
+    assert values == {"count": 0x12_FFFFFFFF, "state": 0xABCDEF, "after": 7}
+
+
+def polled(bridge: Any, paper: Paper) -> tuple[list[str], dict[str, int]]:
+    """Return the requests of a poll, and what was published."""
+    asked: list[list[str]] = []
+    ask = bridge._link.ask
+
+    def note(requests: list[str], *arguments: Any) -> Any:
+        asked.append(requests)
+        return ask(requests, *arguments)
+
+    bridge._link.ask = note
+    bridge.start()
+    topics = {name: f"/arm/{name}" for name in ("count", "state", "after")}
+    wait_until(lambda: all(topic in paper.last for topic in topics.values()))
+    bridge.close()
+    wanted = next(requests for requests in asked if requests != ["H"])
+    return wanted, {name: paper.last[topic][1] for name, topic in topics.items()}
 
 
 @pytest.mark.slow
@@ -286,7 +325,6 @@ def tables(word_bits: int, folder: Path) -> dict[str, Any]:
     return {**signals, "refused": package["values"].ValueRefused}
 
 
-@settings(max_examples=100)
 @given(data=st.data(), word_bits=st.sampled_from(WORD_BITS))
 def test_values_stand_in_words_as_unity_link_itself_has_them(
     tmp_path_factory: pytest.TempPathFactory, data: st.DataObject, word_bits: int
@@ -327,6 +365,57 @@ def test_a_package_has_the_topics_of_the_bridge(name: str, tmp_path: Path) -> No
         joints = joint_command_topics(robot, groups)[0].joints
     assert json.loads(done.stdout) == topics
     assert repr(joints.names) in (folder / "robot.py").read_text()
+
+
+WHOLE_DEGREES = """
+group state(1, 10, JOINTS(POSITION=q, SET_POSITION=q));
+public robot() { hip: joint() @(0); }
+joint(): @(base) { @q = base: signed READWRITE(UNIT="deg", PUBLISH(state)); }
+"""
+
+
+def test_a_set_point_that_no_number_holds_in_the_unit_of_the_spec_is_refused(tmp_path: Path) -> None:
+    package = loaded(packages(tmp_path, "ros1", compile_text(WHOLE_DEGREES)))
+    (joints,) = package["robot"].JOINTS
+    with pytest.raises(package["values"].ValueRefused, match="1e\\+308 is no finite number in deg"):
+        joints.of_array("position", [1e308])
+
+
+ALIKE = """
+group state(1, 10, JOINTS(POSITION=q, SET_POSITION=to));
+public robot() {
+  legs[3]: leg() @(2 * i);
+  legs_1: leg() @(8);
+  legs_1_2: leg() @(10);
+}
+leg(): @(base) { @q = base: signed READ(PUBLISH(state)); @to = base + 1: signed WRITE(); }
+"""
+
+
+def test_no_two_signals_or_joints_have_one_name_in_ros(tmp_path: Path) -> None:
+    from unity_link.data import load
+
+    spec = compile_text(ALIKE)
+    robot = loaded(packages(tmp_path, "ros1", spec))["robot"]
+    with blocking.connect("sim:") as link:
+        bridged = load(spec)(link._link)
+        (group,) = published_groups(bridged)
+        commands = command_topics(bridged, [group])
+    legs = {
+        "legs[0]": "legs_0",
+        "legs[1]": "legs_1_3",
+        "legs[2]": "legs_2",
+        "legs_1": "legs_1",
+        "legs_1_2": "legs_1_2",
+    }
+    assert {topic.proxy.path: topic.name for topic in group.topics} == {f"{a}.q": f"{b}/q" for a, b in legs.items()}
+    assert {topic.proxy.path: topic.name for topic in commands} == {f"{a}.to": f"{b}/to" for a, b in legs.items()}
+    for topics in (group.topics, commands):
+        theirs = {signal.path: signal.topic for signal in (*robot.GROUPS[0].signals, *robot.WRITABLE)}
+        assert {topic.proxy.path: topic.name for topic in topics}.items() <= theirs.items()
+    assert group.joints is not None
+    assert sorted(group.joints.names) == sorted(legs.values())
+    assert robot.JOINTS[0].names == robot.GROUPS[0].joints[0] == group.joints.names
 
 
 @pytest.mark.parametrize("target", PACKAGES)

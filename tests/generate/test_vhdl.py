@@ -17,13 +17,16 @@ from gateware.bench.runner import GATEWARE, rtl_sources, run_bench, simulator_av
 from generate.bench_boards import ECHO, WALKER
 from generate.bench_nodes import LAMP, PAIR
 from generate.every_kind import WORD_BITS, every_kind, good_values
+from searching import examples
 from spec_examples import FIGURE_1, specs
 from unity_link.errors import UnsupportedError
 from unity_link.gateware import yowasp
 from unity_link.gateware.cache import LIBRARY, cache_folder, hash_of, kept
 from unity_link.gateware.convert import to_verilog
 from unity_link.generate import generate, write
+from unity_link.generate.verilog.flat import flat_ports
 from unity_link.generate.vhdl import gateway_generics
+from unity_link.generate.vhdl.bank import Bank
 from unity_link.generate.vhdl.layout import align
 from unity_link.generate.vhdl.names import RESERVED, Scope, identifier
 from unity_link.generate.vhdl.stimuli import part_of
@@ -113,12 +116,42 @@ process(): @(signal) {
   @begin = signal + 1: WRITE();
 }
 """
+HIDDEN_NAMES = """\
+enum to { bank, hardware }
+enum from { bank, hardware }
+enum window { adr, word }
+enum sample { access }
+enum count { words }
+enum word { a }
+enum address { a }
+enum hardware { a, b }
+enum chain { a, b }
+enum mode { a }
+public robot() {
+  @a = 0: to READWRITE();
+  @b = 1: from READWRITE();
+  @c = 2: window READWRITE();
+  @d = 3: sample READWRITE();
+  @e = 4: count READWRITE();
+  @f = 5: word WRITE(FIFO);
+  @g = 6: address WRITE(FIFO);
+  @h = 7: hardware READWRITE();
+  @i = 8: chain READ();
+  @to_chain = 9: READ();
+  @to_bits = 10: READ();
+  @to_mode = 11: mode READ();
+  @work = 12: READ();
+  @ieee = 13: READ();
+  module: MEMORY(BASE=0x20, SIZE=2);
+}
+"""
 SPECS = {
     "figure 1": compile_text(FIGURE_1, "figure_1.ul"),
     "scara": compile_file(ROOT / "examples" / "scara.ul"),
     "walker": WALKER,
     "everything": compile_text(EVERYTHING, "robot.ul"),
     "reserved names": compile_text(RESERVED_NAMES, "library.ul"),
+    "hidden names": compile_text(HIDDEN_NAMES, "robot.ul"),
     **{f"every kind in words of {bits}": every_kind(bits) for bits in WORD_BITS},
 }
 
@@ -171,7 +204,7 @@ def test_the_generated_bench_passes(name: str, tmp_path: Path) -> None:
 
 
 @rtl
-@settings(max_examples=3 + getattr(settings.default, "max_examples", 0) // 50)
+@settings(max_examples=examples(5))
 @given(file=specs())
 def test_the_bench_of_any_spec_passes(file: File, tmp_path_factory: pytest.TempPathFactory) -> None:
     folder = tmp_path_factory.mktemp("any")
@@ -235,7 +268,9 @@ def test_the_bench_finds_a_fault(name: str, tmp_path: Path) -> None:
 
 
 @rtl
-@pytest.mark.parametrize("name", ["figure 1", "walker", "everything", "reserved names", "every kind in words of 64"])
+@pytest.mark.parametrize(
+    "name", ["figure 1", "walker", "everything", "reserved names", "hidden names", "every kind in words of 64"]
+)
 def test_gateway_and_boards_elaborate_with_the_gateware(name: str, tmp_path: Path) -> None:
     paths = write(generate("vhdl", SPECS[name]), tmp_path)
     assert ghdl(tmp_path, "-i", f"--work={LIBRARY}", *map(str, rtl_sources())).returncode == 0
@@ -245,6 +280,12 @@ def test_gateway_and_boards_elaborate_with_the_gateware(name: str, tmp_path: Pat
     for top in tops:
         done = ghdl(tmp_path, "-m", top)
         assert (done.returncode, done.stderr) == (0, "")
+
+
+def test_no_port_of_a_netlist_hides_a_function_of_the_package_or_a_library() -> None:
+    ports = {port.name for port in flat_ports(Bank(SPECS["hidden names"].interface()))}
+    assert {"to_bits_2", "to_mode_2", "work_2", "ieee_2"} <= ports
+    assert ports.isdisjoint({"to_bits", "to_mode", "work", "ieee"})
 
 
 @rtl

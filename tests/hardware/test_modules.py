@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 import pytest
 
@@ -113,6 +115,29 @@ async def test_pins_are_read_and_set_one_by_one_and_together() -> None:
             await pins.set_levels(0x100)
         gateway.memory[0x20] = 0xFFFF
         assert await pins.levels() == 0xFF
+
+
+@on_simulated_time
+async def test_numbers_of_numpy_are_those_of_python_in_every_module() -> None:
+    narrow: Any = np.uint8
+    gateway = VirtualGateway(GatewayInfo(address_bits=16))
+    async with unity_link.connect(gateway) as link:
+        memory = Memory(link, 0x140, size=300)
+        await memory.write_block(narrow(250), range(50))
+        assert (await memory.read_block(narrow(250), narrow(50))).tolist() == list(range(50))
+        with pytest.raises(ArgumentError, match="offset 255 asked for, 0 to 15 expected"):
+            await Memory(link, 0x40, size=16).write(narrow(255), 9)
+        with pytest.raises(ArgumentError, match=r"an offset is a whole number, not 1\.5"):
+            await memory.read(1.5)  # type: ignore[arg-type]
+        pins = Gpio(link, 0x60)
+        await pins.set(narrow(9), True)
+        assert gateway.memory[0x60] == 1 << 9
+        assert await pins.get(narrow(9))
+        axes = Quadrature(link, 0x80, channels=2)
+        await axes.set(narrow(1), np.int16(-5))  # type: ignore[arg-type]
+        assert await axes.position(narrow(1)) == -5
+        await Pwm(link, 0x90, channels=1, width=32).set(0, np.float32(1))  # type: ignore[arg-type]
+        assert gateway.memory[0x90] == 0xFFFF_FFFF
 
 
 @on_simulated_time

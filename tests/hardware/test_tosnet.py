@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import asyncio
 import itertools
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
+import numpy as np
 import pytest
 
 import unity_link
@@ -107,6 +108,9 @@ async def test_nodes_have_registers_of_four_words_in_each_direction() -> None:
         gateway.memory[BASE + 0x88 + 3] = 9
         assert (await node.sent_by(1)).tolist() == [0, 0, 0, 9]
         assert (await node.sent_to(1)).tolist() == [1, 2, 3, 4]
+        narrow: Any = np.uint8
+        await TosnetNetwork(link, BASE).node(narrow(5)).send(narrow(7), [7])
+        assert (await TosnetNetwork(link, BASE).node(5).sent_to(7)).tolist() == [7, 0, 0, 0]
         wrong: list[tuple[Callable[[], object], str]] = [
             (lambda: node.sent_by(8), "register 8 asked for, 0 to 7 expected"),
             (lambda: node.send(0, range(5)), "5 words were given for a register, 1 to 4 expected"),

@@ -5,6 +5,7 @@ from __future__ import annotations
 import asyncio
 import contextlib
 import gc
+import math
 import random
 import tracemalloc
 from typing import TYPE_CHECKING, Any
@@ -48,6 +49,23 @@ if TYPE_CHECKING:
     from unity_link import Link
 
 INFO = GatewayInfo(base_frequency_millihertz=1_000_000)
+
+
+def test_pauses_that_cannot_be_are_refused_before_a_connection_is_lost() -> None:
+    wrong: list[tuple[dict[str, Any], str]] = [
+        ({"first_pause": "1"}, "first_pause is a number of seconds above 0, not '1'"),
+        ({"first_pause": 0}, "first_pause is a number of seconds above 0, not 0"),
+        ({"first_pause": math.nan}, "first_pause is a number of seconds above 0, not nan"),
+        ({"longest_pause": -1}, "longest_pause is a number of seconds above 0, not -1"),
+        ({"longest_pause": math.inf}, "longest_pause is a number of seconds above 0, not inf"),
+        ({"give_up_after": "x"}, "give_up_after is a number of seconds from 0 on, or None, not 'x'"),
+        ({"give_up_after": -5}, "give_up_after is a number of seconds from 0 on, or None, not -5"),
+    ]
+    for options, message in wrong:
+        with pytest.raises(ArgumentError) as caught:
+            Reconnect(**options)
+        assert str(caught.value) == message
+    assert Reconnect(first_pause=0.5, give_up_after=math.inf).longest_pause == 5
 
 
 def now() -> float:
@@ -174,12 +192,13 @@ async def test_a_later_protocol_version_is_refused_with_what_to_install() -> Non
 
 
 @pytest.mark.parametrize(
-    ("field", "value"), [("data_bits", 65), ("address_bits", 40), ("id_digits", 5), ("crc_bits", 12)]
+    ("field", "value"),
+    [("data_bits", 65), ("address_bits", 40), ("id_digits", 5), ("crc_bits", 12), ("base_frequency_millihertz", 0)],
 )
 @on_simulated_time
-async def test_widths_that_cannot_be_are_refused_with_their_value(field: str, value: int) -> None:
+async def test_numbers_that_cannot_be_are_refused_with_their_value(field: str, value: int) -> None:
     answer = b"Q" + msgspec.structs.replace(INFO, **{field: value}).to_hex() + b"\r\n"
-    with pytest.raises(UnsupportedError, match=f"{value}"):
+    with pytest.raises(UnsupportedError, match=f"{field} = {value}|{value} bits"):
         await unity_link.connect(Answering(lambda _: answer))
 
 
@@ -651,11 +670,55 @@ async def test_pauses_between_attempts_double_up_to_the_longest_and_then_the_lin
         cut(link)
         with pytest.raises(LinkLostError, match="no reconnection succeeded"):
             await read
-        assert 200 <= now() < 240
+        assert now() == pytest.approx(200, abs=1)
         with pytest.raises(LinkLostError):
             await link.read(0)
         assert link.statistics.reconnections == 0
     assert len(times) > 10
+
+
+@on_simulated_time
+@pytest.mark.parametrize("seconds", [0.05, 0.5, 7.0])
+async def test_the_link_is_lost_for_good_after_the_time_that_was_said(make_bare: Maker, seconds: float) -> None:
+    gateway = Valve(make_bare(**SLOW))
+    options = Reconnect(first_pause=0.02, give_up_after=seconds)
+    async with unity_link.connect(gateway, reconnect=options) as link:
+        gateway.requests_pass = False
+        cut(link)
+        began = now()
+        with pytest.raises(LinkLostError, match="no reconnection succeeded"):
+            await link.read(0)
+        assert now() - began == pytest.approx(seconds, abs=0.03)
+
+
+@on_simulated_time
+async def test_an_attempt_to_open_again_has_the_time_of_the_first_however_short_the_pauses_are(
+    make_bare: Maker,
+) -> None:
+    line = SlowLine(make_bare(**SLOW), bytes_per_second=400)
+    async with unity_link.connect(line, reconnect=Reconnect(first_pause=0.02, longest_pause=0.1)) as link:
+        began = now()
+        cut(link)
+        async with asyncio.timeout(60):
+            await link.read(0)
+        assert 0.1 < now() - began < 2
+        assert link.statistics.reconnections == 1
+
+
+@on_simulated_time
+async def test_calls_that_are_given_up_while_the_gateway_is_away_are_not_kept(make_bare: Maker) -> None:
+    gateway = Valve(make_bare(**SLOW))
+    async with unity_link.connect(gateway, reconnect=True) as link:
+        gateway.requests_pass = False
+        cut(link)
+        kept = [asyncio.ensure_future(link.read(address)) for address in range(100)]
+        for _ in range(1000):
+            with pytest.raises(TimeoutError):
+                async with asyncio.timeout(0.01):
+                    await asyncio.gather(link.read(0), link.read_many(range(20)), link.write_block(0, range(9)))
+        assert len(link._session._waiting) <= 2 * len(kept) + 3
+        gateway.requests_pass = True
+        assert await asyncio.gather(*kept) == [0] * 100
 
 
 @on_simulated_time

@@ -140,6 +140,27 @@ async def test_samples_come_at_their_rate(tmp_path: Path) -> None:
     assert [sample.time for sample in taken] == pytest.approx([first + number / 100 for number in range(300)])
 
 
+@on_simulated_time
+@pytest.mark.parametrize("timestamps", [True, False])
+async def test_many_periods_that_nobody_had_time_for_are_counted(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, *, timestamps: bool
+) -> None:
+    path = tmp_path / "bus"
+    path.write_bytes(bytes(4 * WORDS))
+    loop = asyncio.get_running_loop()
+    time, held_up = loop.time, 0
+    monkeypatch.setattr(loop, "time", lambda: time() + held_up)
+    async with (
+        unity_link.connect(f"mmio:{path}") as link,
+        link.subscribe([1], rate_hz=1000, timestamps=timestamps) as samples,
+    ):
+        assert (await anext(samples)).sequence == 0
+        held_up = 1
+        late = await anext(samples)
+    assert late.lost == pytest.approx(1000, abs=2)
+    assert late.sequence == 1 + late.lost == 1 + samples.lost
+
+
 @pytest.mark.asyncio
 @pytest.mark.parametrize("timestamps", [True, False])
 async def test_periods_that_nobody_had_time_for_are_counted(file: Path, *, timestamps: bool) -> None:

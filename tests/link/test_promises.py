@@ -375,8 +375,13 @@ async def test_whole_numbers_of_other_types_are_taken() -> None:
         await link.write(numbers.uint8(7), numbers.int64(9))
         assert await link.read(numbers.int32(7)) == 9
         assert (await link.read_block(numbers.uint16(7), numbers.uint8(1))).tolist() == [9]
-        async with link.subscribe(np.uint8(7), rate_hz=numbers.float32(100), buffer=10) as samples:
+        async with link.subscribe(np.uint8(7), rate_hz=numbers.float32(100), buffer=numbers.int8(10)) as samples:
             assert (await anext(samples)).values.tolist() == [9]
+            assert len(await samples.take(numbers.int64(3))) == 3
+        async with link.subscribe(7, rate_hz=numbers.float16(1000)) as samples:
+            assert samples.rate_hz == 1000
+    async with unity_link.connect("sim:", timeout=numbers.float32(2)) as link:
+        assert await link.read(7) == 0
 
 
 RATES = ["5", [1], float("nan"), Fraction(10**9), np.float64(1e9), np.complex64(1)]

@@ -14,6 +14,7 @@ from hypothesis import strategies as st
 import unity_link
 from makers import SLOW, Maker, simulated
 from scripted import Scripted
+from searching import examples
 from simulated_time import on_simulated_time, run_simulated
 from unity_link.protocol.crc import Crc
 from unity_link.protocol.frames import Framing
@@ -145,7 +146,7 @@ def scripted_driver() -> Iterator[list[Scripted]]:
 
 
 @pytest.mark.parametrize("node", [None, NODE], ids=["own medium", "shared medium"])
-@settings(max_examples=60)
+@settings(max_examples=examples(60))
 @given(arriving=bursts, cuts=st.lists(st.integers(0, 1 << 20), max_size=8))
 def test_any_mixture_of_frames_cut_anywhere_is_what_it_is_line_by_line(
     node: int | None, arriving: list[Burst], cuts: list[int]

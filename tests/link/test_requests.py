@@ -53,6 +53,34 @@ async def test_numpy_integers_are_taken_as_words_and_addresses(link: Link, gatew
     assert await link.read(address) == 77
 
 
+async def test_numpy_integers_do_not_wrap_where_they_are_reckoned_with(make_gateway: Maker) -> None:
+    gateway = make_gateway()
+    narrow: Any = np.uint8
+    async with unity_link.connect(gateway) as link:
+        await link.write_block(narrow(50), range(200))
+        assert words(gateway, 50, 200) == list(range(200))
+        assert (await link.read_block(narrow(50), narrow(200))).tolist() == list(range(200))
+        assert (await link.read_queue(narrow(60), narrow(200))).tolist() == [10] * 200
+        await link.write_queue(narrow(60), range(200))
+        assert gateway.memory[60] == 199
+        with pytest.raises(ArgumentError, match="30 words from 0xfa on would pass the last address, 0xff"):
+            await link.read_block(narrow(250), narrow(30))
+        with pytest.raises(ArgumentError, match="300 words from 0x10 on"):
+            await link.read_block(narrow(16), 300)
+        assert await link.write_masked(narrow(60), narrow(0), narrow(255)) == 199
+
+
+@pytest.mark.parametrize("given", [1.7, "5", None, float("nan")])
+async def test_what_is_no_whole_number_is_refused_in_an_array_of_objects_too(link: Link, given: object) -> None:
+    values = np.array([given], object)
+    with pytest.raises(ArgumentError, match="a sequence of whole numbers was expected for each value"):
+        await link.write_many([0x10], values)
+    with pytest.raises(ArgumentError, match="a sequence of whole numbers was expected for each address"):
+        await link.read_many(values)
+    await link.write_many(np.array([0x10], object), np.array([7], object))
+    assert await link.read(0x10) == 7
+
+
 # Blocks
 
 
@@ -262,6 +290,7 @@ WRONG: dict[str, Callable[[Link], Awaitable[object]]] = {
     "no addresses and no values": lambda link: link.write_many([], []),
     "a word too wide among many": lambda link: link.write_many([1], [1 << 32]),
     "a mode that is none": lambda link: link.send_immediate("sometimes"),  # type: ignore[arg-type]
+    "a list in place of a mode": lambda link: link.send_immediate(["off"]),  # type: ignore[arg-type]
 }
 
 

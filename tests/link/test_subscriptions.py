@@ -210,6 +210,8 @@ async def test_a_reused_group_starts_anew(link: Link) -> None:
         ({"addresses": 0, "divisor": 0}, "divisor of 0"),
         ({"addresses": 0, "divisor": 65536}, "expected 1 to 65535"),
         ({"addresses": 0, "divisor": 1, "rate_hz": 100}, "a rate and a divisor"),
+        ({"addresses": 0, "group": 1.0}, "a group is a whole number, not 1.0"),
+        ({"addresses": 0, "group": "1"}, "a group is a whole number, not '1'"),
         ({"addresses": 0, "buffer": 0}, "at least 1"),
         ({"addresses": 0, "overflow": "explode"}, '"drop_oldest" or "fail", not \'explode\''),
     ],
@@ -502,6 +504,17 @@ async def test_a_subscription_ends_with_the_link_behind_its_samples(make_bare: M
 
 
 @on_simulated_time
+async def test_a_subscription_is_entered_again_after_a_try_that_was_cancelled(make_bare: Maker) -> None:
+    async with unity_link.connect(make_bare()) as link:
+        samples = link.subscribe([0], rate_hz=100)
+        with pytest.raises(TimeoutError):
+            async with asyncio.timeout(0), samples:
+                raise AssertionError
+        async with samples:
+            assert (await anext(samples)).sequence == 0
+
+
+@on_simulated_time
 async def test_a_reader_that_does_not_read_takes_bounded_memory(make_bare: Maker) -> None:
     async with (
         unity_link.connect(make_bare(**SLOW)) as link,
@@ -539,6 +552,57 @@ async def test_as_many_samples_are_taken_as_are_asked_for_and_fewer_where_they_e
         assert 0 < len(await ending) < 1000
         with pytest.raises(LinkLostError):
             await samples.take(1000)
+
+
+@on_simulated_time
+@pytest.mark.parametrize("buffer", [5, 100, 10_000])
+@pytest.mark.parametrize("seconds", [0.001, 0.05, 0.3])
+async def test_what_had_come_when_a_reader_was_cancelled_is_given_to_the_next_or_counted(
+    buffer: int, seconds: float
+) -> None:
+    async with (
+        unity_link.connect(VirtualGateway()) as link,
+        link.subscribe(0x10, rate_hz=1000, buffer=buffer) as samples,
+    ):
+        expected = lost = 0
+        for count in (400, 1000, 3, 1):
+            with contextlib.suppress(TimeoutError):
+                async with asyncio.timeout(seconds):
+                    await samples.take(1000)
+            for sample in await samples.take(count):
+                assert sample.sequence == expected + sample.lost
+                expected = sample.sequence + 1
+                lost += sample.lost
+        assert samples.received == expected - lost + samples.lost + len(samples._intake.buffer)
+
+
+@on_simulated_time
+async def test_the_latest_sample_is_the_latest_also_behind_a_reader_that_was_cancelled() -> None:
+    async with (
+        unity_link.connect(VirtualGateway()) as link,
+        link.subscribe(0x10, rate_hz=100, latest=True) as samples,
+    ):
+        with pytest.raises(TimeoutError):
+            async with asyncio.timeout(0.1):
+                await samples.take(1000)
+        sample = await anext(samples)
+        assert (sample.sequence, sample.lost) == (samples.received - 1, samples.received - 1)
+
+
+@on_simulated_time
+async def test_samples_that_waited_when_a_reader_was_cancelled_are_too_many_for_a_small_buffer() -> None:
+    async with (
+        unity_link.connect(VirtualGateway()) as link,
+        link.subscribe(0x10, rate_hz=100, buffer=2, overflow="fail") as samples,
+    ):
+        with pytest.raises(TimeoutError):
+            async with asyncio.timeout(0.1):
+                await samples.take(1000)
+        came = samples.received
+        await asyncio.sleep(0.1)
+        assert [sample.sequence for sample in await samples.take(came)] == list(range(came))
+        with pytest.raises(SamplesLostError, match=f"the reader is too slow: {came} samples are waiting for it"):
+            await samples.take(1)
 
 
 @on_simulated_time

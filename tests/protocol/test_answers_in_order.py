@@ -14,6 +14,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from searching import examples
 from unity_link.protocol.configuration import GatewayInfo
 from unity_link.protocol.exchange import Counters, Exchange
 from unity_link.protocol.frames import FrameError
@@ -123,6 +124,9 @@ turns = st.lists(
     max_size=12,
 )
 
+LOSS = [Turn(["R"], [], [], 0.0, cancelled=False), Turn([], ["whole"], [], 3.0, cancelled=False)]
+"""One request is not answered until it is sent again."""
+
 
 class Host:
     """One side of the comparison: what it sends, is told and keeps."""
@@ -130,12 +134,13 @@ class Host:
     def __init__(self, kind: type[Exchange], node: int | None, credit: int | None = None) -> None:
         self.codec = Codec(INFO, node)
         self.window: Window[Any] = Window(self.codec.ring, first=250, byte_limit=credit, round_trip=0.002)
-        self.sent: list[bytes] = []
+        self.out: list[bytes] = []
+        self.sent = b""
         self.events: list[Any] = []
         self.counters = Counters()
         groups = GroupTable(4, lambda *_: None)
         groups.begun[b"01"] = groups.hold(b"", 13, None)
-        self.exchange = kind(self.codec, self.window, deque(), groups, self.counters, self.sent, blocked=False)
+        self.exchange = kind(self.codec, self.window, deque(), groups, self.counters, self.out, blocked=False)
         self.rest = b""
 
     def ask(self, turn: Turn, now: float) -> None:
@@ -148,14 +153,28 @@ class Host:
             else:
                 request = Request(self.codec, command, b"12", REPLIES[command])
             frame = b""
-            if isinstance(request, Request) and not request.posted:
+            if isinstance(request, Request) and not request.posted and not self.out:
                 frame = self.exchange.submit_alone(request, now)
             if frame:
-                self.sent.append(frame)
+                self.sent += frame
             else:
                 self.exchange.submit(request, now, self.events)
+                if self.window.is_lone():
+                    self.flush()
+        self.flush()
         if request is not None and turn.cancelled:
             request.cancel()
+
+    def expire(self, now: float) -> None:
+        self.exchange.expire(now, self.events)
+        self.flush()
+
+    def flush(self) -> None:
+        """Send what is to be sent, as a session does."""
+        if self.out and self.window.loses:
+            self.exchange.end_output()
+        self.sent += b"".join(self.out)
+        self.out.clear()
 
     def hear(self, pieces: list[bytes], now: float) -> None:
         for piece in pieces:
@@ -168,6 +187,7 @@ class Host:
                 # The session ends it here.
                 return
             self.exchange.go_on(now, self.events)
+            self.flush()
 
     def state(self) -> object:
         window = {name: getattr(self.window, name) for name in Window.__slots__}
@@ -230,17 +250,17 @@ def assert_has_room_where_there_is_some(window: Window[Any]) -> None:
 
 
 @pytest.mark.parametrize("node", [None, 5], ids=["own medium", "shared medium"])
-@settings(max_examples=300)
-@given(turns=turns, credit=st.sampled_from([None, None, 20, 100, 500]))
+@settings(max_examples=examples(300))
+@given(turns=turns, before=st.sampled_from([[], LOSS]), credit=st.sampled_from([None, None, 20, 100, 500]))
 def test_answers_side_by_side_are_what_they_are_line_by_line(
-    node: int | None, turns: list[Turn], credit: int | None
+    node: int | None, turns: list[Turn], before: list[Turn], credit: int | None
 ) -> None:
     quick, slow = Host(Exchange, node, credit), Host(Line, node, credit)
     now = 0.0
-    for turn in turns:
+    for turn in before + turns:
         now += turn.seconds
         for host in (quick, slow):
-            host.exchange.expire(now, host.events)
+            host.expire(now)
             host.ask(turn, now)
         arriving = pieces_of(frames(slow, turn.kinds), turn.cuts)
         for host in (quick, slow):

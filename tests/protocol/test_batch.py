@@ -28,3 +28,10 @@ def test_the_error_of_a_batch_is_that_of_the_first_message_that_was_refused_when
         assert behind.accept(offset, b"r00000000007", 4, ended)
     assert ended == [batch]
     assert str(batch.error) == "3"
+
+
+def test_a_part_that_is_sent_again_is_the_frames_of_that_part() -> None:
+    batch = Batch(CODEC, "R", [(np.arange(30), CODEC.info.address_digits)])
+    run = batch.take(30, [])
+    frames = run.encode().splitlines(keepends=True)
+    assert run.frames_of(7, 20) == b"".join(frames[7:27])

@@ -72,12 +72,33 @@ def test_what_is_no_digit_makes_it_no_answer(digit: bytes) -> None:
         ("crc_bits", 24),
         ("crc_polynomial", 0),
         ("crc_polynomial", 0x11021),
+        ("base_frequency_millihertz", 0),
     ],
 )
 def test_a_width_that_cannot_be_is_refused_with_its_value(field: str, value: int) -> None:
     impossible = msgspec.structs.replace(GatewayInfo(), **{field: value})
     with pytest.raises(UnsupportedError, match=f"the gateway reports .*{value:#x}|{field} = {value}|{value} bits"):
         GatewayInfo.from_hex(impossible.to_hex())
+
+
+@pytest.mark.parametrize(
+    ("field", "value"),
+    [
+        ("base_frequency_millihertz", -1),
+        ("base_frequency_millihertz", 1 << 40),
+        ("features", 1 << 16),
+        ("build_id", 1 << 32),
+    ],
+)
+def test_a_number_that_no_answer_has_the_digits_for_is_refused(field: str, value: int) -> None:
+    impossible = msgspec.structs.replace(GatewayInfo(), **{field: value})
+    with pytest.raises(UnsupportedError, match=f"the gateway reports {field} = {value}, expected"):
+        impossible.check()
+
+
+def test_a_gateway_without_groups_needs_no_base_frequency() -> None:
+    info = GatewayInfo(features=GatewayInfo().features & ~Feature.GROUPS, base_frequency_millihertz=0)
+    assert GatewayInfo.from_hex(info.to_hex()) == info
 
 
 @given(info=gateway_infos())

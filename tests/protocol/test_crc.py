@@ -64,7 +64,7 @@ def test_other_widths_are_refused(bits: int) -> None:
         Crc(bits, 1)
 
 
-@pytest.mark.parametrize(("bits", "polynomial"), [(8, 0x107), (8, 0), (16, 0x10000), (32, 1 << 32)])
+@pytest.mark.parametrize(("bits", "polynomial"), [(8, 0x107), (8, 0), (8, -7), (16, 0x10000), (32, 1 << 32)])
 def test_a_polynomial_that_does_not_fit_is_refused(bits: int, polynomial: int) -> None:
     with pytest.raises(ValueError, match="does not fit"):
         Crc(bits, polynomial)

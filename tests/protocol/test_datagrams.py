@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+from collections import deque
 
 import pytest
 from hypothesis import given
@@ -10,15 +11,20 @@ from hypothesis import strategies as st
 
 from unity_link.errors import ConnectError
 from unity_link.protocol.configuration import GatewayInfo
-from unity_link.protocol.datagrams import Counts, GatewayDatagrams, HostDatagrams
+from unity_link.protocol.datagrams import NO_SESSION, Counts, GatewayDatagrams, HostDatagrams
 from unity_link.protocol.frames import LARGEST_DATAGRAM
 from unity_link.protocol.messages import Codec
+from unity_link.virtual import VirtualGateway
 
 OFFER = 0x4F1C0A32
 CODEC = Codec(GatewayInfo())
 CHECKED = CODEC.framing.checked
 ANSWER = b"Q" + GatewayInfo().to_hex() + b"\r\n"
 SESSION = CHECKED(b"U4F1C0A3200000001") + CHECKED(b"K5A0")
+
+
+MOST_CARRIED = 200
+"""More datagrams than a few forged ones can bring about."""
 
 
 class Gateway:
@@ -123,6 +129,20 @@ def test_another_session_is_refused_by_its_name_and_nothing_executed(datagram: b
     gateway.side.take(datagram, source)
     assert not gateway.executed
     assert gateway.sent == [(CHECKED(datagram[:9] + b"00000000") + CHECKED(b"X0A"), source)]
+
+
+def test_what_stands_outside_of_the_count_is_dropped_as_no_host_sends_it() -> None:
+    gateway = Gateway()
+    gateway.side.take(b"Q\r", "A")
+    gateway.side.put(ANSWER)
+    gateway.executed.clear()
+    gateway.sent.clear()
+    for session in (b"4F1C0A32", b"00000001", b"00000000"):
+        gateway.side.take(CHECKED(b"U" + session + b"00000000") + CHECKED(b"K000"), "A")
+        gateway.side.take(b"U" + session + b"00000000\r\nX0A\r\n", "B")
+    assert not gateway.executed
+    assert not gateway.sent
+    assert gateway.side.session == NO_SESSION
 
 
 def test_a_refusal_has_the_form_of_what_is_refused() -> None:
@@ -236,6 +256,44 @@ def test_frames_and_their_header_fit_into_the_largest_datagram() -> None:
             sizes = [len(datagram) for datagram, _ in gateway.sent]
             frame = codec.framing.overhead + 1
             assert all(LARGEST_DATAGRAM - frame < size <= LARGEST_DATAGRAM for size in sizes[:-1])
+
+
+# Two gateways that somebody makes hear each other
+
+FRAMES = st.sampled_from([b"K000\r", b"R0A\r", b"r0000A\r", b"X0A\r", b"Q\r"])
+FORGED = st.one_of(
+    st.binary(max_size=40),
+    FRAMES,
+    st.builds(
+        lambda session, count, frames: b"U%08X%08X\r" % (session, count) + frames,
+        st.sampled_from([1, OFFER, OFFER + 1]),
+        st.integers(0, 3),
+        FRAMES,
+    ),
+)
+
+
+@given(forged=st.lists(st.tuples(st.integers(0, 1), FORGED), max_size=6))
+def test_gateways_that_hear_each_other_fall_silent(forged: list[tuple[int, bytes]]) -> None:
+    under_way = deque(forged)
+    sides = [_gateway_that_answers(1 - number, under_way, OFFER + number) for number in range(2)]
+    carried = 0
+    while under_way:
+        receiver, datagram = under_way.popleft()
+        sides[receiver].take(datagram, 1 - receiver)
+        carried += 1
+        assert carried < MOST_CARRIED, "they answer each other for ever"
+
+
+def _gateway_that_answers(other: int, under_way: deque[tuple[int, bytes]], offer: int) -> GatewayDatagrams[int]:
+    gateway = VirtualGateway()
+    side: GatewayDatagrams[int] = GatewayDatagrams(
+        CODEC,
+        lambda frames: side.put(gateway.receive(frames, 0.0)),
+        lambda datagram, _: under_way.append((other, datagram)),
+        itertools.count(offer, 2).__next__,
+    )
+    return side
 
 
 # A node on a shared medium

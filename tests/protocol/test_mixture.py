@@ -24,7 +24,11 @@ def sample(group: HeldGroup, sequence: int) -> bytes:
 def found(data: bytes, start: int = 0) -> tuple[list[str], int]:
     """Return the owners in the order of the samples, and how many characters they take."""
     mixture = find_mixture(data, start, FRAMING, GROUPS)
-    return ([], 0) if mixture is None else (mixture.owners, mixture.size)
+    if mixture is None:
+        return [], 0
+    assert sorted(place for places, _ in mixture.parts for place in places) == [*range(len(mixture.owners))]
+    assert all(len(places) == len(bodies) for places, bodies in mixture.parts)
+    return mixture.owners, mixture.size
 
 
 @pytest.mark.parametrize("start", [0, 5])

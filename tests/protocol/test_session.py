@@ -5,11 +5,11 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from unity_link.errors import ConnectError, LinkLostError, Outcome, UnsupportedError
+from unity_link.errors import ConnectError, LinkLostError, Outcome, UnansweredError, UnsupportedError
 from unity_link.protocol.configuration import GatewayInfo
 from unity_link.protocol.constants import LONGEST_SILENCE
 from unity_link.protocol.messages import GroupFlag
-from unity_link.protocol.requests import Batch, Request
+from unity_link.protocol.requests import Batch, Request, common_outcome
 from unity_link.protocol.session import Interrupted, Opened, Session, Unusable
 from unity_link.virtual import VirtualGateway
 
@@ -110,12 +110,22 @@ def test_an_answer_that_nothing_waits_for_is_counted_once() -> None:
     session, _ = opened(resumes=False)
     session.receive(session.codec.framing.checked(b"r12300000000"), 0.0)
     assert session.counters.stray == 1
+    session.receive(session.codec.framing.checked(b"rXYZ00000000"), 0.0)
+    assert session.counters.stray == 2
+    session.receive(session.codec.framing.checked(b"h"), 0.0)
+    assert session.counters.stray == 3
 
 
 def test_of_an_unknown_line_it_is_said_that_an_answer_may_take_part_of_a_second() -> None:
     session = Session(0, lambda: 0)
     session.connect(0.0, 0.003)
     assert 0.1 < session.longest_turn < 1
+
+
+def test_of_a_line_whose_bytes_take_long_it_is_said_that_an_answer_to_the_first_question_does() -> None:
+    session = Session(0, lambda: 0)
+    session.connect(0.0, 0.003, byte_time=0.01)
+    assert session.longest_turn == pytest.approx(2.66)
 
 
 def test_a_session_that_was_never_connected_is_owed_nothing() -> None:
@@ -198,3 +208,56 @@ def test_a_posted_write_waits_for_others_before_all_are_confirmed_by_one_fence()
     assert session.deadline is not None
     session.expire(session.deadline)
     assert session.take_output()[:1] == b"h"
+
+
+def test_a_group_is_stopped_once() -> None:
+    session, _ = opened(resumes=False)
+    group = session.hold(GroupFlag.PERIODIC, 1000, [0x10], 100, None)
+    session.start(group, 0.0)
+    stopping, _ = session.release(group, 0.0)
+    assert stopping is not None
+    assert session.release(group, 0.0) == (None, [])
+
+
+def test_in_a_session_the_time_of_its_bytes_says_how_long_an_answer_may_take() -> None:
+    session, _ = opened(resumes=False)
+    assert session.longest_turn == session.window.longest_answer
+
+
+@pytest.mark.parametrize(
+    ("ends", "outcome"),
+    [
+        ([None, None], Outcome.EXECUTED),
+        ([UnansweredError("lost", Outcome.NOT_EXECUTED)] * 2, Outcome.NOT_EXECUTED),
+        ([None, UnansweredError("lost", Outcome.NOT_EXECUTED)], Outcome.UNKNOWN),
+    ],
+)
+def test_of_requests_that_were_asked_for_together_it_is_said_what_has_become_of_all(
+    ends: list[UnansweredError | None], outcome: Outcome
+) -> None:
+    session, _ = opened(resumes=False)
+    requests = [Request(session.codec, "H", b"", 0) for _ in ends]
+    assert common_outcome(requests) is Outcome.UNKNOWN
+    for request, error in zip(requests, ends, strict=True):
+        request.done, request.error = True, error
+    assert common_outcome(requests) is outcome
+
+
+def test_of_a_connection_that_ends_too_soon_it_is_said_what_was_heard_of_the_gateway() -> None:
+    session, _ = opened(resumes=False)
+    assert "just answered" in str(session.connection_error(None))
+    session.disconnect("the line was lost")
+    session.connect(1.0, 0.003)
+    assert "before the gateway answered: no carrier" in str(session.connection_error(OSError("no carrier")))
+
+
+@pytest.mark.parametrize(("answer", "is_heard"), [(b"r00000000007????\n", True), (b"", False)])
+def test_a_gateway_of_which_all_arrives_damaged_is_not_silent(answer: bytes, *, is_heard: bool) -> None:
+    session, _ = opened(resumes=False)
+    session.submit(Request(session.codec, "H", b"", 0), 0.0)
+    told: list[object] = []
+    while not told and (now := session.deadline) is not None and now < 2 * LONGEST_SILENCE:
+        session.receive(answer, now)
+        told = session.expire(now)
+        session.take_output()
+    assert [type(event) for event in told] == ([] if is_heard else [Unusable])

@@ -213,3 +213,12 @@ def test_any_bytes_have_words(passed: list[tuple[bytes, bool]]) -> None:
             assert frame.meaning.words
     for frame in transcript.end(1.0):
         assert frame.meaning.kind is Kind.DAMAGED
+
+
+def test_the_words_of_a_sample_without_a_timestamp_are_all_that_it_has_whatever_else_its_group_is() -> None:
+    said = words(
+        b">" + checked(b"gs000033100010110"),
+        b"<" + checked(b"gs000"),
+        b"<" + checked(b"P030100000007"),
+    )
+    assert said[2] == "sample 1 of group 3: 0x10 = 7"

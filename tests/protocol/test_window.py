@@ -13,6 +13,7 @@ from hypothesis import settings
 from hypothesis import strategies as st
 from hypothesis.stateful import RuleBasedStateMachine, invariant, precondition, rule
 
+from searching import examples
 from unity_link.errors import Outcome
 from unity_link.protocol import constants as module
 from unity_link.protocol.window import Run, Unanswered, Window
@@ -51,6 +52,23 @@ def repeated(window: Window[Named]) -> str:
 
 def names(parts: list[Unanswered[Named]]) -> list[tuple[str, bool]]:
     return [(part.run.name, part.outcome is Outcome.EXECUTED) for part in parts]
+
+
+def test_one_request_is_alone_also_at_the_end_of_the_ring() -> None:
+    window: Window[Named] = Window(RING, RING - 1)
+    sent(window, "a")
+    assert window.is_lone()
+
+
+def test_an_answer_is_no_matter_of_its_own_while_others_are_to_be_sent_again() -> None:
+    window: Window[Named] = Window(RING)
+    sent(window, "a", "b", "c")
+    window.damaged(1.0)
+    window.answered(0, 1, 1.0)
+    assert not window.is_quiet()
+    assert repeated(window) == "b@1 c@2"
+    window.answered(1, 2, 2.0)
+    assert window.is_quiet()
 
 
 # The rows of the table
@@ -1031,4 +1049,4 @@ class LossyLine(RuleBasedStateMachine):
 
 
 TestLossyLine = LossyLine.TestCase
-TestLossyLine.settings = settings(max_examples=150, stateful_step_count=60)
+TestLossyLine.settings = settings(max_examples=examples(150), stateful_step_count=60)

@@ -414,7 +414,7 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
 
 @bug("the newest sample is dropped instead of the oldest")
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
-    keep = subscription.Intake._keep
+    keep = subscription.Intake.keep
 
     def kept(self: Any, sample: Any) -> None:
         if self._callback is None and len(self.buffer) == self._buffer_size:
@@ -422,7 +422,7 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
             return
         keep(self, sample)
 
-    monkeypatch.setattr(subscription.Intake, "_keep", kept)
+    monkeypatch.setattr(subscription.Intake, "keep", kept)
 
 
 # The gateway's side

@@ -37,6 +37,8 @@ CASES = [
     ("public x() { $ }", "syntax", "the character '$' has no meaning here", "$", ""),
     ("public x() { @a = '1': READ(); }", "syntax", "the character \"'\" has no", "'", "strings stand in double quotes"),
     ("public x() { } # end", "syntax", "the character '#' has no meaning here", "#", "a comment begins with //"),
+    ("/// A \x1b here.\npublic x() { }", "control-character", "the control character U+001B stands here", "\x1b", "leave it out"),
+    ('public x() { @a = 1: READ(UNIT="m\0"); }', "control-character", "the control character U+0000 stands here", "\0", "leave it out"),
     ("enum", "syntax", "the file ends where a name was expected", "m", ""),
     ("public x() { @a = " + "(" * 50 + "1: READ(); }", "too-deep", "more than 40 brackets stand in each other", "(", ""),
     # Names.
@@ -84,8 +86,10 @@ CASES = [
     ("public x() { @a = 1.5: READ(); }", "bad-address", "an address is a whole number, not the number 1.5", "1.5", ""),
     ("public x() { @a = 0x100: READ(); }", "address-range", "the address 0x100 of a is not the gateway's, which has 0x0 to 0xff (8 address bits)", "0x100", "ADDRESS_BITS"),
     ("public x() { @a = -1: READ(); }", "address-range", "the address -1 of a is not the gateway's", "-1", ""),
+    ("public x() { @a = -1: unsigned 64 READ(); }", "address-range", "the address -1 of a is not the gateway's", "-1", ""),
     ("public x() { @a = 255: unsigned 64 READ(); }", "address-range", "the address 0x100 of a", "255", ""),
     ("public x() { MEMORY(SIZE=4) { @a = 4: READ(); } }", "address-range", "the address 0x4 of a is outside of MEMORY, which has 4 words", "4", ""),
+    ("public x() { MEMORY(BASE=8, SIZE=4) { @a = -1: unsigned 64 READ(); } }", "address-range", "the address -1 of a is outside of MEMORY, which has 4 words", "-1", ""),
     ("public x() { m: MEMORY(BASE=250, SIZE=10); }", "address-range", "MEMORY takes the addresses 0xfa to 0x103", "MEMORY", ""),
     ("public x() { @a = 1: READ(); @b = 1: READ(); }", "overlap", "b takes bits 31:0 at address 0x1, which a has (bits 31:0)", "1", ""),
     ("public x() { @a = 1[7:0]: READ(); @b = 1[7]: bool READ(); }", "overlap", "b takes bit 7 at address 0x1, which a has (bits 7:0)", "1", ""),
@@ -140,12 +144,13 @@ CASES = [
     ("public x() { j[0]: joint(\"a\") @(1, 2); }" + JOINT, "bad-size", "the size of an array is a whole number from 1 to 65536, not the number 0", "0", ""),
     # Scale, limits, FIFO.
     ("public x() { @a = 1: READ(SCALE=0); }", "bad-scale", "SCALE is 0, so that every value would be the same", "SCALE=0", ""),
-    ("public x() { @a = 1: bool READ(SCALE=2); }", "bad-scale", "a bool has no SCALE", "SCALE=2", "signed, unsigned and fixed"),
-    ("public x() { @a = 1: float READ(OFFSET=2); }", "bad-scale", "a float has no OFFSET", "OFFSET=2", ""),
+    ("public x() { @a = 1: bool READ(SCALE=2); }", "bad-scale", "no bool has SCALE", "SCALE=2", "signed, unsigned and fixed"),
+    ("public x() { @a = 1: float READ(OFFSET=2); }", "bad-scale", "no float has OFFSET", "OFFSET=2", ""),
     ("public x() { @a = 1: WRITE(MIN=3, MAX=2); }", "bad-limit", "MIN=3 is more than MAX=2", "MIN=3", "exchange them"),
+    ("public x() { @a = 1: unsigned 8 WRITE(MIN=0.2, MAX=0.8); }", "bad-limit", "there is no whole number from MIN=0.2 to MAX=0.8, and unsigned 8 has no others", "MIN=0.2", "a SCALE makes steps smaller than 1"),
     ("public x() { @a = 1: unsigned 8 WRITE(MAX=300); }", "bad-limit", "MAX=300 is outside of 0 to 255, the range of unsigned 8", "MAX=300", ""),
     ("public x() { @a = 1: READ(MAX=300); }", "bad-limit", "MAX limits what is written, and this signal is only read", "MAX=300", ""),
-    ("public x() { @a = 1: bool WRITE(MAX=1); }", "bad-limit", "a bool has no MAX", "MAX=1", ""),
+    ("public x() { @a = 1: bool WRITE(MAX=1); }", "bad-limit", "no bool has MAX", "MAX=1", ""),
     ("public x() { @a = 1[3:0]: READ(FIFO); }", "bad-fifo", "a FIFO hands out whole words", "FIFO", ""),
     ("public x() { @a = 1: unsigned 64 READ(FIFO); }", "bad-fifo", "a FIFO hands out words of 32 bits, and unsigned 64 has 64", "FIFO", ""),
     ("public x() { @a = 1: READ(FIFO, PUBLISH(1, 1)); }", "bad-fifo", "a is the port of a FIFO, and the group group_1 is not published on its trigger", "a", "group NAME(TRIGGER)"),
@@ -154,6 +159,8 @@ CASES = [
     # Publishing and groups.
     ("public x() { @a = 1: WRITE(PUBLISH(1, 1)); }", "not-readable", "PUBLISH needs a signal that can be read, not WRITE", "PUBLISH(1, 1)", ""),
     ("public x() { @a = 1: WRITE(POLL(1)); }", "not-readable", "POLL needs a signal that can be read, not WRITE", "POLL(1)", ""),
+    ("public x() { @a = 1: READ(PUBLISH(g)); @b = 2: WRITE(GROUP(g)); }\ngroup g(1, 10);", "not-readable", "b can only be written, and the group g is published", "b", "group NAME; and GROUP(NAME)"),
+    ("public x() { @a = 1: READ(PUBLISH(1, 1)); @b = 2: WRITE(GROUP(1)); }", "not-readable", "b can only be written, and the group group_1 is published", "b", ""),
     ("public x() { @a = 1: READ(POLL(1), PUBLISH(1, 1)); }", "publish-and-poll", "either published by the gateway or polled", "POLL(1)", ""),
     ("public x() { @a = 1: READ(POLL(0)); }", "out-of-range", "RATE is 0, and 1e-06 to 1000000000 is expected", "0", ""),
     ("public x() { @a = 1: READ(PUBLISH(256, 1)); }", "out-of-range", "GROUP is 256, and 0 to 255 is expected", "256", ""),
@@ -238,6 +245,19 @@ def test_what_only_follows_from_a_fault_is_not_told() -> None:
         "nothing is called 'nothing' here",
         "nothing is called 'nowhere' here",
     ]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "public x() { @a = 1: READ(PUBLISH(1, 0)); }",
+        "public x() { @a = 1: READ(PUBLISH(1, 70000)); }",
+        "public x() { @a = 1: READ(PUBLISH(g)); }\ngroup g(1, 0);",
+        "public x() { @a = 1: READ(PUBLISH(g)); }\ngroup g(RATE=0);",
+    ],
+)
+def test_a_refused_divisor_or_rate_is_the_only_fault_of_its_group(text: str) -> None:
+    assert [one.code for one in faults(text)] == ["out-of-range"]
 
 
 def test_a_component_that_nothing_uses_is_checked_too() -> None:

@@ -17,6 +17,7 @@ from unity_link.spec import (
     Parameter,
     ParameterReference,
     Signal,
+    SpecError,
     compile_file,
     compile_text,
 )
@@ -316,6 +317,24 @@ def test_fields_of_one_word_are_one_word_of_a_sample() -> None:
     assert interface.groups[0].addresses == (1,)
 
 
+@pytest.mark.parametrize("number", [3, 31, 511])
+def test_a_limit_may_be_the_end_of_a_scaled_kind_as_its_author_writes_it(number: int) -> None:
+    width, written = number.bit_length(), number * 3 / 10
+    wanted = signal(f"@x = 1: unsigned {width} READWRITE(SCALE=0.3, MAX={written});")
+    assert wanted.kind.range[1] < written == wanted.maximum
+    assert wanted.encode(written) == (number,)
+    with pytest.raises(SpecError, match="is outside of"):
+        signal(f"@x = 1: unsigned {width} READWRITE(SCALE=0.3, MAX={written + 0.2});")
+
+
+def test_a_group_that_only_has_a_number_is_none_that_is_declared_by_the_name_of_it() -> None:
+    interface = interface_of(
+        "@a = 1: READ(PUBLISH(1, 20));", "@b = 2: READ(PUBLISH(group_1));", outside="group group_1(5, 20);"
+    )
+    groups = [(group.name, group.number, group.signals) for group in interface.groups]
+    assert groups == [("group_1_", 1, ("a",)), ("group_1", 5, ("b",))]
+
+
 def test_the_joints_of_a_group_are_the_components_that_have_the_named_signals() -> None:
     interface = interface_of(
         "j[2]: j() @(2 * i, 2 * i + 1);", "@extra = 9: READ(PUBLISH(s));",
@@ -370,6 +389,9 @@ def test_an_interface_is_found_by_its_name_or_as_the_only_one() -> None:
         spec.interface()
     with pytest.raises(ArgumentError, match="the spec has no public interface 'c': a, b was expected"):
         spec.interface("c")
+    for name in (None, "c"):
+        with pytest.raises(ArgumentError, match=r"^the spec has no public interface: it begins as in `public robot"):
+            compile_text("part() {}").interface(name)
 
 
 def test_a_source_is_known_by_its_hash() -> None:

@@ -7,6 +7,7 @@ import hypothesis.strategies as st
 import pytest
 from hypothesis import given, settings
 
+from searching import examples
 from spec_examples import FIGURE_1, specs
 from unity_link.spec import SpecError, compile_text, format_text
 from unity_link.spec.printer import print_file
@@ -65,7 +66,7 @@ def mutated(text: str, chance: random.Random) -> str:
     return text
 
 
-@settings(max_examples=400)
+@settings(max_examples=examples(400))
 @given(st.sampled_from([FULL, FIGURE_1]), st.randoms(use_true_random=False))
 def test_a_mutated_spec_compiles_or_is_refused(text: str, chance: random.Random) -> None:
     survives(mutated(text, chance))
@@ -76,7 +77,7 @@ def test_a_mutated_generated_spec_compiles_or_is_refused(file: File, chance: ran
     survives(mutated(print_file(file), chance))
 
 
-@settings(max_examples=300)
+@settings(max_examples=examples(300))
 @given(st.lists(st.sampled_from(SNIPPETS), max_size=40))
 def test_any_order_of_tokens_compiles_or_is_refused(tokens: list[str]) -> None:
     survives(" ".join(tokens))

@@ -4,6 +4,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from searching import examples
 from spec_examples import FIGURE_1, expressions, specs
 from unity_link.spec import SpecError, compile_text, format_text
 from unity_link.spec.diagnostics import Reporter, SourceText
@@ -82,7 +83,7 @@ def test_no_comment_is_lost() -> None:
     assert format_text(formatted) == formatted
 
 
-@settings(max_examples=300)
+@settings(max_examples=examples(300))
 @given(st.data())
 def test_comments_anywhere_survive_and_formatting_twice_changes_nothing(data: st.DataObject) -> None:
     pieces = COMMENTED.replace("{", " { ").replace(";", " ; ").replace(",", " , ").split(" ")

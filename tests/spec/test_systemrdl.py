@@ -1,5 +1,6 @@
 """SystemRDL out and in again, and SystemRDL of others in."""
 
+import re
 from pathlib import Path
 from typing import Any
 
@@ -7,6 +8,7 @@ import hypothesis.strategies as st
 import pytest
 from hypothesis import HealthCheck, given, settings
 
+from searching import examples
 from spec_examples import interface_of, specs
 from unity_link.errors import UnsupportedError
 from unity_link.spec import Interface, SpecError, compile_file, compile_text
@@ -89,11 +91,95 @@ def test_everything_that_systemrdl_has_no_word_for_comes_back(tmp_path: Path) ->
     assert seen(returned(interface, tmp_path)) == seen(interface)
 
 
-@settings(max_examples=15, suppress_health_check=[HealthCheck.function_scoped_fixture, HealthCheck.too_slow])
+def test_an_enumeration_wider_than_a_word_comes_back(tmp_path: Path) -> None:
+    interface = compile_text("""
+enum mode { off, /// Quick.
+  high = 70000 }
+enum small { none, some = 3 }
+public e() {
+  GATEWAY(DATA_BITS=16);
+  @mode = 0: mode 32 READ();
+  @again = 2: mode 17 READWRITE();
+  @narrow = 4: small 2 READ();
+  @wide = 5: small 64 READ();
+}
+""").interface()
+    back = returned(interface, tmp_path)
+    assert seen(back) == seen(interface)
+    assert back.fingerprint == interface.fingerprint
+
+
+def test_the_width_of_addresses_comes_back(tmp_path: Path) -> None:
+    interface = compile_text("public x() { GATEWAY(ADDRESS_BITS=12); @a = 1: READ(); }").interface()
+    assert returned(interface, tmp_path).address_bits == 12
+
+
+def in_groups(interface: Interface) -> list[tuple[str, ...]]:
+    """Return the names of all groups, their doc strings and their signals in order, arrays as single components."""
+    flat = re.compile(r"\[(\d+)\]")
+    return [(one.name, one.doc, *(flat.sub(r"_\1", path) for path in one.signals)) for one in interface.groups]
+
+
+def test_the_order_of_signals_in_groups_comes_back(tmp_path: Path) -> None:
+    interface = compile_text("""
+/// All that moves.
+///
+/// In its own order.
+group state(1, 10);
+group few(2, 10);
+public robot() {
+  @last = 19: READ(PUBLISH(state));
+  legs[2]: leg() @(14 - 5 * i);
+  @middle = 3: READ(PUBLISH(state));
+  @alone = 20: READ();
+  hip: joint() @(1);
+  @first = 0: READ(PUBLISH(few), GROUP(state));
+}
+leg(): @(base) { knee: joint() @(base - 1); @angle = base - 2: READ(PUBLISH(state)); }
+joint(): @(base) { @vel = base + 1: READ(PUBLISH(few)); @pos = base: READ(PUBLISH(state)); }
+""").interface()
+    back = returned(interface, tmp_path)
+    assert seen(back) == seen(interface)
+    assert in_groups(back) == in_groups(interface)
+
+
+def test_a_queue_of_values_narrower_than_a_word_comes_back(tmp_path: Path) -> None:
+    interface = interface_of("@a = 1: bool READWRITE(FIFO);", "@b = 2: signed 12 READ(FIFO(4));")
+    assert seen(returned(interface, tmp_path)) == seen(interface)
+
+
+def test_signals_parts_and_values_may_have_names_of_kinds(tmp_path: Path) -> None:
+    interface = interface_of(
+        "@signed = 1: signed READ();", "@float = 2: on READ();", "bool: fixed() @(3);",
+        outside="enum on { unsigned, bool }\nfixed(): @(base) { @ufixed = base: READ(); }",
+    )  # fmt: skip
+    back = returned(interface, tmp_path)
+    assert seen(back) == seen(interface)
+    assert list(back.signals) == list(interface.signals)
+
+
+def test_parts_may_have_names_of_groups_enumerations_and_modules(tmp_path: Path) -> None:
+    interface = interface_of(
+        "state: part() @(1);", "PWM: part() @(2);", "mode: part() @(3);", "@a = 4: mode READ(GROUP(state));",
+        outside="enum mode { off }\ngroup state;\npart(): @(base) { @b = base: READ(GROUP(state)); }",
+    )  # fmt: skip
+    back = returned(interface, tmp_path)
+    assert seen(back) == seen(interface)
+    assert in_groups(back) == in_groups(interface)
+
+
+def test_an_interface_without_signals_is_refused() -> None:
+    with pytest.raises(UnsupportedError, match="SystemRDL knows no map without registers, and robot has no signals"):
+        export_text(interface_of())
+
+
+@settings(max_examples=examples(15), suppress_health_check=[HealthCheck.function_scoped_fixture, HealthCheck.too_slow])
 @given(specs())
 def test_any_valid_spec_comes_back(tmp_path: Path, file: File) -> None:
     interface = compile_text(print_file(file)).interface()
-    assert seen(returned(interface, tmp_path)) == seen(interface)
+    back = returned(interface, tmp_path)
+    assert seen(back) == seen(interface)
+    assert in_groups(back) == in_groups(interface)
 
 
 def test_foreign_systemrdl_keeps_its_tree(tmp_path: Path) -> None:
@@ -132,6 +218,22 @@ def test_what_is_no_systemrdl_is_refused_with_its_place(tmp_path: Path) -> None:
         import_file(tmp_path / "nothing.rdl")
 
 
+def test_what_is_nested_too_deeply_is_refused(tmp_path: Path) -> None:
+    path = tmp_path / "deep.rdl"
+    path.write_text(f"addrmap top {{ reg {{ field {{}} a[8] = {'(' * 5000}0{')' * 5000}; }} one; }};")
+    with pytest.raises(SpecError, match="it is nested too deeply"):
+        import_file(path)
+
+
+def test_perl_in_systemrdl_opens_and_starts_nothing(tmp_path: Path) -> None:
+    path, started = tmp_path / "perl.rdl", tmp_path / "started"
+    for text in (f"system('touch {started}')", f"open(my $f, '>', '{started}')"):
+        path.write_text(f"<% {text}; %>addrmap top {{ reg {{ field {{}} a[8] = 0; }} one; }};")
+        with pytest.raises(SpecError, match="trapped by operation mask"):
+            import_file(path)
+    assert not started.exists()
+
+
 def test_widths_that_systemrdl_does_not_know_are_refused() -> None:
     with pytest.raises(UnsupportedError, match="registers of 8, 16, 32 or 64 bits, and robot has 24"):
         export_text(interface_of("@a = 1: READ();", data_bits=24))
@@ -150,7 +252,7 @@ def test_registers_that_no_word_address_has_are_refused(tmp_path: Path) -> None:
 
 
 @given(st.text(max_size=20))
-@settings(suppress_health_check=[HealthCheck.function_scoped_fixture], max_examples=20)
+@settings(suppress_health_check=[HealthCheck.function_scoped_fixture], max_examples=examples(20))
 def test_garbage_is_refused(tmp_path: Path, text: str) -> None:
     path = tmp_path / "garbage.rdl"
     path.write_text(text, encoding="utf-8")

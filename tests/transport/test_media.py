@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import asyncio
 import contextlib
+import math
 import os
 import pty
 import signal
@@ -183,6 +184,9 @@ async def test_a_port_that_is_in_use_is_one_clear_error(library: str) -> None:
         ("tcp://127.0.0.1:1", "no connection to port 1 of 127.0.0.1 .*is it listening"),
         ("tcp://nowhere.invalid:7001", "no connection to port 7001 of nowhere.invalid"),
         ("udp://nowhere.invalid:7001", "no socket for port 7001 of nowhere.invalid"),
+        ("tcp://a..b:7001", "no connection to port 7001 of a..b .that cannot be a name.; is the name right"),
+        ("udp://.local:7001", "no socket for port 7001 of .local .that cannot be a name.; is the name right"),
+        ("mmio:/dev/zero?size=4096&offset=0x10000000000000000", "it cannot be mapped"),
     ],
 )
 async def test_what_is_not_there_is_one_clear_error(url: str, message: str) -> None:
@@ -190,6 +194,8 @@ async def test_what_is_not_there_is_one_clear_error(url: str, message: str) -> N
         await unity_link.connect(url)
     assert "\n" not in str(caught.value)
     assert url in str(caught.value)
+    with pytest.raises(ConnectError, match=message):
+        await asyncio.to_thread(blocking.connect, url)
 
 
 @pytest.mark.asyncio
@@ -199,6 +205,7 @@ async def test_what_is_not_there_is_one_clear_error(url: str, message: str) -> N
         "serial:",
         "serial:/dev/ttyUSB0?baud=fast",
         "serial:/dev/ttyUSB0?baud=0",
+        "serial:/dev/ttyUSB0?baud=12000000000",
         "serial:/dev/ttyUSB0?rtscts=2",
         "serial:/dev/ttyUSB0?library=pyserial",
         "serial:/dev/ttyUSB0?parity=even",
@@ -211,11 +218,43 @@ async def test_what_is_not_there_is_one_clear_error(url: str, message: str) -> N
         "udp://:7001",
         "sim://host",
         "sim:?loss=much",
+        "tcp://host\0:1",
+        "mmio:/a\0b",
+        "sim:?snoop=a\0b",
     ],
 )
 async def test_a_url_that_cannot_be_is_refused_before_anything_is_opened(url: str) -> None:
     with pytest.raises(ArgumentError):
         await unity_link.connect(url)
+
+
+@pytest.mark.asyncio
+@pytest.mark.parametrize(
+    ("url", "meant"), [("unix://tmp/x", "unix:/tmp/x"), ("serial://dev/ttyS9", "serial:/dev/ttyS9")]
+)
+async def test_a_folder_that_stands_where_hosts_do_is_told(url: str, meant: str) -> None:
+    with pytest.raises(ArgumentError, match=f"did you mean {meant}\\?"):
+        await unity_link.connect(url)
+
+
+@pytest.mark.asyncio
+@pytest.mark.parametrize("name", ["a#b", "a+b", "a&b"])
+async def test_a_socket_may_have_any_name_that_is_no_question(tmp_path: Path, name: str) -> None:
+    async with serve_unix(VirtualGateway(), tmp_path / name) as url, unity_link.connect(url) as link:
+        assert await link.read(0) == 0
+
+
+def test_a_token_is_what_it_is() -> None:
+    assert parse_url("tcp://robot:1?token=q1+Zb/8=&map=any").options == {"token": "q1+Zb/8=", "map": "any"}
+    assert parse_url("tcp://robot:1?token=a#%2B%23").options == {"token": "a#+#"}
+
+
+@pytest.mark.parametrize("timeout", [math.inf, 1e12])
+def test_a_connection_may_be_waited_for_for_ever_in_blocking_code(timeout: float) -> None:
+    with socket.create_server(("127.0.0.1", 0)) as taken:
+        port = taken.getsockname()[1]
+    with pytest.raises(ConnectError, match="is it listening"):
+        blocking.connect(f"tcp://127.0.0.1:{port}", timeout=timeout)
 
 
 def test_every_scheme_has_a_driver_that_says_which_options_it_takes() -> None:

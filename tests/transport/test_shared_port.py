@@ -14,7 +14,7 @@ import trio
 
 import unity_link
 from unity_link import ArgumentError, ConnectError, LinkLostError, blocking
-from unity_link.transport import open_channel, parse_url, shared_port
+from unity_link.transport import open_channel, parse_url, serial, shared_port
 from unity_link.transport.channel import SocketChannel
 from unity_link.transport.shared_port import Port, SharedChannel
 from unity_link.virtual import VirtualGateway
@@ -25,6 +25,9 @@ if TYPE_CHECKING:
     from collections.abc import AsyncIterator, Callable, Coroutine, Iterator
     from contextlib import AbstractAsyncContextManager
     from pathlib import Path
+
+    from unity_link.transport import DriverUrl
+    from unity_link.transport.channel import Channel
 
 P = ParamSpec("P")
 NODES = (1, 2, 3, 4)
@@ -230,6 +233,34 @@ async def test_a_port_that_is_lost_is_lost_to_all_and_opened_anew(tmp_path: Path
             assert await again.read(0) == 0
             async with unity_link.connect(f"serial:{path}?node=2") as new:
                 assert await new.read(0) == 0
+    assert not shared_port._PORTS
+
+
+@in_a_loop
+async def test_who_gives_up_while_the_port_is_opened_leaves_the_node_to_the_next() -> None:
+    entered, held = threading.Event(), threading.Event()
+    opened = serial.open_channel
+
+    def open_slowly(url: DriverUrl, timeout: float | None) -> Channel:
+        entered.set()
+        assert held.wait(10)
+        return opened(url, timeout)
+
+    async def use(url: str) -> int:
+        async with unity_link.connect(url) as link:
+            return await link.read(0)
+
+    with serving(serve_pty) as (_, url), pytest.MonkeyPatch.context() as patch:
+        patch.setattr(serial, "open_channel", open_slowly)
+        given_up = asyncio.create_task(use(url + "1"))
+        await asyncio.to_thread(entered.wait)
+        given_up.cancel()
+        with pytest.raises(asyncio.CancelledError):
+            await given_up
+        following = asyncio.create_task(use(url + "1"))
+        await asyncio.sleep(0.01)
+        held.set()
+        assert await following == 0
     assert not shared_port._PORTS
 
 

@@ -14,7 +14,7 @@ import pytest
 
 import unity_link
 from recorded_bus import WRITTEN, gateway_of_short_laps
-from unity_link import ConnectError, LinkLostError
+from unity_link import ConnectError, LinkLostError, blocking
 from unity_link.errors import Outcome, UnsupportedError
 from unity_link.protocol.configuration import GatewayInfo
 from unity_link.protocol.crc import Crc
@@ -24,7 +24,7 @@ from unity_link.transport.stream import Stream
 from unity_link.transport.udp import LARGE, MOST_TOGETHER, RECEIVE_BUFFER, DatagramAdapter
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.faults import Straying
-from unity_link.virtual.relay import relay_udp
+from unity_link.virtual.relay import MOST_CLIENTS, relay_udp
 from unity_link.virtual.serving import serve_udp
 
 if TYPE_CHECKING:
@@ -50,6 +50,15 @@ class Recording(Straying[Any]):
     def replay(self) -> None:
         """Have all that has passed arrive again, behind the next datagram."""
         self._again = list(self._passed)
+
+
+def has_ipv6() -> bool:
+    with socket.socket(socket.AF_INET6) as tried:
+        try:
+            tried.bind(("::1", 0))
+        except OSError:
+            return False
+    return True
 
 
 def port_of(url: str) -> int:
@@ -84,6 +93,54 @@ async def test_over_a_bad_network_all_is_executed_once_in_order_and_answered_rig
             assert answers[2:] == [(start + place) % 256 for place in range(4)]
         assert link.statistics.repetitions
     assert bus.writes == [(WRITTEN, number) for number in range(600)]
+
+
+@pytest.mark.asyncio
+@pytest.mark.skipif(not Path("/dev/fd").is_dir(), reason="this system does not tell what is open")
+async def test_a_bad_network_keeps_no_port_for_each_client_that_ever_came() -> None:
+    def count_open() -> int:
+        return len(list(Path("/dev/fd").iterdir()))
+
+    async with serve_udp(VirtualGateway()) as url, relay_udp(url, Straying(), Straying()) as relayed:
+        before = count_open()
+        for _ in range(3 * MOST_CLIENTS):
+            async with unity_link.connect(relayed) as link:
+                assert await link.read(0x10) == 0
+        assert count_open() - before <= MOST_CLIENTS
+
+
+@pytest.mark.asyncio
+async def test_a_bad_network_leads_to_a_gateway_on_ipv6_too() -> None:
+    if not has_ipv6():
+        pytest.skip("no IPv6 on this machine")
+    async with (
+        serve_udp(VirtualGateway(), host="::1") as url,
+        relay_udp(url, Straying(), Straying()) as relayed,
+        unity_link.connect(relayed) as link,
+    ):
+        assert await link.read(0x10) == 0
+
+
+@pytest.mark.asyncio
+async def test_a_bad_network_to_a_name_that_there_is_not_is_one_clear_error() -> None:
+    with pytest.raises(ConnectError, match=r"^no socket for port 7001 of nosuch.invalid \(.*\); is the name right\?$"):
+        async with relay_udp("udp://nosuch.invalid:7001", Straying(), Straying()):
+            pass
+
+
+def test_a_socket_that_cannot_be_connected_is_closed(monkeypatch: pytest.MonkeyPatch) -> None:
+    made: list[socket.socket] = []
+
+    class Kept(socket.socket):
+        def __init__(self, *arguments: Any) -> None:
+            super().__init__(*arguments)
+            made.append(self)
+
+    monkeypatch.setattr(socket, "socket", Kept)
+    # Nobody may send to all without having asked for that.
+    with pytest.raises(ConnectError, match=r"no socket for port 7001 of 255\.255\.255\.255 \("):
+        blocking.connect("udp://255.255.255.255:7001")
+    assert {opened.fileno() for opened in made} == {-1}
 
 
 @pytest.mark.asyncio

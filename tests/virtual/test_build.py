@@ -66,10 +66,13 @@ def test_a_slow_line_can_be_chosen() -> None:
     [
         ("sim:delta", "no robot 'delta' is known: one of scara, tosnet, walker was expected, or the path"),
         ("sim:?data_bits=7", "data_bits = 7, expected 8 to 64"),
+        ("sim:?bytes_per_second=nan", "more than 0 was expected"),
+        ("sim:?receive_fifo_bytes=65536", "receive_fifo_bytes = 65536, expected 0 to 65535"),
         ("sim:?data_bits=wide", "not a whole number"),
         ("sim:?loss=much", "not a number"),
         ("sim:?loss=2", "loss=2.0 is no probability"),
         ("sim:?bytes_per_second=0", "no rate"),
+        ("sim:?bytes_per_second=inf", "no rate"),
         ("sim:?colour=red", "unknown option 'colour'"),
         ("sim:?node=255", "not from 0 to 254"),
         ("sim:scara?data_bits=16", "the SCARA needs words of at least 32 bits"),

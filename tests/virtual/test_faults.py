@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import tracemalloc
 from collections import Counter
 from itertools import pairwise
 
@@ -11,6 +12,7 @@ from hypothesis import strategies as st
 
 from unity_link.errors import ArgumentError
 from unity_link.protocol.configuration import Feature, GatewayInfo
+from unity_link.transport.buffered import HIGH_WATER
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.faults import Noise, NoisyLine
 from unity_link.virtual.line import SlowLine
@@ -175,3 +177,20 @@ def test_a_trigger_passes_the_word_on() -> None:
 def test_a_line_without_a_rate_is_refused() -> None:
     with pytest.raises(ArgumentError, match="bytes_per_second=0"):
         SlowLine(VirtualGateway(), 0)
+
+
+@pytest.mark.parametrize("asked", [b"", b"RM00FF\r" * 10], ids=["samples", "answers"])
+def test_a_line_that_stands_still_keeps_no_more_than_a_socket(asked: bytes) -> None:
+    line = NoisyLine(VirtualGateway(), Noise(), Noise(stall=0.01, stall_seconds=60))
+    line.receive(b"GS000900010110\rGN00\r", 0.0)
+    tracemalloc.start()
+    try:
+        for step in range(1, 1001):
+            now = step / 1000
+            line.advance(now)
+            if asked and line.waiting < HIGH_WATER:
+                line.receive(asked, now)
+        # Without a bound it keeps 15 MB and more; a process that ran other tests allocates some itself.
+        assert tracemalloc.get_traced_memory()[0] < 16 * HIGH_WATER
+    finally:
+        tracemalloc.stop()

@@ -165,7 +165,7 @@ def test_a_waveform_shows_the_inner_signals(tmp_path: Path) -> None:
     assert waveform.timescale == ["1 ns"]
     core = "unity_link_inst.core_inst"
     for name, bits in [
-        ("request_executor_inst.r", 85),
+        ("request_executor_inst.r", 86),
         ("bus_master_inst.for_sample", 1),
         ("with_groups_subscription_manager_inst.running", 4),
         ("with_groups_subscription_manager_inst.own_sequence", 8),

@@ -71,11 +71,20 @@ def test_that_of_the_walker_comes_with_the_package() -> None:
         ({"group_words": 255}, "sample_depth is 256, and one sample of a group of 255 words takes 257: at least 512"),
         ({"data_bits": 65}, "data_bits is 65: 8 to 64 was expected"),
         ({"receive_fifo_bytes": 100}, "rx_fifo_depth is 100: a power of two was expected"),
+        ({"transmit_fifo_bytes": 0x10000}, "tx_fifo_depth is 65536: at most 32768 was expected"),
+        ({"crc_bits": 8, "crc_polynomial": 0x1021}, "crc_polynomial is 0x1021: that of a CRC of 8 bits was expected"),
     ],
 )
 def test_what_the_gateware_refuses_is_refused_before_it_is_built(fields: dict[str, int], words: str) -> None:
     with pytest.raises(ArgumentError, match=words):
         configuration_of(compile_file(ROVER).interface(), fields, None)
+
+
+@pytest.mark.parametrize(("bits", "polynomial"), [(8, 0x07), (16, 0x1021), (32, 0x04C11DB7)])
+def test_a_crc_of_another_width_has_the_usual_polynomial_of_that(bits: int, polynomial: int) -> None:
+    build = configuration_of(compile_file(ROVER).interface(), {"crc_bits": bits}, None)
+    assert build.info.crc_polynomial == polynomial
+    build.info.check()
 
 
 class Marching(SimulatedRobot):

@@ -7,6 +7,7 @@ import contextlib
 import os
 import socket
 import stat
+import struct
 import tracemalloc
 from typing import TYPE_CHECKING, Any
 
@@ -21,7 +22,7 @@ from unity_link.virtual.line import SlowLine
 from unity_link.virtual.serving import BUSY, serve_pty, serve_tcp, serve_udp, serve_unix
 
 if TYPE_CHECKING:
-    from collections.abc import AsyncIterator
+    from collections.abc import AsyncIterator, Callable
     from pathlib import Path
 
 CHECKED = Framing(Crc()).checked
@@ -126,6 +127,29 @@ async def test_a_second_client_is_told_that_the_gateway_is_busy_and_the_first_go
 
 
 @pytest.mark.asyncio
+async def test_a_second_client_that_resets_its_connection_just_when_it_is_told_is_no_error(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    errors: list[dict[str, Any]] = []
+    asyncio.get_running_loop().set_exception_handler(lambda _, context: errors.append(context))
+    was_told, shutdown = asyncio.Event(), socket.socket.shutdown
+    async with serve_tcp(VirtualGateway()) as url, tcp_client(url) as first:
+        assert await ask(first, b"H\r") == b"H\r\n"
+        second = socket.create_connection(("127.0.0.1", port_of(url)))
+
+        def reset_and_shut_down(served: socket.socket, how: int) -> None:
+            second.setsockopt(socket.SOL_SOCKET, socket.SO_LINGER, struct.pack("ii", 1, 0))
+            second.close()
+            was_told.set()
+            shutdown(served, how)
+
+        monkeypatch.setattr(socket.socket, "shutdown", reset_and_shut_down)
+        await asyncio.wait_for(was_told.wait(), 10)
+        assert await ask(first, b"H\r") == b"H\r\n"
+    assert errors == []
+
+
+@pytest.mark.asyncio
 async def test_a_program_is_told_why_it_is_hung_up_on_in_the_words_of_who_does_it() -> None:
     async with serve_tcp(VirtualGateway()) as url, unity_link.connect(url):
         with pytest.raises(ConnectError, match=BUSY.decode().strip()):
@@ -143,6 +167,28 @@ async def test_the_end_of_serving_hangs_up() -> None:
     stream[1].close()
     with pytest.raises(OSError, match=r"refused|Connect call failed"):
         await asyncio.open_connection("127.0.0.1", port_of(url))
+
+
+@pytest.mark.asyncio
+async def test_the_end_of_serving_hangs_up_on_who_waits_for_the_gateway_too() -> None:
+    async with serve_tcp(VirtualGateway()) as url, tcp_client(url) as first:
+        assert await ask(first, b"H\r") == b"H\r\n"
+        waiting = await asyncio.open_connection("127.0.0.1", port_of(url))
+    assert await asyncio.wait_for(waiting[0].read(), 10) == b""
+    waiting[1].close()
+
+
+@pytest.mark.asyncio
+@pytest.mark.parametrize("turns", range(3, 6))
+async def test_the_end_of_serving_hangs_up_on_who_is_just_being_connected(turns: int) -> None:
+    with socket.socket() as client:
+        async with serve_tcp(VirtualGateway()) as url:
+            client.connect(("127.0.0.1", port_of(url)))
+            client.setblocking(False)
+            for _ in range(turns):
+                await asyncio.sleep(0)
+        with contextlib.suppress(ConnectionResetError):
+            assert await asyncio.wait_for(asyncio.get_running_loop().sock_recv(client, 1), 10) == b""
 
 
 @pytest.mark.asyncio
@@ -165,6 +211,14 @@ async def test_a_client_that_reads_slowly_gets_everything_and_takes_no_memory() 
 async def test_an_address_of_another_machine_is_one_clear_error() -> None:
     with pytest.raises(ConnectError, match=r"of 192\.0\.2\.1 can't be opened .*: choose another port or address"):
         async with serve_tcp(VirtualGateway(), host="192.0.2.1"):
+            pass
+
+
+@pytest.mark.asyncio
+@pytest.mark.parametrize("serve", [serve_tcp, serve_udp])
+async def test_an_address_that_is_empty_is_not_every_address(serve: Callable[..., Any]) -> None:
+    with pytest.raises(ConnectError, match=r"port 0 of '' can't be opened \(an address was expected\): choose another"):
+        async with serve(VirtualGateway(), host=""):
             pass
 
 
@@ -299,6 +353,17 @@ async def test_datagrams_hold_whole_frames_behind_a_header() -> None:
             received += datagram
         assert received == b"RM00FF" + b"0" * 2040 + b"\r\n" + b"H\r\n" * 1000
         client.transport.close()
+
+
+@pytest.mark.asyncio
+async def test_datagrams_come_over_ipv6_too() -> None:
+    try:
+        served = await asyncio.get_running_loop().create_datagram_endpoint(Datagrams, local_addr=("::1", 0))
+    except OSError:
+        pytest.skip("no IPv6 on this machine")
+    served[0].close()
+    async with serve_udp(VirtualGateway(), host="::1") as url, unity_link.connect(url) as link:
+        assert await link.read(0x10) == 0
 
 
 @pytest.mark.asyncio

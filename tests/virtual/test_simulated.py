@@ -15,6 +15,7 @@ from hypothesis import strategies as st
 
 import unity_link
 from bridge_programs import PROGRAM, wait_for
+from searching import examples
 from simulated_time import on_simulated_time, run_simulated
 from unity_link.bridges.recording import Recording
 from unity_link.bridges.serve import serve
@@ -94,7 +95,7 @@ def test_each_address_can_be_read_and_written_as_in_the_generated_bank(source: P
         ]
         # What a queue has is what was written to it; without limits, for the bank knows none.
         for cell in registers.cells.values():
-            cell._bounds = [None, None]
+            cell._bounds = None, None
         with contextlib.nullcontext() if can_be_written else pytest.raises(AccessError):
             registers.write(address, 1)
         if all(cell.queue is None or cell.queue.to_program for cell in queues):
@@ -150,6 +151,16 @@ def test_what_the_limits_of_a_signal_let_a_program_write_is_never_refused(value:
     registers.write(signal.address, signal.encode(value)[0])
 
 
+def test_limits_with_a_fraction_of_a_whole_number_let_through_what_lies_between() -> None:
+    spec = compile_text("public lim() { @pos = 1: signed 8 READWRITE(MIN=-2.5, MAX=2.5); }")
+    registers = Registers(spec.interface(), loops_back=True)
+    for value in range(-2, 3):
+        registers.write(1, value & 0xFF)
+    for value in (-3, 3):
+        with pytest.raises(AccessError):
+            registers.write(1, value & 0xFF)
+
+
 # Models
 
 
@@ -178,7 +189,7 @@ async def test_published_groups_run_and_each_sample_is_of_one_instant() -> None:
             assert not batch.lost.any()
 
 
-@settings(max_examples=20)
+@settings(max_examples=examples(20))
 @given(looks=st.lists(st.floats(0, 0.3), max_size=30))
 def test_looking_changes_nothing(looks: list[float]) -> None:
     def position(instants: list[float]) -> Any:

@@ -11,6 +11,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from searching import examples
 from unity_link.protocol.configuration import Feature, GatewayInfo
 from unity_link.protocol.messages import ErrorCode
 from unity_link.virtual import VirtualGateway
@@ -79,7 +80,7 @@ def test_bytes_may_arrive_one_at_a_time(path: Path) -> None:
 
 
 @pytest.mark.parametrize("path", FILES, ids=lambda path: path.stem)
-@settings(max_examples=20)  # each goes through a whole file
+@settings(max_examples=examples(20))  # each goes through a whole file
 @given(sizes=st.lists(st.integers(1, 5000), min_size=1, max_size=40))
 def test_bytes_may_arrive_in_pieces_of_any_size(path: Path, sizes: list[int]) -> None:
     gateway, steps = load(path)

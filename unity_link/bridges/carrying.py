@@ -4,10 +4,13 @@ from __future__ import annotations
 
 import asyncio
 import contextlib
+import functools
 from contextlib import AsyncExitStack
 from typing import TYPE_CHECKING, Any
 
+from unity_link.bridges.presence import rate_whatever_happens
 from unity_link.bridges.telling import Faults
+from unity_link.bridges.waiting import begin_when_there
 from unity_link.errors import GatewayError, LinkLostError, first_error
 
 if TYPE_CHECKING:
@@ -51,6 +54,18 @@ class Carrier:
         """Samples that the gateway took and that were not handed over."""
         return sum(subscription.lost for subscription in self._subscriptions)
 
+    @property
+    def received(self) -> int:
+        """Samples that have come."""
+        return sum(subscription.received for subscription in self._subscriptions)
+
+    @property
+    def rate_hz(self) -> float | None:
+        """Samples a second of the quickest group that gives some whatever happens; None where none does."""
+        several = zip(self._groups, self._subscriptions, strict=False)
+        rates = [rate_whatever_happens(group, samples.rate_hz) for group, samples in several]
+        return max((rate for rate in rates if rate is not None), default=None)
+
     async def run(self, thread: Executor, *beside: Coroutine[Any, Any, None]) -> None:
         """Carry until it is cancelled or something fails; where it is cancelled, all that has come by then is carried.
 
@@ -62,14 +77,15 @@ class Carrier:
             LinkLostError: where the link ends.
             Exception: whatever `hand_over` or one beside raised first.
         """
+        self._subscriptions = []
         try:
             with first_error():
                 async with AsyncExitStack() as stack, asyncio.TaskGroup() as tasks:
                     for coroutine in beside:
                         tasks.create_task(coroutine)
-                    self._subscriptions = [
-                        await stack.enter_async_context(group.subscribe(buffer=self._buffer)) for group in self._groups
-                    ]
+                    for group in self._groups:
+                        subscribe = functools.partial(group.subscribe, buffer=self._buffer)
+                        self._subscriptions.append(await begin_when_there(subscribe, stack, self._faults.tell))
                     self.begun.set()
                     for number, subscription in enumerate(self._subscriptions):
                         tasks.create_task(self._carry(number, subscription, thread))

@@ -38,12 +38,19 @@ class Diagnostics:
         self._hardware = hardware
         self._troubles = 0
 
-    def status(self, published: int, lost: int, written: int) -> Status:
-        """Return how it is now; what the bridge has carried is the caller's to know."""
+    def status(self, published: int, lost: int, written: int, *, away: bool = False) -> Status:
+        """Return how it is now.
+
+        Args:
+            published: samples.
+            lost: samples and messages.
+            written: values.
+            away: whether the gateway is, though the link is connected.
+        """
         seen = self._link.statistics
         troubles = lost + seen.repetitions + seen.damaged_frames + seen.errors
         more, self._troubles = troubles - self._troubles, troubles
-        if not self._link.connected:
+        if away or not self._link.connected:
             level, message = ERROR, "the gateway is away"
         elif more:
             level, message = WARN, "samples or frames were lost, or the bus refused"

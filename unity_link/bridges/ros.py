@@ -11,9 +11,10 @@ from unity_link.bridges.carrying import Carrier
 from unity_link.bridges.commands import SignalCommands
 from unity_link.bridges.diagnostics import EVERY, Diagnostics
 from unity_link.bridges.gateway_time import GatewayTime
+from unity_link.bridges.presence import Presence
 from unity_link.bridges.telling import Faults
 from unity_link.bridges.topics import command_topics, joint_command_topics, published_groups, read_namespace
-from unity_link.errors import ArgumentError
+from unity_link.errors import ArgumentError, first_error
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -28,6 +29,8 @@ if TYPE_CHECKING:
 
 BUFFER = 1 << 16
 """Samples of each group that wait while subscribers are slow; after that the oldest are lost and counted."""
+LOOKS = 10
+"""Between two messages of how the bridge is, whether the gateway is there."""
 PATIENCE = 1.0
 """Seconds for which a subscriber that takes nothing is waited for, also at the end."""
 
@@ -66,6 +69,7 @@ class RosBridge(abc.ABC, Generic[AnyOutlet]):
         if "\0" in frame_id:
             raise ArgumentError("the name of a frame has no zero bytes")
         self._frame_id = frame_id
+        self._link = robot.link
         self._namespace = read_namespace(robot.interface.name if namespace is None else namespace)
         self._report = report
         self._groups = published_groups(robot, poll_hz)
@@ -127,11 +131,21 @@ class RosBridge(abc.ABC, Generic[AnyOutlet]):
 
     async def _diagnose(self, publishing: Executor) -> None:
         """Publish how the bridge is, again and again."""
-        loop = asyncio.get_running_loop()
+        presence = Presence(self._link, asyncio.get_running_loop().time())
+        with first_error():
+            async with asyncio.TaskGroup() as tasks:
+                tasks.create_task(presence.ask())
+                await self._tell_again_and_again(publishing, presence)
+
+    async def _tell_again_and_again(self, publishing: Executor, presence: Presence) -> None:
+        loop, carrier = asyncio.get_running_loop(), self._carrier
         while True:
-            status = self._diagnostics.status(self.published, self.lost, self.written)
+            away = presence.away_since is not None
+            status = self._diagnostics.status(self.published, self.lost, self.written, away=away)
             await asyncio.shield(loop.run_in_executor(publishing, self._tell, status, time.time()))
-            await asyncio.sleep(EVERY)
+            for _ in range(LOOKS):
+                await asyncio.sleep(EVERY / LOOKS)
+                presence.look(loop.time(), carrier.received, carrier.rate_hz)
 
     def _give_joints(self, topic: JointCommandTopic, message: Any) -> None:
         """Have joints set as a message asks; to be called from the thread that has taken it."""

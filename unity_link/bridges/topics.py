@@ -17,7 +17,7 @@ import numpy as np
 from unity_link.bridges.sampled import sampled_groups
 from unity_link.data import Writable
 from unity_link.errors import ArgumentError
-from unity_link.generate.ros.topics import SI, message_type, topic_name
+from unity_link.generate.ros.topics import SI, message_type, topic_names
 from unity_link.spec.diagnostics import did_you_mean
 
 if TYPE_CHECKING:
@@ -174,22 +174,24 @@ def published_groups(robot: Robot, poll_hz: float | None = None) -> list[Publish
     """
     sampled = sampled_groups(robot, poll_hz)
     several = sum(group.model is not None and bool(group.model.joints) for _, group in sampled) > 1
+    names = topic_names(robot.interface)
     found = []
     for name, group in sampled:
-        topics = [Topic(topic_name(proxy.path), message_type(proxy.signal.kind), proxy) for proxy in group.proxies]
+        topics = [Topic(names[proxy.path], message_type(proxy.signal.kind), proxy) for proxy in group.proxies]
         joints = group.model.joints if group.model is not None else ()
         topic = f"{name}/joint_states" if several else "joint_states"
-        found.append(PublishedGroup(group, topics, _joint_topic(topic, joints, robot) if joints else None))
+        found.append(PublishedGroup(group, topics, _joint_topic(topic, joints, robot, names) if joints else None))
     return found
 
 
 def command_topics(robot: Robot, published: list[PublishedGroup]) -> list[CommandTopic]:
     """Return the topics by which a robot's signals are written."""
     taken = {topic.name for group in published for topic in group.topics}
+    names = topic_names(robot.interface)
     found = []
     for proxy in robot.signals:
         if isinstance(proxy, Writable):
-            name = topic_name(proxy.path)
+            name = names[proxy.path]
             full_name = f"{name}/set" if name in taken else name
             found.append(CommandTopic(full_name, message_type(proxy.signal.kind), proxy))
     return found
@@ -219,9 +221,9 @@ def _command(proxy: Writable[Any] | None, value: float, refusal: str) -> Command
     """Return what sets a signal to a value in SI units."""
     if proxy is None:
         raise ArgumentError(refusal)
-    if not math.isfinite(value):
-        raise ArgumentError(f"{proxy.path}: {value} is no finite number")
     in_unit = value / SI.get(proxy.unit, 1.0)
+    if not math.isfinite(in_unit):
+        raise ArgumentError(f"{proxy.path}: {value} is no finite number" + (proxy.unit and f" in {proxy.unit}"))
     return proxy, round(in_unit) if proxy.signal.kind.dtype.kind in "iu" else in_unit
 
 
@@ -239,19 +241,20 @@ def read_namespace(text: str) -> str:
     return f"/{name}" if name else ""
 
 
-def _joint_topic(name: str, joints: tuple[Joint, ...], robot: Robot) -> JointTopic:
+def _joint_topic(topic: str, joints: tuple[Joint, ...], robot: Robot, names: Mapping[str, str]) -> JointTopic:
     def proxies(part: str) -> list[Any]:
         paths = [getattr(joint, part) for joint in joints]
         return [None if path is None else robot[path] for path in paths] if any(paths) else []
 
-    names = [topic_name(joint.name) for joint in joints]
     positions, velocities = proxies("position"), proxies("velocity")
     magnitudes = [
         place
         for place, (position, velocity) in enumerate(zip(positions, velocities, strict=False))
         if position is not None and velocity is not None and velocity.signal.kind.range[0] >= 0
     ]
-    return JointTopic(name, names, positions, velocities, proxies("effort"), Direction(magnitudes))
+    return JointTopic(
+        topic, [names[joint.name] for joint in joints], positions, velocities, proxies("effort"), Direction(magnitudes)
+    )
 
 
 def _in_si(proxies: list[Any], batch: Batch) -> NDArray[np.float64]:

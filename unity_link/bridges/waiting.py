@@ -1,20 +1,24 @@
-"""A link for a bridge that may be started before its gateway is there."""
+"""A link, and samples, for what may be started before its gateway is there."""
 
 from __future__ import annotations
 
+import asyncio
 from contextlib import asynccontextmanager
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypeVar
 
 from tenacity import AsyncRetrying, RetryCallState, retry_if_exception_type, wait_fixed
 
-from unity_link.errors import ConnectError
+from unity_link.errors import BusTimeoutError, ConnectError, GatewayResetError
 from unity_link.link.link import connect
 from unity_link.transport import parse_url, prepare
 
 if TYPE_CHECKING:
     from collections.abc import AsyncIterator, Callable
+    from contextlib import AbstractAsyncContextManager, AsyncExitStack
 
     from unity_link.link.link import Link
+
+T = TypeVar("T")
 
 LOOK_EVERY = 1.0
 """Seconds between looks whether the gateway is there."""
@@ -47,3 +51,25 @@ async def connect_when_there(url: str, report: Callable[[str], None]) -> AsyncIt
     )
     async with await attempts(attempt) as link:
         yield link
+
+
+async def begin_when_there(
+    subscribe: Callable[[], AbstractAsyncContextManager[T]], stack: AsyncExitStack, report: Callable[[str], None]
+) -> T:
+    """Begin a subscription; where a server says that its gateway is away, that is waited for.
+
+    Args:
+        subscribe: makes a subscription that has not begun.
+        stack: ends it.
+        report: is told in a sentence, at each look, what the server says.
+
+    Raises:
+        GatewayError: where the gateway refuses it.
+        LinkLostError: where the link ends.
+    """
+    while True:
+        try:
+            return await stack.enter_async_context(subscribe())
+        except (BusTimeoutError, GatewayResetError) as error:
+            report(str(error))
+            await asyncio.sleep(LOOK_EVERY)

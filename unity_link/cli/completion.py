@@ -57,7 +57,7 @@ def remember_used() -> None:
         with contextlib.suppress(OSError):
             path.parent.mkdir(parents=True, exist_ok=True)
             replacement = path.with_suffix(f".{os.getpid()}")
-            replacement.write_text("\n".join(kept) + "\n", encoding="utf-8")
+            replacement.write_text("\n".join(kept) + "\n", encoding="utf-8", errors="surrogateescape")
             replacement.replace(path)
 
 
@@ -65,8 +65,8 @@ def remembered() -> list[str]:
     """Return the URLs that were used before, the newest first."""
     path = _memory()
     try:
-        return [] if path is None else path.read_text(encoding="utf-8").splitlines()
-    except (OSError, UnicodeDecodeError):
+        return [] if path is None else path.read_text(encoding="utf-8", errors="surrogateescape").splitlines()
+    except OSError:
         return []
 
 
@@ -75,7 +75,11 @@ def _memory() -> Path | None:
     named = os.environ.get(MEMORY_VARIABLE)
     if named is not None:
         return Path(named) if named else None
-    state = os.environ.get("XDG_STATE_HOME") or Path.home() / ".local" / "state"
+    try:
+        state = os.environ.get("XDG_STATE_HOME") or Path.home() / ".local" / "state"
+    except RuntimeError:
+        # The system does not know the user, and nothing says where its files are.
+        return None
     return Path(state) / "unity-link" / "urls"
 
 

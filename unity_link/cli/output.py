@@ -6,6 +6,7 @@ Colours and moving pictures are for terminals alone; rich sees to that, and to `
 
 from __future__ import annotations
 
+import contextlib
 import functools
 import os
 import sys
@@ -39,7 +40,20 @@ def print_json(value: Any) -> None:
     """Print a JSON object as one line on stdout, at once."""
     import msgspec
 
-    print_line(msgspec.json.encode(value).decode())
+    try:
+        text = msgspec.json.encode(value)
+    except UnicodeEncodeError:
+        text = msgspec.json.encode(_in_utf_8(msgspec.to_builtins(value)))
+    print_line(text.decode())
+
+
+def _in_utf_8(value: Any) -> Any:
+    """Return what JSON can say of a value with names of files that are no UTF-8: they are written as in a terminal."""
+    if isinstance(value, str):
+        return value.encode(errors="backslashreplace").decode()
+    if isinstance(value, dict):
+        return {_in_utf_8(name): _in_utf_8(item) for name, item in value.items()}
+    return [_in_utf_8(item) for item in value] if isinstance(value, list | tuple) else value
 
 
 def print_result(name: str, value: object, *, json: bool) -> None:
@@ -52,14 +66,18 @@ def print_result(name: str, value: object, *, json: bool) -> None:
 
 def print_note(text: str) -> None:
     """Print a line for people on stderr."""
-    print(text, file=sys.stderr, flush=True)  # noqa: T201  (this is where commands print)
+    # A stderr that cannot be written, such as a pipe without a reader, ends no command.
+    with contextlib.suppress(OSError):
+        print(text, file=sys.stderr, flush=True)  # noqa: T201  (this is where commands print)
 
 
 def print_error(text: str, hint: str = "") -> None:
     """Print what went wrong, and in a second line what may help."""
-    print_parts(("error: ", "bold red"), text, on=sys.stderr)
-    if hint:
-        print_parts((hint, "dim"), on=sys.stderr)
+    # Without stderr, the exit code is all that tells.
+    with contextlib.suppress(OSError):
+        print_parts(("error: ", "bold red"), text, on=sys.stderr)
+        if hint:
+            print_parts((hint, "dim"), on=sys.stderr)
 
 
 def print_parts(*parts: str | tuple[str, str], on: TextIO | None = None) -> None:

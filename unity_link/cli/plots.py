@@ -13,6 +13,8 @@ from rich.text import Text
 if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
 
+FARTHEST = 1e300
+"""What plotext draws: where a double does not hold how far limits are apart, it ends the process."""
 DOTS_ACROSS = 2
 DOTS_DOWN = 4
 Rgb = tuple[int, int, int]
@@ -34,12 +36,15 @@ def draw(width: int, height: int, curves: Iterable[Curve], x_limits: Limits, y_l
     Args:
         width: columns of the terminal.
         height: rows.
-        curves: what is drawn; one without points is left out.
+        curves: what is drawn, by finite numbers; one without points is left out.
         x_limits: values at the left and the right edge.
         y_limits: values at the lower and the upper edge.
     """
     import plotext
 
+    if max(map(abs, y_limits)) > FARTHEST:
+        curves = [Curve(curve.xs, [y / 4 for y in curve.ys], curve.color) for curve in curves]
+        y_limits = y_limits[0] / 4, y_limits[1] / 4
     figure = plotext.figure
     figure.clear()
     figure.plot_size(width, height)

@@ -250,18 +250,20 @@ def _parse(robot_type: type[LoadedRobot], assignment: str) -> tuple[str, Any]:
 
 def _value(signal: Signal, given: str) -> Any:
     """Return the value that a text stands for; the unit may stand behind it."""
-    number = given
+    # A number that ends as the unit does, such as 0x1A of a current in A, is whole without it.
+    texts = [given]
     if signal.unit and given.endswith(signal.unit):
-        number = given.removesuffix(signal.unit).strip()
-    if signal.kind.name == "bool" and number.lower() in _TRUTHS:
-        return _TRUTHS[number.lower()]
-    for read in (lambda text: int(text, 0), float):
-        try:
-            return read(number)
-        except ValueError:
-            continue
+        texts.append(given.removesuffix(signal.unit).strip())
+    for number in texts:
+        if signal.kind.name == "bool" and number.lower() in _TRUTHS:
+            return _TRUTHS[number.lower()]
+        for read in (lambda text: int(text, 0), float):
+            try:
+                return read(number)
+            except ValueError:
+                continue
     if signal.kind.enumeration is not None:
-        return number
+        return given
     expected = f"a number in {signal.unit}" if signal.unit else "a number"
     raise ArgumentError(f"{signal.path}: {given!r} is no value of {signal.kind}: {expected} was expected")
 

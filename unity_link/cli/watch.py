@@ -6,11 +6,14 @@ On a terminal, a live table with a curve for each; in a pipe, a line for each sa
 from __future__ import annotations
 
 import asyncio
+import functools
 import time
+from contextlib import AsyncExitStack
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from unity_link.bridges.presence import Presence
 from unity_link.cli.arguments import DEFAULT_TIMEOUT, Json, Timeout, Url, number
 from unity_link.cli.completion import complete_signal
 from unity_link.cli.output import is_live, print_json, print_line, print_note
@@ -18,7 +21,7 @@ from unity_link.cli.running import run
 from unity_link.cli.signals import is_spec, robot_of, split
 from unity_link.cli.spec import Name  # noqa: TC001  (typer reads it)
 from unity_link.cli.watched import Signals, Words
-from unity_link.errors import ArgumentError, first_error
+from unity_link.errors import ArgumentError, UnityLinkError, first_error
 from unity_link.protocol.numbers import Format
 
 if TYPE_CHECKING:
@@ -100,25 +103,35 @@ async def _watch(
     json: bool,
     timeout: float,  # noqa: ASYNC109  (an option of the command)
 ) -> None:
+    from unity_link.bridges.telling import Faults
+    from unity_link.bridges.waiting import begin_when_there
     from unity_link.link.link import connect
 
-    async with (
-        connect(url, timeout=timeout, reconnect=True) as link,
-        watched.subscribe(link, rate) as samples,
-    ):
+    samples: Stream | None = None
+    refused = False
+    async with connect(url, timeout=timeout, reconnect=True) as link, AsyncExitStack() as stack:
         start = time.monotonic()
         try:
             async with asyncio.timeout(duration):
+                subscribe = functools.partial(watched.subscribe, link, rate)
+                samples = await begin_when_there(subscribe, stack, Faults(print_note).tell)
+                start = time.monotonic()
                 show = _show_live if is_live() and not json else _show_lines
                 await show(url, link, samples, count, watched, json=json)
         except TimeoutError:
             if duration is None:
                 raise
+        except UnityLinkError:
+            refused = samples is None
+            raise
         finally:
-            print_note(_summary(samples, count, time.monotonic() - start))
+            if not refused:
+                print_note(_summary(samples, count, time.monotonic() - start))
 
 
-def _summary(samples: Stream, count: int | None, seconds: float) -> str:
+def _summary(samples: Stream | None, count: int | None, seconds: float) -> str:
+    if samples is None:
+        return f"0 samples in {seconds:.1f} s, 0 lost"
     # More may have come by the time at which as many as were asked for have been written.
     shown = samples.received if count is None else min(count, samples.received)
     # The first comes at the beginning, so there is one period less than samples.
@@ -182,13 +195,13 @@ async def _show_lines(
         else:
             print_line("\t".join([f"{at:.6f}", str(sample.lost), *map(watched.text, values)]))
 
-    away = False
+    presence = Presence(link, time.monotonic())
 
     def look() -> None:
-        nonlocal away
-        if away == link.connected:
-            away = not away
-            print_note("the gateway has gone away: it is waited for" if away else "the gateway is back")
+        was_there = presence.away_since is None
+        presence.look(time.monotonic(), samples.received, samples.rate_hz)
+        if was_there != (presence.away_since is None):
+            print_note("the gateway has gone away: it is waited for" if was_there else "the gateway is back")
 
     await _follow(samples, count, take, look)
 

@@ -2,17 +2,21 @@
 
 from __future__ import annotations
 
+import math
 import time
 from collections import deque
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from rich.console import Group, RenderableType
 from rich.table import Table
 from rich.text import Text
 
+from unity_link.bridges.presence import Presence
 from unity_link.cli.plots import DOTS_ACROSS, Curve, Rgb, draw
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from rich.console import ConsoleDimensions
 
     from unity_link.cli.watched import Stream, Taken, Watched
@@ -30,14 +34,13 @@ _WIDEST_PLOT = 60
 
 
 class Trace:
-    """The numbers of one row: the newest, the extremes, and a curve of bounded size.
+    """The numbers of one row: the extremes, and a curve of bounded size.
 
     A curve is kept in bins of equal time, each with its lowest and highest number, so that a peak between two pictures
     is seen however fast the samples come.
     """
 
     def __init__(self) -> None:
-        self.newest: float = 0
         self.lowest: float = 0
         self.highest: float = 0
         self._empty = True
@@ -45,12 +48,14 @@ class Trace:
 
     def take(self, value: float, at: float) -> None:
         """Take the number of the time `at`, in seconds."""
-        if self._empty:
+        # A NaN is an extreme only where there is nothing else.
+        if self._empty or math.isnan(self.lowest):
             self._empty = False
             self.lowest = self.highest = value
-        self.newest = value
         self.lowest = min(self.lowest, value)
         self.highest = max(self.highest, value)
+        if not math.isfinite(value):
+            return
         place = int(at / WINDOW * _MOST_BINS)
         if self._bins and self._bins[-1][0] == place:
             _, low, high = self._bins.pop()
@@ -59,7 +64,7 @@ class Trace:
             self._bins.append((place, value, value))
 
     def curve(self, at: float, most: int, color: Rgb) -> Curve:
-        """Return the last seconds before `at` as a curve of about `most` points."""
+        """Return the last seconds before `at` as a curve of about `most` points, of finite numbers alone."""
         newest = int(at / WINDOW * _MOST_BINS)
         merged: dict[int, list[float]] = {}
         for place, low, high in self._bins:
@@ -79,17 +84,20 @@ class WatchView:
 
     def __init__(self, url: str, link: Link, samples: Stream, watched: Watched) -> None:
         self._url = url
-        self._link = link
         self._samples = samples
         self._names = watched.names
         self._watched = watched
         self._traces = [Trace() for _ in watched.names]
+        self._values: Sequence[Any] = [0] * len(watched.names)
+        """The newest ones."""
         self._began = time.monotonic()
+        self._presence = Presence(link, self._began)
 
     def take(self, sample: Taken) -> None:
         """Take a sample."""
         at = time.monotonic()
-        for trace, value in zip(self._traces, self._watched.values(sample), strict=True):
+        self._values = self._watched.values(sample)
+        for trace, value in zip(self._traces, self._values, strict=True):
             trace.take(self._watched.number(value), at)
 
     def render(self, size: ConsoleDimensions) -> RenderableType:
@@ -97,7 +105,8 @@ class WatchView:
         frame = 6
         shown = max(1, min(len(self._names), size.height - frame))
         height = 2 if 2 * shown <= size.height - frame else 1
-        texts = [[self._watched.text(n) for n in (t.newest, t.lowest, t.highest)] for t in self._traces[:shown]]
+        rows = zip(self._values, self._traces[:shown], strict=False)
+        texts = [[self._watched.text(one) for one in (value, t.lowest, t.highest)] for value, t in rows]
         widths = [
             max(map(len, (self._watched.heading, *self._names[:shown]))),
             *(max(5, *map(len, column)) for column in zip(*texts, strict=True)),
@@ -133,11 +142,12 @@ class WatchView:
     def _state(self) -> Text:
         seconds = time.monotonic() - self._began
         received, lost = self._samples.received, self._samples.lost
+        self._presence.look(time.monotonic(), received, self._samples.rate_hz)
         rate = f"{received / seconds:,.1f} Hz of {self._samples.rate_hz:,.5g}" if seconds > 1 else "..."
         return _one_line(
             (f" {seconds:.0f} s   {received:,} samples   {rate}   ", "dim"),
             (f"{lost:,} lost", "bold red" if lost else "green"),
-            ("", "") if self._link.connected else ("   the gateway is away", "bold red"),
+            ("", "") if self._presence.away_since is None else ("   the gateway is away", "bold red"),
             ("   q ends", "dim"),
         )
 

@@ -29,7 +29,7 @@ class Watched(Protocol):
     """What the names are."""
     names: Sequence[str]
 
-    def subscribe(self, link: Link, rate_hz: float) -> AbstractAsyncContextManager[Any]:
+    def subscribe(self, link: Link, rate_hz: float) -> AbstractAsyncContextManager[Stream]:
         """Return the stream of its samples."""
 
     def values(self, sample: Any) -> Sequence[Any]:

@@ -31,6 +31,8 @@ if TYPE_CHECKING:
     from unity_link.protocol.arrays import Words
 
 T = TypeVar("T")
+_TOGETHER = 1e-4
+"""Seconds within which two clocks are looked at."""
 
 
 def find(by_proxy: Mapping[Proxy[Any], T], proxy: Proxy[Any] | str) -> T:
@@ -43,9 +45,11 @@ def find(by_proxy: Mapping[Proxy[Any], T], proxy: Proxy[Any] | str) -> T:
         return by_proxy[proxy]  # type: ignore[index]  # a path is looked for below
     except (KeyError, TypeError):
         pass
-    named = []
+    named: list[T] = []
     if isinstance(proxy, str):
         named = [found for known, found in by_proxy.items() if proxy in (known.path, known.id)]
+    elif hasattr(proxy, "signal"):
+        named = [found for known, found in by_proxy.items() if known.is_alone() and known.signal == proxy.signal]
     if len(named) == 1:
         return named[0]
     path = getattr(proxy, "path", proxy)
@@ -129,16 +133,20 @@ class Batch(Sealed):
     def __init__(self, layout: GroupLayout, samples: Sequence[Sample]) -> None:
         self.layout = layout
         """Which signals these are, and how they stand in the words."""
-        self.at = time.monotonic() - max(0.0, time.time() - samples[-1].arrived)
+        self.at = _monotonic(samples[-1].arrived)
         """Instant at which the last one arrived, by `time.monotonic`."""
-        self._samples = samples
+        self.samples = samples
+        """As they came."""
 
     def _called(self) -> str:
         return "a batch of samples"
 
+    def _data(self) -> tuple[Any, ...]:
+        return self.layout, self.samples
+
     def __len__(self) -> int:
         """Return the number of samples."""
-        return len(self._samples)
+        return len(self.samples)
 
     def __repr__(self) -> str:
         """Return how many samples of which signals it has."""
@@ -156,7 +164,7 @@ class Batch(Sealed):
         """Return the samples one by one."""
         proxies = self.layout.places
         rows = zip(*(proxy.scalars(column) for proxy, column in self.columns.items()), strict=True)
-        for sample, row in zip(self._samples, rows, strict=True):
+        for sample, row in zip(self.samples, rows, strict=True):
             yield GroupSample(sample.sequence, sample.time, sample.arrived, Values(proxies, row), sample.lost)
 
     def behind(self, count: int, lost: int = 0) -> Batch:
@@ -164,7 +172,7 @@ class Batch(Sealed):
         if not count + lost:
             return self
         lost += count + int(self.lost[: count + 1].sum())
-        first, *others = self._samples[count:]
+        first, *others = self.samples[count:]
         return Batch(self.layout, [msgspec.structs.replace(first, lost=lost), *others])
 
     # As tables
@@ -217,34 +225,43 @@ class Batch(Sealed):
     def words(self) -> Words:
         """The words as they came; shape (samples, addresses), where the addresses are those of `layout`."""
         # As `numpy.stack` would, in a third of its time.
-        return np.concatenate([sample.values for sample in self._samples]).reshape(len(self._samples), -1)
+        return np.concatenate([sample.values for sample in self.samples]).reshape(len(self.samples), -1)
 
     @functools.cached_property
     def sequence(self) -> NDArray[np.int64]:
         """Numbers of the samples since the subscription began, lost ones counted; shape (samples,)."""
-        return np.array([sample.sequence for sample in self._samples], np.int64)
+        return np.array([sample.sequence for sample in self.samples], np.int64)
 
     @functools.cached_property
     def time(self) -> NDArray[np.float64] | None:
         """Instants of sampling in seconds of the gateway's clock, shape (samples,); None without timestamps."""
-        if self._samples[0].time is None:
+        if self.samples[0].time is None:
             return None
-        return np.array([sample.time for sample in self._samples], np.float64)
+        return np.array([sample.time for sample in self.samples], np.float64)
 
     @functools.cached_property
     def arrived(self) -> NDArray[np.float64]:
         """Instants of arrival in seconds of this machine's clock, shape (samples,)."""
-        return np.array([sample.arrived for sample in self._samples], np.float64)
+        return np.array([sample.arrived for sample in self.samples], np.float64)
 
     @functools.cached_property
     def lost(self) -> NDArray[np.int64]:
         """How many samples were lost before each, shape (samples,)."""
-        return np.array([sample.lost for sample in self._samples], np.int64)
+        return np.array([sample.lost for sample in self.samples], np.int64)
 
     @functools.cached_property
     def epoch(self) -> NDArray[np.int64]:
         """Numbers of the sessions that the samples came in, shape (samples,)."""
-        return np.array([sample.epoch for sample in self._samples], np.int64)
+        return np.array([sample.epoch for sample in self.samples], np.int64)
+
+
+def _monotonic(instant: float) -> float:
+    """Return a past instant of `time.time` by `time.monotonic`."""
+    while True:
+        before, now = time.monotonic(), time.time()
+        # Of a program that is held up between two looks, what is newest would be taken for older than it is.
+        if time.monotonic() - before < _TOGETHER:
+            return before - (now - instant) if now > instant else before
 
 
 def _never_back(instants: NDArray[np.float64], latest: float) -> NDArray[np.float64]:

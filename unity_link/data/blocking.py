@@ -19,7 +19,8 @@ called, is called in the thread of the link, where callbacks run too, which must
 from __future__ import annotations
 
 import functools
-from typing import TYPE_CHECKING, Any, Self
+from types import AsyncGeneratorType
+from typing import TYPE_CHECKING, Any, Self, SupportsIndex
 
 from unity_link.blocking import BlockingLink
 from unity_link.data import groups
@@ -27,19 +28,19 @@ from unity_link.data.feed import Registration
 from unity_link.data.proxies import OPERATORS, Proxy
 from unity_link.data.robot import Component, Robot
 from unity_link.data.sampling import GroupSubscription
-from unity_link.errors import ArgumentError
+from unity_link.errors import ArgumentError, OfLink
 from unity_link.hardware import Module
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Callable, Iterator
     from types import TracebackType
 
 
-_SHOWN = (Component, Proxy, Module, groups.Group, GroupSubscription, Registration)
+_SHOWN = (Component, Proxy, Module, groups.Group, GroupSubscription, Registration, AsyncGeneratorType)
 """What is seen through a view; everything else is given as it is."""
 
 
-class View:
+class View(OfLink):
     """Something of a robot, without `await`. It is equal to what it stands for, so values are found by it, too."""
 
     _thing: Any
@@ -60,9 +61,14 @@ class View:
         attribute = getattr(self._thing, name)
         if not callable(attribute) or isinstance(attribute, type):
             return _shown(attribute, self._link)
+        call = _call_of(self._thing)
         return functools.wraps(attribute)(
-            lambda *arguments, **options: _call(self._link, attribute, *arguments, **options)
+            lambda *arguments, **options: call(self._link, attribute, *arguments, **options)
         )
+
+    def __reduce_ex__(self, protocol: SupportsIndex) -> Any:
+        """Go into a pickle as the thing, where that does."""
+        return self._thing.__reduce_ex__(protocol)
 
     def __dir__(self) -> list[str]:
         """Return the names that can be completed."""
@@ -82,12 +88,19 @@ class View:
 
     def __iter__(self) -> Iterator[Any]:
         """Iterate over samples; each takes a change of threads there and back."""
-        samples = _call(self._link, aiter, self)
-        while True:
-            try:
-                yield _call(self._link, anext, samples)
-            except StopAsyncIteration:
-                return
+        samples = _call_of(self._thing)(self._link, aiter, self)
+        try:
+            while True:
+                try:
+                    following = _take(self._link, anext, samples)
+                except StopAsyncIteration:
+                    return
+                yield following
+        finally:
+            # Where the garbage collector finds it, that is late, and in any thread. In a callback it is left to that.
+            begun = _plain(samples)
+            if begun is not self._thing and not self._link._runtime.is_running_here():  # noqa: SLF001  (as below)
+                _take(self._link, begun.aclose)
 
     def __enter__(self) -> Self:
         enter = getattr(self._thing, "__aenter__", None) or self._thing.__enter__
@@ -151,6 +164,15 @@ def Group(*members: View, rate_hz: float | None = None, name: str = "a group") -
 def _call(link: BlockingLink, function: Any, *arguments: Any, **options: Any) -> Any:
     """Call a function in the thread of the link, wait for what it gives, and show it."""
     return _shown(link._call(_awaited, function, arguments, options), link)  # noqa: SLF001  (another face of the same link)
+
+
+def _take(link: BlockingLink, function: Any, *arguments: Any, **options: Any) -> Any:
+    """The same on a link that was closed, too: what had come before is still to be taken."""
+    return _shown(link._runtime.run(_awaited, function, arguments, options), link)  # noqa: SLF001  (as above)
+
+
+def _call_of(thing: Any) -> Callable[..., Any]:
+    return _take if isinstance(thing, GroupSubscription) else _call
 
 
 async def _awaited(function: Any, arguments: tuple[Any, ...], options: dict[str, Any]) -> Any:

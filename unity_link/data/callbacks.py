@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import inspect
+from asyncio import CancelledError
 from typing import TYPE_CHECKING, Generic, TypeVar
 
 from unity_link.errors import ArgumentError
@@ -43,18 +44,27 @@ class Callback(Generic[T]):
         """Call the function."""
         try:
             result = self._function(value)
-        except Exception as error:  # noqa: BLE001  (it may be anything)
+        except (Exception, CancelledError) as error:  # noqa: BLE001  (it is the caller's own)
+            # It may be anything; that of a task which was cancelled comes of asking for its result.
             self._tell(error)
             return
         if inspect.iscoroutine(result):
             result.close()
             self._tell(_asynchronous(self._what))
 
-    def _tell(self, error: Exception) -> None:
+    def cancel(self) -> None:
+        """Call it no more, also where this is while others are called with the same value."""
+        self._function = _ignore
+
+    def _tell(self, error: BaseException) -> None:
         if type(error) in self._told:
             return
         self._told.add(type(error))
         report(f"{self._what} raised {type(error).__name__} (told once)", error)
+
+
+def _ignore(_: object) -> None:
+    """Take the place of a function that is not to be called: to look at each call would cost each."""
 
 
 def _asynchronous(what: str) -> ArgumentError:

@@ -1,7 +1,8 @@
 """Samples that several share: however many loops and callbacks want a group's samples, the gateway sends them once.
 
 A feed subscribes when the first one listens, and ends when the last one has left. Each listener has a buffer of its
-own, so a slow one takes nothing from the others.
+own, so a slow one takes nothing from the others. A polled read that the gateway refuses ends loops with its error, as
+does a shared gateway that is away; callbacks, which have no way to begin again, wait for the next turn.
 """
 
 from __future__ import annotations
@@ -9,12 +10,21 @@ from __future__ import annotations
 from collections import Counter, deque
 from typing import TYPE_CHECKING, Self
 
-from unity_link.errors import LinkClosedError, LinkLostError, Outcome, SamplesLostError
+from unity_link.errors import (
+    BusTimeoutError,
+    GatewayError,
+    GatewayResetError,
+    LinkClosedError,
+    LinkLostError,
+    Outcome,
+    SamplesLostError,
+    UnityLinkError,
+)
 from unity_link.link.running import running
 from unity_link.link.runtime import report
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Collection
     from types import TracebackType
 
     from unity_link.data.batch import Batch
@@ -22,6 +32,9 @@ if TYPE_CHECKING:
     from unity_link.data.sampling import GroupSubscription
     from unity_link.link.runtime import Job, Waiter
     from unity_link.link.subscription import Overflow
+
+LOOK_EVERY = 1.0
+"""Seconds between looks whether a gateway is there that was away when the samples were to begin."""
 
 
 class Registration:
@@ -66,6 +79,7 @@ class Listener:
 
         Raises:
             SamplesLostError: where more samples came than the buffer holds.
+            GatewayError: where the gateway refused a polled read, after the batches that had come before.
             LinkLostError: when the link ends, after the batches that had come before.
         """
         while not self._batches:
@@ -111,7 +125,7 @@ class Listener:
         self._wake()
 
     def fail(self, error: Exception) -> None:
-        """End with an error, behind the batches that wait."""
+        """End with an error, behind the batches that wait; a callback is called on, where there are more."""
         if self._error is None:
             self._error = error
         self._wake()
@@ -146,6 +160,9 @@ class Feed:
         self._listeners: dict[Listener, None] = {}
         self._task: Job | None = None
         self._began = self._deserted = False
+        self._starts = 0
+        """How often a task was begun, or cancelled before it began."""
+        self._told: set[type[UnityLinkError]] = set()
 
     def listen(
         self, callback: Callable[[Batch], object] | None = None, *, buffer: int = 0, overflow: Overflow = "fail"
@@ -158,9 +175,9 @@ class Feed:
             overflow: what happens when they are more.
         """
         listener = Listener(self, callback, buffer, overflow)
-        self._listeners[listener] = None
         if self._task is None:
             self._start()
+        self._listeners[listener] = None
         return listener
 
     def leave(self, listener: Listener) -> None:
@@ -170,12 +187,15 @@ class Feed:
             self._deserted = True
             self._task.cancel()
             if not self._began:
-                # What is cancelled before it begins does not run to its end.
+                # What is cancelled before it begins does not run in asyncio, and runs to its first wait elsewhere.
                 self._task = None
+                self._starts += 1
 
     def _start(self) -> None:
         self._began = self._deserted = False
-        self._task = running().create_task(self._run())
+        self._told.clear()
+        self._starts += 1
+        self._task = running().create_task(self._run(self._starts))
 
     def _stopped(self) -> None:
         self._task = None
@@ -183,7 +203,9 @@ class Feed:
         if self._deserted and self._listeners:
             self._start()
 
-    async def _run(self) -> None:
+    async def _run(self, start: int) -> None:
+        if start != self._starts:
+            return
         self._began = True
         try:
             await self._deliver()
@@ -192,19 +214,44 @@ class Feed:
 
     async def _deliver(self) -> None:
         try:
-            async with self._subscribe() as subscription:
-                while True:
-                    batch = await subscription.take()
-                    for listener in tuple(self._listeners):
-                        listener.deliver(batch)
+            while True:
+                try:
+                    async with self._subscribe() as subscription:
+                        await self._deliver_all(subscription)
+                except (BusTimeoutError, GatewayResetError) as error:
+                    # Of a gateway behind a server that is away, or was reset just then.
+                    what = f"the samples of {self._name}, which callbacks wait for, do not come yet (told once)"
+                    self._refuse(what, error)
+                await running().sleep(LOOK_EVERY)
         except StopAsyncIteration:
             self._end(LinkLostError(f"the samples of {self._name} have ended", Outcome.NO_REQUEST))
         except Exception as error:  # noqa: BLE001  (whatever it is, no listener may wait for samples that don't come)
             self._end(error)
 
+    async def _deliver_all(self, subscription: GroupSubscription) -> None:
+        while True:
+            try:
+                batch = await subscription.take()
+            except GatewayError as error:
+                self._refuse(f"a read of {self._name}, which callbacks wait for, was refused (told once)", error)
+                continue
+            for listener in tuple(self._listeners):
+                listener.deliver(batch)
+
+    def _refuse(self, what: str, error: UnityLinkError) -> None:
+        """Pass on what keeps samples from coming that may come later."""
+        if _fail(self._listeners, error) and type(error) not in self._told:
+            self._told.add(type(error))
+            report(what, error)
+
     def _end(self, error: Exception) -> None:
         listeners, self._listeners = self._listeners, {}
-        for listener in listeners:
-            listener.fail(error)
-        if any(listener.is_deaf() for listener in listeners) and not isinstance(error, LinkClosedError):
+        if _fail(listeners, error) and not isinstance(error, LinkClosedError):
             report(f"the samples of {self._name}, which callbacks wait for, have ended", error)
+
+
+def _fail(listeners: Collection[Listener], error: Exception) -> bool:
+    """Have listeners end with an error, and return whether there is one that it does not reach."""
+    for listener in listeners:
+        listener.fail(error)
+    return any(listener.is_deaf() for listener in listeners)

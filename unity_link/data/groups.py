@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import time
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Any
 
 import msgspec
@@ -19,7 +19,9 @@ from unity_link.data.sampling import GroupSubscription, Poll
 from unity_link.data.writing import write_values
 from unity_link.errors import ArgumentError, Sealed, UnsupportedError
 from unity_link.link.running import gather
+from unity_link.link.subscription import LARGEST_DIVISOR, asked_rate, check_buffer
 from unity_link.protocol.configuration import Feature
+from unity_link.protocol.numbers import real_number
 
 if TYPE_CHECKING:
     from collections.abc import AsyncIterator, Callable, Sequence
@@ -32,8 +34,6 @@ if TYPE_CHECKING:
     from unity_link.link.link import Link
     from unity_link.link.subscription import Overflow
     from unity_link.spec import model
-
-_LARGEST_DIVISOR = 0xFFFF
 
 
 class Plan(msgspec.Struct, frozen=True, kw_only=True):
@@ -87,9 +87,10 @@ class Group(Sealed):
         for member in wrong:
             hint = ": write `Group(*signals)`" if isinstance(member, (list, tuple)) else ""
             raise ArgumentError(f"{name}: signals or parts of a robot were expected, not {member!r:.80}{hint}")
-        given: object = rate_hz
-        if given is not None and not (isinstance(given, (int, float)) and 0 < given < math.inf):
-            raise ArgumentError(f"{name}: a rate is a number of Hz above 0, not {rate_hz!r:.80}")
+        what = f"{name}: a rate is a number of Hz above 0"
+        rate = None if rate_hz is None else real_number(rate_hz, what)
+        if rate is not None and not 0 < rate < math.inf:
+            raise ArgumentError(f"{what}, not {rate_hz!r:.80}")
         proxies = [
             proxy for member in members for proxy in ((member,) if isinstance(member, Proxy) else member.signals)
         ]
@@ -102,7 +103,7 @@ class Group(Sealed):
         if not proxies or len(self._members) != len(proxies):
             twice = next((proxy.path for proxy in proxies if proxies.count(proxy) > 1), None)
             raise ArgumentError(f"{name}: {twice} is in it twice" if twice else f"{name}: it has no signals")
-        self._plan = Plan(rate_hz=rate_hz)
+        self._plan = Plan(rate_hz=rate)
         self._layouts: list[GroupLayout] | None = None
         self._feed: Feed | None = None
 
@@ -198,7 +199,10 @@ class Group(Sealed):
 
     def _by_proxy(self, values: Mapping[Proxy[Any], Any] | Sequence[Any] | NDArray[Any]) -> Mapping[Proxy[Any], Any]:
         if not isinstance(values, Mapping):
-            given = values.tolist() if isinstance(values, np.ndarray) else list(values)
+            several: object = values.tolist() if isinstance(values, np.ndarray) else values
+            if not isinstance(several, Iterable):
+                raise ArgumentError(f"{self.name} takes values in order or by their signals, not {values!r:.80}")
+            given = list(several)
             if len(given) != len(self.proxies):
                 raise ArgumentError(f"{self.name} has {len(self.proxies)} signals, and {len(given)} values were given")
             return dict(zip(self.proxies, given, strict=True))
@@ -248,7 +252,7 @@ class Group(Sealed):
                 immediate=immediate or default.immediate,
                 timestamps=default.timestamps if timestamps is None else timestamps,
             )
-        size = 1 if latest else buffer
+        size = check_buffer(1 if latest else buffer, overflow)
         return GroupSubscription([(layout, _source(layout, given, size, overflow)) for layout in self._lay_out()])
 
     @property
@@ -272,10 +276,12 @@ class Group(Sealed):
         Raises:
             ArgumentError: where nothing tells when to sample.
             SamplesLostError: where the loop's body is too slow.
+            GatewayError: where a gateway refused a read of one that is polled, or one behind a server is away at the
+                beginning; another loop begins anew.
             LinkLostError: when a link ends.
         """
         self._default_plan()
-        with self.feed.listen(buffer=buffer, overflow=overflow) as listener:
+        with self.feed.listen(buffer=check_buffer(buffer, overflow), overflow=overflow) as listener:
             while True:
                 for sample in await listener.next():
                     yield sample
@@ -284,7 +290,8 @@ class Group(Sealed):
         """Call a function with each sample, until `Registration.cancel`. To be called where an event loop runs.
 
         What a callback raises is logged under ``unity_link.link``, the first exception of each type; that a link was
-        lost, too.
+        lost, too, and that a gateway refused a read of a polled group, which goes on at its next turn, or that one
+        behind a server is away at the beginning, which is waited for.
 
         Raises:
             ArgumentError: for an asynchronous function.
@@ -295,15 +302,18 @@ class Group(Sealed):
             for sample in batch:
                 made(sample)
 
-        return self.on_batch(call_each)
+        return self._register(made, call_each)
 
     def on_batch(self, callback: Callable[[Batch], object]) -> Registration:
         """Call a function with all samples that have come together: the same for many samples a second."""
         made = Callback(callback, f"a callback for batches of {self.name}")
-        self._default_plan()
-        return Registration(lambda: None, self.feed.listen(made))
+        return self._register(made, made)
 
     # The inside
+
+    def _register(self, made: Callback[Any], listen: Callable[[Batch], object]) -> Registration:
+        self._default_plan()
+        return Registration(made.cancel, self.feed.listen(listen))
 
     def _lay_out(self) -> list[GroupLayout]:
         if self._layouts is None:
@@ -353,11 +363,11 @@ def _source(layout: GroupLayout, plan: Plan, buffer: int, overflow: Overflow) ->
     if plan.polled or Feature.GROUPS not in info.features:
         if plan.trigger:
             raise UnsupportedError("the gateway was built without groups, and a host cannot see their triggers")
-        turns = plan.rate_hz or info.base_frequency_hz / (plan.divisor or 1)
+        turns = asked_rate(plan.rate_hz, plan.divisor, info.base_frequency_hz)
         return Poll(layout, turns, on_change=plan.on_change, overflow=overflow)
     rate_hz, divisor = plan.rate_hz, plan.divisor
     if plan.nearest and plan.rate_hz is not None:
-        rate_hz, divisor = None, min(max(round(info.base_frequency_hz / plan.rate_hz), 1), _LARGEST_DIVISOR)
+        rate_hz, divisor = None, min(max(round(info.base_frequency_hz / plan.rate_hz), 1), LARGEST_DIVISOR)
     immediate = plan.immediate and (not plan.nearest or Feature.SEND_IMMEDIATE in info.features)
     return layout.link.subscribe(
         layout.addresses,

@@ -15,7 +15,9 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
+    from unity_link.data.batch import Batch
     from unity_link.data.proxies import Proxy
+    from unity_link.link.link import Link
     from unity_link.protocol.arrays import Words
 
 
@@ -30,7 +32,6 @@ class GroupLayout:
         """
         self.proxies = tuple(proxies)
         self.places = {proxy: place for place, proxy in enumerate(proxies)}
-        self.link = proxies[0].link
         for proxy in proxies:
             if not proxy.signal.access.reads:
                 raise ArgumentError(f"{proxy.path} can only be written")
@@ -40,7 +41,19 @@ class GroupLayout:
         # A value of several words must be read in one bus transaction, or it may be of two instants.
         self._wide = tuple(dict.fromkeys(signal.addresses for signal in signals if signal.words > 1))
         self._columns = Columns(signals, self.addresses)
+        # Thousands of batches of dozens of signals may come a second, and to find an attribute of a class that has a
+        # `__getattr__` takes longer than all else that `see_batch` does.
+        self._lasts = [(proxy, proxy._last) for proxy in proxies]  # noqa: SLF001  (once; nobody else is to see it)
         self._named = [(place, proxy) for place, proxy in enumerate(proxies) if proxy.signal.kind.enumeration]
+
+    def __reduce__(self) -> Any:
+        # What signals have seen last is theirs.
+        return GroupLayout, (self.proxies,)
+
+    @property
+    def link(self) -> Link:
+        """What they are behind; none where they are out of a pickle."""
+        return self.proxies[0].link
 
     def check_registers(self) -> None:
         """Check that all can be read again and again.
@@ -84,3 +97,23 @@ class GroupLayout:
     def columns(self, words: Words) -> dict[Proxy[Any], NDArray[Any]]:
         """Return the values in words of shape (samples, addresses), by their proxies, each of shape (samples,)."""
         return dict(zip(self.proxies, self._columns.columns(words), strict=True))
+
+    def see_batch(self, batch: Batch, asked: float) -> None:
+        """Have each signal keep its last value of a batch, or call its handlers of changes with each.
+
+        Args:
+            batch: is passed over by signals of which something newer was seen while it waited for its reader.
+            asked: instant by `time.monotonic` since which the reader has waited for it.
+        """
+        at = batch.at
+        # One that was waited for is the newest: an answer that came with it is seen later, but was given before it.
+        has_waited = at < asked
+        for proxy, last in self._lasts:
+            if has_waited and last.at > at:
+                continue
+            if last.callbacks:
+                for value in proxy.scalars(batch[proxy]):
+                    proxy.see(value, at)
+            else:
+                last.batch = batch
+                last.at = at

@@ -8,6 +8,7 @@ import numpy as np
 
 from unity_link.data.proxies import Proxy, Sampled
 from unity_link.errors import ArgumentError
+from unity_link.protocol.numbers import whole_number
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
@@ -28,8 +29,9 @@ class ReadPort(Sampled[T]):
             BusError: where the queue had fewer, if the gateware says so; those that it had are gone.
         """
         signal = self.signal
-        words = (await self.bus.read_queue(signal.address, count * signal.words)).astype(np.uint64)
-        raw = np.zeros(count, np.uint64)
+        size = whole_number(count, "a number of words")
+        words = (await self.bus.read_queue(signal.address, size * signal.words)).astype(np.uint64)
+        raw = np.zeros(size, np.uint64)
         for part in range(signal.words):
             raw |= words[part :: signal.words] << np.uint64(part * signal.word_bits)
         values = signal.kind.decode_array(raw >> np.uint64(signal.lowest_bit) & np.uint64((1 << signal.width) - 1))
@@ -54,24 +56,32 @@ class WritePort(Proxy[T]):
             BusError: where there was no room for all, if the gateware says so; the first ones were appended.
         """
         signal = self.signal
-        given = np.atleast_1d(np.asarray(values))
-        raw = signal.kind.encode_array(given)
-        low, high = signal.limits
-        outside = (given < low) | (given > high)
-        if outside.any():
-            unit = f" {signal.unit}" if signal.unit else ""
-            wrong = given[outside][0]
-            raise ArgumentError(f"{signal.path}: {wrong} is outside of its limits, {low:.12g} to {high:.12g}{unit}")
-        raw = raw << np.uint64(signal.lowest_bit)
+        given = np.atleast_1d(signal.kind.array(values))
+        try:
+            raw = signal.kind.encode_array(given)
+        except ArgumentError as error:
+            raise ArgumentError(f"{signal.path}: {error}") from None
+        if signal.minimum is not None or signal.maximum is not None:
+            self._check_limits(given)
+        whole = raw << np.uint64(signal.lowest_bit)
         mask = np.uint64((1 << signal.word_bits) - 1)
-        parts = [raw >> np.uint64(part * signal.word_bits) & mask for part in range(signal.words)]
+        parts = [whole >> np.uint64(part * signal.word_bits) & mask for part in range(signal.words)]
         await self.bus.write_queue(signal.address, np.stack(parts, axis=-1).ravel())
+        self.see(self.scalars(signal.kind.decode_array(raw.ravel()[-1:]))[0])
+
+    def _check_limits(self, values: NDArray[Any]) -> None:
+        low, high = self.signal.limits
+        # NaN lies within no limits.
+        outside = ~((values >= low) & (values <= high))
+        if outside.any():
+            raise self.signal.beyond_limits(values[outside][0])
 
     async def set(self, value: T) -> None:
         """Append one value."""
-        words = self.signal.encode(value)  # type: ignore[arg-type]
-        await self.bus.write_queue(self.signal.address, words)
-        self.see(value)
+        signal = self.signal
+        words = signal.encode(value)  # type: ignore[arg-type]
+        await self.bus.write_queue(signal.address, words)
+        self.see(self.scalar(signal.decode(words)))
 
 
 class Port(ReadPort[T], WritePort[T]):

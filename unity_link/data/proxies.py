@@ -1,6 +1,6 @@
 """One signal as a typed value: `Readable`, `Writable`, or both.
 
-A proxy remembers the last value that it has seen, by whatever way: a read, a write, a group, a subscription. Of
+A proxy remembers the newest value that it has seen, by whatever way: a read, a write, a group, a subscription. Of
 samples it keeps only the batch that they came in, and decodes when it is asked.
 """
 
@@ -15,6 +15,7 @@ from unity_link.data.callbacks import Callback
 from unity_link.data.feed import Registration
 from unity_link.errors import AnswerLostError, ArgumentError, Sealed, missing
 from unity_link.hardware import link_under
+from unity_link.link.subscription import check_buffer
 
 if TYPE_CHECKING:
     from collections.abc import AsyncIterator, Callable, Sequence
@@ -39,22 +40,27 @@ MOST_ROWS = 60
 
 
 class _Last(Generic[T]):
-    """The last value of a signal that was seen: with each read or batch another one."""
+    """The last value of a signal that was seen, with each read or batch another one, and what is called for it."""
 
-    __slots__ = ("at", "batch", "value")
+    __slots__ = ("at", "batch", "callbacks", "value")
 
     def __init__(self) -> None:
+        self.callbacks: tuple[Callback[T], ...] = ()
+        """What is called with each other value than before."""
         self.value: T | None = None
         self.at = -math.inf
         """Instant by `time.monotonic`."""
         self.batch: Batch | None = None
-        """What has the value, if it was not decoded yet."""
+        """What has the value, if the last one came in a batch."""
 
 
 class Proxy(Sealed, Generic[T]):
-    """A signal of a robot; `Readable`, `Writable`, `ReadWrite` and the ports of queues are."""
+    """A signal of a robot; `Readable`, `Writable`, `ReadWrite` and the ports of queues are.
 
-    __slots__ = ("_callbacks", "_last", "_names", "bus", "link", "robot", "signal")
+    A copy of it is itself. Out of a pickle, which links do not go through, it has its path and unit alone.
+    """
+
+    __slots__ = ("_last", "_names", "bus", "link", "robot", "signal")
 
     def __init__(self, signal: Signal, robot: Robot, bus: Bus) -> None:
         self.signal = signal
@@ -68,7 +74,6 @@ class Proxy(Sealed, Generic[T]):
             known = robot.enumeration(signal.kind.enumeration)
             self._names = {int(member): member for member in known}
         self._last: _Last[T] = _Last()
-        self._callbacks: tuple[Callback[T], ...] = ()
 
     if not TYPE_CHECKING:  # A type checker refuses them by itself.
 
@@ -90,6 +95,13 @@ class Proxy(Sealed, Generic[T]):
 
     def _called(self) -> str:
         return self.path
+
+    def __reduce__(self) -> Any:
+        return _alone, (self.signal, self._names)
+
+    def is_alone(self) -> bool:
+        """Whether it is out of a pickle, and of no robot."""
+        return type(self) is Proxy
 
     @property
     def path(self) -> str:
@@ -121,15 +133,10 @@ class Proxy(Sealed, Generic[T]):
     @property
     def value(self) -> T | None:
         """The last value that was seen, by whatever way; None where there was none yet."""
-        # The link may live in another thread, and bring the next batch meanwhile.
         last = self._last
+        # Read once: the link may live in another thread, and bring the next batch meanwhile.
         batch = last.batch
-        if batch is None:
-            return last.value
-        value = self.scalars(batch[self][-1:])[0]
-        if last.batch is batch:
-            last.value, last.batch = value, None
-        return value
+        return last.value if batch is None else self.scalars(batch[self][-1:])[0]
 
     @property
     def age(self) -> float:
@@ -141,7 +148,9 @@ class Proxy(Sealed, Generic[T]):
 
         A signal that is published or polled is from now on, until `Registration.cancel`; any other one is seen when it
         is read or written. To be called where an event loop runs. What a callback raises is logged under
-        ``unity_link.link``, the first exception of each type; that the link was lost, too.
+        ``unity_link.link``, the first exception of each type; that the link was lost, too, and that the gateway refused
+        a read of one that is polled, which goes on at its next turn, or that one behind a server is away at the
+        beginning, which is waited for.
 
         Raises:
             ArgumentError: for an asynchronous function.
@@ -149,11 +158,12 @@ class Proxy(Sealed, Generic[T]):
         made = Callback(callback, f"a callback of {self.path}")
         feed = self.feed()
         listening = feed.listen() if feed is not None else None
-        self._callbacks = (*self._callbacks, made)
+        self._last.callbacks = (*self._last.callbacks, made)
         return Registration(lambda: self._remove(made), listening)
 
     def _remove(self, callback: Callback[T]) -> None:
-        self._callbacks = tuple(other for other in self._callbacks if other is not callback)
+        callback.cancel()
+        self._last.callbacks = tuple(other for other in self._last.callbacks if other is not callback)
 
     def feed(self) -> Feed | None:
         """Return the samples of the group that publishes or polls it; None where nothing does."""
@@ -183,22 +193,23 @@ class Proxy(Sealed, Generic[T]):
             at: instant by `time.monotonic`; None for now.
         """
         last = self._last
-        before = self.value if self._callbacks else None
+        before = self.value if last.callbacks else None
         last.value, last.at, last.batch = value, time.monotonic() if at is None else at, None
-        if not self._callbacks:
+        if not last.callbacks:
             return
         if value == before or (value != value and before != before):  # noqa: PLR0124  (NaN, twice)
             return
-        for callback in self._callbacks:
+        for callback in last.callbacks:
             callback(value)
 
-    def see_batch(self, batch: Batch) -> None:
-        """Keep the last value of a batch, or call the handlers of changes with each."""
-        if self._callbacks:
-            for value in self.scalars(batch[self]):
-                self.see(value, batch.at)
-        else:
-            self._last.batch, self._last.at = batch, batch.at
+
+def _alone(signal: Signal, names: dict[int, Any] | None) -> Proxy[Any]:
+    """Return a signal of no robot."""
+    made: Proxy[Any] = object.__new__(Proxy)
+    given: dict[str, Any] = {"signal": signal, "_names": names, "_last": _Last(), "_is_sealed": True}
+    for name, value in given.items():
+        object.__setattr__(made, name, value)
+    return made
 
 
 def signals_table(title: str, proxies: Sequence[Proxy[Any]]) -> str:
@@ -233,6 +244,8 @@ def _no_attribute(proxy: Proxy[Any], name: str) -> AttributeError:
     """Return the error for an attribute that a signal does not have."""
     if name.startswith("_") or name == "signal":
         return AttributeError(name)
+    if proxy.is_alone():
+        return AttributeError(f"{proxy.path} is out of a pickle, without a link: it has no {name!r}")
     access = proxy.signal.access
     if name in ("set", "post", "append", "write") and not access.writes:
         return AttributeError(f"{proxy.path} can only be read: its spec says {access.name}")
@@ -266,6 +279,8 @@ class Sampled(Proxy[T]):
         Raises:
             ArgumentError: where nothing publishes or polls it.
             SamplesLostError: where the loop's body is too slow.
+            GatewayError: where the gateway refused a read of one that is polled, or one behind a server is away at the
+                beginning; another loop begins anew.
             LinkLostError: when the link ends.
         """
         from unity_link.data.groups import nothing_publishes
@@ -273,7 +288,7 @@ class Sampled(Proxy[T]):
         feed = self.feed()
         if feed is None:
             raise nothing_publishes([self])
-        with feed.listen(buffer=buffer, overflow=overflow) as listener:
+        with feed.listen(buffer=check_buffer(buffer, overflow), overflow=overflow) as listener:
             while True:
                 for value in self.scalars((await listener.next())[self]):
                     yield value

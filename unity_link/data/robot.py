@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, Never
 from unity_link.data.groups import Group
 from unity_link.data.ports import Port, ReadPort, WritePort
 from unity_link.data.proxies import Proxy, Readable, ReadWrite, Writable, signals_table
-from unity_link.errors import ArgumentError, UnknownNameError, UnsupportedError, did_you_mean
+from unity_link.errors import ArgumentError, OfLink, UnknownNameError, UnsupportedError, did_you_mean
 from unity_link.hardware import Module, module_type
 from unity_link.link.link import NOT_CONNECTED, Link
 from unity_link.protocol.configuration import Feature
@@ -32,7 +32,7 @@ if TYPE_CHECKING:
     from unity_link.spec.kinds import Enumeration
 
 
-class Component:
+class Component(OfLink):
     """A part of a robot. Its signals, parts and modules are attributes."""
 
     _model: model.Component
@@ -58,7 +58,7 @@ class Component:
             first = member[0] if isinstance(member, tuple) and member else member
             is_own = hasattr(Robot, name) or name in Robot.__annotations__ or callable(getattr(type(self), name, None))
             if not name.startswith("_") and (is_own or isinstance(first, (Proxy, Component, Module))):
-                raise ArgumentError(f"{name!r} of {self._model.path or self._model.name} cannot be assigned to")
+                raise ArgumentError(f"{name!r} of {self._called()} cannot be assigned to")
             declared = name in {known for kind in type(self).__mro__ for known in (*vars(kind), *_annotations(kind))}
             if not declared and not name.startswith("_"):
                 raise ArgumentError(str(self._missing(name)))
@@ -67,20 +67,23 @@ class Component:
         def __getattr__(self, name: str) -> Any:
             raise AttributeError(name) if name.startswith("_") else self._missing(name)
 
+    def _called(self) -> str:
+        return self._model.path or self._model.name
+
     def _missing(self, name: str) -> AttributeError:
         """Return the error for a name that there is not."""
         known = [other for other in dir(self) if not other.startswith("_")]
         hint = did_you_mean(name, known) or f"there are {', '.join(sorted(vars(self).keys() & {*known})[:8])}"
-        return AttributeError(f"{self._model.path or self._model.name} has no {name!r}: {hint}", name=name, obj=self)
+        return AttributeError(f"{self._called()} has no {name!r}: {hint}", name=name, obj=self)
 
     def __repr__(self) -> str:
         """Return the path, and the signals with their last values, one a line."""
-        name = self._model.path or self._model.name
+        name = self._called()
         return "\n".join([f"<{type(self).__name__} {name}>", *(f"  {signal!r}" for signal in self.signals)])
 
     def _repr_html_(self) -> str:
         """Return the path, and the signals with their last values, as a table."""
-        return signals_table(f"{type(self).__name__} {self._model.path or self._model.name}", self.signals)
+        return signals_table(f"{type(self).__name__} {self._called()}", self.signals)
 
 
 class Robot(Component):
@@ -245,7 +248,8 @@ def proxy_type(signal: model.Signal) -> type[Proxy[Any]]:
 
 def class_name(name: str) -> str:
     """Return the name of the class for something that a spec declares: ``leg_joint`` becomes ``LegJoint``."""
-    return "".join(word[:1].upper() + word[1:] for word in name.split("_") if word) or "_"
+    joined = "".join(word[:1].upper() + word[1:] for word in name.split("_") if word)
+    return joined if joined.isidentifier() else f"_{joined}"
 
 
 def python_names(names: Iterable[str]) -> list[str]:

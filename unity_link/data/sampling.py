@@ -8,14 +8,24 @@ from __future__ import annotations
 import asyncio
 import math
 import time
+from collections import deque
 from contextlib import AsyncExitStack
 from typing import TYPE_CHECKING, Protocol, Self
 
 import numpy as np
 
 from unity_link.data.batch import Batch
-from unity_link.errors import ArgumentError, GatewayError, SamplesLostError, Sealed, refusing
+from unity_link.errors import (
+    ArgumentError,
+    GatewayError,
+    GatewayResetError,
+    SamplesLostError,
+    Sealed,
+    UnsupportedError,
+    refusing,
+)
 from unity_link.link.running import Event, gather, running
+from unity_link.link.runtime import AsyncioRuntime
 from unity_link.link.subscription import NOT_OPEN, Sample, so_many
 
 if TYPE_CHECKING:
@@ -46,6 +56,9 @@ class SampleSource(Protocol):
     async def take(self, count: int | None = None) -> list[Sample]:
         """Wait until there is a sample, or so many, and return all that wait, or so many."""
 
+    def give_back(self, samples: Sequence[Sample]) -> None:
+        """Have the samples that were taken last wait again."""
+
     async def publish(self) -> None:
         """Have one sample taken now."""
 
@@ -73,7 +86,11 @@ class Poll:
         self._began: float | None = None
         self._asked = Event()
         self._last: Words | None = None
+        self._waiting: deque[Sample] = deque()
+        """What was given back."""
         self._lost = 0
+        self._cut_off = 0
+        """Reads that were cancelled: lost where others follow, not where that was the end."""
         self._ended = False
 
     @property
@@ -89,15 +106,30 @@ class Poll:
             SamplesLostError: where turns were missed, and the overflow is ``"fail"``.
             GatewayError: where the gateway refused the read; the turn is lost, and there may be others.
         """
-        return [await self._next()] if count is None else await so_many(self._next, count)
+        return [await self._next()] if count is None else await so_many(self._next, count, self.give_back)
+
+    def give_back(self, samples: Sequence[Sample]) -> None:
+        """Have samples wait again."""
+        self._waiting.extendleft(reversed(samples))
 
     async def _next(self) -> Sample:
+        if self._waiting:
+            return self._waiting.popleft()
         while not self._ended:
+            self._miss(self._cut_off)
+            self._cut_off = 0
             self._turn += await self._wait_for_turn()
             try:
                 words = await self._layout.read()
+            except GatewayResetError:
+                # The link goes on by itself, and so do its other subscriptions.
+                self._miss(1)
+                continue
             except GatewayError:
                 self._miss(1)
+                raise
+            except BaseException:
+                self._cut_off += 1
                 raise
             if not self._on_change or self._last is None or not np.array_equal(words, self._last):
                 return self._sample(words)
@@ -161,7 +193,12 @@ class GroupSubscription(Sealed):
         self._stack = AsyncExitStack()
         self._entered = self._is_over = False
         self._waiting: dict[asyncio.Task[Batch], int] = {}
+        self._read = [(layout, source, [-1]) for layout, source in sources]
+        """The same, each with the sequence of the last sample that signals have seen."""
+        self._batch: Batch | None = None
+        """What iteration has taken last."""
         self._rest: list[GroupSample] = []
+        """What is left of it, the last first."""
 
     @property
     def rate_hz(self) -> float | None:
@@ -207,26 +244,47 @@ class GroupSubscription(Sealed):
         """
         if not self._entered:
             raise ArgumentError(NOT_OPEN)
+        self._give_back_rest()
         if len(self._sources) == 1:
             return await self._take(0, count)
         if count is not None:
             raise ArgumentError("samples of several gateways cannot be counted together: take without a count")
         for number in set(range(len(self._sources))) - set(self._waiting.values()):
-            self._waiting[asyncio.create_task(self._take(number))] = number
+            task = asyncio.create_task(self._take(number))
+            # Nobody may ask for it any more.
+            task.add_done_callback(lambda done: done.cancelled() or done.exception())
+            self._waiting[task] = number
         done, _ = await asyncio.wait(self._waiting, return_when=asyncio.FIRST_COMPLETED)
         # The one whose turn is longest past comes first: a busy gateway must not silence the others.
-        task = next(task for task in self._waiting if task in done)
-        del self._waiting[task]
-        return task.result()
+        first = next(task for task in self._waiting if task in done)
+        del self._waiting[first]
+        return first.result()
+
+    def _give_back_rest(self) -> None:
+        """Have what iteration has not come to wait again, so that nothing that is taken now is ahead of it."""
+        if self._rest and self._batch is not None:
+            samples = self._batch.samples[-len(self._rest) :]
+            self._rest = []
+            next(source for layout, source in self._sources if layout is self._batch.layout).give_back(samples)
 
     async def _take(self, number: int, count: int | None = None) -> Batch:
-        layout, source = self._sources[number]
-        batch = Batch(layout, await source.take(count))
-        for proxy in layout.proxies:
-            proxy.see_batch(batch)
+        layout, source, seen = self._read[number]
+        asked = time.monotonic()
+        samples = await source.take(count)
+        batch = fresh = Batch(layout, samples)
+        if samples[0].sequence <= seen[0]:
+            # They were given back, and no change is to be told twice.
+            again = sum(sample.sequence <= seen[0] for sample in samples)
+            if again == len(samples):
+                return batch
+            fresh = batch.behind(again)
+        layout.see_batch(fresh, asked)
+        seen[0] = samples[-1].sequence
         return batch
 
     async def __aenter__(self) -> Self:
+        if len(self._sources) > 1 and not isinstance(running(), AsyncioRuntime):
+            raise UnsupportedError("samples of several gateways need asyncio")
         async with AsyncExitStack() as stack:
             for _, source in self._sources:
                 await stack.enter_async_context(source)
@@ -250,5 +308,6 @@ class GroupSubscription(Sealed):
 
     async def __anext__(self) -> GroupSample:
         if not self._rest:
-            self._rest = list(await self.take())[::-1]
+            self._batch = await self.take()
+            self._rest = list(self._batch)[::-1]
         return self._rest.pop()

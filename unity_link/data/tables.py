@@ -40,7 +40,6 @@ class Table(Sealed):
         self,
         signals: Sequence[Signal],
         columns: Sequence[NDArray[Any]],
-        *,
         seconds: NDArray[np.float64],
         instants: NDArray[np.int64],
         counts: Mapping[str, NDArray[np.int64]],
@@ -70,6 +69,9 @@ class Table(Sealed):
 
     def _called(self) -> str:
         return "a table"
+
+    def _data(self) -> tuple[Any, ...]:
+        return self.signals, [*self._columns.values()], self._seconds, self._instants, self._counts
 
     def __len__(self) -> int:
         """Return the number of samples."""

@@ -64,8 +64,9 @@ def _writings(
             word_mask = (1 << signal.word_bits) - 1
             for part, (address, word) in enumerate(zip(signal.addresses, words, strict=True)):
                 value, mask, written = fields.get(address, (0, 0, 0))
-                mask |= signal.mask >> (part * signal.word_bits) & word_mask
-                fields[address] = (value | word, mask, written | proxy.robot.written_bits[address])
+                own = signal.mask >> (part * signal.word_bits) & word_mask
+                # Two robots of one spec may stand on a link: of one field, the last value counts.
+                fields[address] = (value & ~own | word, mask | own, written | proxy.robot.written_bits[address])
         elif len(words) == 1:
             whole[signal.address] = words[0]
         else:

@@ -11,7 +11,7 @@ from unity_link.doctor.gateways import check_gateway, check_send_immediate
 from unity_link.doctor.media import CHIP_SCHEMES, check_medium, explain_failure
 from unity_link.errors import ConnectError, UnansweredError, UnsupportedError
 from unity_link.link.link import connect
-from unity_link.transport import parse_url
+from unity_link.transport import has_bus, parse_url
 
 if TYPE_CHECKING:
     from collections.abc import AsyncIterator
@@ -56,7 +56,7 @@ async def examine(
     for finding in await check_medium(parsed):
         unusable = unusable or finding.fault not in (None, Fault.LATENCY)
         yield finding
-    if not unusable:
+    if not unusable and not has_bus(parsed):
         async for finding in _check_link(url, parsed, interface, timeout):
             yield finding
 

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 
 from unity_link.doctor.findings import Fault, Finding
 from unity_link.errors import ConnectError
+from unity_link.transport import has_bus, open_bus
 from unity_link.transport.ft232h.chip import UDEV_LINE, UDEV_RULE, find_errno
 
 if TYPE_CHECKING:
@@ -48,7 +49,7 @@ def explain_failure(check: str, error: BaseException) -> Finding:
         fault = Fault.MISSING
     elif "no such FTDI chip" in text:
         fault, advice = _FAULTS[errno.ENODEV]
-    elif fault is Fault.FAILED and text.endswith(("is it listening?", "is it served?")):
+    elif text.endswith(("is it listening?", "is it served?")):
         fault, advice = _FAULTS[errno.ECONNREFUSED]
     elif "no permission for the FTDI chip" in text:
         fault = Fault.PERMISSION
@@ -63,7 +64,17 @@ async def check_medium(url: DriverUrl) -> list[Finding]:
         return list(_check_port(url))
     if url.scheme in CHIP_SCHEMES:
         return await asyncio.get_running_loop().run_in_executor(None, lambda: list(_check_chip(url)))
-    return []
+    return [_check_memory(url)] if has_bus(url) else []
+
+
+def _check_memory(url: DriverUrl) -> Finding:
+    try:
+        bus = open_bus(url)
+    except ConnectError as error:
+        return Finding("memory", str(error), Fault.FAILED)
+    words = len(bus.words)
+    bus.close()
+    return Finding("memory", f"{words:,} words of {bus.info.data_bits} bits are mapped, and no gateway is between")
 
 
 # Serial ports

@@ -8,6 +8,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from unity_link.errors import ArgumentError
+from unity_link.protocol.crc import USUAL_POLYNOMIALS
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -17,6 +18,7 @@ _DEFAULTS = {
     "address_bits": 8,
     "id_digits": 3,
     "crc_bits": 16,
+    "crc_polynomial": 0x1021,
     "block_words": 255,
     "groups": 16,
     "group_words": 32,
@@ -25,6 +27,8 @@ _DEFAULTS = {
     "base_frequency_millihertz": 100_000_000,
     "rx_fifo_depth": 256,
     "tx_fifo_depth": 256,
+    # Whether there is a UART is not known here.
+    "baud": 0,
     "node": -1,
 }
 _RANGES = {
@@ -35,6 +39,9 @@ _RANGES = {
     "groups": (0, 256),
     "node": (-1, 254),
 }
+_AXI4_LITE_BITS = (32, 64)
+_MOST_FIFO_BYTES = 0x8000
+"""The answer to `Q` has four digits for them."""
 _ROUND_CYCLES = 8
 """Clock cycles of a base tick beside one for each group."""
 
@@ -53,19 +60,47 @@ def check_generics(given: Mapping[str, object]) -> None:
     for name, (low, high) in _RANGES.items():
         if not low <= generics[name] <= high:
             raise ArgumentError(f"{name} is {generics[name]}: {low} to {high} was expected")
-    if generics["crc_bits"] not in (8, 16, 32):
-        raise ArgumentError(f"crc_bits is {generics['crc_bits']}: 8, 16 or 32 was expected")
+    _check_crc(generics)
+    _check_memories(generics)
+    _check_pins(generics, given.get("bus_standard"))
+    _check_groups(generics)
+
+
+def _check_crc(generics: Mapping[str, int]) -> None:
+    bits, polynomial = generics["crc_bits"], generics["crc_polynomial"]
+    if bits not in USUAL_POLYNOMIALS:
+        raise ArgumentError(f"crc_bits is {bits}: 8, 16 or 32 was expected")
+    if not 0 < polynomial < 1 << bits:
+        usual = USUAL_POLYNOMIALS[bits]
+        raise ArgumentError(
+            f"crc_polynomial is {polynomial:#x}: that of a CRC of {bits} bits was expected, such as {usual:#x}"
+        )
+
+
+def _check_memories(generics: Mapping[str, int]) -> None:
     for name in ("rx_fifo_depth", "tx_fifo_depth", "sample_depth"):
         if generics[name] < 2 or generics[name].bit_count() != 1:
             raise ArgumentError(f"{name} is {generics[name]}: a power of two was expected")
-    if generics["groups"]:
-        _check_groups(generics)
+    for name in ("rx_fifo_depth", "tx_fifo_depth"):
+        if generics[name] > _MOST_FIFO_BYTES:
+            raise ArgumentError(f"{name} is {generics[name]}: at most {_MOST_FIFO_BYTES} was expected")
+
+
+def _check_pins(generics: Mapping[str, int], bus_standard: object) -> None:
+    bits, baud, clock = generics["data_bits"], generics["baud"], generics["clock_hz"]
+    if bus_standard == "axi4_lite" and bits not in _AXI4_LITE_BITS:
+        raise ArgumentError(f"data_bits is {bits}: AXI4-Lite has 32 or 64")
+    if baud > clock // 4:
+        raise ArgumentError(f"baud is {baud}: at most a quarter of a clock of {clock} Hz was expected")
 
 
 def _check_groups(generics: Mapping[str, int]) -> None:
     words, groups = generics["group_words"], generics["groups"]
-    if not 1 <= words <= 255:
-        raise ArgumentError(f"group_words is {words}: 1 to 255 was expected")
+    least = 1 if groups else 0
+    if not least <= words <= 255:
+        raise ArgumentError(f"group_words is {words}: {least} to 255 was expected")
+    if not groups:
+        return
     if generics["sample_depth"] < words + 2:
         raise ArgumentError(
             f"sample_depth is {generics['sample_depth']}, and one sample of a group of {words} words takes {words + 2}"

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 from unity_link.errors import ArgumentError
 from unity_link.hardware.module import Module
+from unity_link.protocol.numbers import whole_number
 
 if TYPE_CHECKING:
     from unity_link.hardware.bus import Bus
@@ -44,6 +45,7 @@ class Channels(Module):
         Raises:
             ArgumentError: for a channel that there is not.
         """
+        channel = whole_number(channel, "a channel")
         if not 0 <= channel < self.channels:
             raise ArgumentError(f"channel {channel} asked for, 0 to {self.channels - 1} expected")
         return channel

@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING
 
 from unity_link.errors import AnswerLostError, ArgumentError
 from unity_link.hardware.module import Module
+from unity_link.protocol.numbers import whole_number
 
 if TYPE_CHECKING:
     from unity_link.hardware.bus import Bus
@@ -43,6 +44,7 @@ class Gpio(Module, word="GPIO"):
 
     async def set_levels(self, levels: int) -> None:
         """Set all outputs at once."""
+        levels = whole_number(levels, "a set of levels")
         if not 0 <= levels <= self._all:
             raise ArgumentError(f"levels {levels:#x} were given for {self.width} pins, 0 to {self._all:#x} expected")
         await self.write(LEVELS, levels)
@@ -64,6 +66,7 @@ class Gpio(Module, word="GPIO"):
         return (1 << self.width) - 1
 
     def _bit(self, pin: int) -> int:
+        pin = whole_number(pin, "a pin")
         if not 0 <= pin < self.width:
             raise ArgumentError(f"pin {pin} asked for, 0 to {self.width - 1} expected")
         return 1 << pin

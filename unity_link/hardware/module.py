@@ -12,6 +12,7 @@ import numpy as np
 
 from unity_link.errors import ArgumentError, Sealed
 from unity_link.hardware.bus import link_under
+from unity_link.protocol.numbers import whole_number
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
@@ -85,6 +86,7 @@ class Module(Sealed):
 
     def address(self, offset: int, count: int = 1) -> int:
         """Return the address on the gateway's bus of `count` words from `offset` on."""
+        offset, count = whole_number(offset, "an offset"), whole_number(count, "a number of words")
         if offset < 0 or (self.size is not None and offset + count > self.size):
             end = "" if self.size is None else f" to {self.size - count}"
             words = f"{count} words at offset" if count > 1 else "offset"

@@ -35,4 +35,4 @@ class Pwm(Channels, word="PWM"):
     def _step(self, duty: float) -> int:
         if not 0 <= duty <= 1:
             raise ArgumentError(f"a duty of {duty} was given, 0 to 1 expected")
-        return round(duty * self.steps)
+        return round(float(duty) * self.steps)

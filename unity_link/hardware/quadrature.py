@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 
 from unity_link.errors import ArgumentError
 from unity_link.hardware.channels import Channels, Totals
+from unity_link.protocol.numbers import whole_number
 
 if TYPE_CHECKING:
     from unity_link.hardware.bus import Bus
@@ -36,6 +37,7 @@ class Quadrature(Channels, word="QUADRATURE"):
 
     async def set(self, channel: int = 0, position: int = 0) -> None:
         """Set a position, in counts."""
+        position = whole_number(position, "a position")
         most = 1 << self.width - 1
         if not -most <= position < most:
             raise ArgumentError(f"position {position} was given, {-most} to {most - 1} expected")

@@ -42,6 +42,7 @@ from unity_link.errors import ArgumentError, UnityLinkError
 from unity_link.hardware.bus import link_under
 from unity_link.hardware.module import Module
 from unity_link.link.running import Lock
+from unity_link.protocol.numbers import whole_number
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -114,6 +115,7 @@ class TosnetNetwork(Module, word="TOSNET"):
 
     def node(self, number: int) -> TosnetNode:
         """Return the proxy of a node, 0 to 15."""
+        number = whole_number(number, "a node")
         if not 0 <= number < self.nodes:
             raise ArgumentError(f"node {number} asked for, 0 to {self.nodes - 1} expected")
         return TosnetNode(self.bus, self.address(NODE_WORDS * number, NODE_WORDS), node=number)
@@ -194,6 +196,7 @@ class TosnetNode(Module, word="TOSNET_NODE"):
         await self.write_block(self._offset(register, 1), words)
 
     def _offset(self, register: int, direction: int) -> int:
+        register = whole_number(register, "a register")
         if not 0 <= register < REGISTERS:
             raise ArgumentError(f"register {register} asked for, 0 to {REGISTERS - 1} expected")
         return REGISTER_WORDS * (2 * register + direction)

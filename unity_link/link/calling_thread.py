@@ -37,6 +37,8 @@ if TYPE_CHECKING:
 
 P = ParamSpec("P")
 T = TypeVar("T")
+LONGEST_WAIT = 1e9
+"""Seconds that a socket can be told to wait, at most; some thirty years, so a longer time is none."""
 
 
 class CallWaiter(Result):
@@ -222,6 +224,7 @@ class CallingThread:
             self.unwatch(self._woken.fileno())
             self._waking.close()
             self._woken.close()
+            self._poller.close()
 
     def _poll_once(self, *, may_spin: bool) -> None:
         """Make the calls that are due, or wait for the next or for what can be read or written."""
@@ -344,7 +347,8 @@ class CallingThread:
         """Connect a stream to a medium."""
         if has_channel(target):
             protocol, left = observed(target, stream), self.running.deadline
-            patience = None if left is None else max(0.001, left - self.time())
+            seconds = LONGEST_WAIT if left is None else max(0.001, left - self.time())
+            patience = seconds if seconds < LONGEST_WAIT else None
             channel = self._outside(open_channel, target, patience)
             make_transport(self, channel, protocol)
             return

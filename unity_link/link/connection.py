@@ -8,12 +8,14 @@ What else the events of the session are for is the matter of those who build on 
 from __future__ import annotations
 
 import logging
+import math
 import random
 from typing import TYPE_CHECKING, Any
 
 import msgspec
 
 from unity_link.errors import (
+    ArgumentError,
     ConnectError,
     GatewayError,
     LinkClosedError,
@@ -28,6 +30,7 @@ from unity_link.link.flow import Flow
 from unity_link.link.runtime import AsyncioRuntime
 from unity_link.protocol.configuration import Feature
 from unity_link.protocol.group_table import GroupsRestored
+from unity_link.protocol.numbers import real_number
 from unity_link.protocol.session import Interrupted, Opened, Session, Unusable
 from unity_link.transport import DriverUrl, name_of, node_of
 from unity_link.transport.stream import Stream
@@ -41,17 +44,32 @@ if TYPE_CHECKING:
     from unity_link.transport import Medium
 
 log = logging.getLogger("unity_link.link")
+CONNECT_TIMEOUT = 5.0
+"""Seconds until a gateway must have answered, where nothing else is said."""
 _SEED_BITS = 16
 """Enough to choose any ID by."""
 
 
 class Reconnect(msgspec.Struct, frozen=True, kw_only=True):
-    """How a lost connection is opened again: with pauses that double from `first_pause` to `longest_pause` seconds."""
+    """How a lost connection is opened again: with pauses that double from `first_pause` to `longest_pause` seconds.
+
+    Each attempt may take as long as the first one might, the ``timeout`` of `connect`.
+    """
 
     first_pause: float = 0.1
     longest_pause: float = 5.0
     give_up_after: float | None = None
     """Seconds after which the link is lost for good; None: never."""
+
+    def __post_init__(self) -> None:
+        """Refuse what would fail, or never rest, when a connection is lost."""
+        for name, seconds in (("first_pause", self.first_pause), ("longest_pause", self.longest_pause)):
+            what = f"{name} is a number of seconds above 0"
+            if not 0 < real_number(seconds, what) < math.inf:
+                raise ArgumentError(f"{what}, not {seconds!r:.80}")
+        what = "give_up_after is a number of seconds from 0 on, or None"
+        if self.give_up_after is not None and not real_number(self.give_up_after, what) >= 0:
+            raise ArgumentError(f"{what}, not {self.give_up_after!r:.80}")
 
 
 def choose_seed() -> int:
@@ -101,6 +119,8 @@ class Connection:
         """Done when the connection that is being opened is of use, or is known not to be."""
         self._opening = False
         """Whether `open` is under way."""
+        self._open_timeout = CONNECT_TIMEOUT
+        """Seconds that an attempt to open the connection again may take."""
         self._restored: Waiter = self._new_waiter()
         """Done when all groups are set up again in a new session."""
         self._reconnection: Job | None = None
@@ -208,6 +228,10 @@ class Connection:
             ConnectError: where nothing answers within `timeout` seconds; it says what was tried.
             UnsupportedError: for a gateway of another protocol version, or another one than before.
         """
+        self._open_timeout = timeout
+        await self._open(timeout)
+
+    async def _open(self, timeout: float) -> None:  # noqa: ASYNC109  (as `open`)
         name = self._name
         stream = Stream(self._new_waiter)
         self._opening = True
@@ -274,19 +298,24 @@ class Connection:
         from tenacity.wait import wait_exponential, wait_random
 
         began, longest = self._now(), reconnect.give_up_after
+        pause = wait_exponential(reconnect.first_pause, reconnect.longest_pause) + wait_random(0, reconnect.first_pause)
+
+        def left() -> float:
+            return math.inf if longest is None else began + longest - self._now()
+
         attempts = AsyncRetrying(
             sleep=self._runtime.sleep,
             retry=retry_if_exception_type((ConnectError, UnansweredError)),
-            wait=wait_exponential(reconnect.first_pause, reconnect.longest_pause)
-            + wait_random(0, reconnect.first_pause),
+            # The last attempt has time, too.
+            wait=lambda state: min(pause(state), left() / 2),
             # The library's own limit looks at another clock than the loop's.
-            stop=lambda _: longest is not None and self._now() - began >= longest,
+            stop=lambda _: left() <= reconnect.first_pause,
             before_sleep=lambda state: self._failed_to_open(state.outcome.exception() if state.outcome else None),
         )
         try:
             async for attempt in attempts:
                 with attempt:
-                    await self._open_again(reconnect.longest_pause)
+                    await self._open_again(max(min(self._open_timeout, left()), reconnect.first_pause))
         except RetryError as error:
             self._end(LinkLostError(f"{reason}, and no reconnection succeeded ({error.last_attempt.exception()})"))
         except Exception as error:  # noqa: BLE001  (whatever it is, no call may wait for a link that is gone)
@@ -301,7 +330,7 @@ class Connection:
         self._unreachable(error)
 
     async def _open_again(self, timeout: float) -> None:  # noqa: ASYNC109  (as `open`)
-        await self.open(timeout)
+        await self._open(timeout)
         try:
             await self._restore()
         except (UnansweredError, GatewayError) as error:

@@ -96,7 +96,7 @@ class Flow:
             # First of all, so that the gateway has it while the rest is done.
             self.stream.send(frame)
         request.owner = waiter = self._create_lone_future()
-        if self._timer_at - now > _LATE:
+        if self._timer_at - now > _LATE or self.session.window.loses:
             self._set_timer()
         if request.done:
             # A medium within the program may answer at once.
@@ -193,6 +193,8 @@ class Flow:
             self._receive(data, now)
         else:
             settle(request)
+            if self.session.window.loses:
+                self._set_timer()
         if self._ended:
             # When all else is done: who goes on may ask for more at once, or close the link.
             self._runtime.wake()

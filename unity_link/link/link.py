@@ -9,8 +9,7 @@ from __future__ import annotations
 import contextlib
 import sys
 import warnings
-from numbers import Integral, Real
-from operator import index
+from numbers import Integral
 from typing import TYPE_CHECKING, Any, Literal, Self
 
 import msgspec
@@ -19,6 +18,7 @@ from unity_link import protocol
 from unity_link.errors import (
     ArgumentError,
     LinkLostError,
+    OfLink,
     UnansweredError,
     UnityLinkError,
     UnsupportedError,
@@ -26,12 +26,22 @@ from unity_link.errors import (
     missing_attribute,
     refusing,
 )
-from unity_link.link.connection import Connection, Reconnect
+from unity_link.link.connection import CONNECT_TIMEOUT, Connection, Reconnect
 from unity_link.link.flow import settle
 from unity_link.link.runtime import AsyncioRuntime
-from unity_link.link.subscription import Overflow, Publishing, Sample, Schedule, Subscription, check_addresses
+from unity_link.link.subscription import (
+    LARGEST_DIVISOR,
+    Overflow,
+    Publishing,
+    Sample,
+    Schedule,
+    Subscription,
+    asked_rate,
+    check_addresses,
+)
 from unity_link.protocol.configuration import Feature
 from unity_link.protocol.messages import Codec, GroupFlag
+from unity_link.protocol.numbers import real_number, whole_number
 from unity_link.protocol.requests import Batch, Block, Fence, PostedFailure, Request, common_outcome
 from unity_link.transport import DriverUrl, check_target, has_bus, parse_url
 
@@ -49,7 +59,6 @@ if TYPE_CHECKING:
 NOT_CONNECTED = "write `async with unity_link.connect(...) as link:`, or `link = await unity_link.connect(...)`"
 SendImmediate = Literal["off", "always", "adaptive"]
 _SEND_IMMEDIATE: dict[str, int] = {"off": 0, "always": 1, "adaptive": 2}
-_LARGEST_DIVISOR = 0xFFFF
 
 
 class Statistics(msgspec.Struct, frozen=True, kw_only=True):
@@ -89,14 +98,14 @@ class Statistics(msgspec.Struct, frozen=True, kw_only=True):
         return html.table("statistics of a link", html.statistics_rows(self))
 
 
-class Link(Connection):
+class Link(OfLink, Connection):
     """A connection to one gateway; made by `connect`.
 
     Any number of tasks may use it at once. Requests are executed exactly once, and in the order of the calls; blocks
     and batches of several tasks take turns. Cancelling a call leaves all others as they are; a write that was cancelled
     may or may not have been executed.
 
-    Every call may raise `LinkLostError`, `BusError` and `BusTimeoutError`.
+    Every call may raise `UnansweredError`, most often a `LinkLostError`, and `BusError` and `BusTimeoutError`.
     """
 
     def __init__(
@@ -158,6 +167,9 @@ class Link(Connection):
                 f"{self!r} was not closed: use `async with`, or `aclose`", ResourceWarning, stacklevel=1, source=self
             )
 
+    def _called(self) -> str:
+        return "a link"
+
     def __repr__(self) -> str:
         """Return where it leads, and whether there is a connection now."""
         state = "connected" if self.connected else "closed" if self._closed else "not connected"
@@ -198,7 +210,7 @@ class Link(Connection):
         codec = flow.codec
         # Also a number that is no `int`, as numpy's, may be right.
         if type(address) is not int or not 0 <= address <= codec.highest_address:
-            self._check_address(address)
+            address = self._whole_address(address)
         request = Request(codec, "R", codec.fields("R", address), codec.data_digits)
         # As `answer` would: this is the most frequent call.
         waiter = flow.ask(request)
@@ -214,9 +226,9 @@ class Link(Connection):
         flow = self._flow
         codec = flow.codec
         if type(address) is not int or not 0 <= address <= codec.highest_address:
-            self._check_address(address)
+            address = self._whole_address(address)
         if type(value) is not int or not 0 <= value <= codec.highest_word:
-            self._check_word(value)
+            value = self._whole_word(value)
         await flow.answer(Request(codec, "W", codec.write_fields(address, value), 0))
 
     async def write_masked(self, address: int, value: int, mask: int) -> int:
@@ -230,11 +242,9 @@ class Link(Connection):
             AnswerLostError: where it was executed, but the old word was lost on the way.
         """
         self._require(Feature.MASKED_WRITE, "masked writes")
-        self._check_address(address)
-        self._check_word(value)
-        self._check_word(mask)
+        where, what, bits = self._whole_address(address), self._whole_word(value), self._whole_word(mask)
         codec = self._flow.codec
-        fields = codec.fields("WK", address, mask, value)
+        fields = codec.fields("WK", where, bits, what)
         word: int = await self._flow.answer(Request(codec, "WK", fields, codec.info.data_digits))
         return word
 
@@ -247,9 +257,9 @@ class Link(Connection):
         flow = self._flow
         codec = flow.codec
         if type(address) is not int or not 0 <= address <= codec.highest_address:
-            self._check_address(address)
+            address = self._whole_address(address)
         if type(value) is not int or not 0 <= value <= codec.highest_word:
-            self._check_word(value)
+            value = self._whole_word(value)
         fields = codec.write_fields(address, value)
         self._posted = True
         if self._takes_turns:
@@ -281,6 +291,14 @@ class Link(Connection):
     async def _fence(self, *, leaving: bool) -> None:
         await self._flow.answer(Fence(self._flow.codec, of_session=leaving))
 
+    async def _ping(self) -> None:
+        """Have the gateway answer, which changes nothing.
+
+        Raises:
+            BusTimeoutError: where a server answers, whose gateway is away.
+        """
+        await self._flow.answer(Request(self._flow.codec, "H", b"", 0, of_session=True))
+
     def _raise_posted(self) -> None:
         first, count = self._posted_error, self._posted_failures
         self._posted_error, self._posted_failures = None, 0
@@ -305,8 +323,8 @@ class Link(Connection):
         Returns:
             The words, shape (count,), as the smallest unsigned type that holds one.
         """
-        self._check_block(address, count)
-        return await self._read_words("RM", address, count, step=1)
+        where, size = self._whole_block(address, count)
+        return await self._read_words("RM", where, size, step=1)
 
     async def read_queue(self, address: int, count: int) -> Words:
         """Read the same address `count` times: a FIFO port. Like `read_block` otherwise.
@@ -315,23 +333,22 @@ class Link(Connection):
             AnswerLostError: where words were taken from the queue, but lost on the way.
         """
         self._require(Feature.QUEUE_COMMANDS, "queue reads")
-        self._check_address(address)
-        self._check_count(count)
-        return await self._read_words("RQ", address, count, step=0)
+        where, size = self._whole_address(address), self._whole_count(count)
+        return await self._read_words("RQ", where, size, step=0)
 
     async def write_block(self, address: int, values: ArrayLike) -> None:
         """Write consecutive words from `address` on, each ``gateway.block_words`` of them in one atomic transaction."""
         words = self._words(values)
-        self._check_block(address, len(words))
-        await self._write_words("WM", address, words, step=1)
+        where, _ = self._whole_block(address, len(words))
+        await self._write_words("WM", where, words, step=1)
 
     async def write_queue(self, address: int, values: ArrayLike) -> None:
         """Write all `values` to the same address: a FIFO port. Like `write_block` otherwise."""
         self._require(Feature.QUEUE_COMMANDS, "queue writes")
         words = self._words(values)
-        self._check_address(address)
-        self._check_count(len(words))
-        await self._write_words("WQ", address, words, step=0)
+        where = self._whole_address(address)
+        self._whole_count(len(words))
+        await self._write_words("WQ", where, words, step=0)
 
     # Batches
 
@@ -363,7 +380,7 @@ class Link(Connection):
         The quickest way to write words that lie apart: nothing but the requests is on the line.
         """
         where, what = self._write_arguments(addresses, values)
-        self._check_count(len(where))
+        self._whole_count(len(where))
         fields = [(where, self.gateway.address_digits), (what, self.gateway.data_digits)]
         self._posted = True
         if self._takes_turns:
@@ -414,6 +431,8 @@ class Link(Connection):
         Raises:
             ArgumentError: for rates, addresses or sizes that the gateway does not have.
             UnsupportedError: where the gateway was built without what is asked for, or the group, or all, are in use.
+            OutOfRangeError: when the block is entered, where the gateway refuses the group: for a rate on a half-duplex
+                medium, or while other programs have all groups of a shared gateway.
         """
         self._require(Feature.GROUPS, "groups")
         if timestamps is None:
@@ -439,7 +458,8 @@ class Link(Connection):
         given: object = addresses
         several: ArrayLike = [int(given)] if isinstance(given, Integral) else addresses
         where = check_addresses(self._addresses(several), self.gateway.group_words)
-        schedule = Schedule(where, self._divisor(rate_hz, divisor), flags, group)
+        number = None if group is None else whole_number(group, "a group")
+        schedule = Schedule(where, self._divisor(rate_hz, divisor), flags, number)
         size = 1 if latest else buffer
         return Subscription(self._publishing, schedule, buffer=size, overflow=overflow, callback=callback)
 
@@ -531,56 +551,47 @@ class Link(Connection):
         return where, what
 
     async def _batch(self, command: str, *columns: tuple[NDArray[Any], int]) -> Words:
-        self._check_count(len(columns[0][0]))
+        self._whole_count(len(columns[0][0]))
         words: Words = await self._flow.answer(Batch(self._flow.codec, command, columns))
         return words
 
     def _divisor(self, rate_hz: float | None, divisor: int | None) -> int:
         base = self.gateway.base_frequency_hz
-        if rate_hz is not None:
-            if divisor is not None:
-                raise ArgumentError("a rate and a divisor were given, expected one of them")
-            given: object = rate_hz
-            if not isinstance(given, Real):
-                raise ArgumentError(f"a rate is a number of Hz, not {rate_hz!r:.80}")
-            if not base / _LARGEST_DIVISOR <= rate_hz <= base:
-                lowest = base / _LARGEST_DIVISOR
-                raise ArgumentError(
-                    f"a rate of {float(rate_hz):g} Hz was asked for, expected {lowest:.3g} to {base:g} Hz"
-                )
-            return round(base / rate_hz)
-        if divisor is None:
+        if rate_hz is None and divisor is None:
             return 1
-        if not 1 <= _whole(divisor, "a divisor") <= _LARGEST_DIVISOR:
-            raise ArgumentError(f"a divisor of {divisor} was asked for, expected 1 to {_LARGEST_DIVISOR}")
-        return divisor
+        rate, lowest = asked_rate(rate_hz, divisor, base), base / LARGEST_DIVISOR
+        if not lowest <= rate <= base:
+            raise ArgumentError(f"a rate of {rate:g} Hz was asked for, expected {lowest:.3g} to {base:g} Hz")
+        return round(base / rate)
 
     def _require(self, feature: Feature, name: str) -> None:
         if feature not in self.gateway.features:
             raise UnsupportedError(f"the gateway was built without {name}")
 
-    def _check_address(self, address: int) -> None:
-        if not 0 <= _whole(address, "an address") <= self._flow.codec.highest_address:
-            raise ArgumentError(f"address {address:#x} is not from 0 to {self._flow.codec.highest_address:#x}")
+    def _whole_address(self, address: int) -> int:
+        where, highest = whole_number(address, "an address"), self._flow.codec.highest_address
+        if not 0 <= where <= highest:
+            raise ArgumentError(f"address {where:#x} is not from 0 to {highest:#x}")
+        return where
 
-    def _check_word(self, value: int) -> None:
-        if not 0 <= _whole(value, "a word") <= self._flow.codec.highest_word:
-            bits = self.gateway.data_bits
-            raise ArgumentError(
-                f"{value} does not fit in a word of {bits} bits (0 to {self._flow.codec.highest_word:#x})"
-            )
+    def _whole_word(self, value: int) -> int:
+        word, highest = whole_number(value, "a word"), self._flow.codec.highest_word
+        if not 0 <= word <= highest:
+            raise ArgumentError(f"{word} does not fit in a word of {self.gateway.data_bits} bits (0 to {highest:#x})")
+        return word
 
-    def _check_count(self, count: int) -> None:
-        if _whole(count, "a number of words") < 1:
-            raise ArgumentError(f"{count} words were asked for, at least 1 is needed")
+    def _whole_count(self, count: int) -> int:
+        size = whole_number(count, "a number of words")
+        if size < 1:
+            raise ArgumentError(f"{size} words were asked for, at least 1 is needed")
+        return size
 
-    def _check_block(self, address: int, count: int) -> None:
-        self._check_count(count)
-        self._check_address(address)
-        if address + count - 1 > self._flow.codec.highest_address:
-            raise ArgumentError(
-                f"{count} words from {address:#x} on would pass the last address, {self._flow.codec.highest_address:#x}"
-            )
+    def _whole_block(self, address: int, count: int) -> tuple[int, int]:
+        size, where = self._whole_count(count), self._whole_address(address)
+        highest = self._flow.codec.highest_address
+        if where + size - 1 > highest:
+            raise ArgumentError(f"{size} words from {where:#x} on would pass the last address, {highest:#x}")
+        return where, size
 
     def _addresses(self, addresses: ArrayLike) -> NDArray[Any]:
         return protocol.arrays.in_range(addresses, self._flow.codec.highest_address, "address")
@@ -593,16 +604,9 @@ class Link(Connection):
 
 def check_mode(mode: SendImmediate) -> None:
     """Raise ArgumentError for a mode of send-immediate that is none."""
-    if mode not in _SEND_IMMEDIATE:
+    given: object = mode
+    if not (isinstance(given, str) and given in _SEND_IMMEDIATE):
         raise ArgumentError(f"send-immediate is one of {', '.join(_SEND_IMMEDIATE)}, not {mode!r}")
-
-
-def _whole(value: int, what: str) -> int:
-    """Return a whole number, of whatever type, as an `int`."""
-    try:
-        return index(value)
-    except TypeError:
-        raise ArgumentError(f"{what} is a whole number, not {value!r:.80}") from None
 
 
 class Connecting:
@@ -677,7 +681,9 @@ def _is_under_trio() -> bool:
     return trio is not None and bool(trio.lowlevel.in_trio_run())
 
 
-def connect(target: str | Medium, *, timeout: float = 5.0, reconnect: bool | Reconnect = False) -> Connecting:
+def connect(
+    target: str | Medium, *, timeout: float = CONNECT_TIMEOUT, reconnect: bool | Reconnect = False
+) -> Connecting:
     """Open a link to a gateway.
 
     ::
@@ -687,7 +693,7 @@ def connect(target: str | Medium, *, timeout: float = 5.0, reconnect: bool | Rec
 
     Args:
         target: the URL of a gateway, or a virtual gateway of this process.
-        timeout: seconds until the gateway must have answered.
+        timeout: seconds until the gateway must have answered, in each attempt to open the connection again, too.
         reconnect: open a lost connection again, with pauses as a `Reconnect` says. Subscriptions are set up again and
             reads and what had not been sent are sent again; other requests that were under way raise `LinkLostError`.
 
@@ -699,9 +705,10 @@ def connect(target: str | Medium, *, timeout: float = 5.0, reconnect: bool | Rec
     if not isinstance(reconnect, bool | Reconnect):
         raise ArgumentError(f"reconnect is True, False or a Reconnect, not {reconnect!r:.80}")
     check_target(target)
-    given: object = timeout
-    if not (isinstance(given, int | float) and given > 0):
-        raise ArgumentError(f"timeout is a number of seconds above 0, not {timeout!r:.80}")
+    what = "timeout is a number of seconds above 0"
+    seconds = real_number(timeout, what)
+    if not seconds > 0:
+        raise ArgumentError(f"{what}, not {timeout!r:.80}")
     if isinstance(reconnect, bool):
-        return Connecting(target, timeout, Reconnect() if reconnect else None)
-    return Connecting(target, timeout, reconnect)
+        return Connecting(target, seconds, Reconnect() if reconnect else None)
+    return Connecting(target, seconds, reconnect)

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 from unity_link import protocol
 from unity_link.errors import ConnectError, LinkClosedError, LinkLostError, Outcome, UnsupportedError
 from unity_link.link.link import Link, SendImmediate, check_mode
-from unity_link.link.subscription import Intake, Publishing
+from unity_link.link.subscription import Intake, Publishing, Sample
 from unity_link.protocol.messages import Codec, GroupFlag
 from unity_link.transport import name_of, open_bus
 
@@ -99,7 +99,7 @@ class MappedLink(Link):
     async def read(self, address: int) -> int:
         """Read the word at `address`."""
         if type(address) is not int or not 0 <= address <= self._flow.codec.highest_address:
-            self._check_address(address)
+            address = self._whole_address(address)
         word = self._words_at[address]
         await self._done(1)
         return word
@@ -107,20 +107,18 @@ class MappedLink(Link):
     async def write(self, address: int, value: int) -> None:
         """Write `value` to `address`."""
         if type(address) is not int or not 0 <= address <= self._flow.codec.highest_address:
-            self._check_address(address)
+            address = self._whole_address(address)
         if type(value) is not int or not 0 <= value <= self._flow.codec.highest_word:
-            self._check_word(value)
+            value = self._whole_word(value)
         self._words_at[address] = value
         await self._done(1)
 
     async def write_masked(self, address: int, value: int, mask: int) -> int:
         """Replace bits of a word, by a read and a write: other tasks do not come in between, but other masters may."""
-        self._check_address(address)
-        self._check_word(value)
-        self._check_word(mask)
+        where, what, bits = self._whole_address(address), self._whole_word(value), self._whole_word(mask)
         words = self._words_at
-        before = words[address]
-        words[address] = before & ~mask | value & mask
+        before = words[where]
+        words[where] = before & ~bits | what & bits
         await self._done(2)
         return before
 
@@ -132,42 +130,43 @@ class MappedLink(Link):
         """Return: everything that was asked for before has been executed."""
         self._check_open()
 
+    async def _ping(self) -> None:
+        self._check_open()
+
     # Many
 
     async def read_block(self, address: int, count: int) -> Words:
         """Read `count` consecutive words from `address` on, one after the other."""
-        self._check_block(address, count)
-        return await self._read_each(range(address, address + count))
+        where, size = self._whole_block(address, count)
+        return await self._read_each(range(where, where + size))
 
     async def read_queue(self, address: int, count: int) -> Words:
         """Read the same address `count` times."""
-        self._check_address(address)
-        self._check_count(count)
-        return await self._read_each([address] * count)
+        where, size = self._whole_address(address), self._whole_count(count)
+        return await self._read_each([where] * size)
 
     async def read_many(self, addresses: ArrayLike) -> Words:
         """Read many words."""
         where = self._addresses(addresses)
-        self._check_count(len(where))
+        self._whole_count(len(where))
         return await self._read_each(where.tolist())
 
     async def write_block(self, address: int, values: ArrayLike) -> None:
         """Write consecutive words from `address` on, one after the other."""
         words = self._words(values)
-        self._check_block(address, len(words))
-        await self._write_each(range(address, address + len(words)), words)
+        where, size = self._whole_block(address, len(words))
+        await self._write_each(range(where, where + size), words)
 
     async def write_queue(self, address: int, values: ArrayLike) -> None:
         """Write all `values` to the same address."""
         words = self._words(values)
-        self._check_address(address)
-        self._check_count(len(words))
-        await self._write_each([address] * len(words), words)
+        where, size = self._whole_address(address), self._whole_count(len(words))
+        await self._write_each([where] * size, words)
 
     async def write_many(self, addresses: ArrayLike, values: ArrayLike) -> None:
         """Write one word to each of many addresses, in order."""
         where, what = self._write_arguments(addresses, values)
-        self._check_count(len(where))
+        self._whole_count(len(where))
         await self._write_each(where.tolist(), what)
 
     async def post_many(self, addresses: ArrayLike, values: ArrayLike) -> None:
@@ -297,12 +296,13 @@ class _PolledGroup:
         self._ticks = 0
         """Periods that have passed."""
         self._sequence = -1
+        self._missed = 0
+        """Periods without sample since the last one."""
         self._last: list[int] | None = None
         self._timer: Timer | None = None
 
     def begin(self) -> None:
         """Begin to count periods, if the subscription is periodic."""
-        self.intake.restart()
         self._began = self._now()
         if GroupFlag.PERIODIC in self._schedule.flags:
             self._plan()
@@ -325,7 +325,7 @@ class _PolledGroup:
             if words != self._last:
                 self._publish(words)
         else:
-            self._sequence += missed
+            self._missed += missed
             self.sample()
 
     def sample(self) -> None:
@@ -334,8 +334,8 @@ class _PolledGroup:
 
     def _publish(self, words: list[int]) -> None:
         self._last = words
-        self._sequence += 1
+        lost, self._missed = self._missed, 0
+        self._sequence += 1 + lost
         instant = self._now() if GroupFlag.TIMESTAMP in self._schedule.flags else None
-        self.intake.take_sample(
-            self._sequence & 0xFF, instant, self._polling.array(words), time.time(), self._polling.epoch
-        )
+        array, epoch = self._polling.array(words), self._polling.epoch
+        self.intake.keep(Sample(self._sequence, instant, time.time(), array, lost, epoch))

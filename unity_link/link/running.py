@@ -12,6 +12,7 @@ from contextvars import ContextVar
 from typing import TYPE_CHECKING, Any
 from weakref import WeakSet
 
+from unity_link.errors import ArgumentError
 from unity_link.link.runtime import AsyncioRuntime
 
 if TYPE_CHECKING:
@@ -28,13 +29,20 @@ CALLING: WeakSet[CallingThread] = WeakSet()
 
 
 def running() -> Runtime:
-    """Return what runs the calling coroutine."""
+    """Return what runs the calling coroutine.
+
+    Raises:
+        ArgumentError: where nothing does.
+    """
     for runtime in _calling():
         if runtime.is_running_here():
             return runtime
     with suppress(RuntimeError):
         return AsyncioRuntime()
-    return STRUCTURED.get()
+    structured = STRUCTURED.get(None)
+    if structured is None:
+        raise ArgumentError("no event loop runs here: call this in a coroutine, or in a callback of its loop")
+    return structured
 
 
 def _calling() -> list[CallingThread]:
@@ -54,11 +62,16 @@ async def gather(*coroutines: Coroutine[Any, Any, Any]) -> list[Any]:
         return await asyncio.gather(*coroutines)
     results: list[Any] = []
     first: Exception | None = None
-    for coroutine in coroutines:
-        try:
-            results.append(await coroutine)
-        except Exception as error:  # noqa: BLE001  (it is raised below)
-            first = first or error
+    try:
+        for coroutine in coroutines:
+            try:
+                results.append(await coroutine)
+            except Exception as error:  # noqa: BLE001  (it is raised below)
+                first = first or error
+    finally:
+        # Where this is cancelled, some have not begun.
+        for coroutine in coroutines:
+            coroutine.close()
     if first is not None:
         raise first
     return results

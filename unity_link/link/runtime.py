@@ -29,7 +29,7 @@ SHORTEST_SLEEP = 0.0002
 """Seconds that are not slept: an event loop sleeps whole milliseconds, and a sign of loss may be due much sooner."""
 
 
-def report(message: str, error: Exception) -> None:
+def report(message: str, error: BaseException) -> None:
     """Log an error that no call can raise: of a program's own callback, or of what runs beside the calls."""
     log.error(message, exc_info=error)
 

@@ -10,7 +10,9 @@ import contextlib
 import inspect
 import time
 import warnings
+from asyncio import CancelledError
 from collections import deque
+from numbers import Integral
 from operator import itemgetter
 from typing import TYPE_CHECKING, Any, Literal, Self
 
@@ -22,6 +24,7 @@ from unity_link.errors import (
     BusTimeoutError,
     LinkClosedError,
     LinkLostError,
+    OfLink,
     Outcome,
     OutOfRangeError,
     SamplesLostError,
@@ -33,10 +36,11 @@ from unity_link.link.runtime import report
 from unity_link.protocol.exchange import Sampled, SampledRows, SampledTogether
 from unity_link.protocol.group_table import GroupBegun, GroupRefused, GroupStarted
 from unity_link.protocol.messages import TIMESTAMP_DIGITS, Codec, GroupFlag
+from unity_link.protocol.numbers import real_number, whole_number
 from unity_link.protocol.requests import Request
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Coroutine
+    from collections.abc import Callable, Coroutine, Sequence
     from types import TracebackType
 
     import numpy as np
@@ -53,6 +57,7 @@ Overflow = Literal["drop_oldest", "fail"]
 NOT_OPEN = "the subscription is not open: write `async with ...subscribe(...) as samples:`, or `with` in blocking code"
 HEAD = 5
 """Characters before the fields of a publish: the letter, the group and the sequence."""
+LARGEST_DIVISOR = 0xFFFF
 RESET_TOLERANCE = 1
 """Seconds by which the clock of a gateway that was not reset may be off this machine's after an interruption."""
 
@@ -61,7 +66,7 @@ class Sample(msgspec.Struct, frozen=True, gc=False):
     """The words of one group at one instant."""
 
     sequence: int
-    """Number of the sample since the subscription began, lost ones counted."""
+    """Number of the sample since the subscription began, lost ones counted; it leaps where the epoch is another one."""
     time: float | None
     """Instant of sampling in seconds of the gateway's clock, unwrapped; None without timestamps."""
     arrived: float
@@ -69,7 +74,7 @@ class Sample(msgspec.Struct, frozen=True, gc=False):
     values: Words
     """The words, in the order of the addresses; shape (addresses,)."""
     lost: int
-    """How many samples were lost between the one that was read before and this one."""
+    """How many samples were lost between the one that was read before and this one, but for an interruption."""
     epoch: int = 0
     """Number of the link's session that it came in: 0, and one more after each reconnection."""
 
@@ -233,9 +238,11 @@ class Publishing:
         group = session.hold(
             schedule.flags, schedule.divisor, schedule.addresses, intake.length, intake, schedule.group
         )
+        # One for each try: a subscription may be entered again after one that failed.
+        intake.started_up = started_up = self.runtime.create_future()
         try:
             self._flow.go_on(session.start(group, self.runtime.time()))
-            await intake.started_up
+            await started_up
         except BaseException:
             # Whatever of it was sent may still be executed.
             _, events = session.release(group, self.runtime.time())
@@ -295,13 +302,13 @@ class Intake:
         """Whether the reader wants no more."""
         self.holder: object = None
         """What is not garbage as long as the group is set up."""
-        self.started_up: Waiter = publishing.runtime.create_future()
-        """Done when samples come."""
+        self.started_up: Waiter | None = None
+        """While the group is being set up: done when samples come."""
         self._publishing = publishing
         self._buffer_size = buffer
         self._overflow = overflow
         self._callback = callback
-        self._told: set[type[Exception]] = set()
+        self._told: set[type[BaseException]] = set()
         self._dropped = 0
         self._waiter: Waiter | None = None
         self._sequence = -1
@@ -325,6 +332,19 @@ class Intake:
             sample = msgspec.structs.replace(sample, lost=sample.lost + self._dropped)
             self._dropped = 0
         return sample
+
+    def give_back(self, samples: Sequence[Sample]) -> None:
+        """Have the samples that were taken last wait again."""
+        if self._dropped and self.buffer:
+            # What was dropped stood behind these.
+            self.buffer.appendleft(self.next())
+        self.buffer.extendleft(reversed(samples))
+        while len(self.buffer) > self._buffer_size and self._overflow == "drop_oldest":
+            self._drop_oldest()
+
+    def _drop_oldest(self) -> None:
+        self._dropped += self.buffer.popleft().lost + 1
+        self._lose(1)
 
     async def wait(self) -> None:
         """Wait until there is a sample.
@@ -351,12 +371,12 @@ class Intake:
 
     def started(self) -> None:
         """Record that samples come from now on."""
-        if not self.started_up.done():
+        if self.started_up is not None and not self.started_up.done():
             self.started_up.set_result(None)
 
     def refused(self, error: UnityLinkError) -> None:
         """Record that there will be no samples."""
-        if not self.started_up.done():
+        if self.started_up is not None and not self.started_up.done():
             self.started_up.set_exception(error)
 
     def restart(self) -> None:
@@ -391,15 +411,15 @@ class Intake:
             self._sequence += 1
             sample = Sample(self._sequence, None, arrived, words, 0, epoch)
             if self._callback is not None and self.error is None:
-                # As `_keep` would: this is on the way of every sample of groups that alternate.
+                # As `keep` would: this is on the way of every sample of groups that alternate.
                 self.received += 1
                 self._publishing.samples += 1
                 self._call(self._callback, sample)
             else:
-                self._keep(sample)
+                self.keep(sample)
         elif not self._came_before(sequence, instant):
             lost = self._count_lost(sequence, instant)
-            self._keep(Sample(self._sequence, instant, arrived, words, lost, epoch))
+            self.keep(Sample(self._sequence, instant, arrived, words, lost, epoch))
 
     def receive_rows(self, bodies: NDArray[np.uint8], now: float) -> None:
         """Take samples of the group that arrived together: the same as `receive` of each.
@@ -418,30 +438,31 @@ class Intake:
             for body in bodies:
                 self.receive(body.tobytes(), now)
             return
-        ends = [*self._gaps(sequences, timestamps), len(bodies)]
+        rows = protocol.arrays.apart(values)
+        ends = [*self._gaps(sequences, timestamps), len(rows)]
         for start, end in zip([0, *ends], ends, strict=False):
             stamps = None if timestamps is None else timestamps[start:end]
-            self._receive_run(int(sequences[start]), stamps, values[start:end], now)
+            self._receive_run(int(sequences[start]), stamps, rows[start:end], now)
 
     def _receive_run(
-        self, sequence: int, timestamps: NDArray[np.unsignedinteger] | None, values: Words, now: float
+        self, sequence: int, timestamps: NDArray[np.unsignedinteger] | None, rows: list[Words], now: float
     ) -> None:
         """Take samples with none missing between them; the first has a sequence."""
-        instants: list[float] | list[None] = [None] * len(values)
+        instants: list[float] | list[None] = [None] * len(rows)
         if timestamps is not None:
             instants = self._publishing.clock.seconds_of(timestamps, now).tolist()
         if self._came_before(sequence, instants[0]):
-            sequence, instants, values = sequence + 1, instants[1:], values[1:]
+            sequence, instants, rows = sequence + 1, instants[1:], rows[1:]
             if not instants:
                 return
         lost, first, arrived = self._count_lost(sequence, instants[0]), self._sequence, time.time()
         epoch = self._publishing.epoch
-        self._sequence += len(values) - 1
+        self._sequence += len(rows) - 1
         self._sampled_at = instants[-1]
         self._keep_all(
             [
                 Sample(first + offset, instant, arrived, words, 0 if offset else lost, epoch)
-                for offset, (instant, words) in enumerate(zip(instants, protocol.arrays.apart(values), strict=True))
+                for offset, (instant, words) in enumerate(zip(instants, rows, strict=True))
             ]
         )
 
@@ -449,24 +470,23 @@ class Intake:
         self, sequences: NDArray[np.unsignedinteger], timestamps: NDArray[np.unsignedinteger] | None
     ) -> list[int]:
         """Return the places of the samples before which some may be missing, but for the first."""
-        steady = sequences[1:] - sequences[:-1] == 1
+        broken = sequences[1:] - sequences[:-1] != 1
         if timestamps is not None and self._due_hz is not None:
             # Two digits may also have gone round.
             due = (timestamps[1:] - timestamps[:-1]) * (self._due_hz / self._publishing.info.clock_hz)
-            steady &= due < 0x80
-        places: list[int] = ((~steady).nonzero()[0] + 1).tolist()
-        return places
+            broken |= due >= 0x80
+        return [place + 1 for place in broken.nonzero()[0].tolist()]
 
     def _keep_all(self, samples: list[Sample]) -> None:
         room = self._buffer_size - len(self.buffer)
         if self._callback is None and self.error is None and len(samples) <= room:
-            self._keep(samples[0])
+            self.keep(samples[0])
             self.received += len(samples) - 1
             self._publishing.samples += len(samples) - 1
             self.buffer.extend(samples[1:])
             return
         for sample in samples:
-            self._keep(sample)
+            self.keep(sample)
 
     def _came_before(self, sequence: int, at: float | None) -> bool:
         """Return whether the line has doubled the last sample; without timestamps, that could be one a round later."""
@@ -482,7 +502,8 @@ class Intake:
         self._sequence += advance
         return advance - 1
 
-    def _keep(self, sample: Sample) -> None:
+    def keep(self, sample: Sample) -> None:
+        """Take a sample that tells what was lost before it."""
         self.received += 1
         self._publishing.samples += 1
         if sample.lost:
@@ -493,13 +514,12 @@ class Intake:
         if self._callback is not None:
             self._call(self._callback, sample)
             return
-        if len(self.buffer) == self._buffer_size:
+        if len(self.buffer) >= self._buffer_size:
             if self._overflow == "fail":
-                self.fail(SamplesLostError(f"the reader is too slow: {self._buffer_size} samples are waiting for it"))
+                self.fail(SamplesLostError(f"the reader is too slow: {len(self.buffer)} samples are waiting for it"))
                 self._lose(1)
                 return
-            self._dropped += self.buffer.popleft().lost + 1
-            self._lose(1)
+            self._drop_oldest()
         self.buffer.append(sample)
         if self._waiter is not None:
             self.wake()
@@ -511,7 +531,8 @@ class Intake:
     def _call(self, callback: Callable[[Sample], object], sample: Sample) -> None:
         try:
             callback(sample)
-        except Exception as error:  # noqa: BLE001  (it is the caller's own, and must not stop the link)
+        except (Exception, CancelledError) as error:  # noqa: BLE001  (it is the caller's own)
+            # It must not stop the link.
             # With each sample, it would be told thousands of times a second.
             if type(error) not in self._told:
                 self._told.add(type(error))
@@ -524,7 +545,7 @@ class Intake:
             self._waiter.set_result(None)
 
 
-class Subscription:
+class Subscription(OfLink):
     """A stream of samples; made by `Link.subscribe`.
 
     ::
@@ -545,19 +566,14 @@ class Subscription:
         overflow: Overflow,
         callback: Callable[[Sample], object] | None,
     ) -> None:
-        if not isinstance(buffer, int):
-            raise ArgumentError(f"a buffer is a number of samples, not {buffer!r:.80}")
+        size = check_buffer(buffer, overflow)
         if callback is not None and not callable(callback):
             raise ArgumentError(f"a callback is a function, not {callback!r:.80}")
         if inspect.iscoroutinefunction(callback):
             raise ArgumentError("a callback is a plain function, which may start a task: an async one is never awaited")
-        if buffer < 1:
-            raise ArgumentError(f"a buffer of {buffer} samples was asked for, at least 1 is needed")
-        if overflow not in ("drop_oldest", "fail"):
-            raise ArgumentError(f'overflow is "drop_oldest" or "fail", not {overflow!r}')
         self.schedule = schedule
         self._publishing = publishing
-        self._intake = Intake(publishing, schedule, buffer, overflow, callback)
+        self._intake = Intake(publishing, schedule, size, overflow, callback)
         self._entered = False
         self._group = None
         self._waits_for_block = callback is not None
@@ -580,6 +596,9 @@ class Subscription:
         __enter__ = __exit__ = refusing("write `async with` before this subscription: its link is not a blocking one")
         __iter__ = refusing("write `async for` over the samples: their link is not a blocking one")
         __getattr__ = missing_attribute("a subscription")
+
+    def _called(self) -> str:
+        return "a subscription"
 
     def __repr__(self) -> str:
         """Return what is sampled, and what has come of it."""
@@ -655,31 +674,88 @@ class Subscription:
         Raises:
             StopAsyncIteration: when the ``async with`` block has ended.
         """
-        if count is not None:
-            return await so_many(self.__anext__, count)
         intake = self._intake
+        if count is not None:
+            return await so_many(self.__anext__, count, intake.give_back)
         await intake.wait()
         return [intake.next() for _ in range(len(intake.buffer))]
 
+    def give_back(self, samples: Sequence[Sample]) -> None:
+        """Have the samples that were taken last wait again; those that there is no room for are lost, and counted."""
+        self._intake.give_back(samples)
 
-async def so_many(following: Callable[[], Coroutine[Any, Any, Sample]], count: int) -> list[Sample]:
+
+async def so_many(
+    following: Callable[[], Coroutine[Any, Any, Sample]], count: int, give_back: Callable[[Sequence[Sample]], None]
+) -> list[Sample]:
     """Return so many samples; fewer where an error ends them, which the next call raises.
+
+    Args:
+        following: waits for the next sample.
+        count: how many.
+        give_back: takes those that had come when this is cancelled: the next call returns them.
 
     Raises:
         ArgumentError: for a count that is none.
     """
-    given: object = count
-    if not (isinstance(given, int) and given > 0):
-        raise ArgumentError(f"a number of samples from 1 on was expected, not {count!r:.80}")
+    count = check_count(count)
     taken: list[Sample] = []
-    while len(taken) < count:
-        try:
+    try:
+        while len(taken) < count:
             taken.append(await following())
-        except (StopAsyncIteration, UnityLinkError):
-            if not taken:
-                raise
-            break
+    except (StopAsyncIteration, UnityLinkError):
+        if not taken:
+            raise
+    except BaseException:
+        give_back(taken)
+        raise
     return taken
+
+
+def check_count(count: int) -> int:
+    """Return a number of samples, of whatever type, as an `int`.
+
+    Raises:
+        ArgumentError: where it is none.
+    """
+    given: object = count
+    if not (isinstance(given, Integral) and count > 0):
+        raise ArgumentError(f"a number of samples from 1 on was expected, not {count!r:.80}")
+    return int(count)
+
+
+def check_buffer(buffer: int, overflow: Overflow) -> int:
+    """Return how many samples wait at most, a number of whatever type, as an `int`.
+
+    Raises:
+        ArgumentError: where it is no number from 1 on, or nobody knows what happens when they are more.
+    """
+    given: object = buffer
+    if not isinstance(given, Integral):
+        raise ArgumentError(f"a buffer is a number of samples, not {buffer!r:.80}")
+    if buffer < 1:
+        raise ArgumentError(f"a buffer of {buffer} samples was asked for, at least 1 is needed")
+    if overflow not in ("drop_oldest", "fail"):
+        raise ArgumentError(f'overflow is "drop_oldest" or "fail", not {overflow!r}')
+    return int(buffer)
+
+
+def asked_rate(rate_hz: float | None, divisor: int | None, base_hz: float) -> float:
+    """Return the samples a second that a rate asks for, or a divisor of the base frequency; that where neither does.
+
+    Raises:
+        ArgumentError: where they are no numbers, both are given, or there is no such divisor.
+    """
+    if rate_hz is not None:
+        if divisor is not None:
+            raise ArgumentError("a rate and a divisor were given, expected one of them")
+        return real_number(rate_hz, "a rate is a number of Hz")
+    if divisor is None:
+        return base_hz
+    whole = whole_number(divisor, "a divisor")
+    if not 1 <= whole <= LARGEST_DIVISOR:
+        raise ArgumentError(f"a divisor of {whole} was asked for, expected 1 to {LARGEST_DIVISOR}")
+    return base_hz / whole
 
 
 _COUNTED = GroupFlag.PERIODIC | GroupFlag.TRIGGER | GroupFlag.ON_CHANGE

@@ -52,8 +52,10 @@ class Result:
 
     def result(self) -> Any:
         """Return the result of one that is done, or raise its error."""
-        if self._error is not None:
-            raise self._error
+        error = self._error
+        if error is not None:
+            # The traceback has what waits for this, and the call in which that was: one that is kept would keep them.
+            raise asyncio.CancelledError(*error.args) if isinstance(error, asyncio.CancelledError) else error
         return self._result
 
     def _end(self) -> None:

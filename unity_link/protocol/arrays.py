@@ -77,9 +77,9 @@ def in_range(values: ArrayLike, highest: int, what: str) -> NDArray[Any]:
     """
     try:
         array = np.asarray(values)
-        if array.dtype.kind not in "iub" and isinstance(values, Sequence):
+        if array.dtype.kind == "O" or (array.dtype.kind not in "iub" and isinstance(values, Sequence)):
             # numpy makes fractions of words from 2**63 on that stand beside smaller ones.
-            array = np.array([index(cast("int", value)) for value in values], object)
+            array = np.array([index(value) for value in cast("Sequence[int]", values)], object)
     except (TypeError, ValueError):
         array = np.array(None)
     if array.ndim != 1 or (array.size and array.dtype.kind not in "iubO"):
@@ -129,7 +129,9 @@ def parse_rows(rows: NDArray[np.uint8]) -> Words:
 
 
 def apart(values: Words) -> list[Words]:
-    """Return the rows of an array, of which no more than a few stay in memory together."""
+    """Return the rows of an array that is no view of a larger one; no more than a few stay in memory together."""
+    if len(values) <= _ROWS_TOGETHER:
+        return list(values)
     starts = range(0, len(values), _ROWS_TOGETHER)
     return [row for start in starts for row in values[start : start + _ROWS_TOGETHER].copy()]
 

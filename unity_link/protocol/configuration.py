@@ -99,7 +99,7 @@ class GatewayInfo(msgspec.Struct, frozen=True, kw_only=True):
         """Read the fields of the answer to `Q`; what a later version appends is ignored.
 
         Raises:
-            UnsupportedError: for another protocol version or widths that the protocol does not allow.
+            UnsupportedError: for another protocol version or numbers that the protocol does not allow.
             ValueError: where `text` is no such answer.
         """
         values: dict[str, int] = {}
@@ -121,11 +121,15 @@ class GatewayInfo(msgspec.Struct, frozen=True, kw_only=True):
         return info
 
     def check(self) -> None:
-        """Raise `UnsupportedError` where a width is not one that the protocol allows."""
+        """Raise `UnsupportedError` where a number is not one that the protocol allows."""
         for name, low, high in _RANGES:
             value = int(getattr(self, name))
             if not low <= value <= high:
                 raise UnsupportedError(f"the gateway reports {name} = {value}, expected {low} to {high}")
+        if Feature.GROUPS in self.features and self.base_frequency_millihertz == 0:
+            raise UnsupportedError(
+                f"the gateway reports base_frequency_millihertz = 0, expected 1 to {_MOST_MILLIHERTZ} as it has groups"
+            )
         if self.crc_bits not in (8, 16, 32) or not 0 < self.crc_polynomial < 1 << self.crc_bits:
             raise UnsupportedError(
                 f"the gateway reports a CRC of {self.crc_bits} bits with polynomial {self.crc_polynomial:#x}, "
@@ -150,6 +154,7 @@ _FIELDS = (
     ("features", 4),
     ("build_id", 8),
 )
+_MOST_MILLIHERTZ = 16**10 - 1
 _TOTAL_DIGITS = sum(digits for _, digits in _FIELDS)
 _RANGES = (
     ("data_bits", 8, 64),
@@ -158,5 +163,10 @@ _RANGES = (
     ("block_words", 1, 255),
     ("groups", 0, 256),
     ("group_words", 0, 255),
+    ("base_frequency_millihertz", 0, _MOST_MILLIHERTZ),
     ("clock_hz", 1, 0xFFFF_FFFF),
+    ("receive_fifo_bytes", 0, 0xFFFF),
+    ("transmit_fifo_bytes", 0, 0xFFFF),
+    ("features", 0, 0xFFFF),
+    ("build_id", 0, 0xFFFF_FFFF),
 )

@@ -244,6 +244,9 @@ class GatewayDatagrams(Generic[A]):
             return
         if read is None:
             self._take_questions(datagram, source)
+        elif read.number == _OUTSIDE:
+            # Another gateway's. Were it refused, that one would refuse the refusal, and so on for ever.
+            return
         elif (read.session, source) == (self.session, self.opener):
             if self.counts.takes(read.number):
                 self.asker = None

@@ -165,12 +165,12 @@ class Exchange:
     def submit_alone(self, request: Request, now: float) -> bytes:
         """Return the frame of a request that has an answer, where nothing else is under way; nothing otherwise."""
         window = self.window
-        if self._waiting or not self._may_send or window.next != window.oldest or window.loses:
+        if self._waiting or not self._may_send or window.next != window.oldest:
             return b""
         request.sent = True
         self._counters.requests += 1
         window.send(request, now)
-        return request.encode()
+        return request.encode() + self._end if window.loses else request.encode()
 
     def _number(self, run: Message, now: float) -> None:
         """Assign IDs to a run, and send it."""

@@ -1,9 +1,14 @@
-"""Words, addresses and features as people read them."""
+"""Words, addresses and features as people give and read them."""
 
 from __future__ import annotations
 
 import enum
+import math
+from numbers import Real
+from operator import index
 from typing import TYPE_CHECKING
+
+from unity_link.errors import ArgumentError
 
 if TYPE_CHECKING:
     from unity_link.protocol.configuration import GatewayInfo
@@ -16,6 +21,33 @@ class Format(enum.StrEnum):
     DEC = "dec"
     SIGNED = "signed"
     BIN = "bin"
+
+
+def whole_number(value: int, what: str) -> int:
+    """Return a whole number of whatever type as an `int`: one of numpy wraps where it is reckoned with.
+
+    Raises:
+        ArgumentError: where it is none.
+    """
+    try:
+        return index(value)
+    except TypeError:
+        raise ArgumentError(f"{what} is a whole number, not {value!r:.80}") from None
+
+
+def real_number(value: float, what: str) -> float:
+    """Return a number of whatever type as a `float`; one beyond all of them is infinite.
+
+    Raises:
+        ArgumentError: where it is none.
+    """
+    given: object = value
+    if not isinstance(given, Real):
+        raise ArgumentError(f"{what}, not {value!r:.80}")
+    try:
+        return float(value)
+    except OverflowError:
+        return math.copysign(math.inf, 1 if value > 0 else -1)
 
 
 def to_signed(word: int, bits: int) -> int:

@@ -128,7 +128,7 @@ class Message(Run):
 
     __slots__ = ("codec", "command", "frames", "given_up")
 
-    def __init__(self, codec: Codec, command: str, fields_size: int, reply_digits: int | None, count: int = 1) -> None:
+    def __init__(self, codec: Codec, command: str, fields_size: int, reply_digits: int | None, count: int) -> None:
         head = codec.head_sizes[command]
         super().__init__(count, head + fields_size, 0 if reply_digits is None else head + reply_digits)
         self.codec = codec

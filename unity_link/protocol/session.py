@@ -48,6 +48,8 @@ if TYPE_CHECKING:
 
 _FIRST_TURN = 256
 """Bytes of a question of the handshake and its answer, at most; gateways of later versions say more of themselves."""
+_MOST_WAITING = 64
+"""What waits for a session without a look at what was given up of it, at least."""
 _NO_RING = 2
 """IDs of the window while there is no session: as few as a ring can have."""
 _UNKNOWN_PATIENCE = 0.25
@@ -97,6 +99,8 @@ class Session:
         self.output: list[bytes] = []
         """What is to be sent; `take_output` returns it."""
         self._waiting: deque[Source] = deque()
+        self._most_waiting = _MOST_WAITING
+        """How many wait for a session until those that were given up are looked for."""
         self._codec: Codec | None = None
         self._groups: GroupTable | None = None
         self._handshake: Handshake | None = None
@@ -297,8 +301,17 @@ class Session:
         else:
             if isinstance(source, Fence):
                 source.follow(self._waiting)
+            if len(self._waiting) >= self._most_waiting:
+                self._drop_unwanted()
             self._waiting.append(source)
         return events
+
+    def _drop_unwanted(self) -> None:
+        """Forget what was given up: where a gateway is away for days, time limits of calls do not fill the memory."""
+        wanted = [source for source in self._waiting if not source.unwanted()]
+        self._waiting.clear()
+        self._waiting.extend(wanted)
+        self._most_waiting = max(_MOST_WAITING, 2 * len(wanted))
 
     def submit_alone(self, request: Request, now: float) -> bytes:
         """Return the frame of a request that has an answer, where nothing else is under way.

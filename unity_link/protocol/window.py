@@ -440,10 +440,9 @@ class Window(Generic[R]):
         return next(index for index, other in enumerate(slots) if other is not run)
 
     def is_quiet(self) -> bool:
-        """Return whether an answer to the oldest says nothing of others: nothing was lost of late, or sent again."""
+        """Return whether an answer to the oldest says nothing of others: none is missing, or was sent again."""
         return (
             self.oldest == self.executed
-            and not self.loses
             and not self._troubled
             and not self._repetitions
             and not self.round_trip.is_doubled
@@ -458,6 +457,8 @@ class Window(Generic[R]):
             self.round_trip.end(now)
         self._slots[number] = None
         self._bytes -= run.size
+        if self.loses:
+            self._came_through(1)
         self.oldest = self.executed = number + 1 & self._mask
         self._since = now
 

@@ -8,6 +8,7 @@ The way of a spec, one file for each step:
 - `elaborate`, `building`, `placing`: syntax tree to model, by `expressions`, `arguments`, `signals`, `modules`
 - `interface`: the checks of an interface as a whole
 - `model`, `kinds`, `columns`: the checked model, what the bits of a signal mean, and the same for many at once
+- `ranges`: the checks of the numbers of a model that was not compiled here
 - `diagnostics`: what the author is told
 - `systemrdl`: the neighbour, in and out
 
@@ -117,6 +118,8 @@ def compile_text(
     from unity_link.spec.loading import Loader
 
     reporter = Reporter()
+    # What names its file, as recordings and generated files do, is text, whatever bytes the file has for its name.
+    name = name.encode(errors="backslashreplace").decode()
     with _no_garbage_collection():
         loader = Loader(reporter)
         loader.load(name, text, path)

@@ -46,7 +46,8 @@ class ArgumentSlot(NamedTuple):
 ADDRESS = (0, (1 << 32) - 1)
 DIVISOR = (1, 0xFFFF)
 GROUP_NUMBER = (0, 255)
-HIGHEST_RATE = 1e9
+RATE = (1e-6, 1e9)
+ADDRESS_BITS, DATA_BITS = (8, 32), (8, 64)
 
 ACCESS = (
     ArgumentSlot("ID", Shape.TEXT),
@@ -58,7 +59,7 @@ ACCESS = (
             ArgumentSlot("DIVISOR", Shape.WHOLE, *DIVISOR),
         ),
     ),
-    ArgumentSlot("POLL", Shape.CLAUSE, clause=(ArgumentSlot("RATE", Shape.NUMBER, 1e-6, HIGHEST_RATE, required=True),)),
+    ArgumentSlot("POLL", Shape.CLAUSE, clause=(ArgumentSlot("RATE", Shape.NUMBER, *RATE, required=True),)),
     ArgumentSlot("GROUP", Shape.CLAUSE, clause=(ArgumentSlot("GROUP", Shape.GROUP, *GROUP_NUMBER, required=True),)),
     ArgumentSlot("FIFO", Shape.CLAUSE, clause=(ArgumentSlot("WORDS", Shape.WHOLE, 1, 1 << 32),)),
     ArgumentSlot("SCALE", Shape.NUMBER),
@@ -70,7 +71,7 @@ ACCESS = (
 GROUP = (
     ArgumentSlot("NUMBER", Shape.WHOLE, *GROUP_NUMBER),
     ArgumentSlot("DIVISOR", Shape.WHOLE, *DIVISOR),
-    ArgumentSlot("RATE", Shape.NUMBER, 1e-6, HIGHEST_RATE),
+    ArgumentSlot("RATE", Shape.NUMBER, *RATE),
     ArgumentSlot("TRIGGER", Shape.FLAG),
     ArgumentSlot("ON_CHANGE", Shape.FLAG),
     ArgumentSlot("IMMEDIATE", Shape.FLAG),
@@ -85,7 +86,7 @@ GROUP = (
         ),
     ),
 )
-GATEWAY = (ArgumentSlot("ADDRESS_BITS", Shape.WHOLE, 8, 32), ArgumentSlot("DATA_BITS", Shape.WHOLE, 8, 64))
+GATEWAY = (ArgumentSlot("ADDRESS_BITS", Shape.WHOLE, *ADDRESS_BITS), ArgumentSlot("DATA_BITS", Shape.WHOLE, *DATA_BITS))
 
 _NOT_NEEDED = {"CRC": "leave it out: every message of a program is checked", "INDEX": "the index of an array is 'i'"}
 

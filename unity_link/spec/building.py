@@ -166,6 +166,7 @@ class Builder:
             group = self._group(reference, place)
             if word == "PUBLISH":
                 group.published = True
+                group.says_when |= "PUBLISH.DIVISOR" in places
                 self._set_divisor(evaluator, group, clause.get("DIVISOR"), places)
             if group not in found:
                 found.append(group)
@@ -176,7 +177,7 @@ class Builder:
         if isinstance(reference, GroupReference):
             name = reference.name
         else:
-            name = self.elaborator.group_of_number(reference) or f"group_{reference}"
+            name = self.elaborator.group_of_number(reference) or self._undeclared(f"group_{reference}")
         if name not in groups:
             if name in self.elaborator.declarations.groups:
                 groups[name] = self.elaborator.new_group(name)
@@ -184,6 +185,12 @@ class Builder:
                 assert isinstance(reference, int)
                 groups[name] = GroupDraft(name, place, {"NUMBER": reference})
         return groups[name]
+
+    def _undeclared(self, name: str) -> str:
+        """Return a name of a group that has none of its own: not that of one that is declared."""
+        while name in self.elaborator.declarations.groups:
+            name += "_"
+        return name
 
     def _set_divisor(
         self, evaluator: Evaluator, group: GroupDraft, divisor: int | None, places: Mapping[str, tuple[int, int]]

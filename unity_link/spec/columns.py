@@ -100,10 +100,11 @@ class Columns:
         given = np.asarray(words)
         if given.shape[-1:] != (self._width,):
             raise ArgumentError(f"{self._width} words a sample were expected, and the words have shape {given.shape}")
-        raw = given.take(block.columns[0], axis=-1).astype(np.uint64, copy=False)
+        if given.dtype.kind != "u":
+            given = given.astype(np.uint64)
+        raw = given.take(block.columns[0], axis=-1)
         for part in range(1, len(block.columns)):
-            more = given.take(block.columns[part], axis=-1).astype(np.uint64, copy=False)
-            raw = raw | more << np.uint64(part * self._word_bits)
+            raw = raw | given.take(block.columns[part], axis=-1) << np.uint64(part * self._word_bits)
         return block.kind.decode_array(raw if block.is_whole else raw >> block.shifts & block.mask)
 
     def encode(self, values: Mapping[str, ArrayLike]) -> Words:
@@ -123,7 +124,7 @@ class Columns:
         word_mask = np.uint64((1 << self._word_bits) - 1)
         for block in self._blocks:
             for index, place in enumerate(block.places):
-                raw = block.kind.encode_array(np.asarray(values[self._paths[place]])) << block.shifts[index]
+                raw = block.kind.encode_array(values[self._paths[place]]) << block.shifts[index]
                 for part in range(len(block.columns)):
                     words[..., block.columns[part, index]] |= raw >> np.uint64(part * self._word_bits) & word_mask
         return words

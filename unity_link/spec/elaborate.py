@@ -53,6 +53,8 @@ class Elaborator:
         self._checked: set[int] = set()
         self._globals: dict[str, Result] = CONSTANTS | {name: GroupReference(name) for name in declarations.groups}
         self._enumerations = {name: self._enumeration(declared) for name, declared in declarations.enumerations.items()}
+        self._timed_groups: set[str] = set()
+        """Those whose declaration says when they are published, if only by an argument that was refused."""
         self._group_bounds = self._read_groups()
         self._used: set[str] = set()
 
@@ -108,6 +110,8 @@ class Elaborator:
             if "DIVISOR" in bound and "RATE" in bound:
                 evaluator.fault(binder.places["RATE"], "group-rate", "a group has a DIVISOR or a RATE, not both")
             bounds[name] = bound
+            if not binder.places.keys().isdisjoint(("DIVISOR", "RATE", "TRIGGER")):
+                self._timed_groups.add(name)
         return bounds
 
     # Interfaces
@@ -236,7 +240,8 @@ class Elaborator:
     def new_group(self, name: str) -> GroupDraft:
         """Begin a declared group."""
         source, node = self._declarations.groups[name]
-        return GroupDraft(name, SignalPlace(source, node.name.place), self._group_bounds[name], "\n".join(node.doc))
+        place, bound, doc = SignalPlace(source, node.name.place), self._group_bounds[name], "\n".join(node.doc)
+        return GroupDraft(name, place, bound, doc, says_when=name in self._timed_groups)
 
     def group_of_number(self, number: int) -> str | None:
         """Return the declared group that has a number."""

@@ -38,13 +38,22 @@ class SignalPlace(NamedTuple):
 
 
 class GroupDraft:
-    """A group while its signals are being found."""
+    """A group while its signals are being found.
 
-    def __init__(self, name: str, place: SignalPlace, bound: Bound, doc: str = "") -> None:
+    Args:
+        name: of the group.
+        place: where it is declared, or named first.
+        bound: the arguments of its declaration.
+        doc: that of its declaration.
+        says_when: whether the declaration says when it is published, if only by an argument that was refused.
+    """
+
+    def __init__(self, name: str, place: SignalPlace, bound: Bound, doc: str = "", *, says_when: bool = False) -> None:
         self.name = name
         self.place = place
         self.bound = bound
         self.doc = doc
+        self.says_when = says_when
         self.number: int | None = bound.get("NUMBER")
         self.divisor: int | None = bound.get("DIVISOR")
         self.divisor_place = place
@@ -135,7 +144,8 @@ class InterfaceDraft:
         for signal, place, _ in self.signals:
             last = signal.address + signal.words - 1
             if signal.address < 0 or last >= most:
-                message = f"the address {_hex(last)} of {signal.path} is not the gateway's, which has {self._space()}"
+                wrong = last if 0 <= signal.address < most else signal.address
+                message = f"the address {_hex(wrong)} of {signal.path} is not the gateway's, which has {self._space()}"
                 self._error(place, "address-range", message, "GATEWAY(ADDRESS_BITS=...) tells its width")
                 continue
             if signal.module is None:
@@ -143,8 +153,9 @@ class InterfaceDraft:
             module = self.modules[signal.module][0]
             relative, end = signal.address - module.base, last - module.base
             if module.words is not None and not (relative >= 0 and end < module.words):
+                wrong = end if 0 <= relative < module.words else relative
                 where = f"{module.type}, which has {module.words} words"
-                message = f"the address {_hex(end)} of {signal.path} is outside of {where}"
+                message = f"the address {_hex(wrong)} of {signal.path} is outside of {where}"
                 self._error(place, "address-range", message)
 
     def _check_overlaps(self) -> None:
@@ -242,8 +253,9 @@ class InterfaceDraft:
                     f"the group {draft.name} has {len(addresses)} words, and a gateway publishes at most {GROUP_WORDS}"
                 )
                 self._error(draft.signals[0][1], "group-size", message, "divide it into several groups")
+            self._check_readable(draft)
             self._check_ports(draft)
-            if draft.divisor is None and not {"RATE", "TRIGGER"} & set(bound):
+            if not draft.says_when:
                 message = f"nothing says when the group {draft.name} is published"
                 self._error(draft.signals[0][1], "group-rate", message, "give a divisor, as in PUBLISH(1, 10)")
         return Group(
@@ -261,6 +273,15 @@ class InterfaceDraft:
             doc=draft.doc,
             span=draft.place.span,
         )
+
+    def _check_readable(self, draft: GroupDraft) -> None:
+        """Check that all signals of a published group can be read; those that it publishes were checked before."""
+        for signal, place in draft.signals:
+            if not signal.access.reads and signal.group != draft.name:
+                message = f"{signal.path} can only be written, and the group {draft.name} is published"
+                advice = "put it into one that is not: group NAME; and GROUP(NAME)"
+                self._error(place, "not-readable", message, advice)
+                return
 
     def _check_ports(self, draft: GroupDraft) -> None:
         """Check a published group in which there are ports of FIFOs: a sample takes a word of each, for good."""

@@ -22,12 +22,14 @@ from unity_link.errors import ArgumentError
 from unity_link.spec.diagnostics import Span  # noqa: TC001  (msgspec reads the annotations)
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
+    from numpy.typing import ArrayLike, NDArray
 
 Value: TypeAlias = bool | int | float
 """What a program sees of a signal; of an enumeration a member of its `IntEnum`, or a number without name."""
 
 MOST_BITS = 64
+_NATIVE_BITS = (8, 16, 32, 64)
+"""Bits of the whole numbers that processors have."""
 FLOAT_BITS = {16: "<e", 32: "<f", 64: "<d"}
 """Widths of IEEE 754 numbers, with their `struct` formats."""
 _FLOAT_MARGIN = 2.0**-50
@@ -44,6 +46,9 @@ class KindName(enum.StrEnum):
     FIXED = "fixed"
     UFIXED = "ufixed"
     ENUM = "enum"
+
+
+WITHOUT_SCALE = {KindName.BOOL, KindName.ENUM, KindName.FLOAT}
 
 
 class EnumValue(msgspec.Struct, frozen=True):
@@ -73,11 +78,22 @@ class Enumeration(msgspec.Struct, frozen=True):
         return _python_type(self)
 
 
-@functools.lru_cache
+@functools.cache
 def _python_type(enumeration: Enumeration) -> type[enum.IntEnum]:
     members = {value.name: value.value for value in enumeration.values}
     made: type[enum.IntEnum] = enum.IntEnum(enumeration.name, members)  # type: ignore[misc]
+
+    def reduce(member: enum.Enum, _: object) -> tuple[Any, ...]:
+        return _member, (enumeration, member.value)
+
+    # A pickle finds a class by its name in a module, and this one is in none.
+    made.__reduce_ex__ = reduce  # type: ignore[assignment, method-assign]
     return made
+
+
+def _member(enumeration: Enumeration, number: int) -> enum.IntEnum:
+    """Return what a pickle has of a member."""
+    return _python_type(enumeration)(number)
 
 
 class Kind(msgspec.Struct, frozen=True):
@@ -239,29 +255,45 @@ class Kind(msgspec.Struct, frozen=True):
 
     def decode_array(self, raw: NDArray[np.unsignedinteger[Any]]) -> NDArray[Any]:
         """Return the values of many raws of any shape, as `dtype`; those of an enumeration as numbers."""
-        raw = raw.astype(np.uint64, copy=False)
         if self.name is KindName.FLOAT:
             return raw.astype(f"u{self.width // 8}").view(self.dtype)
         if self.name is KindName.BOOL:
             truths: NDArray[np.bool_] = raw != 0
             return truths
-        if self.is_signed:
-            # The sign bit is moved to the top and back down again, which copies it.
-            unused = np.uint64(MOST_BITS - self.width)
-            numbers: NDArray[Any] = (raw << unused).view(np.int64) >> unused.astype(np.int64)
-        else:
-            numbers = raw
-        if self.is_scaled:
-            return numbers * self.step + self.offset
-        return numbers.astype(self.dtype)
+        numbers = self._signed(raw) if self.is_signed else raw
+        if not self.is_scaled:
+            return numbers.astype(self.dtype)
+        values = numbers.astype(np.float64)
+        values *= self.step
+        values += self.offset
+        return values
 
-    def encode_array(self, values: NDArray[Any]) -> NDArray[np.uint64]:
+    def _signed(self, raw: NDArray[np.unsignedinteger[Any]]) -> NDArray[np.signedinteger[Any]]:
+        if self.width in _NATIVE_BITS:
+            size = self.width // 8
+            return raw.astype(f"u{size}", copy=False).view(f"i{size}")
+        # The sign bit is moved to the top and back down again, which copies it.
+        unused = MOST_BITS - self.width
+        return (raw.astype(np.uint64, copy=False) << np.uint64(unused)).view(np.int64) >> np.int64(unused)
+
+    def array(self, values: ArrayLike) -> NDArray[Any]:
+        """Return values as an array that has them as they are."""
+        made = np.asarray(values)
+        if made.dtype.kind == "f" and not self.is_float and not hasattr(values, "dtype"):
+            # numpy makes floats of a list of whole numbers where some are small and some from 2**63 on.
+            return np.asarray(values, object)
+        return made
+
+    def encode_array(self, values: ArrayLike) -> NDArray[np.uint64]:
         """Return the raws of many values of any shape.
 
         Raises:
             ArgumentError: for a value that the kind cannot say.
         """
-        values = np.asarray(values)
+        values = self.array(values)
+        if values.dtype.kind not in "biuf":
+            # Names, and what is no number; numpy itself would take the text of one.
+            return np.array([self.encode(value) for value in values.ravel().tolist()], np.uint64).reshape(values.shape)
         if self.name is KindName.FLOAT:
             return self._encode_floats(values)
         if self.is_scaled:

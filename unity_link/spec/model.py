@@ -73,8 +73,8 @@ class Signal(msgspec.Struct, frozen=True, kw_only=True):
     is_field: bool = False
     """Whether other signals are written in the same word, so that this one needs a masked write."""
     unit: str = ""
-    minimum: float | None = None
-    maximum: float | None = None
+    minimum: int | float | None = None
+    maximum: int | float | None = None
     """Limits that a write must keep, in the unit of the value."""
     group: str | None = None
     """The group that publishes it."""
@@ -152,8 +152,11 @@ class Signal(msgspec.Struct, frozen=True, kw_only=True):
         if isinstance(value, str) or (self.minimum is None and self.maximum is None):
             return None
         low, high = self.limits
-        if low <= value <= high:
-            return None
+        return None if low <= value <= high else self.beyond_limits(value)
+
+    def beyond_limits(self, value: Value) -> ArgumentError:
+        """Return the error for a value outside of the limits."""
+        low, high = self.limits
         unit = f" {self.unit}" if self.unit else ""
         return ArgumentError(f"{self.path}: {value} is outside of its limits, {low:.12g} to {high:.12g}{unit}")
 
@@ -361,6 +364,8 @@ class Spec(msgspec.Struct, frozen=True, kw_only=True):
             ArgumentError: where there is none of that name, or the name is needed.
         """
         names = ", ".join(interface.name for interface in self.interfaces)
+        if not names:
+            raise ArgumentError("the spec has no public interface: it begins as in `public robot() {`")
         if name is None and len(self.interfaces) != 1:
             raise ArgumentError(f"the spec has {len(self.interfaces)} public interfaces: name one of {names}")
         for interface in self.interfaces:

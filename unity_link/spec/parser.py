@@ -50,6 +50,8 @@ ESCAPES = {"n": "\n", "t": "\t", '"': '"', "\\": "\\"}
 MOST_NESTED = 40
 """Brackets within brackets. No robot needs more, and each level is a level of recursion from here on."""
 MOST_CHARACTERS = 16 << 20
+# Tab and line ends are space; the others no language takes in a comment, and a terminal obeys them.
+_CONTROL = re.compile(r"[\x00-\x08\x0b\x0e-\x1f\x7f]")
 _BRACKETS = re.compile(r'"(?:\\[^\n]|[^"\\\n])*"|//[^\n]*|/\*.*?\*/|[(\[{}\])]', re.DOTALL)
 
 
@@ -72,6 +74,11 @@ def _is_sane(source: SourceText, reporter: Reporter) -> bool:
     if len(source.text) > MOST_CHARACTERS:
         message = f"a spec of {len(source.text):,} characters is too long: {MOST_CHARACTERS:,} are the most"
         reporter.error(source, (0, 1), "too-long", message)
+        return False
+    control = _CONTROL.search(source.text)
+    if control is not None:
+        message = f"the control character U+{ord(control[0]):04X} stands here"
+        reporter.error(source, control.span(), "control-character", message, help="leave it out")
         return False
     depth = 0
     for match in _BRACKETS.finditer(source.text):

@@ -6,10 +6,11 @@ import math
 import re
 from typing import TYPE_CHECKING, NamedTuple
 
+from unity_link.errors import ArgumentError
 from unity_link.spec.arguments import ACCESS, Binder, Bound
 from unity_link.spec.diagnostics import did_you_mean, listed
 from unity_link.spec.expressions import Evaluator, GroupReference, Result, describe, parse_number
-from unity_link.spec.kinds import FLOAT_BITS, MOST_BITS, Enumeration, Kind, KindName
+from unity_link.spec.kinds import FLOAT_BITS, MOST_BITS, WITHOUT_SCALE, Enumeration, Kind, KindName
 from unity_link.spec.model import Access
 
 if TYPE_CHECKING:
@@ -19,7 +20,6 @@ if TYPE_CHECKING:
 
 PLAIN_KINDS = [name.value for name in KindName if name is not KindName.ENUM]
 _FIXED = re.compile(r"(\d+)\.(\d+)")
-_WITHOUT_SCALE = {KindName.BOOL, KindName.ENUM, KindName.FLOAT}
 
 
 class BitRange(NamedTuple):
@@ -181,21 +181,21 @@ class SignalReader:
     def _scaled(self, kind: Kind, arguments: Bound, binder: Binder, node: SignalDeclaration) -> Kind:
         scale, offset = arguments.get("SCALE", 1), arguments.get("OFFSET", 0)
         given = next((name for name in ("SCALE", "OFFSET") if name in arguments), None)
-        if given is not None and kind.name in _WITHOUT_SCALE:
-            message = f"a {kind.name} has no {given}"
+        if given is not None and kind.name in WITHOUT_SCALE:
+            message = f"no {kind.name} has {given}"
             self._fault(binder.places[given], "bad-scale", message, "signed, unsigned and fixed have one")
             return kind
         if scale == 0:
             self._fault(binder.places["SCALE"], "bad-scale", "SCALE is 0, so that every value would be the same")
             return kind
         scaled = Kind(kind.name, kind.width, kind.fraction, scale, offset)
-        if kind.name not in _WITHOUT_SCALE and not scaled.is_exact():
+        if kind.name not in WITHOUT_SCALE and not scaled.is_exact():
             place = binder.places[given] if given is not None else node.name.place
             message = f"a float cannot tell all values of {scaled} apart"
             advice = "it has 53 bits: take fewer bits, or read the whole number and scale it yourself"
             self._fault(place, "inexact", message, advice)
             return kind
-        return kind if kind.name in _WITHOUT_SCALE else scaled
+        return kind if kind.name in WITHOUT_SCALE else scaled
 
     def _publishing(self, access: Access, arguments: Bound, binder: Binder) -> Publishing | None:
         for name in ("PUBLISH", "POLL"):
@@ -219,7 +219,7 @@ class SignalReader:
                 continue
             place, limit = binder.places[name], arguments[name]
             if kind.name in {KindName.BOOL, KindName.ENUM}:
-                self._fault(place, "bad-limit", f"a {kind.name} has no {name}")
+                self._fault(place, "bad-limit", f"no {kind.name} has {name}")
                 return
             if not access.writes:
                 message = f"{name} limits what is written, and this signal is only read"
@@ -229,13 +229,16 @@ class SignalReader:
             if kind.name is KindName.FLOAT:
                 most = {16: 65504.0, 32: math.ldexp(2 - 2**-23, 127)}.get(kind.width, math.inf)
                 first, last = -most, most
-            if not first <= limit <= last:
+            if not (first <= limit <= last or _reaches(kind, limit)):
                 message = f"{name}={limit:.12g} is outside of {first:.12g} to {last:.12g}, the range of {kind}"
                 self._fault(place, "bad-limit", message)
                 return
         if low is not None and high is not None and low > high:
             message = f"MIN={low:.12g} is more than MAX={high:.12g}"
             self._fault(binder.places["MIN"], "bad-limit", message, "exchange them")
+        elif low is not None and high is not None and not kind.is_float and math.ceil(low) > math.floor(high):
+            message = f"there is no whole number from MIN={low:.12g} to MAX={high:.12g}, and {kind} has no others"
+            self._fault(binder.places["MIN"], "bad-limit", message, "a SCALE makes steps smaller than 1")
 
     def _check_fifo(self, kind: Kind, bits: BitRange | None, arguments: Bound, binder: Binder) -> None:
         if "FIFO" not in arguments:
@@ -246,3 +249,14 @@ class SignalReader:
         elif kind.width > self._data_bits:
             message = f"a FIFO hands out words of {self._data_bits} bits, and {kind} has {kind.width}"
             self._fault(place, "bad-fifo", message)
+
+
+def _reaches(kind: Kind, limit: float) -> bool:
+    """Whether a limit beyond the range of a scaled kind goes to a number that it has: 0.3 times 3 is less than 0.9."""
+    if not kind.is_scaled:
+        return False
+    try:
+        kind.encode(limit)
+    except ArgumentError:
+        return False
+    return True

@@ -30,6 +30,7 @@ from unity_link.transport.channel import refused_as
 
 if TYPE_CHECKING:
     import asyncio
+    from collections.abc import Callable
     from importlib.metadata import EntryPoints
 
     from unity_link.protocol.configuration import GatewayInfo
@@ -109,6 +110,11 @@ class DriverUrl(msgspec.Struct, frozen=True):
         if text not in ("0", "1"):
             raise ArgumentError(f"{option}={text} in {self.text} is neither 0 nor 1")
         return text == "1"
+
+    @property
+    def without_host(self) -> str:
+        """The URL with what it has for a host as the first folder of its path."""
+        return self.text.replace("://", ":/", 1)
 
     @property
     def node(self) -> int | None:
@@ -257,14 +263,18 @@ def parse_url(url: str) -> DriverUrl:
         ConnectError: where the driver of the scheme cannot be imported.
     """
     scheme, text = url.partition(":")[0], _TOKEN.sub("...", url)
+    if "\0" in url:
+        raise ArgumentError(f"{text!r} is malformed: it has a NUL character")
     if ":" not in url or not (scheme in _DRIVERS or _register_installed(scheme)):
         known = ", ".join(f"{name}:" for name in dict.fromkeys((*_DRIVERS, *_installed().names)))
         likely = _likely_url(text)
         hint = f"did you mean {likely!r}?" if likely else f"it should begin with one of {known}"
         raise ArgumentError(f"{text!r} is no URL of a gateway: {hint}")
     try:
-        parts = urlsplit(url)
-        options = dict(parse_qsl(parts.query, keep_blank_values=True, strict_parsing=bool(parts.query)))
+        # A # may be in the name of a file, and a + in a token.
+        parts = urlsplit(url, allow_fragments=False)
+        query = parts.query.replace("+", "%2B")
+        options = dict(parse_qsl(query, keep_blank_values=True, strict_parsing=bool(query)))
         if scheme in _DEVICE_NAMES:
             parsed = DriverUrl(text, scheme, parts.netloc, None, parts.path, options)
         else:
@@ -339,13 +349,16 @@ def _is_shared(url: DriverUrl) -> bool:
 async def _open_shared(url: DriverUrl, protocol: asyncio.Protocol) -> asyncio.Transport:
     """Open a link's part of a port; where that waits, a thread does."""
     import asyncio
+    import threading
 
     from unity_link.transport.channel_transport import LoopWatcher, make_transport
 
-    opening = asyncio.get_running_loop().run_in_executor(None, open_channel, url, _OPENING_TIMEOUT)
+    given_up = threading.Event()
+    opening = asyncio.get_running_loop().run_in_executor(None, open_channel, url, _OPENING_TIMEOUT, given_up.is_set)
     try:
         channel = await asyncio.shield(opening)
     except asyncio.CancelledError:
+        given_up.set()
         opening.add_done_callback(_close_opened)
         raise
     return make_transport(LoopWatcher(), channel, protocol)
@@ -361,12 +374,13 @@ def has_channel(target: DriverUrl | Medium) -> TypeGuard[DriverUrl]:
     return isinstance(target, DriverUrl) and hasattr(load_driver(target.scheme), "open_channel")
 
 
-def open_channel(url: DriverUrl, timeout: float | None) -> Channel:
+def open_channel(url: DriverUrl, timeout: float | None, is_given_up: Callable[[], bool] = lambda: False) -> Channel:
     """Open a medium whose driver has `open_channel`, without an event loop; of a shared port, the part of a node.
 
     Args:
         url: names it.
         timeout: seconds after which it can't be opened; None: no limit.
+        is_given_up: whether nobody waits for it any more.
 
     Raises:
         ConnectError: where the medium can't be opened.
@@ -376,7 +390,7 @@ def open_channel(url: DriverUrl, timeout: float | None) -> Channel:
         if _is_shared(url):
             from unity_link.transport.shared_port import open_shared
 
-            return open_shared(url, lambda: driver.open_channel(url, timeout))
+            return open_shared(url, lambda: driver.open_channel(url, timeout), is_given_up)
         channel: Channel = driver.open_channel(url, timeout)
         return channel
 

@@ -70,7 +70,7 @@ class SocketChannel:
 
 
 @contextlib.contextmanager
-def refused_as(failure: str, question: str | Callable[[OSError], str] = "") -> Iterator[None]:
+def refused_as(failure: str, question: str | Callable[[OSError | UnicodeError], str] = "") -> Iterator[None]:
     """Have what the system refuses in the block raise ConnectError.
 
     Args:
@@ -79,13 +79,16 @@ def refused_as(failure: str, question: str | Callable[[OSError], str] = "") -> I
     """
     try:
         yield
-    except OSError as error:
+    except (OSError, UnicodeError) as error:
         asked = question(error) if callable(question) else question
         raise ConnectError(f"{failure} ({refusal(error)})" + (f"; {asked}" if asked else "")) from error
 
 
-def refusal(error: OSError) -> str:
+def refusal(error: OSError | UnicodeError) -> str:
     """Return why the system refused something, in its own words where asyncio has others."""
+    if isinstance(error, UnicodeError):
+        # Of `socket`, which asks for an address by name in IDNA.
+        return "that cannot be a name"
     # Of several addresses asyncio tells the numbers of the errors alone.
     numbers = [error.errno or 0, *map(int, re.findall(r"\[Errno (\d+)\]", str(error)))]
     number = next((number for number in numbers if number > 0), None)

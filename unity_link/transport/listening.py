@@ -87,11 +87,11 @@ async def listen_tcp(
         ConnectError: where the port can't be opened.
     """
     try:
-        server = await asyncio.get_running_loop().create_server(factory, host, port)
-    except (OSError, OverflowError) as error:
+        server = await asyncio.get_running_loop().create_server(factory, checked_host(host), port)
+    except (OSError, OverflowError, UnicodeError) as error:
         raise port_error("TCP", host, port, error) from error
     try:
-        yield f"tcp://{f'[{host}]' if ':' in host else host}:{server.sockets[0].getsockname()[1]}"
+        yield url_of("tcp", host, server.sockets[0].getsockname()[1])
     finally:
         server.close()
 
@@ -163,8 +163,25 @@ def _make_way(place: Path) -> None:
             raise ConnectError(f"{place} is already served by another program: choose another path")
 
 
+def checked_host(host: str) -> str:
+    """Return an address to listen at.
+
+    Raises:
+        OSError: for an empty one, which asyncio takes for every address of the machine.
+    """
+    if not host:
+        raise OSError(errno.EINVAL, "an address was expected")
+    return host
+
+
+def url_of(scheme: str, host: str, port: int) -> str:
+    """Return the URL of a port."""
+    return f"{scheme}://{f'[{host}]' if ':' in host else host}:{port}"
+
+
 def port_error(kind: str, host: str, port: int, error: Exception) -> ConnectError:
     """Say why a port can't be opened."""
+    host = host or repr(host)
     if isinstance(error, OSError) and error.errno == errno.EADDRINUSE:
         return ConnectError(f"{kind} port {port} of {host} is in use: choose another, or 0 for any free one")
     reason = getattr(error, "strerror", None) or error

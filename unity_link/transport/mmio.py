@@ -118,7 +118,7 @@ def open_bus(url: DriverUrl) -> MappedBus:
             )
         try:
             return MappedBus(url.path, place, info)
-        except ValueError as error:
+        except (ValueError, OverflowError) as error:
             raise ConnectError(f"it cannot be mapped ({error})") from None
 
 

@@ -61,7 +61,9 @@ def section() -> bytes:
 
 def interface(name: str) -> bytes:
     """Return the block of a connection; those of a section are numbered from 0 in their order."""
-    options = _option(_NAME, name.encode()) + _option(_RESOLUTION, bytes([_NANOSECONDS])) + _END
+    options = (
+        _option(_NAME, name.encode(errors="backslashreplace")) + _option(_RESOLUTION, bytes([_NANOSECONDS])) + _END
+    )
     return _block(INTERFACE, struct.pack("<HHI", LINK_TYPE, 0, 0) + options)
 
 

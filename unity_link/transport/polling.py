@@ -67,6 +67,7 @@ class Poller:
         self._clock = clock
         self._spinning = Spinning(processors)
         self.unregister = self._selector.unregister
+        self.close = self._selector.close
 
     def register(self, descriptor: int, events: int) -> None:
         """Wait for some of `READABLE` and `WRITABLE` from now on."""

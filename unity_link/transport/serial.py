@@ -39,6 +39,8 @@ DEFAULT_BAUD = 115_200
 NODES_SHARE = True
 DEFAULTS = {"baud": str(DEFAULT_BAUD), "rtscts": "0"}
 """What the options of the port are where they are not given."""
+_MOST_BAUD = (1 << 31) - 1
+"""What the system holds a rate in."""
 _BITS = 10
 """Of a byte, with start and stop bit."""
 DEFAULT_LIBRARY = "pyserial-asyncio-fast"
@@ -83,11 +85,13 @@ def _library(url: DriverUrl) -> str:
 
 
 def _open(url: DriverUrl) -> SerialPort:
+    if url.host:
+        raise ArgumentError(f"{url.text} names a host, {url.host}: did you mean {url.without_host}?")
     if not url.path:
         raise ArgumentError(f"{url.text} names no port: serial:/dev/ttyUSB0?baud=115200 was expected")
     baud = url.integer("baud", DEFAULT_BAUD)
-    if baud <= 0:
-        raise ArgumentError(f"baud={baud} in {url.text} is not positive")
+    if not 0 < baud <= _MOST_BAUD:
+        raise ArgumentError(f"baud={baud} in {url.text} is not from 1 to {_MOST_BAUD}")
     rtscts = url.flag("rtscts")
     try:
         return SerialPort(url.path, baudrate=baud, rtscts=rtscts, timeout=0, write_timeout=0, exclusive=True)

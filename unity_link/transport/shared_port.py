@@ -13,7 +13,7 @@ import select
 import threading
 from typing import TYPE_CHECKING, Any
 
-from unity_link.errors import ArgumentError
+from unity_link.errors import ArgumentError, ConnectError
 from unity_link.transport.channel import LARGEST_READ
 from unity_link.transport.turns import Line
 
@@ -60,12 +60,15 @@ class Port:
             self.channel.close()
 
 
-def open_shared(url: DriverUrl, open_alone: Callable[[], Channel]) -> SharedChannel:
+def open_shared(
+    url: DriverUrl, open_alone: Callable[[], Channel], is_given_up: Callable[[], bool] = lambda: False
+) -> SharedChannel:
     """Return a link's part of a port, which is opened if it is not open.
 
     Args:
         url: names port and node.
         open_alone: opens the port.
+        is_given_up: whether nobody waits for the link any more: then the node is left to the next who asks for it.
 
     Raises:
         ArgumentError: where the port is open with other settings.
@@ -87,6 +90,10 @@ def open_shared(url: DriverUrl, open_alone: Callable[[], Channel]) -> SharedChan
         with _LOCK:
             if port.over:
                 continue
+            if is_given_up():
+                if not port.users:
+                    port.end()
+                raise ConnectError("it was given up")
             if port.settings != _settings(url):
                 raise ArgumentError(
                     f"{url.text}: this program has opened the port as {port.text}, so with other options"

@@ -21,6 +21,8 @@ if TYPE_CHECKING:
 
 OPTIONS = frozenset({"token"})
 NODES_SHARE = True
+NAMELESS = (socket.gaierror, UnicodeError)
+"""Errors where a host has no address."""
 
 
 def address(url: DriverUrl) -> tuple[str, int]:
@@ -61,7 +63,7 @@ def open_channel(url: DriverUrl, timeout: float | None) -> Channel:
 def _refused(host: str, port: int) -> AbstractContextManager[None]:
     return refused_as(
         f"no connection to port {port} of {host}",
-        lambda error: "is the name right?" if isinstance(error, socket.gaierror) else "is it listening?",
+        lambda error: "is the name right?" if isinstance(error, NAMELESS) else "is it listening?",
     )
 
 

@@ -13,10 +13,12 @@ from typing import TYPE_CHECKING, Any
 from unity_link.errors import ConnectError
 from unity_link.protocol.constants import QUICK_TIMEOUT
 from unity_link.protocol.datagrams import HostDatagrams
-from unity_link.transport.tcp import address
+from unity_link.transport.channel import refused_as
+from unity_link.transport.tcp import NAMELESS, address
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
+    from contextlib import AbstractContextManager
 
     from unity_link.transport import DriverUrl
     from unity_link.transport.channel import Channel
@@ -34,25 +36,33 @@ MOST_TOGETHER = 64
 async def connect(url: DriverUrl, protocol: asyncio.Protocol) -> asyncio.Transport:
     """Open a socket that speaks with one gateway only."""
     host, port = address(url)
-    try:
+    with refused(host, port):
         _, adapter = await asyncio.get_running_loop().create_datagram_endpoint(
             lambda: DatagramAdapter(protocol, url.node), remote_addr=(host, port)
         )
-    except OSError as error:
-        raise ConnectError(f"no socket for port {port} of {host} ({error.strerror or error})") from error
     return adapter
 
 
 def open_channel(url: DriverUrl, timeout: float | None) -> Channel:  # noqa: ARG001  (nothing is waited for)
     """Open a socket that speaks with one gateway only, without an event loop."""
     host, port = address(url)
-    try:
+    with refused(host, port):
         family, kind, protocol, _, remote = socket.getaddrinfo(host, port, type=socket.SOCK_DGRAM)[0]
         opened = socket.socket(family, kind, protocol)
-        opened.connect(remote)
-    except OSError as error:
-        raise ConnectError(f"no socket for port {port} of {host} ({error.strerror or error})") from error
+        try:
+            opened.connect(remote)
+        except BaseException:
+            opened.close()
+            raise
     return DatagramChannel(opened, HostDatagrams(url.node))
+
+
+def refused(host: str, port: int) -> AbstractContextManager[None]:
+    """Have what the system refuses in the block raise ConnectError, for a port of a host."""
+    return refused_as(
+        f"no socket for port {port} of {host}",
+        lambda error: "is the name right?" if isinstance(error, NAMELESS) else "",
+    )
 
 
 class DatagramChannel:

@@ -46,7 +46,7 @@ def _refused(path: str) -> AbstractContextManager[None]:
     return refused_as(f"no connection to the socket {path}", lambda error: _question(path, error))
 
 
-def _question(path: str, error: OSError) -> str:
+def _question(path: str, error: OSError | UnicodeError) -> str:
     if isinstance(error, PermissionError):
         return "it is another user's, and open to that one alone: serve to several users by --tcp and a token"
     if Path(path).exists() and not Path(path).is_socket():
@@ -55,6 +55,8 @@ def _question(path: str, error: OSError) -> str:
 
 
 def _path(url: DriverUrl) -> str:
+    if url.host:
+        raise ArgumentError(f"{url.text} names a host, {url.host}: did you mean {url.without_host}?")
     if not url.path:
         raise ArgumentError(f"{url.text} names no socket: unix:/path was expected")
     return url.path

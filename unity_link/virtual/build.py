@@ -13,6 +13,7 @@ import msgspec
 
 from unity_link.errors import ArgumentError, UnsupportedError
 from unity_link.protocol.configuration import Feature, GatewayInfo
+from unity_link.protocol.crc import USUAL_POLYNOMIALS
 from unity_link.virtual.faults import Noise, NoisyLine
 from unity_link.virtual.gateway import BareGateway, Gateway, VirtualGateway
 from unity_link.virtual.line import SlowLine
@@ -50,7 +51,6 @@ CONFIGURATION = tuple(name for name in GatewayInfo.__struct_fields__ if name != 
 """Fields of `GatewayInfo` that a user can choose."""
 ROBOT_OPTIONS = frozenset({"model", "interface", "fault", "trigger"})
 """Options of a URL that say something of the robot."""
-_POLYNOMIALS = {8: 0x07, 16: 0x1021, 32: 0x04C11DB7}
 
 
 class Wanted(msgspec.Struct, frozen=True, kw_only=True):
@@ -339,8 +339,8 @@ def _build_of(wanted: Wanted) -> Configuration:
 
 def _info(configuration: Mapping[str, int], default: GatewayInfo | None = None) -> GatewayInfo:
     values = dict(configuration)
-    if "crc_bits" in values and values["crc_bits"] in _POLYNOMIALS:
-        values.setdefault("crc_polynomial", _POLYNOMIALS[values["crc_bits"]])
+    if values.get("crc_bits") in USUAL_POLYNOMIALS:
+        values.setdefault("crc_polynomial", USUAL_POLYNOMIALS[values["crc_bits"]])
     if "features" in values:
         values["features"] = Feature(values["features"])
     info = msgspec.structs.replace(default or GatewayInfo(), **values)

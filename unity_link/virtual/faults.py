@@ -18,6 +18,7 @@ from typing import TYPE_CHECKING, Generic, TypeVar
 
 from unity_link.errors import ArgumentError
 from unity_link.protocol.messages import ErrorCode
+from unity_link.transport.buffered import HIGH_WATER
 from unity_link.virtual.bus import AccessError
 from unity_link.virtual.gateway import Gateway
 
@@ -221,8 +222,8 @@ class NoisyLine(Gateway):
 
     @property
     def waiting(self) -> int:
-        """Bytes that have not reached the gateway yet, or wait there."""
-        return self._towards.held_bytes + self._gateway.waiting
+        """Bytes that have not reached the gateway yet, or wait there, or on their way back."""
+        return self._towards.held_bytes + self._gateway.waiting + self._back.held_bytes
 
     @property
     def leaves_time_out(self) -> bool:
@@ -257,6 +258,9 @@ class NoisyLine(Gateway):
 
     def _step(self, now: float, room: int | None) -> None:
         data = self._towards.take(now)
+        if self._back.held_bytes >= HIGH_WATER:
+            # A line that stands still takes nothing from a gateway, which loses its samples.
+            room = 0
         # To receive, a gateway advances first; it does not know of a medium without room.
         if room is not None or not data:
             self._send_back(self._gateway.advance(now, room), now)

@@ -9,6 +9,7 @@ FIFO; a frame of the gateway arrives at the host when the line has carried its l
 
 from __future__ import annotations
 
+import math
 import re
 from collections import deque
 from typing import TYPE_CHECKING
@@ -33,11 +34,11 @@ class SlowLine(Gateway):
         bytes_per_second: rate of the line from the gateway to the host.
 
     Raises:
-        ArgumentError: for a rate of 0 or less.
+        ArgumentError: for a rate of 0 or less, or without an end.
     """
 
     def __init__(self, gateway: BareGateway, bytes_per_second: float) -> None:
-        if bytes_per_second <= 0:
+        if not 0 < bytes_per_second < math.inf:
             raise ArgumentError(f"bytes_per_second={bytes_per_second} is no rate: more than 0 was expected")
         self.info = gateway.info
         self.wake: Callable[[], None] = lambda: None

@@ -72,9 +72,7 @@ class Cell:
         self.frozen = 0
         self._gathered = [0] * signal.words
         self._kept, self._next_part = 0, 0
-        # What a program may write goes to the nearest value that there is, and so do the limits.
-        kind, limits = signal.kind, (signal.minimum, signal.maximum)
-        self._bounds = [None if limit is None else kind.decode(kind.encode(limit)) for limit in limits]
+        self._bounds = _bound(signal, signal.minimum), _bound(signal, signal.maximum)
 
     def set(self, value: Value | str) -> None:
         """Give it a value; what a float is between two values of the register is kept.
@@ -251,6 +249,13 @@ def _encoded(signal: Signal, value: Value | str) -> int:
         return signal.kind.encode(value)
     except ArgumentError as error:
         raise ArgumentError(f"{signal.path}: {error}") from None
+
+
+def _bound(signal: Signal, limit: float | None) -> Value | None:
+    """Return what a value on the bus may be at most, or at least, of a limit that a program keeps to."""
+    # A float of a program goes to the nearest value that there is, and so does the limit; a whole number stays itself.
+    kind = signal.kind
+    return limit if limit is None or not kind.is_float else kind.decode(kind.encode(limit))
 
 
 def _limits(signal: Signal) -> str:

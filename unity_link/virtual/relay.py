@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 from unity_link.transport import parse_url
 from unity_link.transport.listening import LOOPBACK, serving
 from unity_link.transport.tcp import address
+from unity_link.transport.udp import refused
 
 if TYPE_CHECKING:
     from collections.abc import AsyncIterator
@@ -24,6 +25,8 @@ Address: TypeAlias = Any
 Parcel: TypeAlias = "tuple[bytes, Address]"
 """A datagram and the client that it comes from or goes to."""
 _LARGEST = 65_536
+MOST_CLIENTS = 64
+"""Who has not been heard for longest is forgotten: a client has another port each time."""
 
 
 @serving("a network")
@@ -37,6 +40,7 @@ async def relay_udp(url: str, towards: Straying[Parcel], back: Straying[Parcel])
 
     Raises:
         ArgumentError: for a URL that names no host and port.
+        ConnectError: where there is no such host.
     """
     relay = _Relay(address(parse_url(url)), towards, back)
     try:
@@ -47,15 +51,19 @@ async def relay_udp(url: str, towards: Straying[Parcel], back: Straying[Parcel])
 
 class _Relay:
     def __init__(self, gateway: tuple[str, int], towards: Straying[Parcel], back: Straying[Parcel]) -> None:
-        self._gateway = gateway
+        with refused(*gateway):
+            known = socket.getaddrinfo(*gateway, type=socket.SOCK_DGRAM)
+        # Gateways are served at IPv4 where nothing else is said, and localhost is often both.
+        chosen = min(known, key=lambda one: one[0] != socket.AF_INET)
+        self._family, self._gateway = chosen[0], chosen[4]
         self._towards = towards
         self._back = back
         self._loop = asyncio.get_running_loop()
-        self._near = self._socket()
+        self._near = self._socket(socket.AF_INET)
         self._near.bind((LOOPBACK, 0))
         self._loop.add_reader(self._near, self._take)
         self._far: dict[Address, socket.socket] = {}
-        """The port towards the gateway of each client."""
+        """The port towards the gateway of each client, whoever was heard last at the end."""
 
     @property
     def port(self) -> int:
@@ -64,12 +72,15 @@ class _Relay:
 
     def close(self) -> None:
         for opened in (self._near, *self._far.values()):
-            self._loop.remove_reader(opened)
-            opened.close()
+            self._close(opened)
+
+    def _close(self, opened: socket.socket) -> None:
+        self._loop.remove_reader(opened)
+        opened.close()
 
     @staticmethod
-    def _socket() -> socket.socket:
-        opened = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
+    def _socket(family: int) -> socket.socket:
+        opened = socket.socket(family, socket.SOCK_DGRAM)
         opened.settimeout(0)
         return opened
 
@@ -80,11 +91,15 @@ class _Relay:
                 self._far_of(client).send(datagram)
 
     def _far_of(self, client: Address) -> socket.socket:
-        if client not in self._far:
-            far = self._far[client] = self._socket()
+        far = self._far.pop(client, None)
+        if far is None:
+            if len(self._far) == MOST_CLIENTS:
+                self._close(self._far.pop(next(iter(self._far))))
+            far = self._socket(self._family)
             far.connect(self._gateway)
             self._loop.add_reader(far, self._take_back, far, client)
-        return self._far[client]
+        self._far[client] = far
+        return far
 
     def _take_back(self, far: socket.socket, client: Address) -> None:
         """Pass on what the gateway sent to a client."""

@@ -23,7 +23,7 @@ from typing import TYPE_CHECKING, Any, cast
 from unity_link.errors import ConnectError
 from unity_link.protocol.datagrams import GatewayDatagrams
 from unity_link.protocol.messages import Codec
-from unity_link.transport.listening import LOOPBACK, listen_tcp, listen_unix, port_error, serving
+from unity_link.transport.listening import LOOPBACK, checked_host, listen_tcp, listen_unix, port_error, serving, url_of
 from unity_link.virtual.transport import GatewayTransport
 from unity_link.virtual.uart import UartLine
 
@@ -49,6 +49,9 @@ class ClientCounter(asyncio.Protocol):
         """Where bytes for the client go."""
         self.reader: asyncio.ReadTransport | None = None
         """Where bytes of the client come from."""
+        self.connected: set[asyncio.Transport] = set()
+        """All connections: that of the client, and those that are still to be served or refused."""
+        self._over = False
 
     @property
     def taken(self) -> bool:
@@ -59,6 +62,20 @@ class ClientCounter(asyncio.Protocol):
         """Record that the client has gone."""
         self.sender = self.reader = None
         self.gateway.resume_reading()
+
+    def admit(self, transport: asyncio.Transport) -> bool:
+        """Record a connection; return False for one that was made when all had been hung up on."""
+        if self._over:
+            transport.abort()
+        else:
+            self.connected.add(transport)
+        return not self._over
+
+    def hang_up(self) -> None:
+        """End all connections, and admit none any more."""
+        self._over = True
+        for transport in tuple(self.connected):
+            transport.abort()
 
     # Called by the gateway's side
 
@@ -84,10 +101,13 @@ class _Client(asyncio.Protocol):
     def __init__(self, counter: ClientCounter) -> None:
         self._counter = counter
         self._served = False
+        self._transport: asyncio.Transport
 
     def connection_made(self, transport: asyncio.BaseTransport) -> None:
         # No check by class: the transports of uvloop are of none of asyncio's.
-        client = cast("asyncio.Transport", transport)
+        self._transport = client = cast("asyncio.Transport", transport)
+        if not self._counter.admit(client):
+            return
         if self._counter.taken:
             client.pause_reading()
             asyncio.get_running_loop().call_later(GRACE, self._serve_or_refuse, client)
@@ -109,7 +129,9 @@ class _Client(asyncio.Protocol):
 
     def _refuse(self, transport: asyncio.Transport) -> None:
         transport.write(BUSY)
-        transport.write_eof()
+        # It may have reset the connection meanwhile.
+        with contextlib.suppress(OSError):
+            transport.write_eof()
         # To close with something unread would reset the connection, and the client would not see what was written.
         transport.resume_reading()
         asyncio.get_running_loop().call_later(GRACE, transport.close)
@@ -127,6 +149,7 @@ class _Client(asyncio.Protocol):
             self._counter.gateway.resume_reading()
 
     def connection_lost(self, exc: Exception | None) -> None:  # noqa: ARG002  (why it has gone changes nothing)
+        self._counter.connected.discard(self._transport)
         if self._served:
             self._counter.leave()
 
@@ -142,12 +165,11 @@ async def _counter(gateway: Gateway) -> AsyncIterator[ClientCounter]:
 
 @contextlib.contextmanager
 def _hanging_up(counter: ClientCounter) -> Iterator[None]:
-    """Hang up on the client at the end."""
+    """Hang up on all clients at the end."""
     try:
         yield
     finally:
-        if counter.sender is not None:
-            counter.sender.abort()
+        counter.hang_up()
 
 
 @serving("a gateway")
@@ -243,12 +265,12 @@ async def serve_udp(
         try:
             codec = Codec(gateway.info, node)
             transport, _ = await loop.create_datagram_endpoint(
-                lambda: _DatagramClients(counter, codec), local_addr=(host, port)
+                lambda: _DatagramClients(counter, codec), local_addr=(checked_host(host), port)
             )
-        except (OSError, OverflowError) as error:
+        except (OSError, OverflowError, UnicodeError) as error:
             raise port_error("UDP", host, port, error) from error
         try:
-            yield f"udp://{host}:{transport.get_extra_info('sockname')[1]}"
+            yield url_of("udp", host, transport.get_extra_info("sockname")[1])
         finally:
             transport.close()
             # The port is free in the next turn of the loop.
@@ -259,6 +281,7 @@ class _PtySide(_Client):
     """One direction of a pty, which asyncio treats as two pipes."""
 
     def connection_made(self, transport: asyncio.BaseTransport) -> None:
+        self._transport = cast("asyncio.Transport", transport)
         self._served = True
         # The transport of a write pipe calls itself a read transport, too.
         if isinstance(transport, asyncio.WriteTransport):

@@ -198,6 +198,29 @@ async def what_is_about_groups_begins_an_epoch_between_two_samples_if_it_is_answ
     # The samples before one that was executed already stand before its first answer.
     await around.execute(Request("GX", IDS - 1, group=3))
     assert dut.epoch.value == epoch
+    # What is told to all is not answered: the next answer ends the epoch for it, once, whatever that answers.
+    for number, request in enumerate(
+        (
+            Request("H"),
+            Request("R", address=1),
+            Request("RM", address=1, count=2),
+            Request("W", address=1, word=5, error=1),
+            Request("WS", IDS // 2 - 1, address=1, word=5),
+            Request("GN", group=3),
+            Request("GN", group=4),
+        )
+    ):
+        await around.execute(Request("K", 0))
+        epoch ^= 1
+        for _ in range(1 + number % 3):
+            await around.execute(Request("GS", group=3, count=2, words=[1, 2], silent=True))
+            await around.execute(Request("WS", address=1, word=5))
+            await around.execute(Request("H", silent=True))
+            assert dut.epoch.value == epoch
+        for _ in range(1 if request.command in ("GN", "WS") else 2):
+            await around.execute(request)
+            assert dut.epoch.value == epoch ^ 1, request
+        epoch ^= 1
 
 
 @cocotb.test

@@ -10,7 +10,16 @@ from typing import TYPE_CHECKING
 import cocotb
 from cocotb.triggers import ClockCycles, RisingEdge
 
-from gateware.bench.subscription_manager.around import IMMEDIATE, ON_CHANGE, PERIODIC, PLAIN, STAMP, TRIGGER, Around
+from gateware.bench.subscription_manager.around import (
+    IMMEDIATE,
+    ON_CHANGE,
+    PERIODIC,
+    PLAIN,
+    STAMP,
+    TRIGGER,
+    Around,
+    Sample,
+)
 
 if TYPE_CHECKING:
     from cocotb.handle import SimHandleBase
@@ -126,6 +135,92 @@ async def a_trigger_is_for_its_own_group_while_that_runs_and_wants_it(dut: SimHa
     await around.operate("stop", 1)
     dut.trigger.value = 0b111
     assert await around.take(60) == []
+
+
+async def _toggle(dut: SimHandleBase, mask: int, half: int) -> None:
+    """Toggle the triggers of a mask every `half` cycles: a rising edge each `2 * half`."""
+    while True:
+        dut.trigger.value = int(dut.trigger.value) ^ mask
+        await ClockCycles(dut.clk, half)
+
+
+@cocotb.test
+async def edges_that_no_group_wants_delay_nothing_however_many_they_are(dut: SimHandleBase) -> None:
+    around = await _begin(dut)
+    last = int(dut.groups.value) - 1
+    for group in range(last):
+        await _set_and_start(around, group, (0, PERIODIC)[group == 0], [1], 1000)
+    await _set_and_start(around, last, PERIODIC | STAMP, [2])
+    for half in (2, 3, 5):
+        edges = cocotb.start_soon(_toggle(dut, (1 << last + 1) - 1, half))
+        await around.take(TICK)
+        samples = [sample for sample in await around.take(10 * TICK) if sample.group == last]
+        assert {after.stamp - before.stamp for before, after in pairwise(samples)} == {TICK}
+        assert len(samples) == 10
+        for operation in ("stop", "start", "publish"):
+            begun = around.cycle
+            await around.operate(operation, 0)
+            # That of the last group may go before it, and a start waits for the timer.
+            assert around.cycle - begun < 30 + last
+        edges.cancel()
+
+
+@cocotb.test
+async def operations_take_their_turn_whatever_edges_ask_for(dut: SimHandleBase) -> None:
+    around = await _begin(dut)
+    groups = min(8, int(dut.groups.value))
+    edges = cocotb.start_soon(_toggle(dut, (1 << groups) - 1, 2))
+    for group in range(groups):
+        await _set_and_start(around, group, TRIGGER, [group] * 5)
+    # What is due is served lowest number first, so the edges of group 0 leave no room for others.
+    assert {sample.group for sample in await around.take(500)} == {0}
+    for group in range(groups):
+        for operation in ("start", "publish", "stop"):
+            begun = around.cycle
+            await around.operate(operation, group)
+            # One sample may go before it, and a start waits for the timer.
+            assert around.cycle - begun < 80 + int(dut.groups.value)
+        assert group in {sample.group for sample in await around.take(2)}
+    assert await around.take(500) == []
+    edges.cancel()
+
+
+@cocotb.test
+async def edges_count_by_the_flags_with_which_a_group_was_started(dut: SimHandleBase) -> None:
+    around = await _begin(dut)
+    last = int(dut.groups.value) - 1
+
+    async def edge() -> list[Sample]:
+        dut.trigger.value = 1 << last
+        await ClockCycles(dut.clk, 2)
+        dut.trigger.value = 0
+        return await around.take(60)
+
+    for flags in (0, TRIGGER, 0, TRIGGER, TRIGGER, 0):
+        await around.set(last, flags, [7])
+        # Before the start none counts, neither at once nor later.
+        assert await edge() == []
+        await around.operate("start", last)
+        assert await around.take(60) == []
+        assert len(await edge()) == bool(flags & TRIGGER)
+    # One that comes while the group is set up anew finds it stopped, in whichever cycle that is.
+    for late in range(40):
+        await _set_and_start(around, last, TRIGGER, [7])
+        await around.take(60)
+        cocotb.start_soon(_pulse_after(dut, late, last))
+        await around.set(last, late % 2 * TRIGGER, [8])
+        await around.take(60)
+        await around.operate("start", last)
+        assert await around.take(60) == []
+        assert [sample.sequence for sample in await edge()] == [0] * (late % 2)
+
+
+async def _pulse_after(dut: SimHandleBase, cycles: int, group: int) -> None:
+    if cycles:
+        await ClockCycles(dut.clk, cycles)
+    dut.trigger.value = 1 << group
+    await ClockCycles(dut.clk, 2)
+    dut.trigger.value = 0
 
 
 @cocotb.test

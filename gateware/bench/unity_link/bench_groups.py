@@ -173,6 +173,40 @@ async def a_rising_edge_of_its_trigger_makes_a_group_due(dut: SimHandleBase) -> 
 
 
 @cocotb.test
+async def no_edges_of_triggers_keep_requests_from_their_answers_or_groups_from_their_instants(
+    dut: SimHandleBase,
+) -> None:
+    gateway = await _gateway(dut)
+    await gateway.ask(_set(15, PERIODIC | STAMP, 2, [0xF0]))
+    for half, flags, groups in ((2, 0, 1), (3, PERIODIC, 1), (40, 0, 15), (2, TRIGGER, 1), (40, TRIGGER, 15)):
+        for group in range(groups):
+            await gateway.ask(_set(group, flags, 1000, [0x20]))
+            await gateway.ask(b"GN%02X" % group)
+        edges = cocotb.start_soon(_toggle(dut, half))
+        gateway.send(checked(b"GN0F"))
+        await gateway.cycles(10 * TICK)
+        frames = gateway.take()
+        assert checked(b"GN0F") in frames, (half, flags)
+        if flags != TRIGGER:
+            samples = [sample for sample in _samples(frames) if sample.group == 15]
+            assert set(_differences([sample.stamp for sample in samples])) == {2 * TICK}
+        for body in (b"H", b"GX0F", b"GP00", _set(15, PERIODIC | STAMP, 2, [0xF0]), with_id(b"K", 0)):
+            gateway.send(checked(body))
+            await gateway.cycles(2_500)
+            assert checked(body[:4]) in gateway.take(), (half, flags, body)
+        await gateway.quiet(TICK)
+        assert gateway.take() == b""
+        edges.cancel()
+
+
+async def _toggle(dut: SimHandleBase, half: int) -> None:
+    while True:
+        dut.trigger.value = int(dut.trigger.value) ^ 0x7FFF
+        for _ in range(half):
+            await RisingEdge(dut.clk)
+
+
+@cocotb.test
 async def gp_publishes_once_whether_running_or_not(dut: SimHandleBase) -> None:
     gateway = await _gateway(dut)
     await gateway.ask(b"W10%08X" % 0x1234)

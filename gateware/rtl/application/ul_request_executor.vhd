@@ -12,7 +12,8 @@
 --
 -- Each request about groups and each K begins an epoch, of which the subscription manager makes a note in each sample:
 -- the frame writer sends all samples of the epoch before first, and then the answer, also if that is an error. A request
--- that is not answered begins none, so that two epochs can be told from each other by one bit.
+-- that is not answered leaves that to the next one that is, whatever it asks for: so two epochs can be told from each
+-- other by one bit.
 
 library ieee;
   use ieee.std_logic_1164.all;
@@ -138,6 +139,8 @@ architecture rtl of ul_request_executor is
     -- Its answer, where that is no plain acknowledgement.
     error        : error_t;
     out_of_order : std_logic;
+    -- The next answer begins an epoch.
+    owes_epoch : std_logic;
   end record registers_t;
 
   constant after_reset : registers_t :=
@@ -165,7 +168,8 @@ architecture rtl of ul_request_executor is
     list_index     => (others => '0'),
     epoch          => '0',
     error          => error_none,
-    out_of_order   => '0'
+    out_of_order   => '0',
+    owes_epoch     => '0'
   );
 
   -- The upper half of the ring is behind.
@@ -528,8 +532,9 @@ begin
 
         when state_group =>
           if group_done = '1' then
-            v.state := state_answer;
-            v.epoch := r.epoch xor not r.silent;
+            v.state      := state_answer;
+            v.epoch      := r.epoch xor not r.silent;
+            v.owes_epoch := r.silent;
           end if;
 
         when state_answer =>
@@ -538,6 +543,11 @@ begin
           end if;
 
       end case;
+
+      if v.owes_epoch = '1' and v.silent = '0' and v.state = state_answer and r.state /= state_answer then
+        v.epoch      := not r.epoch;
+        v.owes_epoch := '0';
+      end if;
 
       r <= v;
 

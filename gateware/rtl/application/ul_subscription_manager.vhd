@@ -132,7 +132,10 @@ architecture rtl of ul_subscription_manager is
   -- The timer may be changed: an operation that waited for that is carried out.
   signal carry_out : std_logic;
 
-  signal running        : vector_t;
+  signal running : vector_t;
+  -- Of those, the ones that edges make due. Edges of others must not even be looked at: each would take cycles from what
+  -- is due, and from operations.
+  signal listening      : vector_t;
   signal is_set         : vector_t;
   signal due_by_timer   : vector_t;
   signal due_by_trigger : vector_t;
@@ -173,7 +176,6 @@ architecture rtl of ul_subscription_manager is
   signal enough_room  : std_logic;
   signal is_wanted    : std_logic;
   signal accepted     : std_logic;
-  signal wants        : std_logic;
   signal write_header : std_logic;
   signal write_stamp  : std_logic;
   signal header       : std_logic_vector(31 downto 0);
@@ -291,7 +293,7 @@ begin
 
       if rising_edge(clk) then
         old            <= now;
-        due_by_trigger <= (due_by_trigger or (now and not old and running)) and not clear_trigger;
+        due_by_trigger <= (due_by_trigger or (now and not old)) and not clear_trigger;
 
         if rst = '1' then
           old            <= (others => '1');
@@ -343,7 +345,7 @@ begin
   operates      <= group_request and (operation_turn or not pick_valid) and to_std_logic(state = state_idle);
   picks         <= pick_valid and not operates and not timer_collides and to_std_logic(state = state_idle);
   clear_timer   <= one_hot(pick_number, picks and pick_by_timer) or not running;
-  clear_trigger <= one_hot(pick_number, picks and not pick_by_timer) or not running;
+  clear_trigger <= one_hot(pick_number, picks and not pick_by_timer) or not listening;
 
   -- Memories.
 
@@ -438,7 +440,6 @@ begin
 
   end process stamps;
 
-  wants          <= flags(flag_trigger) or to_std_logic(reason /= reason_trigger);
   word_done      <= access_done and to_std_logic(state = state_sample);
   is_wanted      <= changed or is_first or not flags(flag_on_change) or to_std_logic(reason = reason_request);
   accepted       <= is_wanted and not failed;
@@ -448,7 +449,7 @@ begin
                     to_unsigned(0, 8);
   access_more    <= to_std_logic(asked + 1 /= count);
 
-  write_header  <= to_std_logic(state = state_prepare) and wants and enough_room;
+  write_header  <= to_std_logic(state = state_prepare) and enough_room;
   write_stamp   <= access_granted and to_std_logic(asked = 0) and flags(flag_timestamp);
   header        <= std_logic_vector(number_byte & own_sequence & total) & flags(flag_timestamp) & flags(flag_plain) &
                    flags(flag_immediate) & epoch & "000";
@@ -510,12 +511,14 @@ begin
       case group_operation is
 
         when group_stop_all =>
-          running <= (others => '0');
-          state   <= state_told;
+          running   <= (others => '0');
+          listening <= (others => '0');
+          state     <= state_told;
 
         when group_stop =>
-          running <= running and not one_hot(unsigned(group_number(group_bits - 1 downto 0)), '1');
-          state   <= state_told;
+          running   <= running and not one_hot(unsigned(group_number(group_bits - 1 downto 0)), '1');
+          listening <= listening and not one_hot(unsigned(group_number(group_bits - 1 downto 0)), '1');
+          state     <= state_told;
 
         when group_nothing =>
           state <= state_told;
@@ -568,9 +571,7 @@ begin
 
         when state_prepare =>
           state <= state_sample;
-          if wants = '0' then
-            state <= state_idle;
-          elsif enough_room = '0' then
+          if enough_room = '0' then
             failed <= '1';
             state  <= state_finish;
           end if;
@@ -606,7 +607,8 @@ begin
             if group_operation = group_set then
               is_set <= is_set or one_hot(number, '1');
             else
-              running <= running or one_hot(number, '1');
+              running   <= running or one_hot(number, '1');
+              listening <= listening or one_hot(number, flags(flag_trigger));
             end if;
           end if;
 
@@ -622,6 +624,7 @@ begin
         reason         <= reason_request;
         number         <= (others => '0');
         running        <= (others => '0');
+        listening      <= (others => '0');
         is_set         <= (others => '0');
         asked          <= (others => '0');
         all_asked      <= '0';

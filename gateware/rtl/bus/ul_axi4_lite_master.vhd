@@ -74,7 +74,7 @@ end entity ul_axi4_lite_master;
 
 architecture rtl of ul_axi4_lite_master is
 
-  constant byte_bits : positive := log2_ceil(data_bits / 8);
+  constant byte_bits : natural := log2_ceil(data_bits / 8);
 
   signal address_valid : std_logic;
   signal write         : std_logic;

@@ -4,8 +4,9 @@
 
 package ul_math_pkg is
 
-  -- Bits that count from 0 to value - 1: log2_ceil(1) = 0, log2_ceil(8) = 3, log2_ceil(9) = 4.
-  function log2_ceil (value : positive) return natural;
+  -- Bits that count from 0 to value - 1: log2_ceil(1) = 0, log2_ceil(8) = 3, log2_ceil(9) = 4. 0 is
+  -- as 1, so that a generic which is too small ends with the sentence of its assertion, not before.
+  function log2_ceil (value : natural) return natural;
 
   function is_power_of_two (value : positive) return boolean;
 
@@ -13,9 +14,9 @@ end package ul_math_pkg;
 
 package body ul_math_pkg is
 
-  function log2_ceil (value : positive) return natural is
+  function log2_ceil (value : natural) return natural is
 
-    variable remaining : natural := value - 1;
+    variable remaining : natural := maximum(value, 1) - 1;
     variable bits      : natural := 0;
 
   begin

@@ -75,11 +75,11 @@ end entity ul_ft245_async;
 
 architecture rtl of ul_ft245_async is
 
-  -- The least number of clock cycles that last so long, pins' skew included.
+  -- The least number of clock cycles that last so long, pins' skew included; one where the clock is slower than all.
   function cycles (ns : positive) return positive is
   begin
 
-    return integer(real(ns + skew_ns) * real(clock_hz) / 1.0e9 + 0.499_999);
+    return maximum(1, integer(real(ns + skew_ns) * real(clock_hz) / 1.0e9 + 0.499_999));
 
   end function cycles;
 

@@ -108,8 +108,9 @@ architecture rtl of ul_uart is
   constant bits_per_cycle : real    := real(baud) / real(clock_hz);
   constant step           : phase_t := phase_of(bits_per_cycle);
 
-  -- Where the phase starts at a start edge, to run over in the middle of the start bit.
-  constant start_direct : phase_t              := phase_of(0.5 + bits_per_cycle);
+  -- Where the phase starts at a start edge, to run over in the middle of the start bit: half a bit and a step. In
+  -- the fractions of the slowest rates half a bit is too much for an integer.
+  constant start_direct : phase_t              := shift_left(to_unsigned(1, phase_bits), phase_bits - 1) + step;
   constant start_ticks  : unsigned(3 downto 0) := to_unsigned(9, 4);
 
   type rx_state_t is (wait_high, idle, start_bit, data_bits, stop_bit);

@@ -338,7 +338,7 @@ static ul_transport open_medium(void)
     info.group_words = GROUP_WORDS[sizes >> 4 & 3];
     info.receive_fifo_bytes = sizes & 64 ? 64 : 1024;
     info.id_digits = sizes & 128 ? 2 : 3;
-    info.base_frequency_millihertz = others & 1 ? 1000000 : others & 2 ? 0xFFFFFFFFFF : 0;
+    info.base_frequency_millihertz = others & 1 ? 1000000 : others & 2 ? 0xFFFFFFFFFF : 1;
     info.clock_hz = others & 4 ? 50000000 : others & 8 ? 1 : 0xFFFFFFFF;
     info.features = others & 16 ? 0x017F : (unsigned)next_number(2);
     node = others & 32 ? 5 : -1;

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import itertools
 
 import pytest
@@ -256,6 +257,16 @@ def test_the_divisor_gives_the_baud_rate(value: int, index: int, baud: float) ->
 def test_an_unknown_request_is_refused(kind: int, number: int) -> None:
     with pytest.raises(StallError):
         new_chip().control_out(kind, number, 0, 1, 0.0)
+
+
+@given(value=st.integers(0, 0xFFFF))
+def test_a_configuration_is_set_where_there_is_one_of_that_number_and_refused_elsewhere(value: int) -> None:
+    chip = new_chip()
+    chip.control_out(0x00, 0x09, 1, 0, 0.0)
+    is_known = value in (0, 1)
+    with contextlib.nullcontext() if is_known else pytest.raises(StallError):
+        chip.control_out(0x00, 0x09, value, 0, 0.0)
+    assert chip.control_in(0x80, 0x08, 0, 0) == bytes([value if is_known else 1])
 
 
 @pytest.mark.parametrize(("kind", "number"), [(0xC0, 0x55), (0xA1, 0x01), (0x80, 0x55)])

@@ -5,18 +5,20 @@ from __future__ import annotations
 import asyncio
 import errno
 import struct
-from contextlib import asynccontextmanager
+from contextlib import AbstractContextManager, asynccontextmanager, nullcontext
 from typing import TYPE_CHECKING
 
 import pytest
 
+from unity_link.errors import ConnectError
 from unity_link.transport.ft232h.kinds import FT2232H
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.ft232h.board import GatewayBoard, Unconnected
 from unity_link.virtual.ft232h.bus import VirtualFt232h
-from unity_link.virtual.ft232h.usbip import serve_usbip
+from unity_link.virtual.ft232h.usbip import MOST_TRANSFERS, serve_usbip
 
 if TYPE_CHECKING:
+    import threading
     from collections.abc import AsyncIterator
 
 pytestmark = [pytest.mark.asyncio]
@@ -143,6 +145,17 @@ async def test_a_kernel_finds_a_high_speed_ft232h() -> None:
         assert await client.control(0xC0, 0x77, 0, 0, 2) == (-errno.EPIPE, b"")
 
 
+async def test_a_configuration_that_there_is_not_is_refused_and_the_device_can_be_used_on() -> None:
+    async with served() as (_, port):
+        async with connected(port) as client:
+            await client.ask_import()
+            assert await client.control(0x00, 0x09, 300, 0) == (-errno.EPIPE, b"")
+            assert await client.control(0x80, 0x08, 0, 0, 1) == (0, b"\0")
+        async with connected(port) as client:
+            client.send(bytes.fromhex("0111 8005 00000000"))
+            assert await client.read(12) == bytes.fromhex("0111 0005 00000000 00000001")
+
+
 async def test_a_request_is_answered_by_transfers() -> None:
     async with served() as (_, port), connected(port) as client:
         await client.ask_import()
@@ -169,6 +182,78 @@ async def test_a_transfer_that_is_unlinked_is_replied_to_by_that_alone() -> None
         assert (await client.reply())[:3] == (4, second + 1, -errno.ECONNRESET)
         client.unlink(first)
         assert (await client.reply())[:3] == (4, second + 2, 0)
+
+
+class ClockOfTest:
+    """A clock that the test sets."""
+
+    def __init__(self) -> None:
+        self.time = 0.0
+
+    def now(self) -> float:
+        return self.time
+
+    def wait(self, changed: threading.Condition, until: float) -> None:
+        changed.wait()
+
+    def standing_still(self) -> AbstractContextManager[None]:
+        return nullcontext()
+
+
+async def test_a_transfer_that_has_ended_when_it_is_unlinked_is_replied_to_with_its_data() -> None:
+    clock = ClockOfTest()
+    chip = VirtualFt232h(GatewayBoard(VirtualGateway()), clock=clock)
+    async with served(chip) as (_, port), connected(port) as client:
+        await client.ask_import()
+        writing = client.submit(2, data=READ)
+        await client.control(0xC0, 0x0A, 0, 1, 1)
+        clock.time = 0.001
+        with chip.changed:
+            chip.changed.notify_all()
+        assert (await client.reply())[:3] == (3, writing, 0)
+        reading = client.submit(1, size=16384)
+        await client.control(0xC0, 0x0A, 0, 1, 1)
+        # The answer is there long since, and it is the unlinking that finds this out.
+        clock.time = 1.0
+        client.unlink(reading)
+        command, number, status, data = await client.reply(reading)
+        assert (command, number, status, data[2:]) == (3, reading, 0, ANSWER)
+        assert (await client.reply())[0::2] == (4, 0)
+
+
+async def test_a_client_with_more_transfers_under_way_than_a_kernel_has_is_hung_up_on() -> None:
+    async with served() as (device, port):
+        async with connected(port) as client:
+            await client.ask_import()
+            await client.control(0x40, 0x09, 255, 1)
+            for _ in range(MOST_TRANSFERS + 1):
+                client.submit(1, size=512)
+            with pytest.raises((asyncio.IncompleteReadError, ConnectionError)):
+                await client.read(48 * MOST_TRANSFERS)
+        while device.claims:  # noqa: ASYNC110  (there is no event for it)
+            await asyncio.sleep(0.001)
+        async with connected(port) as client:
+            assert await client.ask_import() == 0
+
+
+@pytest.mark.parametrize("port", [0, -1, 65536], ids=["taken", "below", "above"])
+async def test_a_port_that_cannot_be_had_is_one_clear_error(port: int) -> None:
+    async with served() as (_, taken):
+        with pytest.raises(ConnectError, match=r"^USB/IP port -?\d+ of 127.0.0.1 (is in use|can't be opened)"):
+            async with serve_usbip(VirtualFt232h(Unconnected()), port=port or taken):
+                pass
+
+
+async def test_a_host_that_is_no_name_is_one_clear_error() -> None:
+    with pytest.raises(ConnectError, match=r"USB/IP port 3240 of a\.\.b can't be opened"):
+        async with serve_usbip(VirtualFt232h(Unconnected()), host="a..b"):
+            pass
+
+
+async def test_a_host_that_is_empty_is_not_every_host() -> None:
+    with pytest.raises(ConnectError, match="USB/IP port 0 of '' can't be opened"):
+        async with serve_usbip(VirtualFt232h(Unconnected()), port=0, host=""):
+            pass
 
 
 async def test_a_stalled_endpoint_is_told_and_cleared() -> None:

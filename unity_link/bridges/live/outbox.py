@@ -8,10 +8,12 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
+from unity_link.bridges.presence import rate_whatever_happens, silence_at
+
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from unity_link.data import Batch, Proxy
+    from unity_link.data import Batch, Group
 
 MOST_BYTES = 4 << 20
 """What waits for a browser that does not read; then the oldest samples are dropped, and counted."""
@@ -26,17 +28,42 @@ class Chunk(NamedTuple):
 
     stream: int
     table: NDArray[np.float64]
-    """Instants, samples lost before each, and the values of each signal; shape (2 + signals, samples)."""
+    """Instants, whether some are missing before each, and the values of each signal; shape (2 + signals, samples)."""
 
 
-def tabulate(stream: int, batch: Batch, instants: NDArray[np.float64], proxies: tuple[Proxy[object], ...]) -> Chunk:
-    """Make a table of a batch of the stream of that number."""
-    table = np.empty((2 + len(proxies), len(batch)), "<f8")
-    table[0] = instants
-    table[1] = batch.lost
-    for row, proxy in enumerate(proxies, start=2):
-        table[row] = batch.columns[proxy]
-    return Chunk(stream, table)
+class Tabulator:
+    """Makes tables of the batches of one stream.
+
+    Args:
+        stream: its number.
+        group: what it is of.
+        rate_hz: of its samples; None where they are not periodic.
+    """
+
+    def __init__(self, stream: int, group: Group, rate_hz: float | None) -> None:
+        self._stream = stream
+        self._proxies = group.proxies
+        steady = rate_whatever_happens(group, rate_hz)
+        self._longest = np.inf if steady is None else silence_at(steady)
+        self._epoch: int | None = None
+        self._newest = -np.inf
+
+    def tabulate(self, batch: Batch, instants: NDArray[np.float64]) -> Chunk:
+        """Make a table of a batch."""
+        table = np.empty((2 + len(self._proxies), len(batch)), "<f8")
+        table[0] = instants
+        table[1] = self._are_behind_missing_ones(batch, instants)
+        for row, proxy in enumerate(self._proxies, start=2):
+            table[row] = batch.columns[proxy]
+        return Chunk(self._stream, table)
+
+    def _are_behind_missing_ones(self, batch: Batch, instants: NDArray[np.float64]) -> NDArray[np.bool_]:
+        """Return before which samples some were lost, or the gateway was away, of which nothing counts them."""
+        epochs = np.concatenate(([batch.epoch[0] if self._epoch is None else self._epoch], batch.epoch))
+        times = np.concatenate(([instants[0] if self._epoch is None else self._newest], instants))
+        self._epoch, self._newest = int(epochs[-1]), float(times[-1])
+        missing: NDArray[np.bool_] = (batch.lost > 0) | (np.diff(epochs) != 0) | (np.diff(times) > self._longest)
+        return missing
 
 
 class Outbox:

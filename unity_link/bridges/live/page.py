@@ -20,7 +20,7 @@ from unity_link.bridges.carrying import Carrier
 from unity_link.bridges.gateway_time import GatewayTime
 from unity_link.bridges.live.description import WIDEST_EXACT, describe
 from unity_link.bridges.live.doorkeeper import Doorkeeper
-from unity_link.bridges.live.outbox import tabulate
+from unity_link.bridges.live.outbox import Tabulator
 from unity_link.bridges.live.round_trips import Histogram, RoundTrips
 from unity_link.bridges.live.server import make_server
 from unity_link.bridges.live.viewer import Viewer
@@ -104,7 +104,7 @@ class LivePage:
         self._foxglove = foxglove
         self._carrier = Carrier(self._groups, self._tabulate, report, buffer=BUFFER)
         self._time = GatewayTime(robot.link, most_slew=MOST_SLEW)
-        self._round_trips = RoundTrips(self._groups[0].proxies[0])
+        self._round_trips = RoundTrips([proxy for group in self._groups for proxy in group.proxies])
         self._viewers: set[Viewer] = set()
         self._wide = [
             proxy
@@ -115,6 +115,9 @@ class LivePage:
         # A subscription that is not entered asks nothing of the gateway.
         rates = [group.subscribe().rate_hz for group in self._groups]
         about = describe(robot, groups, rates, gateway)
+        self._tabulators = [
+            Tabulator(stream, group, rate) for stream, (group, rate) in enumerate(zip(self._groups, rates, strict=True))
+        ]
         self._about = msgspec.json.encode(msgspec.structs.replace(about, writes=self._writing is not None))
         self._loop = asyncio.get_running_loop()
         routes = [
@@ -160,7 +163,7 @@ class LivePage:
         instants = self._time.instants(stream, batch)
         if self._foxglove is not None:
             self._foxglove.send(stream, batch, instants)
-        chunk = tabulate(stream, batch, instants, self._groups[stream].proxies)
+        chunk = self._tabulators[stream].tabulate(batch, instants)
         self._loop.call_soon_threadsafe(self._deliver, chunk)
 
     def _deliver(self, chunk: Chunk) -> None:

@@ -14,6 +14,8 @@ import msgspec
 from unity_link.errors import GatewayError
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from unity_link.data import Proxy
 
 PAUSE = 0.1
@@ -41,31 +43,31 @@ class RoundTrips:
     """Measures the round trips of a link.
 
     Args:
-        proxy: what is read; of a signal that is read all the time anyway, so that it changes nothing.
+        sampled: signals that are read all the time anyway, so that another read of one changes nothing; but of a queue
+            it would take what is to be sampled.
     """
 
-    def __init__(self, proxy: Proxy[object]) -> None:
-        self._link = proxy.link
-        self._bus = proxy.bus
-        self._address = proxy.signal.address
+    def __init__(self, sampled: Sequence[Proxy[object]]) -> None:
+        self._link = sampled[0].link
+        self._read = next((proxy for proxy in sampled if not proxy.signal.fifo), None)
         self._counts = [0] * BINS
         self._recent: deque[float] = deque(maxlen=RECENT)
         self.refusal: str | None = None
         """Why the last read was refused; a shared gateway that is away refuses all."""
 
     async def run(self) -> None:
-        """Measure until it is cancelled.
+        """Measure until it is cancelled, where there is something to read.
 
         Raises:
             LinkLostError: where the link ends.
         """
-        while True:
+        while self._read is not None:
             await asyncio.sleep(PAUSE)
             sessions = self._link.statistics.reconnections
             began = time.perf_counter()
             # An error is an answer, too.
             try:
-                await self._bus.read(self._address)
+                await self._read.bus.read(self._read.signal.address)
             except GatewayError as error:
                 self.refusal = str(error)
             else:

@@ -2,7 +2,8 @@
 
 Any program of this machine may connect. What it may cost is bounded here: connections, by hanging up on the oldest that
 has not become a page, so that silent ones keep no others out; what waits for a client that asks and does not read;
-parts of a message. Whatever a client says that the libraries below do not foresee ends its own connection.
+parts of a message; what all pages together say in an interval, so that samples have time. Whatever a client says that
+the libraries below do not foresee ends its own connection.
 """
 
 from __future__ import annotations
@@ -30,6 +31,13 @@ LARGEST_MESSAGE = 4096
 """Bytes of what a page says."""
 MOST_PARTS = 64
 """Of a message; browsers send one."""
+INTERVAL = 1 / 60
+"""Seconds over which messages are counted: one picture of a screen, a delay that cannot be seen."""
+MOST_FRAMES = 32
+"""Messages, their parts and pings that are heard of all pages in an interval; a page where twenty sliders move at once
+says less. Each takes some 50 µs."""
+_PART = 64
+"""Bytes that are heard together, so that few messages are in them."""
 _BACKLOG = 64
 _INVALID_DATA = 1007
 Conversation = TypeVar("Conversation", "HttpConversation", "PageConversation")
@@ -62,14 +70,32 @@ class PageConversation(WebSocketsSansIOProtocol):
 
     def connection_made(self, transport: asyncio.BaseTransport) -> None:
         """Take it, unless there are too many."""
+        self.unheard = bytearray()
+        """What was read and waits for its turn."""
+        self._may_say = 0
+        self._interval: asyncio.TimerHandle | None = None
         super().connection_made(transport)
         if len(_open(PageConversation, self.connections)) > MOST_PAGES:
             self.transport.abort()
 
     def data_received(self, data: bytes) -> None:
         """Take what was said."""
-        with _ending(self):
-            super().data_received(data)
+        self.unheard += data
+        if self._interval is None:
+            self._begin_interval()
+        self._hear()
+
+    def handle_events(self) -> None:
+        """Count them, and take them."""
+        self._may_say -= len(self.conn.events)
+        super().handle_events()
+
+    async def receive(self) -> Any:
+        """Wait for a message, which has the library read on; what has not been heard holds that up."""
+        message = await super().receive()
+        if self.unheard:
+            self.transport.pause_reading()
+        return message
 
     async def send(self, message: Any) -> None:
         """Send, unless the connection has ended, of which the library learns later: asyncio would warn each time."""
@@ -116,6 +142,30 @@ class PageConversation(WebSocketsSansIOProtocol):
         super().shutdown()
         if not self.writable.is_set():
             self.transport.abort()
+
+    def _begin_interval(self) -> None:
+        talkers = sum(bool(page.unheard) for page in _open(PageConversation, self.connections))
+        # What it said beyond its share the last time is of this one.
+        self._may_say = min(self._may_say, 0) + max(1, MOST_FRAMES // max(1, talkers))
+        self._interval = self.loop.call_later(INTERVAL, self._end_interval)
+
+    def _end_interval(self) -> None:
+        self._interval = None
+        if self.unheard and not self.transport.is_closing():
+            self._begin_interval()
+            self._hear()
+
+    def _hear(self) -> None:
+        """Hear what was said, up to this page's share of the interval; until the rest is heard, no more is read."""
+        with _ending(self):
+            while self.unheard and self._may_say > 0 and not self.transport.is_closing():
+                part = bytes(self.unheard[:_PART])
+                del self.unheard[:_PART]
+                super().data_received(part)
+        if self.unheard:
+            self.transport.pause_reading()
+        elif not self.read_paused:
+            self.transport.resume_reading()
 
 
 def _open(kind: type[Conversation], connections: Iterable[object]) -> list[Conversation]:

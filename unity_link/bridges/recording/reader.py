@@ -16,10 +16,11 @@ import numpy as np
 from unity_link.bridges.messages import RecordedMessage, hex_to_words
 from unity_link.bridges.recording.files import GATEWAY, INTERFACE, RecordingError, check_extra, path_of
 from unity_link.data import Table
-from unity_link.errors import UnknownNameError, did_you_mean
+from unity_link.errors import ArgumentError, UnknownNameError, UnsupportedError, did_you_mean
 from unity_link.protocol.configuration import GatewayInfo
 from unity_link.spec import Interface
 from unity_link.spec.columns import Columns
+from unity_link.spec.ranges import check_ranges
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator
@@ -214,10 +215,14 @@ class Recording:
         try:
             self.interface = msgspec.json.decode(found[INTERFACE], type=Interface)
             self.gateway = msgspec.json.decode(found[GATEWAY], type=GatewayInfo)
-        except (KeyError, msgspec.DecodeError, UnicodeDecodeError):
+            check_ranges(self.interface)
+            self.gateway.check()
+        except (KeyError, msgspec.DecodeError, UnicodeDecodeError, RecursionError):
             raise RecordingError(
                 f"{self.path} is no recording of unity-link record: it has no sound {INTERFACE}"
             ) from None
+        except (ArgumentError, UnsupportedError) as error:
+            raise RecordingError(f"{self.path} is damaged: {error}") from None
         for number, channel in channels.items():
             paths = channel.metadata.get("signals", "").split("\n")
             signals = tuple(self.interface.signals[path] for path in paths if path in self.interface.signals)

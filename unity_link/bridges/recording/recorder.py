@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Self
 
 from unity_link.bridges.carrying import Carrier
 from unity_link.bridges.gateway_time import GatewayTime, SteadyClock
+from unity_link.bridges.presence import Presence
 from unity_link.bridges.recording.files import RecordingFile, path_of
 from unity_link.bridges.sampled import sampled_groups
 from unity_link.errors import ArgumentError, first_error, refusing
@@ -72,14 +73,13 @@ class Recorder:
         groups = sampled_groups(robot, poll_hz)
         self._file = RecordingFile(path_of(path), robot.interface, robot.link.gateway, groups, overwrite=overwrite)
         self._carrier = Carrier([group.group for group in groups], self._write, report, buffer=BUFFER)
-        self._link = robot.link
         self._clock = SteadyClock()
         self._time = GatewayTime(robot.link, clock=self._clock)
         self._report = report
         self.interruptions = 0
         """How often the gateway was away."""
         self._away = 0.0
-        self._away_since: float | None = None
+        self._presence = Presence(robot.link, self._clock.now())
         self._block = AsyncExitStack()
         self._is_idle = True
 
@@ -122,7 +122,8 @@ class Recorder:
     @property
     def away(self) -> float:
         """Seconds for which the gateway was away."""
-        return self._away + (0.0 if self._away_since is None else self._clock.now() - self._away_since)
+        since = self._presence.away_since
+        return self._away + (0.0 if since is None else self._clock.now() - since)
 
     async def __aenter__(self) -> Self:
         self._check_idle()
@@ -158,7 +159,7 @@ class Recorder:
         loop = asyncio.get_running_loop()
         writer = ThreadPoolExecutor(1, "recorder")
         try:
-            await self._carrier.run(writer, self._sync(writer), self._watch(writer))
+            await self._carrier.run(writer, self._sync(writer), self._watch(writer), self._ask())
         finally:
             try:
                 # The thread does one thing after another: all that it was given comes first.
@@ -182,21 +183,22 @@ class Recorder:
             await asyncio.sleep(SYNC_EVERY)
             await loop.run_in_executor(writer, self._file.sync)
 
+    async def _ask(self) -> None:
+        # Before, there is nothing to be interrupted.
+        await self._carrier.begun.wait()
+        await self._presence.ask()
+
     async def _watch(self, writer: ThreadPoolExecutor) -> None:
-        link, loop = self._link, asyncio.get_running_loop()
-        before, heard = link.statistics, self._clock.now()
+        presence, carrier, loop = self._presence, self._carrier, asyncio.get_running_loop()
         while True:
             await asyncio.sleep(WATCH_EVERY)
-            seen, now = link.statistics, self._clock.now()
-            if self._away_since is None and (not link.connected or seen.reconnections != before.reconnections):
-                self._away_since = heard
+            was_there = presence.away_since is None
+            over = presence.look(self._clock.now(), carrier.received, carrier.rate_hz)
+            if was_there and (over is not None or presence.away_since is not None):
                 self.interruptions += 1
                 self._report("the gateway has gone away: recording goes on when it is back")
-            if link.connected and self._away_since is not None:
-                began, self._away_since = self._away_since, None
-                self._away += now - began
-                self._report(f"the gateway is back after {now - began:.1f} s")
-                await loop.run_in_executor(writer, self._file.note_interruption, began, now)
-            if seen.bytes_received != before.bytes_received:
-                heard = now
-            before = seen
+            if over is not None:
+                seconds = over.ended - over.began
+                self._away += seconds
+                self._report(f"the gateway is back after {seconds:.1f} s")
+                await loop.run_in_executor(writer, self._file.note_interruption, *over)

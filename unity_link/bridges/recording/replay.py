@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from typing import TYPE_CHECKING
 
 from unity_link.errors import ArgumentError
@@ -12,6 +11,11 @@ from unity_link.virtual.gateway import VirtualGateway
 
 if TYPE_CHECKING:
     from unity_link.bridges.recording.reader import RecordedGroup, Recording
+
+MOST_SPEED = 1e6
+"""Days in a tenth of a second; instants are far from what a double cannot hold."""
+ONE_INSTANT = 1.0
+"""Seconds that a recording lasts which is of a single instant, where it begins again and again."""
 
 
 class Player:
@@ -30,10 +34,10 @@ class Player:
             loop: whether it begins again at its end.
 
         Raises:
-            ArgumentError: for a speed that is not more than 0, or a recording without samples.
+            ArgumentError: for a speed that is not more than 0 and at most `MOST_SPEED`, or a recording without samples.
         """
-        if not 0 < speed < math.inf:
-            raise ArgumentError(f"a speed of {speed:g} was asked for, expected more than 0")
+        if not 0 < speed <= MOST_SPEED:
+            raise ArgumentError(f"a speed of {speed:g} was asked for, expected more than 0 and at most {MOST_SPEED:g}")
         self.addresses = sorted({address for group in recording.groups for address in group.addresses})
         self.position = 0.0
         """Seconds of the recording that were played."""
@@ -65,13 +69,13 @@ class Player:
         self.position = (now - self._began) * self._speed
         self._catch_up()
         if self._next is None and self._loop:
-            length = (self._last - self._first) * 1e-9 + 2 * self._ahead
+            length = (self._last - self._first) * 1e-9 + 2 * self._ahead or ONE_INSTANT
             self.position %= length
             self._began = now - self.position / self._speed
             self._rows = self._recording.in_order()
             self._next = next(self._rows)
             self._catch_up()
-        self.ended = self._next is None
+        self.ended = self._next is None and not self._loop
 
     def _catch_up(self) -> None:
         due = self._first + int((self.position + self._ahead) * 1e9)
@@ -88,8 +92,9 @@ class Player:
         """Return how far the samples of a group are apart; 0 where nothing tells."""
         recording, signal = self._recording, group.signals[0] if group.signals else None
         declared = next((known for known in recording.interface.groups if signal and known.name == signal.group), None)
-        if declared is not None and declared.divisor:
-            return declared.divisor / recording.gateway.base_frequency_hz
+        base = recording.gateway.base_frequency_hz
+        if declared is not None and declared.divisor and base:
+            return declared.divisor / base
         rate_hz = declared.rate_hz if declared is not None else signal and signal.poll_hz
         if rate_hz:
             return 1 / rate_hz
@@ -107,7 +112,7 @@ def replay(recording: Recording, *, speed: float = 1.0, loop: bool = False) -> t
     to it, `unity_link.virtual.serving` gives it to other programs.
 
     Raises:
-        ArgumentError: for a speed that is not more than 0, or a recording without samples.
+        ArgumentError: for a speed that is not more than 0 and at most `MOST_SPEED`, or a recording without samples.
     """
     player = Player(recording, speed=speed, loop=loop)
     gateway = VirtualGateway(recording.gateway)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import os
 from typing import TYPE_CHECKING, Any
 
 from unity_link.bridges.recording.files import RecordingError
@@ -55,7 +56,8 @@ def export(
             for table in tables.values():
                 table.discard()
     except OSError as error:
-        where = error.filename or directory
+        # A whole table takes the place of another by its second name.
+        where = error.filename2 or error.filename or directory
         raise RecordingError(f"{where} cannot be written: {error.strerror or error}") from None
     return [table.path for table in tables.values()]
 
@@ -71,7 +73,9 @@ class _Table:
         self._schema = pa.schema(list(self._fields()))
         writer: Any = parquet.ParquetWriter if form == "parquet" else csv.CSVWriter
         self._part = path.with_name(f"{path.name}.part")
-        self._writer = writer(str(self._part), self._schema)
+        # By its bytes, as pyarrow takes no name that is no UTF-8.
+        self._file = pa.OSFile(os.fsencode(self._part), "wb")
+        self._writer = writer(self._file, self._schema)
 
     def write(self, samples: RecordedSamples) -> None:
         import pyarrow as pa
@@ -87,14 +91,18 @@ class _Table:
         self._writer.write_table(pa.Table.from_arrays(columns, schema=self._schema))
 
     def finish(self) -> None:
-        self._writer.close()
+        self._close()
         self._part.replace(self.path)
 
     def discard(self) -> None:
         """Remove what was not finished."""
         with contextlib.suppress(OSError):
-            self._writer.close()
+            self._close()
         self._part.unlink(missing_ok=True)
+
+    def _close(self) -> None:
+        self._writer.close()
+        self._file.close()
 
     def _fields(self) -> Iterator[Any]:
         import pyarrow as pa

@@ -4,7 +4,9 @@
 arrive in another.
 
 Nothing grows. A client whose requests and their answers would take more than `MOST_UNDER_WAY` bytes, or that does not
-read, is not listened to until that has changed; samples that it does not read are lost to it.
+read, is not listened to until that has changed; samples that it does not read are lost to it. A frame that never
+reaches the gateway counts as `COST_HERE` bytes until its answer has been sent, so that a client that floods the server
+with such frames leaves the others their turns of the event loop.
 """
 
 from __future__ import annotations
@@ -25,6 +27,8 @@ if TYPE_CHECKING:
 
 MOST_UNDER_WAY = 65_536
 """Bytes of requests and answers under way for one client, beyond which it is not listened to."""
+COST_HERE = 4096
+"""Bytes that a frame counts as that is dealt with here: a client has 16 of them in one turn of the event loop."""
 MOST_UNSENT = 65_536
 """Bytes that wait for the client to read them, beyond which it is slow."""
 
@@ -55,6 +59,8 @@ class Client(asyncio.Protocol):
         self._last_answered = 0
         """Place of the last request that was answered: all before it was executed, posted writes too."""
         self._under_way = 0
+        self._spent_here = 0
+        """Bytes of `_under_way` for frames that were dealt with here since the last flush."""
         self._out: list[bytes] = []
         self._flushing = False
         self._slow = False
@@ -182,6 +188,14 @@ class Client(asyncio.Protocol):
         rows.awaited = awaited
         self._pending.append(rows)
         self.queue.requests.append(rows)
+        if self.room <= 0:
+            self._listen()
+
+    def spend_here(self) -> None:
+        """Count a frame that does not reach the gateway."""
+        self._under_way += COST_HERE
+        self._spent_here += COST_HERE
+        self._wake()
         if self.room <= 0:
             self._listen()
 
@@ -314,6 +328,8 @@ class Client(asyncio.Protocol):
         self._flushing = False
         data = b"".join(self._out)
         self._out.clear()
+        self._under_way -= self._spent_here
+        self._spent_here = 0
         if self._transport is not None:
             self._transport.write(data)
             self._listen()

@@ -31,6 +31,8 @@ if TYPE_CHECKING:
 FEWEST_ROWS = 8
 """Requests side by side that are worth a turn of numpy."""
 ADAPTIVE = 2
+_DONE_HERE = frozenset({"Q", "K", "GS", "GN", "GX", "GP", "I"})
+"""Commands about what only the client sees: the gateway hears of them only where a group of its own changes."""
 _HEX = b"0123456789ABCDEF"
 _IS_HEX = np.zeros(256, np.bool_)
 _IS_HEX[list(_HEX)] = True
@@ -87,11 +89,14 @@ class Conversation:
     def _take(self, line: bytes, *, plain: bool) -> None:
         """Take one frame."""
         if not line:
+            self._client.spend_here()
             return
         begun = self._session.begun
         taken = self._session.take(line, plain=plain)
         if self._session.begun and not begun:
             self._client.follow_others()
+        if not isinstance(taken, DecodedRequest) or taken.command in _DONE_HERE:
+            self._client.spend_here()
         if taken is UNDER_WAY:
             # Its answer will come, for nothing is lost between the client and here; till then, a sign of life.
             self._client.write(LF)

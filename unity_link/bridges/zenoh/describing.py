@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import msgspec
 
-from unity_link.generate.ros.topics import topic_name
+from unity_link.generate.ros.topics import topic_names
 
 if TYPE_CHECKING:
     from unity_link.data import Proxy, Robot
@@ -14,18 +14,21 @@ if TYPE_CHECKING:
 
 def describe(robot: Robot, prefix: str) -> dict[str, Any]:
     """Return the interface, the gateway, and every signal by its path."""
+    names = topic_names(robot.interface)
     return {
         "interface": robot.interface.name,
         "gateway": msgspec.to_builtins(robot.link.gateway),
-        "signals": {proxy.path: _describe_signal(proxy, prefix) for proxy in robot.signals},
+        "signals": {
+            proxy.path: _describe_signal(proxy, f"{prefix}/signals/{names[proxy.path]}") for proxy in robot.signals
+        },
     }
 
 
-def _describe_signal(proxy: Proxy[Any], prefix: str) -> dict[str, Any]:
+def _describe_signal(proxy: Proxy[Any], key: str) -> dict[str, Any]:
     signal = proxy.signal
     enumeration = signal.kind.enumeration
     facts = {
-        "key": f"{prefix}/signals/{topic_name(signal.path)}",
+        "key": key,
         "id": signal.id,
         "kind": str(signal.kind),
         "access": str(signal.access),

@@ -26,7 +26,7 @@ from unity_link.bridges.zenoh.describing import describe
 from unity_link.bridges.zenoh.writing import Reader
 from unity_link.data import Group, Readable, Writable
 from unity_link.errors import ArgumentError, GatewayResetError, UnansweredError, UnityLinkError
-from unity_link.generate.ros.topics import topic_name
+from unity_link.generate.ros.topics import topic_names
 from unity_link.transport.inbox import Inbox
 
 if TYPE_CHECKING:
@@ -72,7 +72,8 @@ class Signals:
         self._robot = robot
         self._shared = shared
         self._faults = Faults(report)
-        self._by_name = {f"signals/{topic_name(proxy.path)}": proxy for proxy in robot.signals}
+        names = topic_names(robot.interface)
+        self._by_name = {f"signals/{names[proxy.path]}": proxy for proxy in robot.signals}
         self._reader = Reader(robot)
         self._group = functools.lru_cache(256)(self._make_group)
         self._answering: set[asyncio.Task[None]] = set()

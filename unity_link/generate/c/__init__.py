@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 
 from unity_link.generate import GeneratedFile
 from unity_link.generate.c.layout import Layout
-from unity_link.generate.c.names import comment, number, string
+from unity_link.generate.c.names import comment, comment_lines, number, string
 from unity_link.generate.c.signals import decoding, describe, examples, initializer, schedule
 from unity_link.protocol.constants import TABLE
 from unity_link.transport.polling import REMEMBERED_WAITS, SPIN
@@ -28,6 +28,7 @@ if TYPE_CHECKING:
 DOC = "a client in C99, without allocation, with transports for POSIX"
 FILTERS: dict[str, Callable[..., Any]] = {
     "comment": comment,
+    "comment_lines": comment_lines,
     "decoding": decoding,
     "describe": describe,
     "number": number,

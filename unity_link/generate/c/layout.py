@@ -28,6 +28,8 @@ MOST_GROUP_WORDS = 255
 _OF_ENUMERATIONS = ("", "_signal", "_name", "_get", "_set", "_post")
 _OF_GROUPS = ("", "_subscription", "_read", "_write", "_subscribe", "_next", "_decode")
 """What is named after an enumeration and a group."""
+_OF_USE = ("link", "networks", "words", "status", "network", "ADDRESSES", "index")
+"""Parameters and variables of the function that is given the addresses of networks."""
 _INT_MAX = 0x7FFF_FFFF
 
 
@@ -218,7 +220,7 @@ class Layout:
         self.check_map = self._global("check_map")
         self.networks = networks(interface)
         self.network_type = self._globals.take(f"{self.prefix}_networks", ("", "_use")) if self.networks else ""
-        parameters = Names([*self._guards, "link", "networks", "index"])
+        parameters = Names([*self._guards, self.prefix, *_OF_USE])
         self.given = {name: parameters.take(name) for name in given_parameters(interface)}
         """Identifiers of the parameters that its networks need."""
         self.shared = shared_addresses(interface)

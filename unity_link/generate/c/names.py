@@ -56,9 +56,13 @@ def string(text: str) -> str:
 
 def comment(text: str, indent: str = "") -> str:
     """Return a text of one or more lines as a comment."""
-    safe = text.replace("*/", "* /").replace("/*", "/ *").replace("??", "? ?").rstrip("\\")
-    lines = [line.rstrip().rstrip("\\") for line in safe.split("\n")]
-    return f"{indent}/* " + f"\n{indent} * ".join(lines) + " */"
+    return f"{indent}/* " + f"\n{indent} * ".join(comment_lines(text)) + " */"
+
+
+def comment_lines(text: str) -> list[str]:
+    """Return the lines of a text as they can stand in a comment."""
+    safe = text.replace("*/", "* /").replace("/*", "/ *").replace("??", "? ?")
+    return [line.rstrip().rstrip("\\") for line in safe.split("\n")]
 
 
 def number(value: float) -> str:

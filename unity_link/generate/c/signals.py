@@ -23,6 +23,9 @@ def initializer(layout: Layout) -> str:
 
 def _component(layout: Layout, component: Component, indent: str) -> Iterator[str]:
     names = layout.member_names(component)
+    if not names:
+        # C has neither empty structures nor empty initializers.
+        yield f"{indent}.empty = 0,"
     for signal in component.signals:
         yield f"{indent}.{names[signal.name]}.signal = {signal_initializer(layout, signal)},"
     for part in component.parts:
@@ -51,7 +54,6 @@ def signal_initializer(layout: Layout, signal: Signal) -> str:
     step, offset = (
         (signal.kind.step, signal.kind.offset) if is_real and signal.kind.name is not KindName.FLOAT else (1, 0)
     )
-    low, high = signal.limits if _is_limited(signal) else (0, 0)
     fields = [
         string(signal.path),
         string(signal.unit),
@@ -60,8 +62,9 @@ def signal_initializer(layout: Layout, signal: Signal) -> str:
         str(signal.lowest_bit),
         str(signal.width),
         _kind(signal),
-        _properties(signal, layout),
-        *map(number, (step, offset, low, high)),
+        _properties(signal, layout, is_real=is_real),
+        *map(number, (step, offset)),
+        *_limits(signal, is_real=is_real),
         f"0x{layout.interface.fingerprint:08X}",
     ]
     return f"{{{', '.join(fields)}}}"
@@ -77,7 +80,27 @@ def _is_limited(signal: Signal) -> bool:
     return signal.minimum is not None or signal.maximum is not None
 
 
-def _properties(signal: Signal, layout: Layout) -> str:
+def _limits(signal: Signal, *, is_real: bool) -> tuple[str, str]:
+    low, high = signal.limits
+    if not _is_limited(signal):
+        return "{0}", "{0}"
+    if is_real:
+        return f"{{.real = {number(low)}}}", f"{{.real = {number(high)}}}"
+    member = "whole" if signal.kind.is_signed else "natural"
+    least, most = (_integer(value, is_signed=signal.kind.is_signed) for value in (math.ceil(low), math.floor(high)))
+    return f"{{.{member} = {least}}}", f"{{.{member} = {most}}}"
+
+
+def _integer(value: int, *, is_signed: bool) -> str:
+    if abs(value) < 1 << 31:
+        return str(value)
+    # C has no negative literals: this one would be minus a number that is too large.
+    if value == -(1 << 63):
+        return "INT64_MIN"
+    return f"{'INT64_C' if is_signed else 'UINT64_C'}({value})"
+
+
+def _properties(signal: Signal, layout: Layout, *, is_real: bool) -> str:
     properties = {
         "UL_READABLE": signal.access.reads,
         "UL_WRITABLE": signal.access.writes,
@@ -85,6 +108,7 @@ def _properties(signal: Signal, layout: Layout) -> str:
         "UL_QUEUE": signal.fifo,
         "UL_LIMITED": _is_limited(signal),
         "UL_SHARED": signal.access.writes and signal.address in layout.shared and not signal.fifo,
+        "UL_WHOLE": not is_real,
     }
     return " | ".join(name for name, holds in properties.items() if holds)
 

@@ -250,16 +250,24 @@ class Page:
 
         Of many rows of one module, the first and the last; a row without cells stands for those between.
         """
+        for fill, some in itertools.groupby(self._runs(), key=lambda run: self._filled_by(run[0])):
+            runs = list(some)
+            if fill is not None and sum(map(len, runs)) > _MOST_FILLED:
+                yield from (self._map_row(runs[0][0]), (_SKIPPED, ()), self._map_row(runs[-1][-1]))
+            else:
+                yield from (self._map_row(row) for run in runs for row in run)
+
+    def _runs(self) -> Iterator[range]:
+        """Return the rows in which something is; those between the ends of modules, perhaps millions, as one run."""
         rows = {address // _CELLS for address in self._at}
         for module in self.interface.modules:
             if module.words is not None:
-                rows |= set(range(module.base // _CELLS, (module.base + module.words - 1) // _CELLS + 1))
-        for fill, some in itertools.groupby(sorted(rows), key=self._filled_by):
-            given = list(some)
-            if fill is not None and len(given) > _MOST_FILLED:
-                yield from (self._map_row(given[0]), (_SKIPPED, ()), self._map_row(given[-1]))
-            else:
-                yield from map(self._map_row, given)
+                rows |= {module.base // _CELLS, (module.base + module.words - 1) // _CELLS}
+        ascending = sorted(rows)
+        for row, following in itertools.zip_longest(ascending, ascending[1:], fillvalue=0):
+            yield range(row, row + 1)
+            if row + 1 < following and self._module_at((row + 1) * _CELLS) is not None:
+                yield range(row + 1, following)
 
     def _filled_by(self, row: int) -> Module | None:
         """Return the module that a row of the map is of, if nothing else is there."""

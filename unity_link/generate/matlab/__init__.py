@@ -22,12 +22,12 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from unity_link.errors import UnsupportedError
 from unity_link.generate import GeneratedFile, c
-from unity_link.generate.matlab.names import MEMBERS, identifiers
+from unity_link.generate.matlab.names import FUNCTIONS, MEMBERS, identifiers
 from unity_link.generate.networks import Network, given_parameters, networks
 from unity_link.spec import ComponentArray
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Iterator, Mapping
 
     from unity_link.generate import Templates
     from unity_link.spec import Component, Group, Interface, Signal
@@ -62,9 +62,10 @@ class Property(NamedTuple):
 
 def files(interface: Interface, templates: Templates) -> Iterator[GeneratedFile]:
     """Make the files of an interface."""
-    name = identifiers([interface.name], [PACKAGE, MEX])[interface.name]
+    name = identifiers([interface.name], [PACKAGE, MEX, *MEMBERS, *FUNCTIONS])[interface.name]
     lines = list(_lines(interface.root, "", [*MEMBERS, name]))
     paths = {line.signal.path: line.path for line in lines if line.signal is not None}
+    given = identifiers(given_parameters(interface))
     # A variable of the class's own name would hide the class.
     variable = "robot" if name != "robot" else "arm"
     text = templates.render(
@@ -76,8 +77,8 @@ def files(interface: Interface, templates: Templates) -> Iterator[GeneratedFile]
         paths=paths,
         groups=_groups(interface),
         networks=networks(interface),
-        given=given_parameters(interface),
-        handle=_handle,
+        given=list(given.values()),
+        handle=lambda address: _handle(address, given),
         addresses=_addresses,
         variable=variable,
         examples=_examples(lines, variable),
@@ -131,10 +132,10 @@ def _lines(part: Component, path: str, taken: list[str] | None = None) -> Iterat
             yield from _lines(item, f"{inside}({number})" if isinstance(member, ComponentArray) else inside)
 
 
-def _handle(address: int | str | None) -> str:
+def _handle(address: int | str | None, given: Mapping[str, str]) -> str:
     """Return where CTRL or COMM is: an address, or a parameter."""
     if isinstance(address, str):
-        return f"given.{address}"
+        return f"given.{given[address]}"
     return "[]" if address is None else str(address)
 
 

@@ -1,7 +1,8 @@
 """Names of a spec as MATLAB and Octave take them.
 
 A name of UL-spec is an identifier of both but for three things: it may begin with ``_``, be longer than 63 characters,
-or be a word of their languages. A property of the class must, besides, be none of the class's own.
+or be a word of their languages. A property of the class must, besides, be none of the class's own, and the class must
+hide no function that it needs.
 """
 
 from __future__ import annotations
@@ -22,10 +23,20 @@ _KEYWORDS = """
 _MEMBERS = """
     addlistener close delete eq findobj findprop ge groups gt isvalid le link listener lt ne networks notify
 """
+_FUNCTIONS = """
+    abs all any bitand bitget bitor bitshift bitxor cast ceil cell cell2struct cellfun char class clear double error
+    exist false fieldnames fileparts find fix floor fullfile get inf int64 intmax iscell ischar isempty isfield isfloat
+    islogical ismember isnumeric ispc isreal isscalar isstring isstruct logical mat2cell max mex mfilename min mislocked
+    mkoctfile nan nargin not numel publish regexp rehash repmat reshape round set size sprintf str2double strcmp strfind
+    strjoin strtok strtrim struct struct2cell subsasgn substruct sum tic toc true typecast uint32 uint64 unique vertcat
+    zeros
+"""
 KEYWORDS = frozenset(_KEYWORDS.split())
 """`iskeyword` of MATLAB and of Octave, the words that begin the blocks of a class, and `ans`, which expressions set."""
 MEMBERS = frozenset(_MEMBERS.split())
 """What the generated class has itself, and what every handle class inherits."""
+FUNCTIONS = frozenset(_FUNCTIONS.split())
+"""Functions that the package calls, in place of which it would find a class of the same name."""
 
 
 def identifiers(names: Iterable[str], taken: Iterable[str] = ()) -> dict[str, str]:

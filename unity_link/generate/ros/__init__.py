@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from unity_link.generate import GeneratedFile
 from unity_link.generate.python import docstring
 from unity_link.generate.python.classes import module_name
-from unity_link.generate.ros.topics import SI, message_type, topic_name
+from unity_link.generate.ros.topics import SI, message_type, topic_names
 from unity_link.protocol.frames import TOKEN_LINE
 from unity_link.protocol.messages import GroupFlag
 from unity_link.spec import KindName, ParameterReference
@@ -56,8 +56,9 @@ class Package(NamedTuple):
 
 
 def package_name(interface: Interface) -> str:
-    """Return the name of the package; ROS wants small letters (REP 144)."""
-    return f"{interface.name.lower().strip('_')}_unity_link"
+    """Return the name of the package; ROS wants small letters, and one of them first (REP 144)."""
+    name = interface.name.lower().strip("_")
+    return f"{name if name[:1].isalpha() else f'x{name}'}_unity_link"
 
 
 def names(interface: Interface, package: Package) -> dict[str, Any]:
@@ -127,15 +128,16 @@ def _network_of(interface: Interface, signal: Signal) -> int | None:
 def _table(interface: Interface) -> Iterator[str]:
     """Return the lines of the tables."""
     variables = {path: f"S{number}" for number, path in enumerate(interface.signals)}
+    names = topic_names(interface)
     for path, signal in interface.signals.items():
         if not signal.fifo:
-            yield f"{variables[path]} = Signal({', '.join(_signal(interface, signal))})"
+            yield f"{variables[path]} = Signal({', '.join(_signal(interface, signal, names[path]))})"
     yield ""
     listed = functools.partial(_listed, variables)
     sampled = list(_sampled(interface))
     several = sum(one.group is not None and bool(one.group.joints) for one in sampled) > 1
     yield "GROUPS = ["
-    yield from (f"    {_group(one, variables, several=several)}," for one in sampled)
+    yield from (f"    {_group(one, variables, names, several=several)}," for one in sampled)
     yield "]"
     taken = {signal.path for one in sampled for signal in one.signals}
     signals = [signal for signal in interface.signals.values() if not signal.fifo]
@@ -151,7 +153,7 @@ def _table(interface: Interface) -> Iterator[str]:
                 for part in _SET_PARTS
             )
             before = f"{one.name}/" if several else ""
-            yield f"    Joints({before!r}, {_joint_names(one.group)!r}, {{{parts}}}),"
+            yield f"    Joints({before!r}, {_joint_names(one.group, names)!r}, {{{parts}}}),"
     yield "]"
 
 
@@ -159,11 +161,11 @@ def _listed(variables: dict[str, str], paths: list[str | None]) -> str:
     return f"[{', '.join('None' if path is None else variables[path] for path in paths)}]"
 
 
-def _signal(interface: Interface, signal: Signal) -> Iterator[str]:
+def _signal(interface: Interface, signal: Signal, topic: str) -> Iterator[str]:
     kind = signal.kind
     simple = {KindName.BOOL: "bool", KindName.FLOAT: "float"}.get(kind.name, "signed" if kind.is_signed else "unsigned")
     yield repr(signal.path)
-    yield repr(topic_name(signal.path))
+    yield repr(topic)
     yield repr(message_type(kind))
     yield repr(simple)
     yield repr((signal.address, signal.lowest_bit, signal.width, signal.word_bits))
@@ -193,7 +195,7 @@ def _sampled(interface: Interface) -> Iterator[Sampled]:
         yield Sampled(f"poll_{rate:g}_hz".replace(".", "_"), None, rate, signals)
 
 
-def _group(one: Sampled, variables: dict[str, str], *, several: bool) -> str:
+def _group(one: Sampled, variables: dict[str, str], names: dict[str, str], *, several: bool) -> str:
     group, listed = one.group, functools.partial(_listed, variables)
     signals = listed([signal.path for signal in one.signals])
     if group is None:
@@ -216,10 +218,10 @@ def _group(one: Sampled, variables: dict[str, str], *, several: bool) -> str:
             else []
             for part in _PARTS
         )
-        arguments.append(f"({_joint_names(group)!r}, {', '.join(map(listed, columns))})")
+        arguments.append(f"({_joint_names(group, names)!r}, {', '.join(map(listed, columns))})")
         arguments.append(repr(f"{one.name}/joint_states" if several else "joint_states"))
     return f"Group({', '.join(arguments)})"
 
 
-def _joint_names(group: Group) -> list[str]:
-    return [topic_name(joint.name) for joint in group.joints]
+def _joint_names(group: Group, names: dict[str, str]) -> list[str]:
+    return [names[joint.name] for joint in group.joints]

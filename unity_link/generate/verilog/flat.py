@@ -27,7 +27,9 @@ class FlatPort(NamedTuple):
 
 def flat_ports(bank: Bank) -> Iterator[FlatPort]:
     """Return the ports of all signals of a bank."""
-    scope = Scope(*_TAKEN, *(f"{port.name}_{pin}" for port in bank.ports for pin in _MASTER_PINS))
+    decoders = (enumeration.decode for enumeration in bank.enumerations.values())
+    pins = (f"{port.name}_{pin}" for port in bank.ports for pin in _MASTER_PINS)
+    scope = Scope(*_TAKEN, *decoders, *pins)
     for register in bank.registers:
         yield from _of(register, bank, scope)
 
@@ -36,7 +38,7 @@ _MASTER_PINS = ("cyc", "stb", "we", "adr", "dat_o", "dat_i", "ack", "err")
 _TAKEN = (
     *("clk", "rst", "uart_rxd", "uart_txd", "uart_rts_n", "uart_cts_n", "trigger", "from_hardware", "to_hardware"),
     *(f"ft_{pin}" for pin in ("clkout", "data_in", "data_out", "data_oe", "rxf_n", "txe_n", "rd_n", "wr_n", "oe_n")),
-    *("ft_siwu_n", "physical"),
+    *("ft_siwu_n", "physical", "to_bits", "work", "ieee"),
 )
 
 

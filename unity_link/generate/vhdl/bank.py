@@ -33,6 +33,13 @@ _CONSTANTS = (
     "build_id",
 )
 """What the package has of the gateway, behind the name of the interface."""
+_HIDDEN = (
+    *("to_bits", "to_hardware", "from_hardware", "to_chain", "wb_pipelined", "sample_access"),
+    *("address_t", "addresses_t", "word_t", "words_t", "counts_t", "to_bank", "from_bank", "count_words"),
+    *("owed_word", "owed_write", "go_on", "end_row"),
+    *(f"window_{name}" for name in ("fails", "cyc", "stb", "we", "ack", "err", "adr", "dat_o", "dat_i", "word")),
+)
+"""Names of the designs and the bench, behind which those of the package could not be seen."""
 
 
 class Slice(NamedTuple):
@@ -170,7 +177,7 @@ class Bank:
     def __init__(self, interface: Interface) -> None:
         self.interface = interface
         name = identifier(interface.name)
-        self._scope = Scope("to_bits", *(f"{name}_{constant}" for constant in _CONSTANTS))
+        self._scope = Scope(*_HIDDEN, *(f"{name}_{constant}" for constant in _CONSTANTS))
         self.enumerations = {
             enumeration.name: enumeration_type(enumeration, self._scope) for enumeration in interface.enumerations
         }

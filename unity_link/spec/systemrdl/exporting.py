@@ -2,18 +2,20 @@
 
 from __future__ import annotations
 
+import itertools
 import re
+from graphlib import TopologicalSorter
 from typing import TYPE_CHECKING
 
 from unity_link.errors import UnsupportedError
 from unity_link.spec.model import Access, Group, Interface, Joint, Signal
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Iterator, Mapping
 
-from unity_link.spec.systemrdl.naming import unique_name
+from unity_link.spec.systemrdl.naming import doc_lines, unique_name, values_text
 
-_FIELD_PROPERTIES = ("path", "id", "kind", "unit", "arguments")
+_FIELD_PROPERTIES = ("path", "id", "kind", "values", "unit", "arguments")
 _SW = {Access.READ: ("r", "w"), Access.WRITE: ("w", "r"), Access.READWRITE: ("rw", "r")}
 _KEYWORDS = frozenset(
     """abstract accesstype addressingtype addrmap alias all alternate bit boolean bothedge byte compact component
@@ -34,6 +36,8 @@ def export_text(interface: Interface) -> str:
     bits = interface.data_bits
     if bits & (bits - 1):
         raise UnsupportedError(f"SystemRDL knows registers of 8, 16, 32 or 64 bits, and {interface.name} has {bits}")
+    if not interface.signals:
+        raise UnsupportedError(f"SystemRDL knows no map without registers, and {interface.name} has no signals")
     words: dict[int, list[Signal]] = {}
     for signal in interface.signals.values():
         for address in signal.addresses:
@@ -41,7 +45,9 @@ def export_text(interface: Interface) -> str:
     lines = [
         f"// The interface {interface.name} of a UL-spec.",
         *(f"property ul_{name} {{ component = field; type = string; }};" for name in _FIELD_PROPERTIES),
+        "property ul_order { component = field; type = longint unsigned; };",
         "property ul_groups { component = addrmap; type = string; };",
+        "property ul_address_bits { component = addrmap; type = longint unsigned; };",
         "",
     ]
     for enumeration in interface.enumerations:
@@ -53,15 +59,44 @@ def export_text(interface: Interface) -> str:
     lines.append(f"addrmap {_identifier(interface.name)} {{")
     lines += [f"  desc = {_string(interface.doc)};"] if interface.doc else []
     lines += [f"  default regwidth = {bits};", f"  default accesswidth = {bits};"]
-    groups = " ".join(_group(group) for group in interface.groups)
+    lines.append(f"  ul_address_bits = {interface.address_bits};")
+    groups = "\n".join(doc_lines(group.doc) + _group(group) for group in interface.groups)
     lines += [f"  ul_groups = {_string(groups)};"] if groups else []
     registers: set[str] = set()
+    order = {path: place for place, path in enumerate(_in_order(interface))}
     for address in sorted(words):
-        lines += _register(address, words[address], bits, registers)
+        lines += _register(address, words[address], bits, registers, order)
     return "\n".join([*lines, "};", ""])
 
 
-def _register(address: int, signals: list[Signal], bits: int, registers: set[str]) -> Iterator[str]:
+def _in_order(interface: Interface) -> list[str]:
+    """Return the paths of the signals of groups in one order that all of the groups have.
+
+    Of each component, all signals stand side by side, as a component is written in one place.
+    """
+    before: dict[str, dict[str, None]] = {}
+    rows = [*(group.signals for group in interface.groups), [group.signals[0] for group in interface.groups]]
+    for row in rows:
+        for one, other in itertools.pairwise(row):
+            # What parts them are two members of one component.
+            levels = zip(_levels(one), _levels(other), strict=False)
+            for first, second in levels:
+                if first != second:
+                    before.setdefault(second, {})[first] = None
+                    break
+    places = {member: place for place, member in enumerate(TopologicalSorter(before).static_order())}
+    paths = dict.fromkeys(path for group in interface.groups for path in group.signals)
+    return sorted(paths, key=lambda path: [places.get(level, 0) for level in _levels(path)])
+
+
+def _levels(path: str) -> list[str]:
+    """Return the paths of a signal and of all components around it, the outermost first."""
+    return list(itertools.accumulate(path.split("."), "{}.{}".format))
+
+
+def _register(
+    address: int, signals: list[Signal], bits: int, registers: set[str], order: Mapping[str, int]
+) -> Iterator[str]:
     fields: set[str] = set()
     yield "  reg {"
     for signal in signals:
@@ -72,6 +107,8 @@ def _register(address: int, signals: list[Signal], bits: int, registers: set[str
         yield "    field {"
         yield f"      sw = {software}; hw = {hardware};"
         yield from (f"      {name} = {value};" for name, value in _properties(signal, part))
+        if part == 0 and signal.path in order:
+            yield f"      ul_order = {order[signal.path]};"
         name = unique_name(_identifier(signal.path, f"_part{part}" if part else ""), fields)
         yield f"    }} {name}[{high}:{low}];"
     is_one = len(signals) == 1 and signals[0].words == 1
@@ -84,11 +121,15 @@ def _properties(signal: Signal, part: int) -> Iterator[tuple[str, str]]:
         yield "desc", _string(signal.doc)
     if part:
         return
-    if signal.kind.enumeration is not None:
-        yield "encode", _identifier(signal.kind.enumeration.name, "_e")
+    enumeration = signal.kind.enumeration
+    if enumeration is not None and signal.words == 1:
+        yield "encode", _identifier(enumeration.name, "_e")
     yield "ul_path", _string(signal.path)
     yield "ul_id", _string(signal.id)
     yield "ul_kind", _string(str(signal.kind))
+    if enumeration is not None and signal.words > 1:
+        # The field of one word is not wide enough for what it is to encode.
+        yield "ul_values", _string(values_text((one.name, one.value, one.doc) for one in enumeration.values))
     if signal.unit:
         yield "ul_unit", _string(signal.unit)
     arguments = ", ".join(_arguments(signal))

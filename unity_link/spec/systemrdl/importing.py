@@ -10,14 +10,18 @@ from unity_link.errors import UnsupportedError
 from unity_link.spec.diagnostics import Diagnostic, Span, SpecError
 from unity_link.spec.kinds import KindName
 from unity_link.spec.model import Access
+from unity_link.spec.modules import MODULES
+from unity_link.spec.placing import GATEWAY_WORD
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
     from pathlib import Path
 
-from unity_link.spec.systemrdl.naming import unique_name
+from unity_link.spec.systemrdl.naming import doc_lines, unique_name, values_text
 
 _RESERVED = {"import", "enum", "group", "public"}
+_KINDS = {kind.value for kind in KindName}
+"""Names that no enumeration can have."""
 
 
 @dataclass
@@ -37,8 +41,7 @@ class _Part:
     """A component to be."""
 
     type_name: str
-    fields: list[_Field] = field(default_factory=list)
-    parts: list[_Placed] = field(default_factory=list)
+    members: list[_Field | _Placed] = field(default_factory=list)
     memories: list[str] = field(default_factory=list)
     doc: str = ""
 
@@ -88,9 +91,10 @@ def _compiled(path: Path, top: str | None) -> Any:
     try:
         compiler.compile_file(str(path))
         return compiler.elaborate(top_def_name=top)
-    except (RDLCompileError, OSError, UnicodeDecodeError, ValueError) as error:
+    except (RDLCompileError, OSError, ValueError, RecursionError) as error:
         if not found:
-            message = getattr(error, "strerror", None) or str(error)
+            too_deep = "it is nested too deeply" if isinstance(error, RecursionError) else None
+            message = getattr(error, "strerror", None) or too_deep or str(error)
             found.append(Diagnostic("error", "systemrdl", message, Span(str(path), 1, 1, 1, 1)))
         raise SpecError(found) from None
 
@@ -102,7 +106,8 @@ class _Importer:
         self._top = top
         registers = [node for node in top.descendants() if type(node).__name__ == "RegNode"]
         self._bits = min((node.get_property("regwidth") for node in registers), default=32)
-        self._enumerations: dict[str, list[str]] = {}
+        self._enumerations: dict[str, str] = {}
+        """What stands between the braces of each, by their names."""
         self._components: dict[str, str] = {}
         """Names of components by what stands in them."""
         self._docs: dict[str, str] = {}
@@ -116,14 +121,15 @@ class _Importer:
         top = self._top
         part = self._part_of_paths() if self._is_ours else self._part(top)
         name = unique_name(_name(top.inst_name), self._names)
+        groups = self._ours(top, "groups") or ""
+        self._names |= {*MODULES, GATEWAY_WORD, *re.findall(r"^group (\w+)", groups, re.MULTILINE)}
         body = self._body(part, "")
         highest = max(top.size * 8 // self._bits - 1, 1)
-        bits = max(8, highest.bit_length())
+        bits = self._ours(top, "address_bits") or max(8, highest.bit_length())
         public = f"public {name}() {{\nGATEWAY(ADDRESS_BITS={bits}, DATA_BITS={self._bits});\n{body}}}\n"
-        groups = self._ours(top, "groups") or ""
-        enumerations = [f"enum {name} {{ {', '.join(values)} }}\n" for name, values in self._enumerations.items()]
-        components = [f"{_doc(self._docs[name])}{name}(){body}" for body, name in self._components.items()]
-        pieces = [_doc(part.doc) + public, groups, *enumerations, *components]
+        enumerations = [f"enum {name} {{ {values} }}\n" for name, values in self._enumerations.items()]
+        components = [f"{doc_lines(self._docs[name])}{name}(){body}" for body, name in self._components.items()]
+        pieces = [doc_lines(part.doc) + public, groups, *enumerations, *components]
         return format_text("\n".join(piece for piece in pieces if piece))
 
     # From SystemRDL's own tree
@@ -137,7 +143,7 @@ class _Importer:
             elif kind == "MemNode":
                 self._add_memory(part, child)
             elif kind in {"RegfileNode", "AddrmapNode"}:
-                part.parts.append(self._placed(child, self._part(child)))
+                part.members.append(self._placed(child, self._part(child)))
         return part
 
     def _placed(self, node: Any, part: _Part) -> _Placed:
@@ -158,19 +164,21 @@ class _Importer:
     def _add_memory(self, part: _Part, node: Any) -> None:
         address = self._word(node.raw_address_offset, node)
         size = max(1, node.total_size * 8 // self._bits)
-        part.memories.append(f"{_doc(_desc(node))}{_name(node.inst_name)}: MEMORY(BASE={address:#x}, SIZE={size});\n")
+        part.memories.append(
+            f"{doc_lines(_desc(node))}{_name(node.inst_name)}: MEMORY(BASE={address:#x}, SIZE={size});\n"
+        )
 
     def _add_register(self, part: _Part, node: Any) -> None:
         fields = [found for one in node.fields() if (found := self._field(one)) is not None]
         if node.is_array or len(fields) > 1:
-            inner = _Part(node.type_name or node.inst_name, fields, doc=_desc(node))
-            part.parts.append(self._placed(node, inner))
+            inner = _Part(node.type_name or node.inst_name, [*fields], doc=_desc(node))
+            part.members.append(self._placed(node, inner))
         elif fields:
             (only,) = fields
             only.name = node.inst_name
             only.address += self._word(node.raw_address_offset, node)
             only.doc = "\n".join(filter(None, (_desc(node), only.doc)))
-            part.fields.append(only)
+            part.members.append(only)
 
     def _field(self, node: Any) -> _Field | None:
         reads, writes = node.is_sw_readable, node.is_sw_writable
@@ -199,11 +207,12 @@ class _Importer:
         return "bool" if node.width == 1 else f"unsigned {node.width}"
 
     def _enumeration(self, encode: Any) -> str:
-        values = []
-        for member in encode:
-            doc = _doc(member.rdl_desc or "")
-            values.append(f"{doc}{_name(member.name)} = {member.value}")
+        values = values_text((_name(member.name), member.value, member.rdl_desc or "") for member in encode)
         name = _name(encode.type_name.removesuffix("_e") or encode.type_name)
+        return self._named(f"{name}_" if name in _KINDS else name, values)
+
+    def _named(self, name: str, values: str) -> str:
+        """Return the name of the enumeration of these values, where that name is free."""
         while self._enumerations.setdefault(name, values) != values:
             name += "_"
         self._names.add(name)
@@ -214,62 +223,70 @@ class _Importer:
     def _part_of_paths(self) -> _Part:
         whole = _Part("top", doc=_desc(self._top))
         registers = [node for node in self._top.descendants() if type(node).__name__ == "RegNode"]
-        for register in registers:
-            for node in register.fields():
-                path = self._ours(node, "path")
-                found = self._field(node) if path else None
-                if path is None or found is None:
-                    continue
-                *components, found.name = re.sub(r"\[(\d+)\]", r"_\1", path).split(".")
-                part = whole
-                for name in components:
-                    placed = next((one for one in part.parts if one.name == name), None)
-                    if placed is None:
-                        placed = _Placed(name, _Part(name), 0)
-                        part.parts.append(placed)
-                    part = placed.part
-                self._complete(found, node, path)
-                found.address += self._word(register.absolute_address, register)
-                part.fields.append(found)
+        fields = [node for register in registers for node in register.fields()]
+        # The signals of groups have the order that their groups have, and the others follow by their addresses.
+        last = len(fields)
+        for node in sorted(fields, key=lambda node: last if (place := self._ours(node, "order")) is None else place):
+            path = self._ours(node, "path")
+            found = self._field(node) if path else None
+            if path is None or found is None:
+                continue
+            *components, found.name = re.sub(r"\[(\d+)\]", r"_\1", path).split(".")
+            part = whole
+            for name in components:
+                part = _part_named(part, name)
+            self._complete(found, node, path)
+            found.address += self._word(node.parent.absolute_address, node.parent)
+            part.members.append(found)
         _rebase(whole)
         return whole
 
     def _complete(self, found: _Field, node: Any, path: str) -> None:
         """Add to a field what our own properties tell of it."""
-        kind = self._ours(node, "kind")
+        kind, values = self._ours(node, "kind"), self._ours(node, "values")
         if kind is not None and node.get_property("encode") is None:
-            found.kind = kind
-            width = sum(int(part) for part in re.findall(r"\d+", kind)) or 1
+            word, _, bits = kind.partition(" ")
+            found.kind = kind if values is None else f"{self._named(word, values)} {bits}"
+            width = sum(int(part) for part in re.findall(r"\d+", bits)) or 1
             # A signal of several words is as wide as its kind; its field is only the first of them.
             if width > self._bits:
                 found.bits = ""
+        arguments = self._ours(node, "arguments")
+        # The port of a queue has the whole word, however wide its values are.
+        if arguments is not None and re.search(r"(^|, )FIFO", arguments):
+            found.bits = ""
         identity, unit = self._ours(node, "id"), self._ours(node, "unit")
         if identity is not None and identity != path:
             found.arguments.append(f"ID={_quoted(identity)}")
-        found.arguments += filter(None, [self._ours(node, "arguments")])
+        found.arguments += filter(None, [arguments])
         if unit is not None:
             found.arguments.append(f"UNIT={_quoted(unit)}")
         found.doc = _desc(node)
 
-    def _ours(self, node: Any, name: str) -> str | None:
+    def _ours(self, node: Any, name: str) -> Any:
+        """Return one of our own properties; None where the node has it not."""
         name = f"ul_{name}"
         return node.get_property(name) if name in node.list_properties(list_all=True) else None
 
     # Writing
 
     def _body(self, part: _Part, base: str) -> str:
-        lines = list(part.memories)
-        for one in part.fields:
-            address = f"{base}{one.address:#x}" if not base or one.address else "base"
-            declaration = f"{one.kind} {one.access}({', '.join(one.arguments)})"
-            lines.append(f"{_doc(one.doc)}@{_name(one.name)} = {address}{one.bits}: {declaration};\n")
-        for placed in part.parts:
-            type_name = self._component(placed.part)
-            address = f"{base}{placed.address:#x}"
-            count = "" if placed.count is None else f"[{placed.count}]"
-            step = "" if placed.count is None else f" + {placed.stride:#x} * i"
-            lines.append(f"{_name(placed.name)}{count}: {type_name}() @({address}{step});\n")
-        return "".join(lines)
+        members = (
+            self._signal(one, base) if isinstance(one, _Field) else self._placement(one, base) for one in part.members
+        )
+        return "".join([*part.memories, *members])
+
+    def _signal(self, one: _Field, base: str) -> str:
+        address = f"{base}{one.address:#x}" if not base or one.address else "base"
+        declaration = f"{one.kind} {one.access}({', '.join(one.arguments)})"
+        return f"{doc_lines(one.doc)}@{_name(one.name)} = {address}{one.bits}: {declaration};\n"
+
+    def _placement(self, placed: _Placed, base: str) -> str:
+        type_name = self._component(placed.part)
+        address = f"{base}{placed.address:#x}"
+        count = "" if placed.count is None else f"[{placed.count}]"
+        step = "" if placed.count is None else f" + {placed.stride:#x} * i"
+        return f"{_name(placed.name)}{count}: {type_name}() @({address}{step});\n"
 
     def _component(self, part: _Part) -> str:
         body = f": @(base) {{\n{self._body(part, 'base + ')}}}\n"
@@ -280,14 +297,25 @@ class _Importer:
         return found
 
 
+def _part_named(around: _Part, name: str) -> _Part:
+    """Return the part of a name, which is put into the part around where it is not there yet."""
+    for one in around.members:
+        if isinstance(one, _Placed) and one.name == name:
+            return one.part
+    made = _Placed(name, _Part(name), 0)
+    around.members.append(made)
+    return made.part
+
+
 def _rebase(part: _Part) -> None:
     """Make the absolute addresses in a part's parts relative to the lowest one of each."""
-    for placed in part.parts:
-        _rebase(placed.part)
-        inner: list[_Field | _Placed] = [*placed.part.fields, *placed.part.parts]
-        placed.address = min(one.address for one in inner)
-        for one in inner:
-            one.address -= placed.address
+    for placed in part.members:
+        if isinstance(placed, _Placed):
+            _rebase(placed.part)
+            inner = placed.part.members
+            placed.address = min(one.address for one in inner)
+            for one in inner:
+                one.address -= placed.address
 
 
 def _effects(node: Any) -> Iterator[str]:
@@ -303,12 +331,8 @@ def _desc(node: Any) -> str:
     return desc or ""
 
 
-def _doc(text: str) -> str:
-    return "".join(f"/// {line}\n" for line in text.split("\n")) if text else ""
-
-
 def _name(name: str) -> str:
-    return f"{name}_" if name in _RESERVED or name in {kind.value for kind in KindName} else name
+    return f"{name}_" if name in _RESERVED else name
 
 
 def _quoted(text: str) -> str:

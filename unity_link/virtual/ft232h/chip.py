@@ -25,6 +25,8 @@ _FRACTIONS = (0, 4, 2, 1, 3, 5, 6, 7)
 """Eighths of the baud rate's divisor, by their code."""
 _FAST_CLOCK, _SLOW_CLOCK = 12e6, 3e6
 _ENDPOINT_HALT = 0
+_CONFIGURATIONS = (0, 1)
+"""Not configured, and the one that the descriptors tell of."""
 
 
 class StallError(Exception):
@@ -95,6 +97,8 @@ class Chip:
         if kind == _VENDOR_OUT:
             self._vendor_out(request, value, index, now)
         elif kind in _STANDARD_OUT and request == 0x09:
+            if value not in _CONFIGURATIONS:
+                raise StallError
             self.configuration = value
         elif kind == 0x02 and request == 0x01 and value == _ENDPOINT_HALT:
             self.halted.discard(index & 0xFF)

@@ -15,7 +15,7 @@ import errno
 import struct
 from typing import TYPE_CHECKING
 
-from unity_link.transport.listening import serving
+from unity_link.transport.listening import checked_host, port_error, serving
 from unity_link.virtual.ft232h import descriptors
 from unity_link.virtual.ft232h.bus import BUS_NUMBER, VirtualFt232h
 from unity_link.virtual.ft232h.chip import StallError
@@ -50,6 +50,8 @@ _DIRECTION_IN = 0x80
 _FAILED = 1
 MOST_BYTES = 1 << 20
 """In one transfer: more than a kernel submits, and less than would harm."""
+MOST_TRANSFERS = 1024
+"""Most transfers under way on a connection; one more ends it."""
 _ERRORS = {
     TransferStatus.DONE: 0,
     TransferStatus.STALLED: -errno.EPIPE,
@@ -61,10 +63,17 @@ _ERRORS = {
 
 @serving("an FTDI chip")
 async def serve_usbip(device: VirtualFt232h, port: int = PORT, host: str = "127.0.0.1") -> AsyncIterator[str]:
-    """Serve a chip; gives how a Linux attaches it."""
+    """Serve a chip; gives how a Linux attaches it.
+
+    Raises:
+        ConnectError: where the port can't be opened.
+    """
     device.address = device.address or 2
     server = UsbipServer(device)
-    listener = await asyncio.start_server(server.serve, host, port)
+    try:
+        listener = await asyncio.start_server(server.serve, checked_host(host), port)
+    except (OSError, OverflowError, UnicodeError) as error:
+        raise port_error("USB/IP", host, port, error) from error
     try:
         address, number = listener.sockets[0].getsockname()[:2]
         yield f"usbip --tcp-port {number} attach -r {address} -b {BUS_ID}"
@@ -204,6 +213,8 @@ class UsbipImport:
         def end(ended: Transfer) -> None:
             self._loop.call_soon_threadsafe(self._end, number, ended)
 
+        if len(self._under_way) >= MOST_TRANSFERS:
+            raise ProtocolError(f"more than {MOST_TRANSFERS} transfers were asked for at a time")
         transfer = Transfer(address, size=length, data=data, on_end=end)
         self._under_way[number] = transfer
         try:
@@ -226,12 +237,17 @@ class UsbipImport:
             self._writer.close()
 
     def _unlink(self, number: int, unlinked: int) -> None:
-        """Cancel a transfer; one that has ended already was, or is being, replied to."""
-        transfer = self._under_way.pop(unlinked, None)
-        if transfer is not None:
+        """Cancel a transfer; one that has ended already was, or is, replied to with what it has moved."""
+        cancelled = False
+        if (transfer := self._under_way.get(unlinked)) is not None:
             self._cancel(transfer)
+            cancelled = transfer.status is TransferStatus.CANCELLED
+            if cancelled:
+                del self._under_way[unlinked]
+            else:
+                self._end(unlinked, transfer)
         self._writer.write(HEADER.pack(UNLINKED, number, 0, 0, 0))
-        self._writer.write(UNLINKING_REPLY.pack(0 if transfer is None else -errno.ECONNRESET))
+        self._writer.write(UNLINKING_REPLY.pack(-errno.ECONNRESET if cancelled else 0))
 
     def _cancel(self, transfer: Transfer) -> None:
         with self._device.changed:

@@ -18,6 +18,7 @@ from typing import TYPE_CHECKING
 from unity_link.errors import ConnectError
 from unity_link.gateware.limits import check_generics
 from unity_link.protocol.configuration import Feature, GatewayInfo
+from unity_link.protocol.crc import USUAL_POLYNOMIALS
 from unity_link.virtual.generics import FEATURES, generics_of, info_of
 from unity_link.virtual.rtl.compiling import cache_folder, compiler, running
 from unity_link.virtual.rtl.configurations import Configuration, configurations
@@ -86,6 +87,8 @@ def configuration_of_node(info: GatewayInfo, node: int) -> Configuration:
 
 def _as_generics(fields: Mapping[str, int]) -> dict[str, int]:
     generics = {_FIFOS.get(name, name): value for name, value in fields.items() if name != "features"}
+    if fields.get("crc_bits") in USUAL_POLYNOMIALS:
+        generics.setdefault("crc_polynomial", USUAL_POLYNOMIALS[fields["crc_bits"]])
     if "features" in fields:
         features = Feature(fields["features"])
         generics |= {generic: feature in features for generic, feature in _KINDS.items()}

@@ -4,6 +4,7 @@
 const BINS = 500; // across the plot: about one for each of its pixels
 const MOST_ROWS = 8192;
 const SET_ANEW = 1; // seconds by which time goes back where the gateway began anew
+const AWAY = 1; // seconds of a gap from which on what is held is from before the gateway was away
 
 export class History {
   constructor(curves) {
@@ -23,7 +24,10 @@ export class History {
       let at = batch.at[i];
       if (at < this.newest - SET_ANEW) this.clear();
       at = Math.max(at, this.newest);
-      if (batch.lost[i]) this.gap(at);
+      if (batch.missing[i]) { // before this sample
+        if (at - this.newest > AWAY) this.forgetOthers(leader, (this.newest + at) / 2);
+        this.gap(at);
+      }
       this.newest = at;
       // One list for all rows: this runs for every sample, and garbage would cost pictures.
       const values = this.values;
@@ -41,6 +45,10 @@ export class History {
   gap(at) {
     this.flush();
     this.push(at, this.curves.map(() => null));
+  }
+
+  forgetOthers(leader, until) {
+    for (const { stream } of this.curves) if (stream !== leader) stream.forget(until);
   }
 
   clear() {

@@ -31,7 +31,7 @@ let questions = 0;
 const answers = new Map();
 
 // What was drawn and what came, for those who want to know how smoothly the page runs.
-const seen = (window.unityLink = { frames: 0, plots: 0, samples: 0 });
+const seen = (window.unityLink = { frames: 0, plots: 0, samples: 0, window: window_ });
 
 // The connection
 
@@ -77,6 +77,7 @@ function begin(message, data) {
   if (data === aboutText) {
     // The same robot again: what was drawn stays, with a gap.
     for (const card of cards) card.history?.gap(card.history.newest);
+    for (const stream of streams) stream.forget();
     return;
   }
   [about, aboutText] = [message, data];
@@ -196,7 +197,12 @@ function drawHistogram(counts) {
 
 // The tools
 
-at("window").addEventListener("change", () => (window_ = Number(at("window").value)));
+const readWindow = () => (seen.window = window_ = Number(at("window").value));
+at("window").addEventListener("change", readWindow);
+addEventListener("pageshow", readWindow); // a browser that comes back to the page restores what was chosen
+
+// The address of a program that was started anew differs in its token alone, which loads nothing by itself.
+addEventListener("hashchange", () => location.reload());
 
 at("pause").addEventListener("click", () => {
   paused = !paused;

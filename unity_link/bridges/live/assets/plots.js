@@ -4,6 +4,7 @@
 
 const AXIS = 54; // pixels of the axis of values
 const STATES = 90; // pixels beside a plot for names of states
+const POINT = 5; // pixels across a value that stands alone
 const WIDTH = 1; // pixels of a curve; a wider one takes twice the time where no graphics card draws it
 
 export function color(name) {
@@ -91,7 +92,7 @@ export function makePlot(element, curves, states, name) {
           label,
           stroke: () => known(`curve-${number % 6}`),
           width: WIDTH,
-          points: { show: false },
+          points: { show: false, filter: alone, size: POINT, fill: () => known(`curve-${number % 6}`) },
           paths: stepped ? uPlot.paths.stepped({ align: 1 }) : undefined,
         })),
       ],
@@ -102,6 +103,19 @@ export function makePlot(element, curves, states, name) {
   new ResizeObserver(() => plot.setSize({ width: Math.max(element.clientWidth, 50), height: element.clientHeight })).observe(element);
   return plot;
 }
+
+// The places of values that stand alone, to which no line leads.
+function alone(plot, curve) {
+  const values = plot.data[curve];
+  const [first, last] = plot.series[0].idxs;
+  const places = [];
+  for (let i = first; i <= last; i++) {
+    if (isThere(values[i]) && !isThere(values[i - 1]) && !isThere(values[i + 1])) places.push(i);
+  }
+  return places.length ? places : null;
+}
+
+const isThere = (value) => value !== null && value !== undefined;
 
 // Show the rows from `until - window` to `until`.
 export function show(plot, rows, until, window) {

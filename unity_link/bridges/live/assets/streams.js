@@ -6,6 +6,7 @@ export class Stream {
     this.periodic = rate; // samples a second as the robot says; null where they are not periodic
     this.rate = rate ?? 0; // as they come
     this.latest = Array(columns).fill(null); // null for what no curve can show
+    this.newest = -Infinity;
     this.shown = Array(columns).fill(null);
     this.cards = []; // whose plots move with it
     this.columns = columns;
@@ -20,6 +21,12 @@ export class Stream {
       this.shown[number] = value;
       this.latest[number] = Number.isFinite(value) ? value : null;
     });
+    this.newest = batch.at[batch.count - 1];
+  }
+
+  // Hold no value any longer that is from before an instant.
+  forget(until = Infinity) {
+    if (this.newest < until) this.latest.fill(null);
   }
 
   // Note how many came within some seconds.
@@ -43,7 +50,7 @@ export function* batches(buffer, streams) {
       place += 8 * count;
       return numbers;
     };
-    yield [stream, { count, at: row(), lost: row(), columns: Array.from({ length: stream.columns }, row) }];
+    yield [stream, { count, at: row(), missing: row(), columns: Array.from({ length: stream.columns }, row) }];
   }
 }
 

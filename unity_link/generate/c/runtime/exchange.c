@@ -5,7 +5,9 @@
  */
 
 enum { MOST_READS = 16 };
+enum { UNKNOWN_ERROR = UL_LOST - 1 };   /* in the place of a code that no error of a gateway has */
 static const char SILENT[] = "the gateway does not answer any more";
+static const char TOO_WIDE[] = "the gateway's words have fewer bits";
 static const char LINE_GONE[] = "the connection was lost (its port, or its other side, is gone)";
 
 static bool fill(ul_link *link);
@@ -209,7 +211,7 @@ static const char *fault_of(const ul_link *link, const ul_request *request)
     uint64_t word = request->word | request->mask;
     if (request->address > ones(has_number(is) ? 8 : link->info.address_bits)) return "the gateway has no such address";
     for (unsigned index = 0; is->words && index < request->count; index++) word |= request->source[index];
-    if ((is->word || is->words) && word > ones(link->info.data_bits)) return "the gateway's words have fewer bits";
+    if ((is->word || is->words) && word > ones(link->info.data_bits)) return TOO_WIDE;
     return NULL;
 }
 
@@ -259,6 +261,8 @@ static void note_error(ul_link *link, text code, uint32_t id, double now)
         link->statistics.stray++;
         return;
     }
+    /* It would be taken for what has become of a request on this side. */
+    if (number == UL_OK || number >= UL_LOST) number = UNKNOWN_ERROR;
     /* An answer that is lost for good, but that nobody wanted, is as good as one. */
     if (number == UL_ANSWER_LOST && request->target == NULL) number = UL_OK;
     settle(request, (ul_status)number);

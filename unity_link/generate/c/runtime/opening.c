@@ -71,7 +71,7 @@ static bool ask(opening *opens, const char *question, bool plain, double tries)
     while (tries > 0 && now_of(link) < opens->until && !link->gone) {
         bool damaged = false, shortened = false;
         send_question(opens, question, plain);
-        double end = opens->asked + opens->patience;
+        double end = opens->asked + opens->patience < opens->until ? opens->asked + opens->patience : opens->until;
         for (double now; (now = now_of(link)) < end && !link->gone;) {
             if (find_answer(opens, question, plain, &damaged)) return true;
             if (damaged && !shortened) shortened = shorten(opens, now, &end);
@@ -111,13 +111,45 @@ static bool take_info(ul_info *info, text fields)
     return true;
 }
 
-static bool is_possible(const ul_info *info)
+/* Whether a number of the gateway's is one that the protocol allows; says so where not, in the words of Python. */
+static bool is_within(ul_link *link, const char *name, uint32_t value, uint32_t low, uint32_t high)
 {
-    bool good_check = info->crc_bits == 8 || info->crc_bits == 16 || info->crc_bits == 32;
-    return good_check && info->crc_polynomial > 0 && info->crc_polynomial <= ones(info->crc_bits)
-        && info->data_bits >= 8 && info->data_bits <= 64
-        && info->address_bits >= 8 && info->address_bits <= 32
-        && (info->id_digits == 2 || info->id_digits == 3) && info->block_words >= 1 && info->clock_hz >= 1;
+    if (value >= low && value <= high) return true;
+    snprintf(link->error, sizeof link->error, "the gateway reports %s = %lu, expected %lu to %lu", name,
+             (unsigned long)value, (unsigned long)low, (unsigned long)high);
+    return false;
+}
+
+static bool has_base_frequency(ul_link *link)
+{
+    if (link->info.base_frequency_millihertz >= 1 || !(link->info.features & UL_FEATURE_GROUPS)) return true;
+    fail(link, UL_UNSUPPORTED, "",
+         "the gateway reports base_frequency_millihertz = 0, expected 1 to 1099511627775 as it has groups");
+    return false;
+}
+
+static bool has_check(ul_link *link)
+{
+    unsigned bits = link->info.crc_bits;
+    unsigned long polynomial = link->info.crc_polynomial;
+    if ((bits == 8 || bits == 16 || bits == 32) && polynomial > 0 && polynomial <= ones(bits)) return true;
+    snprintf(link->error, sizeof link->error,
+             "the gateway reports a CRC of %u bits with polynomial 0x%lx, expected 8, 16 or 32 bits and a polynomial "
+             "that fits",
+             bits, polynomial);
+    return false;
+}
+
+static bool is_possible(ul_link *link)
+{
+    const ul_info *info = &link->info;
+    return is_within(link, "data_bits", info->data_bits, 8, 64)
+        && is_within(link, "address_bits", info->address_bits, 8, 32)
+        && is_within(link, "id_digits", info->id_digits, 2, 3)
+        && is_within(link, "block_words", info->block_words, 1, 255)
+        && is_within(link, "groups", info->groups, 0, 256)
+        && is_within(link, "clock_hz", info->clock_hz, 1, UINT32_MAX)
+        && has_base_frequency(link) && has_check(link);
 }
 
 /* How many words, of so many that the gateway takes, have room in a frame here. */
@@ -151,8 +183,7 @@ static ul_status believe(ul_link *link, text fields)
         return UL_UNSUPPORTED;
     }
     if (!take_info(&link->info, fields)) return UL_NO_CONNECTION;
-    if (!is_possible(&link->info))
-        return fail(link, UL_UNSUPPORTED, "", "the gateway reports widths that the protocol does not allow");
+    if (!is_possible(link)) return UL_UNSUPPORTED;
     use_info(link);
     return UL_OK;
 }

@@ -4,7 +4,7 @@
  * from the middle.
  */
 
-static const double TWO_TO_63 = 9223372036854775808.0, TWO_TO_64 = 18446744073709551616.0;
+static const double TWO_TO_63 = 9223372036854775808.0;
 
 unsigned ul_words_of(const ul_signal *signal)
 {
@@ -100,21 +100,12 @@ static bool encode_float(const ul_signal *signal, double value, uint64_t *raw)
     return true;
 }
 
-/* Limits, compared exactly: a double does not hold all numbers of 64 bits. */
+/* Limits. Those of whole numbers are compared as such, for a double does not hold all numbers of 64 bits. */
 
-static bool unsigned_within(uint64_t number, double low, double high)
+static double limit_of(const ul_signal *signal, ul_limit limit)
 {
-    if (high < 0 || low >= TWO_TO_64) return false;
-    if (high < TWO_TO_64 && number > (uint64_t)high) return false;
-    if (low <= 0) return true;
-    uint64_t least = (uint64_t)low;
-    return number >= least + ((double)least < low);
-}
-
-static bool signed_within(int64_t number, double low, double high)
-{
-    if (number >= 0) return unsigned_within((uint64_t)number, low, high);
-    return unsigned_within(0 - (uint64_t)number, -high, -low);
+    if (!(signal->properties & UL_WHOLE)) return limit.real;
+    return signal->kind == UL_SIGNED ? (double)limit.whole : (double)limit.natural;
 }
 
 static bool is_limited(const ul_signal *signal)
@@ -145,7 +136,8 @@ double ul_decode_real(const ul_signal *signal, const uint64_t *words)
 ul_status ul_encode_unsigned(const ul_signal *signal, uint64_t value, uint64_t *words)
 {
     if (value > ones(signal->width)) return UL_BAD_ARGUMENT;
-    if (is_limited(signal) && !unsigned_within(value, signal->minimum, signal->maximum)) return UL_BAD_ARGUMENT;
+    if (is_limited(signal) && (value < signal->minimum.natural || value > signal->maximum.natural))
+        return UL_BAD_ARGUMENT;
     put_raw(signal, value, words);
     return UL_OK;
 }
@@ -154,7 +146,7 @@ ul_status ul_encode_signed(const ul_signal *signal, int64_t value, uint64_t *wor
 {
     int64_t most = (int64_t)ones(signal->width - 1u);
     if (value > most || value < -most - 1) return UL_BAD_ARGUMENT;
-    if (is_limited(signal) && !signed_within(value, signal->minimum, signal->maximum)) return UL_BAD_ARGUMENT;
+    if (is_limited(signal) && (value < signal->minimum.whole || value > signal->maximum.whole)) return UL_BAD_ARGUMENT;
     put_raw(signal, (uint64_t)value & ones(signal->width), words);
     return UL_OK;
 }
@@ -171,18 +163,19 @@ static int64_t nearest(double value)
 
 ul_status ul_encode_real(const ul_signal *signal, double value, uint64_t *words)
 {
+    double low = limit_of(signal, signal->minimum), high = limit_of(signal, signal->maximum);
     /* Written so that NaN is within nothing. */
-    if (is_limited(signal) && !(signal->minimum <= value && value <= signal->maximum)) return UL_BAD_ARGUMENT;
+    if (is_limited(signal) && !(low <= value && value <= high)) return UL_BAD_ARGUMENT;
     uint64_t raw;
     if (signal->kind == UL_FLOAT) {
         if (!encode_float(signal, value, &raw)) return UL_BAD_ARGUMENT;
     } else {
         double steps = (value - signal->offset) / signal->step;
         if (!(steps > -TWO_TO_63 && steps < TWO_TO_63)) return UL_BAD_ARGUMENT;
-        int64_t number = nearest(steps), low = 0, high = (int64_t)(ones(signal->width) >> 1);
-        if (signal->kind == UL_SIGNED) low = -high - 1;
-        else high = (int64_t)ones(signal->width < 63 ? signal->width : 63);
-        if (number < low || number > high) return UL_BAD_ARGUMENT;
+        int64_t number = nearest(steps), least = 0, most = (int64_t)(ones(signal->width) >> 1);
+        if (signal->kind == UL_SIGNED) least = -most - 1;
+        else most = (int64_t)ones(signal->width < 63 ? signal->width : 63);
+        if (number < least || number > most) return UL_BAD_ARGUMENT;
         raw = (uint64_t)number & ones(signal->width);
     }
     put_raw(signal, raw, words);
@@ -192,32 +185,84 @@ ul_status ul_encode_real(const ul_signal *signal, double value, uint64_t *words)
 /* Over a link */
 
 /* The values that a signal can say, or may be given. */
-static void range_of(const ul_signal *signal, double *low, double *high)
+static void range_of(const ul_signal *signal, ul_limit *low, ul_limit *high)
 {
-    unsigned bits = signal->kind == UL_SIGNED ? signal->width - 1u : signal->width;
-    double numbers = (double)ones(bits), first = signal->offset;
+    uint64_t most = ones(signal->kind == UL_SIGNED ? signal->width - 1u : signal->width);
     *low = signal->minimum;
     *high = signal->maximum;
     if (is_limited(signal)) return;
     if (signal->kind == UL_FLOAT) {
-        *high = signal->width == 16 ? 65504 : 0x1.fffffep127;
-        *low = -*high;
-        return;
+        high->real = signal->width == 16 ? 65504 : 0x1.fffffep127;
+        low->real = -high->real;
+    } else if (!(signal->properties & UL_WHOLE)) {
+        double first = signal->offset, last = signal->offset + (double)most * signal->step;
+        if (signal->kind == UL_SIGNED) first -= ((double)most + 1) * signal->step;
+        low->real = first < last ? first : last;
+        high->real = first < last ? last : first;
+    } else if (signal->kind == UL_SIGNED) {
+        high->whole = (int64_t)most;
+        low->whole = -high->whole - 1;
+    } else {
+        high->natural = most;
+        low->natural = 0;
     }
-    if (signal->kind == UL_SIGNED) first -= (numbers + 1) * signal->step;
-    double last = signal->offset + numbers * signal->step;
-    *low = first < last ? first : last;
-    *high = first < last ? last : first;
 }
 
-ul_status ul_refuse(ul_link *link, const ul_signal *signal, double value)
+enum { NUMBER_SIZE = 32 };
+
+static void show_real(char *number, double value)
 {
-    double low, high;
-    char reason[128];
+    snprintf(number, NUMBER_SIZE, "%.12g", value);
+}
+
+static void show_signed(char *number, int64_t value)
+{
+    snprintf(number, NUMBER_SIZE, "%lld", (long long)value);
+}
+
+static void show_unsigned(char *number, uint64_t value)
+{
+    snprintf(number, NUMBER_SIZE, "%llu", (unsigned long long)value);
+}
+
+static void show_limit(char *number, const ul_signal *signal, ul_limit limit)
+{
+    if (!(signal->properties & UL_WHOLE)) show_real(number, limit.real);
+    else if (signal->kind == UL_SIGNED) show_signed(number, limit.whole);
+    else show_unsigned(number, limit.natural);
+}
+
+static ul_status refuse_value(ul_link *link, const ul_signal *signal, const char *value)
+{
+    ul_limit low, high;
+    char first[NUMBER_SIZE], last[NUMBER_SIZE], reason[128];
     range_of(signal, &low, &high);
-    snprintf(reason, sizeof reason, "%.12g is outside of %.12g to %.12g%s%s", value, low, high,
+    show_limit(first, signal, low);
+    show_limit(last, signal, high);
+    snprintf(reason, sizeof reason, "%s is outside of %s to %s%s%s", value, first, last,
              *signal->unit == '\0' ? "" : " ", signal->unit);
     return fail(link, UL_BAD_ARGUMENT, signal->path, reason);
+}
+
+ul_status ul_refuse_unsigned(ul_link *link, const ul_signal *signal, uint64_t value)
+{
+    char number[NUMBER_SIZE];
+    show_unsigned(number, value);
+    return refuse_value(link, signal, number);
+}
+
+ul_status ul_refuse_signed(ul_link *link, const ul_signal *signal, int64_t value)
+{
+    char number[NUMBER_SIZE];
+    show_signed(number, value);
+    return refuse_value(link, signal, number);
+}
+
+ul_status ul_refuse_real(ul_link *link, const ul_signal *signal, double value)
+{
+    char number[NUMBER_SIZE];
+    show_real(number, value);
+    return refuse_value(link, signal, number);
 }
 
 /* Refuse what cannot be done with a signal at all. */
@@ -339,55 +384,55 @@ ul_status ul_get_real(ul_link *link, const ul_real *signal, double *value)
 ul_status ul_set_bool(ul_link *link, const ul_bool *signal, bool value)
 {
     uint64_t words[UL_SIGNAL_WORDS];
-    if (ul_encode_unsigned(&signal->signal, value, words)) return ul_refuse(link, &signal->signal, (double)value);
+    if (ul_encode_unsigned(&signal->signal, value, words)) return ul_refuse_unsigned(link, &signal->signal, value);
     return set_words(link, &signal->signal, words);
 }
 
 ul_status ul_set_unsigned(ul_link *link, const ul_unsigned *signal, uint64_t value)
 {
     uint64_t words[UL_SIGNAL_WORDS];
-    if (ul_encode_unsigned(&signal->signal, value, words)) return ul_refuse(link, &signal->signal, (double)value);
+    if (ul_encode_unsigned(&signal->signal, value, words)) return ul_refuse_unsigned(link, &signal->signal, value);
     return set_words(link, &signal->signal, words);
 }
 
 ul_status ul_set_signed(ul_link *link, const ul_signed *signal, int64_t value)
 {
     uint64_t words[UL_SIGNAL_WORDS];
-    if (ul_encode_signed(&signal->signal, value, words)) return ul_refuse(link, &signal->signal, (double)value);
+    if (ul_encode_signed(&signal->signal, value, words)) return ul_refuse_signed(link, &signal->signal, value);
     return set_words(link, &signal->signal, words);
 }
 
 ul_status ul_set_real(ul_link *link, const ul_real *signal, double value)
 {
     uint64_t words[UL_SIGNAL_WORDS];
-    if (ul_encode_real(&signal->signal, value, words)) return ul_refuse(link, &signal->signal, value);
+    if (ul_encode_real(&signal->signal, value, words)) return ul_refuse_real(link, &signal->signal, value);
     return set_words(link, &signal->signal, words);
 }
 
 ul_status ul_post_bool(ul_link *link, const ul_bool *signal, bool value)
 {
     uint64_t words[UL_SIGNAL_WORDS];
-    if (ul_encode_unsigned(&signal->signal, value, words)) return ul_refuse(link, &signal->signal, (double)value);
+    if (ul_encode_unsigned(&signal->signal, value, words)) return ul_refuse_unsigned(link, &signal->signal, value);
     return ul_post_words(link, &signal->signal, words);
 }
 
 ul_status ul_post_unsigned(ul_link *link, const ul_unsigned *signal, uint64_t value)
 {
     uint64_t words[UL_SIGNAL_WORDS];
-    if (ul_encode_unsigned(&signal->signal, value, words)) return ul_refuse(link, &signal->signal, (double)value);
+    if (ul_encode_unsigned(&signal->signal, value, words)) return ul_refuse_unsigned(link, &signal->signal, value);
     return ul_post_words(link, &signal->signal, words);
 }
 
 ul_status ul_post_signed(ul_link *link, const ul_signed *signal, int64_t value)
 {
     uint64_t words[UL_SIGNAL_WORDS];
-    if (ul_encode_signed(&signal->signal, value, words)) return ul_refuse(link, &signal->signal, (double)value);
+    if (ul_encode_signed(&signal->signal, value, words)) return ul_refuse_signed(link, &signal->signal, value);
     return ul_post_words(link, &signal->signal, words);
 }
 
 ul_status ul_post_real(ul_link *link, const ul_real *signal, double value)
 {
     uint64_t words[UL_SIGNAL_WORDS];
-    if (ul_encode_real(&signal->signal, value, words)) return ul_refuse(link, &signal->signal, value);
+    if (ul_encode_real(&signal->signal, value, words)) return ul_refuse_real(link, &signal->signal, value);
     return ul_post_words(link, &signal->signal, words);
 }

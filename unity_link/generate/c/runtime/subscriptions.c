@@ -6,6 +6,7 @@
  */
 
 enum { SEQUENCE, LOST, TICKS, WORDS, PERIODIC = 1, TRIGGER = 2, IMMEDIATE = 4, TIMESTAMP = 8, ON_CHANGE = 16 };
+enum { MOST_DIVISOR = 65535 };
 
 /* Make an endless time of 32 bits: of all instants that it may mean the one nearest to what the clock here says. */
 static uint64_t unwrap(const ul_link *link, const ul_subscription *subscription, uint32_t timestamp, double now)
@@ -25,7 +26,7 @@ static uint64_t count_lost(const ul_link *link, ul_subscription *subscription, u
     if (subscription->has_sample && subscription->flags & TIMESTAMP
         && (subscription->flags & (PERIODIC | TRIGGER | ON_CHANGE)) == PERIODIC) {
         /* A gateway's clock that goes back is wrong, and has lost nothing. */
-        double due = (double)(int64_t)(ticks - subscription->ticks) / link->info.clock_hz * subscription->rate_hz;
+        double due = (double)(int64_t)(ticks - subscription->ticks) / link->info.clock_hz * subscription->actual_rate_hz;
         double rounds = (due - (double)advance) / 0x100 + 0.5;
         if (rounds >= 1) advance += (uint64_t)rounds * 0x100;
     }
@@ -42,7 +43,7 @@ static uint64_t *stored(const ul_subscription *subscription, size_t index)
 static ul_subscription *holder_of(const ul_link *link, uint64_t group)
 {
     ul_subscription *one = link->subscriptions;
-    while (one != NULL && one->group != group + 1) one = one->next;
+    while (one != NULL && one->actual_group != group) one = one->next;
     return one;
 }
 
@@ -110,6 +111,13 @@ static ul_status fail_plainly(ul_link *link, ul_status status)
     return fail(link, status, "subscription", NULL);
 }
 
+/* Nothing comes over a link that has ended, or was never opened and has no medium. */
+static ul_status check_open(ul_link *link)
+{
+    if (link->open && !link->gone) return UL_OK;
+    return fail_plainly(link, link->gone ? UL_LOST : UL_LOST_NOT_EXECUTED);
+}
+
 static bool is_subscribed(const ul_link *link, const ul_subscription *subscription)
 {
     const ul_subscription *one = link->subscriptions;
@@ -117,37 +125,48 @@ static bool is_subscribed(const ul_link *link, const ul_subscription *subscripti
     return one != NULL;
 }
 
-/* Choose a group that is free, from the last one down. What was chosen on a link that was lost is chosen anew. Samples
- * of whoever had the group before come before the answer to `GS`, and so find nobody. */
+/* Choose the group that is asked for, or one that is free, from the last one down. Samples of whoever had it before come
+ * before the answer to `GS`, and so find nobody. */
 static ul_status choose_group(ul_link *link, ul_subscription *subscription)
 {
     char reason[96];
     unsigned groups = link->info.groups, group = groups;
-    if (subscription->group != 0 && !subscription->chosen) {
-        if (subscription->group <= groups && holder_of(link, subscription->group - 1) == NULL) return UL_OK;
+    if (subscription->group != 0) {
+        subscription->actual_group = subscription->group - 1;
+        if (subscription->group <= groups && holder_of(link, subscription->actual_group) == NULL) return UL_OK;
         snprintf(reason, sizeof reason, "group %u of the gateway is in use, or there is none", subscription->group - 1);
         return fail(link, UL_BAD_ARGUMENT, "subscription", reason);
     }
     while (group > 0 && holder_of(link, group - 1) != NULL) group--;
-    subscription->group = group;
-    subscription->chosen = group > 0;
-    if (subscription->chosen) return UL_OK;
+    subscription->actual_group = group - 1;
+    if (group > 0) return UL_OK;
     snprintf(reason, sizeof reason, "all %u groups of the gateway are in use: end a subscription first", groups);
     return fail(link, UL_UNSUPPORTED, "subscription", reason);
 }
 
-/* Turn what was asked for into flags, a divisor and the rate that comes of it; NULL, or what is wrong. */
+/* Choose the divisor, and the rate that comes of it; NULL, or what is wrong. */
+static const char *choose_rate(const ul_link *link, ul_subscription *subscription)
+{
+    double base = (double)link->info.base_frequency_millihertz / 1000, divisor = subscription->divisor;
+    bool periodic = subscription->rate_hz > 0 || subscription->divisor > 0;
+    if (subscription->divisor > MOST_DIVISOR) return "a divisor is 1 to 65535";
+    if (!(subscription->rate_hz >= 0)) return "a rate is not negative";
+    if (subscription->divisor == 0) divisor = periodic ? base / subscription->rate_hz : 1;
+    if (subscription->nearest && divisor < 1) divisor = 1;
+    if (subscription->nearest && divisor > MOST_DIVISOR) divisor = MOST_DIVISOR;
+    if (divisor < 0.999999 || divisor > MOST_DIVISOR) return "the gateway has no such rate";
+    subscription->actual_divisor = (unsigned)(divisor + 0.5);
+    subscription->actual_rate_hz = periodic ? base / subscription->actual_divisor : 0;
+    subscription->flags = periodic ? PERIODIC : 0;
+    return NULL;
+}
+
+/* Turn what was asked for into flags, a divisor and the places of the storage; NULL, or what is wrong. */
 static const char *plan(const ul_link *link, ul_subscription *subscription)
 {
-    double base = (double)link->info.base_frequency_millihertz / 1000;
-    bool periodic = subscription->rate_hz > 0 || subscription->divisor > 0;
     unsigned features = link->info.features;
-    if (subscription->divisor == 0) {
-        double divisor = subscription->rate_hz > 0 ? base / subscription->rate_hz : 1;
-        if (divisor < 0.999999 || divisor > 65535) return "the gateway has no such rate";
-        subscription->divisor = (unsigned)(divisor + 0.5);
-    }
-    if (subscription->rate_hz < 0 || subscription->divisor > 65535) return "a divisor is 1 to 65535";
+    const char *wrong = choose_rate(link, subscription);
+    if (wrong != NULL) return wrong;
     if (subscription->count == 0 || subscription->count > most_in_frame(link, link->info.group_words))
         return "a group has at least one address, and at most as many as the gateway and UL_LONGEST_FRAME allow";
     for (unsigned index = 0; index < subscription->count; index++)
@@ -159,8 +178,7 @@ static const char *plan(const ul_link *link, ul_subscription *subscription)
     if (subscription->trigger && !(features & UL_FEATURE_TRIGGERS)) return "the gateway was built without triggers";
     if (subscription->timestamps && !(features & UL_FEATURE_TIMESTAMPS))
         return "the gateway was built without timestamps";
-    subscription->rate_hz = periodic ? base / subscription->divisor : 0;
-    subscription->flags = (periodic ? PERIODIC : 0) | (subscription->trigger ? TRIGGER : 0)
+    subscription->flags |= (subscription->trigger ? TRIGGER : 0)
         | (subscription->on_change ? ON_CHANGE : 0) | (subscription->timestamps ? TIMESTAMP : 0)
         | (subscription->immediate && features & UL_FEATURE_SEND_IMMEDIATE ? IMMEDIATE : 0);
     return NULL;
@@ -172,23 +190,26 @@ ul_status ul_subscribe(ul_link *link, ul_subscription *subscription)
     if (is_subscribed(link, subscription)) return fail(link, UL_BAD_ARGUMENT, "subscription", "it has begun already");
     if (!(link->info.features & UL_FEATURE_GROUPS) || link->info.groups == 0)
         return fail(link, UL_UNSUPPORTED, "subscription", "the gateway was built without groups");
-    const char *wrong = plan(link, subscription);
+    /* What cannot begin leaves its structure as it was: samples of an earlier time may wait there. */
+    ul_subscription planned = *subscription;
+    const char *wrong = plan(link, &planned);
     if (wrong != NULL) return fail(link, UL_BAD_ARGUMENT, "subscription", wrong);
-    ul_status status = choose_group(link, subscription);
+    ul_status status = choose_group(link, &planned);
     if (status != UL_OK) return status;
 
-    uint32_t group = subscription->group - 1;
-    status = ask_for(link, (ul_request){.command = "gs", .address = group, .word = subscription->flags,
-                                                  .mask = subscription->divisor, .count = subscription->count,
-                                                  .addresses = subscription->addresses});
+    status = ask_for(link, (ul_request){.command = "gs", .address = planned.actual_group, .word = planned.flags,
+                                                  .mask = planned.actual_divisor, .count = planned.count,
+                                                  .addresses = planned.addresses});
     if (status != UL_OK) return status;
-    subscription->sequence = UINT64_MAX;
-    subscription->received = subscription->lost = subscription->dropped = 0;
-    subscription->first = subscription->waiting = 0;
-    subscription->has_sample = false;
-    subscription->next = link->subscriptions;
+    planned.sequence = UINT64_MAX;
+    planned.received = planned.lost = planned.dropped = 0;
+    planned.first = planned.waiting = 0;
+    planned.has_sample = false;
+    planned.next = link->subscriptions;
+    planned.link = link;
+    *subscription = planned;
     link->subscriptions = subscription;
-    status = ask_for(link, (ul_request){.command = "gn", .address = group});
+    status = ask_for(link, (ul_request){.command = "gn", .address = planned.actual_group});
     if (status != UL_OK) ul_unsubscribe(link, subscription);
     return status;
 }
@@ -196,19 +217,19 @@ ul_status ul_subscribe(ul_link *link, ul_subscription *subscription)
 ul_status ul_unsubscribe(ul_link *link, ul_subscription *subscription)
 {
     ul_subscription **one = &link->subscriptions;
+    if (subscription->link != NULL && subscription->link != link)
+        return fail(link, UL_BAD_ARGUMENT, "subscription", "it was begun on another link, which alone ends it");
+    subscription->link = NULL;
     while (*one != NULL && *one != subscription) one = &(*one)->next;
     if (*one == NULL) return UL_OK;
     *one = subscription->next;
-    uint32_t group = subscription->group - 1;
-    if (subscription->chosen) subscription->group = 0;
-    subscription->chosen = false;
-    return link->gone ? UL_OK : ask_for(link, (ul_request){.command = "gx", .address = group});
+    return link->gone ? UL_OK : ask_for(link, (ul_request){.command = "gx", .address = subscription->actual_group});
 }
 
 ul_status ul_publish(ul_link *link, ul_subscription *subscription)
 {
     if (!is_subscribed(link, subscription)) return fail(link, UL_BAD_ARGUMENT, "publishing", "nothing is subscribed");
-    return ask_for(link, (ul_request){.command = "gp", .address = subscription->group - 1});
+    return ask_for(link, (ul_request){.command = "gp", .address = subscription->actual_group});
 }
 
 /* Posted writes are confirmed when there is time. Where nothing else is under way, samples do not say whether the
@@ -225,9 +246,11 @@ ul_status ul_await(ul_link *link, ul_subscription *subscription, size_t count, d
 {
     double until = now_of(link) + (is_subscribed(link, subscription) ? seconds : 0);
     while (subscription->waiting < count) {
-        if (link->gone) return fail_plainly(link, UL_LOST);
+        ul_status status = check_open(link);
+        if (status != UL_OK) return status;
         turn_idle(link, until);
-        if (subscription->waiting < count && now_of(link) >= until) break;
+        /* A time that is no number never comes. */
+        if (subscription->waiting < count && !(now_of(link) < until)) break;
     }
     flush(link);
     return subscription->waiting < count ? fail_plainly(link, UL_NO_SAMPLE) : UL_OK;
@@ -262,7 +285,8 @@ ul_status ul_poll(ul_link *link, double seconds)
 {
     double until = now_of(link) + seconds;
     do {
-        if (link->gone) return fail_plainly(link, UL_LOST);
+        ul_status status = check_open(link);
+        if (status != UL_OK) return status;
         turn_idle(link, until);
         if (link->dispatching) continue;
         link->dispatching = true;

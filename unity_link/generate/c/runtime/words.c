@@ -34,6 +34,12 @@ static void start_block(ul_link *link, ul_batch *batch, ul_request request, size
         refuse(batch, UL_BAD_ARGUMENT, name, request.address, "it would pass the gateway's last address");
         return;
     }
+    /* Each request looks at its own words, and those before it would be done. */
+    for (size_t index = 0; link->open && request.source != NULL && index < count; index++) {
+        if (request.source[index] <= ones(link->info.data_bits)) continue;
+        refuse(batch, UL_BAD_ARGUMENT, name, request.address, TOO_WIDE);
+        return;
+    }
     for (size_t rest = count; rest > 0; rest -= request.count) {
         request.count = (unsigned)(rest < most ? rest : most);
         start(link, batch, request);
