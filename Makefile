@@ -106,7 +106,7 @@ bench-live: $(ALL) ## measure the live page in Chromium, and write benchmarks/LI
 	@$(BIN)/python -m benchmarks.live_page
 
 release: $(ALL) ## the wheel and the source archive in dist, tried in an empty environment
-	@$(BIN)/python tests/release.py
+	@$(BIN)/python tests/support/release.py
 
 docs: $(ALL) ## the documentation as HTML, warnings are errors
 	@$(BIN)/sphinx-build --fail-on-warning --keep-going --quiet docs docs/_build/html

@@ -21,7 +21,7 @@ from xdist.remote import Producer
 from xdist.scheduler import LoadScopeScheduling
 
 from docs.walkthrough import WALKTHROUGHS, run, typed
-from searching import QUICK
+from support.searching import QUICK
 
 # A suite that was started in the background of a script ignores Ctrl-C, and so would the programs that it interrupts.
 if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:

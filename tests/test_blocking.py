@@ -1,6 +1,6 @@
 """The blocking face does what the link does, in the threads that call it and without an event loop.
 
-The link's own suite runs on it as well (tests/faces.py).
+The link's own suite runs on it as well (tests/support/faces.py).
 """
 
 import asyncio

@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING, Any
 import pytest
 
 import unity_link
-from recordings import SPEC
-from simulated_time import run_simulated
+from support.recordings import SPEC
+from support.simulated_time import run_simulated
 from unity_link import UnsupportedError, blocking
 from unity_link.bridges.serve import serve
 from unity_link.data.blocking import put

@@ -5,11 +5,11 @@ import re
 import fastcrc
 import pytest
 
+from support.worked_examples import DOCUMENT, Example, worked_examples
 from unity_link.protocol.configuration import Feature, GatewayInfo
 from unity_link.protocol.messages import ErrorCode
 from unity_link.virtual.faults import Failing
 from unity_link.virtual.gateway import VirtualGateway
-from worked_examples import DOCUMENT, Example, worked_examples
 
 EXAMPLES = worked_examples()
 

@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from simulated_time import DeadlockError, ModelledTimeLoop, on_simulated_time, run_simulated
+from support.simulated_time import DeadlockError, ModelledTimeLoop, on_simulated_time, run_simulated
 
 
 @on_simulated_time

@@ -1,6 +1,6 @@
 """A link under trio: the same calls and promises, in an ``async with`` block.
 
-The link's own suite runs on it as well (tests/faces.py).
+The link's own suite runs on it as well (tests/support/faces.py).
 """
 
 import gc

@@ -23,8 +23,8 @@ from benchmarks import (
     read_beside_protocol,
 )
 from benchmarks.__main__ import NAMED
-from compilers import needs_c
 from generate.octave import why_not
+from support.compilers import needs_c
 
 if TYPE_CHECKING:
     from types import ModuleType

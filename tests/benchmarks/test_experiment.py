@@ -27,7 +27,7 @@ from benchmarks.paper.table_1 import NOTHING, TITLES, table_1
 from benchmarks.paper.tables import latency_rows, quote, table_1_rows, to_markdown
 from benchmarks.paper.throughput import measure_bursts, measure_stamps, measure_throughputs
 from benchmarks.paper.workbench import Workbench, available_gateway
-from compilers import needs_cxx
+from support.compilers import needs_cxx
 from unity_link.errors import ConnectError, UnsupportedError
 from unity_link.virtual.rtl.library import load
 

@@ -12,7 +12,7 @@ import struct
 
 from benchmarks.peers.race import RESPONDERS
 from benchmarks.responder import LOOPBACK, serving
-from compilers import needs_c
+from support.compilers import needs_c
 
 pytestmark = needs_c
 PATIENCE = 60

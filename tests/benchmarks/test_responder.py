@@ -9,7 +9,7 @@ import pytest
 
 import unity_link
 from benchmarks.responder import GATEWAY, LOOPBACK, exchange, responder
-from compilers import needs_c
+from support.compilers import needs_c
 
 pytestmark = needs_c
 WIDTHS = [

@@ -11,9 +11,10 @@ from typing import TYPE_CHECKING
 import pytest
 
 import unity_link
-from recordings import InPlace
-from sharing import PipedLink, sharing, until
-from simulated_time import run_simulated
+from support.recordings import InPlace
+from support.sharing import PipedLink, sharing, until
+from support.simulated_time import run_simulated
+from support.valve import Valve
 from unity_link import GatewayInfo
 from unity_link.bridges.carrying import Carrier
 from unity_link.bridges.sampled import sampled_groups
@@ -21,7 +22,6 @@ from unity_link.data import load
 from unity_link.protocol.messages import ErrorCode
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.faults import Failing
-from valve import Valve
 
 if TYPE_CHECKING:
     from pathlib import Path

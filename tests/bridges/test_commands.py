@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 import pytest
 
 import unity_link
-from noting_gateway import SPEC, noting_gateway
+from support.noting_gateway import SPEC, noting_gateway
 from unity_link.bridges.commands import SignalCommands
 from unity_link.data import load
 

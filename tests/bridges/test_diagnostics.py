@@ -9,14 +9,14 @@ from typing import TYPE_CHECKING, Any
 import pytest
 
 import unity_link
-from recordings import InPlace
-from sharing import PipedLink, sharing
-from simulated_time import on_simulated_time
+from support.recordings import InPlace
+from support.sharing import PipedLink, sharing
+from support.simulated_time import on_simulated_time
+from support.valve import Valve
 from unity_link.bridges.diagnostics import ERROR, OK, Status
 from unity_link.bridges.ros import RosBridge
 from unity_link.spec import compile_file, compile_text
 from unity_link.virtual.build import build_gateway
-from valve import Valve
 
 if TYPE_CHECKING:
     from unity_link.data import Robot

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from bridge_programs import PATIENCE
+from support.bridge_programs import PATIENCE
 
 SPEC = str(Path(__file__).parents[2] / "examples" / "scara.ul")
 

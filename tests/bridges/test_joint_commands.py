@@ -12,7 +12,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import unity_link
-from simulated_time import on_simulated_time
+from support.simulated_time import on_simulated_time
 from unity_link import ArgumentError, GatewayError
 from unity_link.bridges.diagnostics import ERROR, OK, WARN, Diagnostics
 from unity_link.bridges.topics import JointCommands, joint_command_topics, published_groups

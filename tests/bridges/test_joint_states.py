@@ -11,7 +11,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import unity_link
-from simulated_time import on_simulated_time
+from support.simulated_time import on_simulated_time
 from unity_link.bridges.topics import Direction, published_groups
 
 SCARA = unity_link.load(Path(__file__).parents[2] / "examples" / "scara.ul")

@@ -13,8 +13,8 @@ from typing import TYPE_CHECKING, Any
 import pytest
 from playwright.sync_api import expect, sync_playwright
 
-from bridge_programs import PATIENCE, wait_until
-from live_page import COUNTS_PER_DEGREE, POSITION_SET_POINT, SPEC, TOKEN, gateway, live
+from support.bridge_programs import PATIENCE, wait_until
+from support.live_page import COUNTS_PER_DEGREE, POSITION_SET_POINT, SPEC, TOKEN, gateway, live
 from unity_link import blocking
 
 if TYPE_CHECKING:
@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
     from playwright.sync_api import Browser, Page
 
-    from live_page import Live
+    from support.live_page import Live
 
 CHROMIUM = shutil.which("chromium")
 EXAMPLES = Path(SPEC).parent

@@ -15,8 +15,8 @@ import pytest
 from websockets.exceptions import ConnectionClosed
 
 import unity_link
-from bridge_programs import PATIENCE, PROGRAM, wait_until
-from live_page import (
+from support.bridge_programs import PATIENCE, PROGRAM, wait_until
+from support.live_page import (
     FAST,
     SPEC,
     Live,
@@ -29,12 +29,12 @@ from live_page import (
     memory_of,
     take,
 )
+from support.valve import Valve, cut
 from unity_link.bridges.live import LivePage, bind
 from unity_link.bridges.live.page import MOST_VIEWERS
 from unity_link.bridges.sampled import sampled_groups
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.build import build_gateway
-from valve import Valve, cut
 
 if TYPE_CHECKING:
     from collections.abc import Awaitable, Callable

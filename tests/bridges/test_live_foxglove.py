@@ -15,8 +15,8 @@ import pytest
 from websockets.sync.client import ClientConnection, connect
 from websockets.typing import Subprotocol
 
-from bridge_programs import PATIENCE, PROGRAM, line_of
-from live_page import FAST, SPEC, Live, gateway, hear, live, looking, memory_of, take
+from support.bridge_programs import PATIENCE, PROGRAM, line_of
+from support.live_page import FAST, SPEC, Live, gateway, hear, live, looking, memory_of, take
 
 if TYPE_CHECKING:
     from collections.abc import Iterator

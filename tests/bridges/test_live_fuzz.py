@@ -14,9 +14,22 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from websockets.exceptions import ConnectionClosed
 
-from bridge_programs import wait_until
-from live_page import SPEC, TOKEN, Live, Sleeper, connections_of, handshake, hear, live, looking, memory_of, take, write
-from searching import examples
+from support.bridge_programs import wait_until
+from support.live_page import (
+    SPEC,
+    TOKEN,
+    Live,
+    Sleeper,
+    connections_of,
+    handshake,
+    hear,
+    live,
+    looking,
+    memory_of,
+    take,
+    write,
+)
+from support.searching import examples
 
 if TYPE_CHECKING:
     from collections.abc import Iterator

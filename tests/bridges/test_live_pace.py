@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING, Any
 
 from uvicorn.server import ServerState
 
-from live_page import handshake
-from simulated_time import on_simulated_time
+from support.live_page import handshake
+from support.simulated_time import on_simulated_time
 from unity_link.bridges.live.server import INTERVAL, MOST_FRAMES, PageConversation, make_server
 
 if TYPE_CHECKING:

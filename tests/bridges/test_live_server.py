@@ -19,8 +19,8 @@ import pytest
 from websockets.exceptions import InvalidStatus
 
 import unity_link
-from bridge_programs import PATIENCE, PROGRAM, wait_until
-from live_page import (
+from support.bridge_programs import PATIENCE, PROGRAM, wait_until
+from support.live_page import (
     COUNTS_PER_DEGREE,
     POSITION_SET_POINT,
     SPEC,
@@ -32,9 +32,10 @@ from live_page import (
     take,
     write,
 )
-from recorded_bus import RecordedBus
-from sharing import PipedLink, sharing
-from simulated_time import on_simulated_time, run_simulated
+from support.recorded_bus import RecordedBus
+from support.sharing import PipedLink, sharing
+from support.simulated_time import on_simulated_time, run_simulated
+from support.valve import Valve
 from unity_link import BusTimeoutError, blocking
 from unity_link.bridges.live.outbox import BATCH_HEAD, HEAD, Chunk, Outbox, Tabulator
 from unity_link.bridges.live.round_trips import RoundTrips
@@ -45,7 +46,6 @@ from unity_link.link.subscription import Sample
 from unity_link.spec import compile_text
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.build import build_gateway
-from valve import Valve
 
 if TYPE_CHECKING:
     from unity_link import Link

@@ -15,13 +15,13 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import unity_link
-from bridge_programs import PATIENCE, WRITES_NAMES, WRITES_SPEC, Noted, wait_until
-from live_page import Live, hear, live, looking
-from recorded_bus import RecordedBus
-from simulated_time import run_simulated
+from support.bridge_programs import PATIENCE, WRITES_NAMES, WRITES_SPEC, Noted, wait_until
+from support.live_page import Live, hear, live, looking
+from support.recorded_bus import RecordedBus
+from support.simulated_time import run_simulated
+from support.valve import Valve, cut
 from unity_link.bridges.live.writing import Refused, Write, Writing, Written
 from unity_link.virtual import VirtualGateway
-from valve import Valve, cut
 
 if TYPE_CHECKING:
     from collections.abc import Iterator

@@ -16,12 +16,12 @@ from typing import TYPE_CHECKING
 
 import pytest
 
-from bridge_programs import PATIENCE, PROGRAM
-from live_page import TOKEN, hear, live, looking, take, write
-from own_robots import EXAMPLES, OWN
+from support.bridge_programs import PATIENCE, PROGRAM
+from support.live_page import TOKEN, hear, live, looking, take, write
+from support.own_robots import EXAMPLES, OWN
 
 if TYPE_CHECKING:
-    from own_robots import Own
+    from support.own_robots import Own
 
 own = pytest.mark.parametrize("own", [OWN["sim"], pytest.param(OWN["rtl"], marks=pytest.mark.rtl)], ids=OWN)
 
@@ -88,7 +88,7 @@ def test_it_is_recorded_exported_and_replayed(own: Own, tmp_path: Path) -> None:
 
 @pytest.mark.campaign
 def test_the_notebook_runs_on_it(tmp_path: Path) -> None:
-    for file in (EXAMPLES / "scara.ul", Path(__file__).parents[1] / "own_robots.py"):
+    for file in (EXAMPLES / "scara.ul", Path(__file__).parents[1] / "support" / "own_robots.py"):
         shutil.copy(file, tmp_path)
     text = (EXAMPLES / "scara.ipynb").read_text(encoding="utf-8")
     assert '\\"sim:scara\\"' in text

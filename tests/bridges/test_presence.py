@@ -7,12 +7,12 @@ from typing import TYPE_CHECKING
 
 import pytest
 
-from sharing import PipedLink, sharing
-from simulated_time import ModelledTimeLoop, on_simulated_time
+from support.sharing import PipedLink, sharing
+from support.simulated_time import ModelledTimeLoop, on_simulated_time
+from support.valve import Valve
 from unity_link import GatewayInfo
 from unity_link.bridges.presence import SILENCE, Interruption, Presence
 from unity_link.virtual import VirtualGateway
-from valve import Valve
 
 if TYPE_CHECKING:
     from unity_link import Subscription

@@ -21,10 +21,10 @@ from mcap.reader import make_reader
 from pyarrow import csv, parquet
 
 import unity_link
-from bridge_programs import PROGRAM
 from generate.every_kind import every_kind
-from recordings import SPEC, record, run
-from simulated_time import run_simulated
+from support.bridge_programs import PROGRAM
+from support.recordings import SPEC, record, run
+from support.simulated_time import run_simulated
 from unity_link import ArgumentError, BusError
 from unity_link.bridges.messages import hex_to_words, words_to_hex
 from unity_link.bridges.recording import Recorder, Recording, RecordingError, export, replay

@@ -11,12 +11,12 @@ from typing import TYPE_CHECKING
 import pytest
 
 import unity_link
-from recordings import GATEWAY, SPEC, sequence_in, was_cut, work_in_place
-from simulated_time import run_simulated
+from support.recordings import GATEWAY, SPEC, sequence_in, was_cut, work_in_place
+from support.simulated_time import run_simulated
+from support.unmeasured import unmeasured_environment
+from support.valve import cut
 from unity_link import ArgumentError, LinkLostError
 from unity_link.bridges.recording import Recorder, RecordingError
-from unmeasured import unmeasured_environment
-from valve import cut
 
 if TYPE_CHECKING:
     from pathlib import Path

@@ -33,11 +33,13 @@ from pyarrow import csv
 from zstandard import ZstdCompressor
 
 import unity_link
-from bridge_programs import PROGRAM, wait_for, wait_until
 from generate.every_kind import every_kind
-from recordings import GATEWAY, SPEC, record, run, sequence_in, was_cut, work_in_place
-from sharing import PipedLink, sharing
-from simulated_time import run_simulated
+from support.bridge_programs import PROGRAM, wait_for, wait_until
+from support.recordings import GATEWAY, SPEC, record, run, sequence_in, was_cut, work_in_place
+from support.sharing import PipedLink, sharing
+from support.simulated_time import run_simulated
+from support.unmeasured import unmeasured_environment
+from support.valve import Valve
 from unity_link import GatewayError, LinkLostError, UnityLinkError
 from unity_link.bridges.gateway_time import SteadyClock
 from unity_link.bridges.recording import Recorder, Recording, RecordingError, export, recorder, replay
@@ -46,8 +48,6 @@ from unity_link.bridges.recording.files import INTERFACE, INTERRUPTION
 from unity_link.spec import compile_text
 from unity_link.virtual.build import build_gateway
 from unity_link.virtual.gateway import VirtualGateway
-from unmeasured import unmeasured_environment
-from valve import Valve
 
 if TYPE_CHECKING:
     from collections.abc import Iterator

@@ -20,7 +20,7 @@ from mcap.stream_reader import StreamReader, get_chunk_data_stream
 from zstandard import ZstdError
 
 from generate.every_kind import every_kind
-from recordings import record, sequence_in
+from support.recordings import record, sequence_in
 from unity_link.bridges.messages import Encoder
 from unity_link.bridges.recording import Recording
 from unity_link.bridges.recording.chunks import CHUNK, ChunkWriter

@@ -16,8 +16,8 @@ from mcap.reader import make_reader
 from mcap.writer import CompressionType, Writer
 
 import unity_link
-from recordings import work_in_place
-from simulated_time import run_simulated
+from support.recordings import work_in_place
+from support.simulated_time import run_simulated
 from unity_link.bridges.recording import Recorder, Recording, chunks, reader, replay
 from unity_link.bridges.recording.files import RecordingFile
 from unity_link.bridges.sampled import sampled_groups

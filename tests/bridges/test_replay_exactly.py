@@ -10,9 +10,9 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 import unity_link
-from recordings import work_in_place
-from searching import examples
-from simulated_time import run_simulated
+from support.recordings import work_in_place
+from support.searching import examples
+from support.simulated_time import run_simulated
 from unity_link.bridges.recording import Recorder, Recording, replay
 from unity_link.protocol.configuration import GatewayInfo
 from unity_link.spec import Spec, compile_text

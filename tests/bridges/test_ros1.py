@@ -22,7 +22,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from bridge_programs import (
+from support.bridge_programs import (
     FAST_GATEWAY,
     FAST_SPEC,
     PATIENCE,
@@ -33,7 +33,7 @@ from bridge_programs import (
     wait_for,
     wait_until,
 )
-from own_robots import OWN
+from support.own_robots import OWN
 from unity_link import ConnectError, blocking
 from unity_link.bridges.ros1 import environment
 from unity_link.bridges.ros1.rows import joint_rows, number_rows

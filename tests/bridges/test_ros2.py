@@ -21,7 +21,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from rosbags.typesys import Stores, get_typestore
 
-from bridge_programs import (
+from support.bridge_programs import (
     FAST_GATEWAY,
     FAST_SPEC,
     PATIENCE,
@@ -33,7 +33,7 @@ from bridge_programs import (
     wait_for,
     wait_until,
 )
-from own_robots import OWN
+from support.own_robots import OWN
 from unity_link import ArgumentError, blocking
 from unity_link.bridges.ros2 import Quality, Settings, read_settings
 from unity_link.bridges.ros2.domain import open_participant
@@ -43,7 +43,7 @@ from unity_link.bridges.ros2.rows import joint_rows, number_rows
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
-    from own_robots import Own
+    from support.own_robots import Own
 
 PEER = str(Path(__file__).with_name("dds_peer.py"))
 SPEC = str(Path(__file__).parents[2] / "examples" / "scara.ul")

@@ -18,7 +18,7 @@ from typing import TYPE_CHECKING
 import pytest
 
 import unity_link
-from bridge_programs import PROGRAM, wait_until
+from support.bridge_programs import PROGRAM, wait_until
 from unity_link import BusTimeoutError, ConnectError, GatewayResetError, blocking
 from unity_link.bridges.serve.door import MOST_CLIENTS
 

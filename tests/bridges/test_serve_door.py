@@ -9,10 +9,10 @@ from typing import TYPE_CHECKING
 
 import pytest
 
-import pipe
 import unity_link
-from sharing import Terminal, sharing
-from simulated_time import on_simulated_time
+from support import pipe
+from support.sharing import Terminal, sharing
+from support.simulated_time import on_simulated_time
 from unity_link.bridges.serve import serve
 from unity_link.bridges.serve.door import (
     HURRY,

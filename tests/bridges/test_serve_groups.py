@@ -9,13 +9,13 @@ from typing import TYPE_CHECKING
 
 import pytest
 
-from sharing import PipedLink, Terminal, call, settle, sharing, until
-from simulated_time import on_simulated_time, run_simulated
+from support.sharing import PipedLink, Terminal, call, settle, sharing, until
+from support.simulated_time import on_simulated_time, run_simulated
+from support.valve import Valve, cut
 from unity_link import LinkLostError
 from unity_link.protocol.configuration import GatewayInfo
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.line import SlowLine
-from valve import Valve, cut
 
 if TYPE_CHECKING:
     from unity_link.bridges.serve.shared import SharedLink

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 import pytest
 
 from generate.programs import HERE, C, Driven, compiled, generated, linked
-from spec_examples import FIGURE_1
+from support.spec_examples import FIGURE_1
 from unity_link import blocking
 from unity_link.spec import compile_text
 

@@ -11,9 +11,10 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from searching import examples
-from sharing import call, settle, sharing, tell_of_reset
-from simulated_time import on_simulated_time, run_simulated
+from support.searching import examples
+from support.sharing import call, settle, sharing, tell_of_reset
+from support.simulated_time import on_simulated_time, run_simulated
+from support.worked_examples import Example, worked_examples
 from unity_link.bridges.serve import client
 from unity_link.bridges.serve.client import MOST_UNDER_WAY
 from unity_link.bridges.serve.conversation import Conversation
@@ -21,7 +22,6 @@ from unity_link.protocol.configuration import Feature, GatewayInfo
 from unity_link.protocol.messages import Codec, ErrorCode
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.faults import Failing
-from worked_examples import Example, worked_examples
 
 if TYPE_CHECKING:
     from unity_link.bridges.serve.shared import SharedLink

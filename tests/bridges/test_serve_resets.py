@@ -8,9 +8,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 import pytest
 
-from recorded_bus import RecordedBus
-from sharing import PipedLink, Terminal, call, settle, sharing, tell_of_reset, until
-from simulated_time import on_simulated_time
+from support.recorded_bus import RecordedBus
+from support.sharing import PipedLink, Terminal, call, settle, sharing, tell_of_reset, until
+from support.simulated_time import on_simulated_time
+from support.valve import Valve, cut
 from unity_link import Reconnect
 from unity_link.errors import GatewayResetError
 from unity_link.protocol.arrays import hex_rows, request_rows
@@ -20,7 +21,6 @@ from unity_link.protocol.messages import Codec
 from unity_link.protocol.session import Interrupted
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.line import SlowLine
-from valve import Valve, cut
 
 if TYPE_CHECKING:
     from unity_link.bridges.serve.shared import SharedLink

@@ -12,11 +12,12 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from recorded_bus import RecordedBus
-from searching import examples
-from shared_pair import PAIR, SharedPair
-from sharing import PipedLink, call, open_directly, settle, sharing, until
-from simulated_time import on_simulated_time, run_simulated
+from support.recorded_bus import RecordedBus
+from support.searching import examples
+from support.shared_pair import PAIR, SharedPair
+from support.sharing import PipedLink, call, open_directly, settle, sharing, until
+from support.simulated_time import on_simulated_time, run_simulated
+from support.valve import Valve, cut
 from unity_link import (
     AnswerLostError,
     BusError,
@@ -34,7 +35,6 @@ from unity_link.virtual import VirtualGateway
 from unity_link.virtual.faults import Noise, NoisyLine
 from unity_link.virtual.gateway import Gateway
 from unity_link.virtual.line import SlowLine
-from valve import Valve, cut
 
 if TYPE_CHECKING:
     from collections.abc import AsyncIterator

@@ -14,8 +14,8 @@ from typing import TYPE_CHECKING
 
 import pytest
 
-from bridge_programs import PATIENCE, bridge_on_shared, wait_for, wait_until
-from spec_examples import FIGURE_1
+from support.bridge_programs import PATIENCE, bridge_on_shared, wait_for, wait_until
+from support.spec_examples import FIGURE_1
 from unity_link import blocking
 from unity_link.generate import generate, write
 from unity_link.protocol.numbers import to_signed

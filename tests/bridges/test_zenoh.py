@@ -20,7 +20,7 @@ import msgspec
 import pytest
 
 import unity_link
-from bridge_programs import PATIENCE, PROGRAM, Noted, program, wait_for, wait_until
+from support.bridge_programs import PATIENCE, PROGRAM, Noted, program, wait_for, wait_until
 from unity_link import ArgumentError, ConnectError, LinkLostError, OutOfRangeError, blocking
 from unity_link.transport.zenoh_session import Network, close_session, open_session
 

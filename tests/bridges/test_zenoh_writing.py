@@ -13,7 +13,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import unity_link
-from bridge_programs import WRITES_NAMES, WRITES_SPEC
+from support.bridge_programs import WRITES_NAMES, WRITES_SPEC
 from unity_link import ArgumentError
 from unity_link.bridges.ordered import write_in_order
 from unity_link.bridges.zenoh.writing import Reader

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 import pytest
 
-from terminal_window import Window, window
+from support.terminal_window import Window, window
 
 if TYPE_CHECKING:
     from collections.abc import Iterator

@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 
 import unity_link
-from simulated_time import run_simulated
+from support.simulated_time import run_simulated
 from unity_link.transport import pcapng
 
 PROGRAM = str(Path(sys.executable).parent / "unity-link")

@@ -11,8 +11,8 @@ from typing import TYPE_CHECKING
 import pytest
 from anyio.from_thread import start_blocking_portal
 
-from counting_device import CountingDevice
-from terminal_window import GIVEN_BACK, Window, needs_tmux
+from support.counting_device import CountingDevice
+from support.terminal_window import GIVEN_BACK, Window, needs_tmux
 from unity_link.protocol.configuration import GatewayInfo
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.build import build_gateway

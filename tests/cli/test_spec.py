@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from spec_examples import FIGURE_1
+from support.spec_examples import FIGURE_1
 from unity_link.generate import TARGETS
 from unity_link.spec import format_text
 

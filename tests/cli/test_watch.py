@@ -11,15 +11,15 @@ from typing import TYPE_CHECKING
 import pytest
 from rich.console import Console, ConsoleDimensions
 
-from sharing import PipedLink, sharing, until
-from simulated_time import on_simulated_time
+from support.sharing import PipedLink, sharing, until
+from support.simulated_time import on_simulated_time
+from support.valve import Valve
 from unity_link.cli import plots, watch, watch_view
 from unity_link.cli.watched import Signals, Words
 from unity_link.data.loading import load
 from unity_link.protocol.numbers import Format
 from unity_link.spec import compile_text
 from unity_link.virtual import VirtualGateway
-from valve import Valve
 
 if TYPE_CHECKING:
     from collections.abc import AsyncIterator

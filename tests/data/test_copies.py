@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 import unity_link
-from simulated_time import on_simulated_time
+from support.simulated_time import on_simulated_time
 from unity_link import ArgumentError, blocking
 from unity_link.data import Batch, Group, Proxy
 from unity_link.data.blocking import put

@@ -8,7 +8,7 @@ import pytest
 import pytest_asyncio
 
 import unity_link
-from spec_examples import FIGURE_1
+from support.spec_examples import FIGURE_1
 from unity_link.data import Group
 from unity_link.spec import compile_text
 

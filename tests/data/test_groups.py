@@ -10,8 +10,8 @@ import numpy as np
 import pytest
 
 import unity_link
-from recorded_bus import RecordedBus
-from simulated_time import on_simulated_time
+from support.recorded_bus import RecordedBus
+from support.simulated_time import on_simulated_time
 from unity_link import ArgumentError, BusError, GatewayInfo
 from unity_link.data import Group
 from unity_link.spec import compile_text

@@ -10,8 +10,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import unity_link
-from recordings import SPEC
-from simulated_time import on_simulated_time
+from support.recordings import SPEC
+from support.simulated_time import on_simulated_time
 from unity_link import blocking
 from unity_link.data import Group
 from unity_link.data.blocking import put

@@ -13,8 +13,8 @@ from hypothesis import strategies as st
 import unity_link
 from generate.peers import serve
 from generate.programs import SANITIZED, C, compiled, generated, linked, output
-from searching import examples
-from simulated_time import run_simulated
+from support.searching import examples
+from support.simulated_time import run_simulated
 from unity_link import ArgumentError
 from unity_link.data import Group
 from unity_link.protocol.messages import ErrorCode

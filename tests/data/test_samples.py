@@ -15,10 +15,11 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import unity_link
-from counting_device import CountingDevice
-from logged import told
-from sharing import PipedLink, sharing, until
-from simulated_time import on_simulated_time
+from support.counting_device import CountingDevice
+from support.logged import told
+from support.sharing import PipedLink, sharing, until
+from support.simulated_time import on_simulated_time
+from support.valve import Valve
 from unity_link import (
     ArgumentError,
     BusError,
@@ -37,7 +38,6 @@ from unity_link.protocol.messages import ErrorCode
 from unity_link.spec import compile_text
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.bus import AccessError
-from valve import Valve
 
 if TYPE_CHECKING:
     from unity_link.data import GroupSample

@@ -19,8 +19,8 @@ from pyarrow import parquet
 
 import unity_link
 from generate.every_kind import every_kind
-from recordings import record
-from searching import examples
+from support.recordings import record
+from support.searching import examples
 from unity_link import ArgumentError
 from unity_link.bridges.recording import Recorder, Recording, export
 from unity_link.data import Batch, Group

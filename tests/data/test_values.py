@@ -16,9 +16,9 @@ from hypothesis import given
 
 import unity_link
 from generate.every_kind import WORD_BITS, every_kind, good_values
-from logged import told
-from recorded_bus import RecordedBus
-from simulated_time import on_simulated_time
+from support.logged import told
+from support.recorded_bus import RecordedBus
+from support.simulated_time import on_simulated_time
 from unity_link import ArgumentError, BusError, Feature, GatewayInfo, UnsupportedError
 from unity_link.data import Group, Readable, ReadWrite, Registration, Writable
 from unity_link.spec import Access, compile_text

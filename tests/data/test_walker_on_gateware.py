@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import pytest
 
-from simulated_time import run_simulated
+from support.simulated_time import run_simulated
 
 if TYPE_CHECKING:
     from types import ModuleType

@@ -9,9 +9,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from compilers import needs_c, needs_cxx
 from fuzz.clients import PROGRAMS, build_replay, build_search
 from fuzz.targets import TARGETS
+from support.compilers import needs_c, needs_cxx
 
 CORPUS = Path(__file__).with_name("corpus")
 INPUTS = sorted(path for path in CORPUS.glob("*/*") if path.parent.name in TARGETS)

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import pytest
 
 from generate.octave import CAREFULLY, MEX_FILE, Octave, why_not
-from spec_examples import FIGURE_1
+from support.spec_examples import FIGURE_1
 from unity_link.spec import compile_text
 
 if TYPE_CHECKING:

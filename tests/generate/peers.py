@@ -27,7 +27,7 @@ from typing import TYPE_CHECKING, Literal, Self
 
 import msgspec
 
-from recorded_bus import RecordedBus
+from support.recorded_bus import RecordedBus
 from unity_link.protocol.configuration import GatewayInfo
 from unity_link.protocol.crc import Crc
 from unity_link.protocol.frames import Framing

@@ -23,7 +23,7 @@ from typing import TYPE_CHECKING
 
 from generate.peers import ObservedGateway
 from generate.programs import HERE, SANITIZED, C, Simulated, compiled, generated, linked
-from spec_examples import FIGURE_1
+from support.spec_examples import FIGURE_1
 from unity_link.protocol.configuration import GatewayInfo
 from unity_link.protocol.crc import Crc
 from unity_link.spec import compile_text

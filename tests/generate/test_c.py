@@ -59,9 +59,9 @@ from generate.programs import (
     linked,
     output,
 )
-from searching import examples
-from simulated_host import LineOfASession, SimulatedHost, outcome_of
-from spec_examples import FIGURE_1, specs
+from support.searching import examples
+from support.simulated_host import LineOfASession, SimulatedHost, outcome_of
+from support.spec_examples import FIGURE_1, specs
 from unity_link.errors import Outcome, UnsupportedError
 from unity_link.generate.c.layout import Layout
 from unity_link.protocol.configuration import Feature, GatewayInfo

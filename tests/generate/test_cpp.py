@@ -12,7 +12,7 @@ import pytest
 from generate.every_kind import LIMIT_TRIALS, LIMITS_BEYOND_DOUBLES, WORD_BITS, every_kind, written
 from generate.peers import MEDIA, FaultyLine, Medium, ObservedGateway, lose, replace, serve, simulate
 from generate.programs import CPP, SANITIZED, C, compiled, generated, linked, output
-from spec_examples import FIGURE_1
+from support.spec_examples import FIGURE_1
 from unity_link.generate import generate
 from unity_link.protocol.configuration import Feature, GatewayInfo
 from unity_link.protocol.crc import Crc

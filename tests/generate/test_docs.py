@@ -14,8 +14,8 @@ from hypothesis import given, settings
 from markdown_it import MarkdownIt
 
 from generate.every_kind import WORD_BITS, every_kind
-from searching import examples
-from spec_examples import FIGURE_1, specs
+from support.searching import examples
+from support.spec_examples import FIGURE_1, specs
 from unity_link.generate import generate
 from unity_link.generate.docs.pages import Page, markdown, number
 from unity_link.spec import Spec, compile_file, compile_text

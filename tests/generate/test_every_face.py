@@ -19,17 +19,17 @@ import uvloop
 from anyio.from_thread import start_blocking_portal
 
 import unity_link
-from behaviours import (
+from generate.octave import MEX_FILE, why_not
+from generate.programs import CPP, HERE, C, Driven, compiled, generated, linked
+from support.behaviours import (
     BEHAVIOURS,
     Line,
     a_lost_line_ends_the_calls,
     a_reset_is_told_and_nothing_is_executed_by_a_gateway_without_a_session,
 )
-from driven_link import DrivenLink
-from faces import face
-from generate.octave import MEX_FILE, why_not
-from generate.programs import CPP, HERE, C, Driven, compiled, generated, linked
-from spec_examples import FIGURE_1
+from support.driven_link import DrivenLink
+from support.faces import face
+from support.spec_examples import FIGURE_1
 from unity_link.bridges.serve import serve
 from unity_link.spec import compile_text
 from unity_link.virtual.serving import serve_pty, serve_tcp, serve_udp, serve_unix
@@ -42,7 +42,7 @@ if TYPE_CHECKING:
 
     from anyio.from_thread import BlockingPortal
 
-    from behaviours import Behaviour
+    from support.behaviours import Behaviour
     from unity_link.virtual import Gateway
 
 IN_PYTHON = ("asyncio", "uvloop", "trio", "blocking")

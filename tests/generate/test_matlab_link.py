@@ -28,8 +28,8 @@ from generate.peers import (
     serve,
     simulate,
 )
-from recorded_bus import RecordedBus
-from spec_examples import FIGURE_1
+from support.recorded_bus import RecordedBus
+from support.spec_examples import FIGURE_1
 from unity_link.protocol.configuration import Feature, GatewayInfo
 from unity_link.protocol.crc import Crc
 from unity_link.protocol.frames import Framing

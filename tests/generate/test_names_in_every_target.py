@@ -17,7 +17,7 @@ from hypothesis import Phase, given, settings
 from generate.awkward_names import LONG, awkward_specs
 from generate.octave import Octave, why_not
 from generate.programs import generated
-from searching import examples
+from support.searching import examples
 from unity_link.errors import UnityLinkError
 from unity_link.generate import TARGETS, generate
 from unity_link.generate.matlab.names import KEYWORDS, MEMBERS

@@ -13,8 +13,8 @@ import pytest
 
 import unity_link
 from generate.every_kind import WORD_BITS, every_kind, good_values
-from simulated_time import on_simulated_time
-from spec_examples import FIGURE_1
+from support.simulated_time import on_simulated_time
+from support.spec_examples import FIGURE_1
 from unity_link import ArgumentError
 from unity_link.data import Group, read_interface
 from unity_link.generate import generate, write

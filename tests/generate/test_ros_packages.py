@@ -24,10 +24,10 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from bridge_programs import PROGRAM, Noted, wait_until
 from generate.every_kind import WORD_BITS, every_kind
 from generate.ros_on_paper import Paper
-from spec_examples import FIGURE_1
+from support.bridge_programs import PROGRAM, Noted, wait_until
+from support.spec_examples import FIGURE_1
 from unity_link import ArgumentError, GatewayInfo, blocking
 from unity_link.bridges.topics import command_topics, joint_command_topics, published_groups
 from unity_link.generate import generate, write

@@ -17,8 +17,8 @@ from gateware.bench.runner import GATEWARE, rtl_sources, run_bench, simulator_av
 from generate.bench_boards import ECHO, WALKER
 from generate.bench_nodes import LAMP, PAIR
 from generate.every_kind import WORD_BITS, every_kind, good_values
-from searching import examples
-from spec_examples import FIGURE_1, specs
+from support.searching import examples
+from support.spec_examples import FIGURE_1, specs
 from unity_link.errors import UnsupportedError
 from unity_link.gateware import yowasp
 from unity_link.gateware.cache import LIBRARY, cache_folder, hash_of, kept

@@ -8,9 +8,9 @@ from pathlib import Path
 
 import pytest
 
+from support.unmeasured import unmeasured_environment
 from unity_link import ArgumentError
 from unity_link.generate import GeneratedFile, write
-from unmeasured import unmeasured_environment
 
 SPEC = Path(__file__).parents[2] / "examples" / "walker.ul"
 ON_A_FULL_DISK = """

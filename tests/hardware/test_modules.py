@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import unity_link
-from simulated_time import on_simulated_time
+from support.simulated_time import on_simulated_time
 from unity_link import ArgumentError, BusError, Feature, GatewayInfo, UnsupportedError
 from unity_link.hardware import Counter, Fifo, Gpio, Memory, Module, Pwm, Quadrature
 from unity_link.protocol.messages import ErrorCode

@@ -10,8 +10,8 @@ import numpy as np
 import pytest
 
 import unity_link
-from simulated_time import on_simulated_time
-from spec_examples import FIGURE_1
+from support.simulated_time import on_simulated_time
+from support.spec_examples import FIGURE_1
 from unity_link import ArgumentError, GatewayInfo, UnityLinkError
 from unity_link.data import Group
 from unity_link.hardware import TosnetNetwork

@@ -16,13 +16,13 @@ from typing import TYPE_CHECKING
 import pytest
 import pytest_asyncio
 
-import mapped_bus
 import unity_link
-from faces import EMPTY, FACES, face
-from makers import RTL, Maker, compiled, simulated, with_failing
-from over_pipes import connect_through_pipes
-from over_zenoh import zenoh_network
-from sharing import connect_through_server
+from support import mapped_bus
+from support.faces import EMPTY, FACES, face
+from support.makers import RTL, Maker, compiled, simulated, with_failing
+from support.over_pipes import connect_through_pipes
+from support.over_zenoh import zenoh_network
+from support.sharing import connect_through_server
 from unity_link.transport import load_driver, parse_url
 from unity_link.transport.ft232h.eeprom_image import build_eeprom
 from unity_link.virtual.ft232h.board import GatewayBoard

@@ -8,13 +8,13 @@ from typing import TYPE_CHECKING
 import pytest
 
 import unity_link
-from sharing import until
-from simulated_time import on_simulated_time
+from support.sharing import until
+from support.simulated_time import on_simulated_time
+from support.valve import Valve, cut, numbers_in
 from unity_link import LinkClosedError, LinkLostError, Reconnect
 from unity_link.protocol.configuration import GatewayInfo
 from unity_link.protocol.messages import Codec, ErrorCode
 from unity_link.virtual import VirtualGateway
-from valve import Valve, cut, numbers_in
 
 if TYPE_CHECKING:
     from unity_link import Link

@@ -15,9 +15,9 @@ from typing import TYPE_CHECKING, Any
 import pytest
 
 import unity_link
-from makers import CRC_32, SHORT, Maker
-from recorded_bus import RecordedBus
-from simulated_time import run_simulated
+from support.makers import CRC_32, SHORT, Maker
+from support.recorded_bus import RecordedBus
+from support.simulated_time import run_simulated
 from unity_link.errors import AnswerLostError
 from unity_link.protocol.configuration import Feature, GatewayInfo
 from unity_link.virtual import VirtualGateway

@@ -7,9 +7,9 @@ import asyncio
 import pytest
 
 import unity_link
-from recorded_bus import RecordedBus
-from shared_pair import PAIR, SharedPair
-from simulated_time import on_simulated_time
+from support.recorded_bus import RecordedBus
+from support.shared_pair import PAIR, SharedPair
+from support.simulated_time import on_simulated_time
 from unity_link import BusError
 from unity_link.virtual import VirtualGateway
 

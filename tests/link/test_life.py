@@ -16,9 +16,10 @@ import numpy as np
 import pytest
 
 import unity_link
-from makers import SLOW, Maker, in_flight, simulated
-from recorded_bus import RecordedBus
-from simulated_time import on_simulated_time
+from support.makers import SLOW, Maker, in_flight, simulated
+from support.recorded_bus import RecordedBus
+from support.simulated_time import on_simulated_time
+from support.valve import Valve, cut, numbers_in
 from unity_link import (
     AnswerLostError,
     ArgumentError,
@@ -41,7 +42,6 @@ from unity_link.virtual.faults import Failing, Noise, NoisyLine
 from unity_link.virtual.gateway import Gateway
 from unity_link.virtual.line import SlowLine
 from unity_link.virtual.transport import GatewayTransport
-from valve import Valve, cut, numbers_in
 
 if TYPE_CHECKING:
     from collections.abc import Awaitable, Callable

@@ -13,8 +13,9 @@ from typing import TYPE_CHECKING, Any
 import pytest
 
 import unity_link
-from makers import SLOW, Maker
-from simulated_time import on_simulated_time
+from support.makers import SLOW, Maker
+from support.simulated_time import on_simulated_time
+from support.valve import Valve, cut
 from unity_link import LinkClosedError, LinkLostError
 from unity_link.link.flow import Flow
 from unity_link.link.runtime import AsyncioRuntime, LoneFuture
@@ -25,7 +26,6 @@ from unity_link.protocol.session import Session
 from unity_link.protocol.window import Window
 from unity_link.transport.polling import SPIN
 from unity_link.transport.stream import Stream
-from valve import Valve, cut
 
 if TYPE_CHECKING:
     from collections.abc import Callable

@@ -15,7 +15,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import unity_link
-from simulated_time import on_simulated_time
+from support.simulated_time import on_simulated_time
 from unity_link import ArgumentError, ConnectError, LinkClosedError, LinkLostError, UnsupportedError, blocking
 from unity_link.data import Group
 from unity_link.transport.mmio import uio_place

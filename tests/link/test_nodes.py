@@ -13,8 +13,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import unity_link
-from recorded_bus import RecordedBus
-from simulated_time import on_simulated_time
+from support.recorded_bus import RecordedBus
+from support.simulated_time import on_simulated_time
 from unity_link import BusError, ConnectError, LinkLostError, Reconnect, UnsupportedError
 from unity_link.protocol.constants import ANSWER_PATIENCE
 from unity_link.virtual import VirtualGateway

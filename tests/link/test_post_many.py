@@ -8,13 +8,13 @@ import numpy as np
 import pytest
 
 import unity_link
-from makers import CRC_32, RTL, Maker, in_flight
-from recorded_bus import RecordedBus
-from simulated_time import on_simulated_time, run_simulated
+from support.makers import CRC_32, RTL, Maker, in_flight
+from support.recorded_bus import RecordedBus
+from support.simulated_time import on_simulated_time, run_simulated
+from support.valve import Valve, cut
 from unity_link import ArgumentError, BusError, GatewayInfo, LinkLostError, blocking
 from unity_link.errors import Outcome
 from unity_link.virtual.faults import Noise, NoisyLine
-from valve import Valve, cut
 
 COUNT = 2 * in_flight(GatewayInfo())
 """More than are under way at once."""

@@ -11,15 +11,15 @@ import numpy as np
 import pytest
 
 import unity_link
-from makers import BUS_ERROR, BUS_TIMEOUT, SLOW, Maker, simulated, with_failing
-from recorded_bus import RecordedBus
-from scripted import Scripted
-from simulated_time import on_simulated_time
+from support.makers import BUS_ERROR, BUS_TIMEOUT, SLOW, Maker, simulated, with_failing
+from support.recorded_bus import RecordedBus
+from support.scripted import Scripted
+from support.simulated_time import on_simulated_time
+from support.valve import Valve, cut
 from unity_link import ArgumentError, BusError, BusTimeoutError, LinkLostError, UnsupportedError
 from unity_link.link.connection import Reconnect
 from unity_link.protocol.configuration import Feature
 from unity_link.protocol.messages import Codec
-from valve import Valve, cut
 
 if TYPE_CHECKING:
     from collections.abc import Awaitable, Callable

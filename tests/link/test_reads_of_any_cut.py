@@ -12,10 +12,10 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import unity_link
-from makers import SLOW, Maker, simulated
-from scripted import Scripted
-from searching import examples
-from simulated_time import on_simulated_time, run_simulated
+from support.makers import SLOW, Maker, simulated
+from support.scripted import Scripted
+from support.searching import examples
+from support.simulated_time import on_simulated_time, run_simulated
 from unity_link.protocol.crc import Crc
 from unity_link.protocol.frames import Framing
 from unity_link.virtual.build import build_gateway

@@ -7,10 +7,10 @@ import asyncio
 import pytest
 
 import unity_link
-from simulated_time import on_simulated_time, run_simulated
+from support.simulated_time import on_simulated_time, run_simulated
+from support.valve import Valve
 from unity_link.virtual import Gateway, VirtualGateway
 from unity_link.virtual.faults import Failing
-from valve import Valve
 
 
 @pytest.mark.parametrize("seed", [1, 2, 3])

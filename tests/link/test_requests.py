@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import unity_link
-from makers import BUS_ERROR, BUS_TIMEOUT, Maker, on_each_kind
+from support.makers import BUS_ERROR, BUS_TIMEOUT, Maker, on_each_kind
 from unity_link import ArgumentError, BusError, BusTimeoutError, Feature, OutOfRangeError, UnsupportedError
 
 if TYPE_CHECKING:

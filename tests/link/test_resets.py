@@ -8,17 +8,17 @@ from typing import TYPE_CHECKING
 import pytest
 
 import unity_link
-from makers import SLOW
-from recorded_bus import RecordedBus
-from simulated_time import on_simulated_time
+from support.makers import SLOW
+from support.recorded_bus import RecordedBus
+from support.simulated_time import on_simulated_time
+from support.valve import Valve
 from unity_link import LinkLostError, Outcome
 from unity_link.errors import GatewayResetError
 from unity_link.link import connection
 from unity_link.protocol.constants import KEEP_ALIVE, LONGEST_SILENCE, LONGEST_TIMEOUT
-from valve import Valve
 
 if TYPE_CHECKING:
-    from makers import Maker
+    from support.makers import Maker
     from unity_link import Subscription
 
 

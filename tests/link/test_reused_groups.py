@@ -6,8 +6,8 @@ import contextlib
 from typing import TYPE_CHECKING
 
 import unity_link
-from makers import SLOW, Maker
-from simulated_time import on_simulated_time
+from support.makers import SLOW, Maker
+from support.simulated_time import on_simulated_time
 from unity_link.virtual.line import SlowLine
 from unity_link.virtual.rtl import RtlGateway
 

@@ -9,10 +9,10 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import unity_link
-from simulated_time import on_simulated_time, run_simulated
+from support.simulated_time import on_simulated_time, run_simulated
+from support.valve import Valve
 from unity_link.protocol.configuration import GatewayInfo
 from unity_link.virtual import VirtualGateway
-from valve import Valve
 
 if TYPE_CHECKING:
     from unity_link import Link, Subscription

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import pytest
 
-from simulated_time import on_simulated_time
+from support.simulated_time import on_simulated_time
 from unity_link.link.runtime import SHORTEST_SLEEP, AsyncioRuntime
 
 if TYPE_CHECKING:

@@ -11,10 +11,10 @@ import numpy as np
 import pytest
 
 import unity_link
-from counting_device import CountingDevice
-from logged import told
-from makers import CRC_32, SLOW, Maker
-from simulated_time import on_simulated_time
+from support.counting_device import CountingDevice
+from support.logged import told
+from support.makers import CRC_32, SLOW, Maker
+from support.simulated_time import on_simulated_time
 from unity_link import ArgumentError, Feature, LinkLostError, Sample, SamplesLostError, UnsupportedError
 from unity_link.link.subscription import GatewayClock
 from unity_link.virtual import VirtualGateway

@@ -14,7 +14,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from searching import examples
+from support.searching import examples
 from unity_link.protocol.configuration import GatewayInfo
 from unity_link.protocol.exchange import Counters, Exchange
 from unity_link.protocol.frames import FrameError

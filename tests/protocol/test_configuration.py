@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from any_gateway import gateway_infos
+from support.any_gateway import gateway_infos
 from unity_link.errors import UnsupportedError
 from unity_link.protocol.configuration import Feature, GatewayInfo
 

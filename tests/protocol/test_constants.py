@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from spec_examples import FIGURE_1
+from support.spec_examples import FIGURE_1
 from unity_link.generate import generate
 from unity_link.protocol import constants, window
 from unity_link.spec import compile_text

@@ -11,7 +11,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from any_gateway import gateway_infos
+from support.any_gateway import gateway_infos
+from support.worked_examples import Example, worked_examples
 from unity_link.protocol.arrays import parse_words, request_rows, response_rows
 from unity_link.protocol.configuration import GatewayInfo
 from unity_link.protocol.messages import (
@@ -26,7 +27,6 @@ from unity_link.protocol.messages import (
     hex_text,
     parse_numbers,
 )
-from worked_examples import Example, worked_examples
 
 ALL_FEATURES = st.builds(lambda info: Codec(with_all(info)), gateway_infos())
 DEFAULT = Codec(GatewayInfo())

@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from searching import examples
+from support.searching import examples
 from unity_link.protocol.configuration import Feature, GatewayInfo
 from unity_link.protocol.exchange import Counters
 from unity_link.protocol.requests import Events, Request

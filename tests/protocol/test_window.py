@@ -13,7 +13,7 @@ from hypothesis import settings
 from hypothesis import strategies as st
 from hypothesis.stateful import RuleBasedStateMachine, invariant, precondition, rule
 
-from searching import examples
+from support.searching import examples
 from unity_link.errors import Outcome
 from unity_link.protocol import constants as module
 from unity_link.protocol.window import Run, Unanswered, Window

@@ -7,8 +7,8 @@ import statistics
 import pytest
 
 import unity_link
-from simulated_time import run_simulated
 from simulation.sendings import watched
+from support.simulated_time import run_simulated
 
 READS = 10_000
 SEEDS = range(1, 5)

@@ -15,8 +15,8 @@ from simulation.gallery import BUGS, UNSEEN, Bug
 from simulation.report import Report
 from simulation.story import shrink, tell
 from simulation.world import run_seed
+from support.unmeasured import unmeasured_environment
 from unity_link.transport.turns import Seat
-from unmeasured import unmeasured_environment
 
 if TYPE_CHECKING:
     from collections.abc import Iterable

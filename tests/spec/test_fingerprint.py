@@ -3,7 +3,7 @@
 import msgspec
 import pytest
 
-from spec_examples import interface_of
+from support.spec_examples import interface_of
 from unity_link.spec import Interface
 
 MAP = '@x = 0x10[3:0]: unsigned READ(UNIT="mm"); @y = 0x12: unsigned 16 WRITE();'

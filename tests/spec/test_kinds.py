@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from hypothesis import assume, given
 
-from spec_examples import interface_of
+from support.spec_examples import interface_of
 from unity_link.errors import ArgumentError
 from unity_link.spec import Enumeration, EnumValue, Kind, KindName, Signal
 from unity_link.spec.columns import Columns

@@ -5,7 +5,7 @@ from pathlib import Path
 import msgspec
 import pytest
 
-from spec_examples import FIGURE_1, interface_of
+from support.spec_examples import FIGURE_1, interface_of
 from unity_link.errors import ArgumentError
 from unity_link.spec import (
     Access,

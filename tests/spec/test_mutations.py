@@ -7,8 +7,8 @@ import hypothesis.strategies as st
 import pytest
 from hypothesis import given, settings
 
-from searching import examples
-from spec_examples import FIGURE_1, specs
+from support.searching import examples
+from support.spec_examples import FIGURE_1, specs
 from unity_link.spec import SpecError, compile_text, format_text
 from unity_link.spec.printer import print_file
 from unity_link.spec.syntax import File

@@ -4,8 +4,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from searching import examples
-from spec_examples import FIGURE_1, expressions, specs
+from support.searching import examples
+from support.spec_examples import FIGURE_1, expressions, specs
 from unity_link.spec import SpecError, compile_text, format_text
 from unity_link.spec.diagnostics import Reporter, SourceText
 from unity_link.spec.parser import parse

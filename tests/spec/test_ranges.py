@@ -2,8 +2,8 @@
 
 from hypothesis import HealthCheck, given, settings
 
-from searching import examples
-from spec_examples import specs
+from support.searching import examples
+from support.spec_examples import specs
 from unity_link.spec import compile_text
 from unity_link.spec.printer import print_file
 from unity_link.spec.ranges import check_ranges

@@ -8,8 +8,8 @@ import hypothesis.strategies as st
 import pytest
 from hypothesis import HealthCheck, given, settings
 
-from searching import examples
-from spec_examples import interface_of, specs
+from support.searching import examples
+from support.spec_examples import interface_of, specs
 from unity_link.errors import UnsupportedError
 from unity_link.spec import Interface, SpecError, compile_file, compile_text
 from unity_link.spec.printer import print_file

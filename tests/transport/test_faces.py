@@ -18,8 +18,8 @@ from anyio.from_thread import start_blocking_portal
 
 import examples.own_medium  # noqa: F401  (it registers its scheme)
 import unity_link
-from faces import face, use
-from sharing import ServedGateway
+from support.faces import face, use
+from support.sharing import ServedGateway
 from unity_link.bridges.serve import serve
 from unity_link.bridges.zenoh.streams import Streams
 from unity_link.transport.zenoh_session import Network, close_session, open_session

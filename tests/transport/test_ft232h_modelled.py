@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 import pytest
 
 import unity_link
-from simulated_time import on_simulated_time, run_simulated
+from support.simulated_time import on_simulated_time, run_simulated
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.ft232h.board import GatewayBoard
 from unity_link.virtual.ft232h.bus import LoopClock, VirtualBus, VirtualFt232h

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 import pytest
 
 import unity_link
-from simulated_time import on_simulated_time, run_simulated
+from support.simulated_time import on_simulated_time, run_simulated
 from unity_link.bridges.serve import serve
 from unity_link.errors import ArgumentError
 from unity_link.protocol.configuration import GatewayInfo

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 import pytest
 
 import unity_link
-from recorded_bus import WRITTEN, gateway_of_short_laps
+from support.recorded_bus import WRITTEN, gateway_of_short_laps
 from unity_link import ConnectError, LinkLostError, blocking
 from unity_link.errors import Outcome, UnsupportedError
 from unity_link.protocol.configuration import GatewayInfo

@@ -15,7 +15,7 @@ import pytest
 import uvloop
 
 import unity_link
-from faces import use
+from support.faces import use
 from unity_link.transport.snoop import Passed, read
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.serving import serve_tcp, serve_unix

@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING, Any
 import pytest
 
 import unity_link
-from recorded_bus import WRITTEN, gateway_of_short_laps
-from sharing import ServedGateway
+from support.recorded_bus import WRITTEN, gateway_of_short_laps
+from support.sharing import ServedGateway
 from unity_link.bridges.zenoh.streams import Streams
 from unity_link.transport.zenoh_session import Network, close_session, open_session
 

@@ -6,7 +6,7 @@ import asyncio
 
 import pytest
 
-from simulated_time import run_simulated
+from support.simulated_time import run_simulated
 from unity_link.errors import ArgumentError
 from unity_link.transport import load_driver, parse_url
 from unity_link.virtual.build import build_gateway

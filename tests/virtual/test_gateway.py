@@ -13,7 +13,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import unity_link
-from simulated_time import on_simulated_time
+from support.simulated_time import on_simulated_time
 from unity_link.errors import ArgumentError, BusError, UnsupportedError
 from unity_link.protocol.configuration import Feature, GatewayInfo
 from unity_link.protocol.messages import Codec, ErrorCode

@@ -14,7 +14,8 @@ from typing import TYPE_CHECKING, Any
 import pytest
 
 import unity_link
-from simulated_time import run_simulated
+from support.simulated_time import run_simulated
+from support.waveform import Waveform, bytes_at_pins
 from unity_link.errors import ArgumentError, GatewayError
 from unity_link.protocol.configuration import GatewayInfo
 from unity_link.protocol.crc import Crc
@@ -26,11 +27,10 @@ from unity_link.virtual import AccessError, VirtualGateway
 from unity_link.virtual.rtl import choose
 from unity_link.virtual.rtl.retrace import Report, Retrace, fitting
 from unity_link.virtual.rtl.snooped import Snooped, read_snooped
-from waveform import Waveform, bytes_at_pins
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Coroutine
-from compilers import needs_cxx
+from support.compilers import needs_cxx
 
 pytestmark = [pytest.mark.rtl, needs_cxx]
 PROGRAM = str(Path(sys.executable).parent / "unity-link")

@@ -21,7 +21,7 @@ from unity_link.virtual.rtl import RtlGateway, archive, choose, compiling, confi
 if TYPE_CHECKING:
     from collections.abc import Callable
     from pathlib import Path
-from compilers import needs_cxx
+from support.compilers import needs_cxx
 
 pytestmark = [pytest.mark.rtl, needs_cxx]
 PERIODIC, ON_TRIGGER, PLAIN = 1, 2, 32

@@ -13,8 +13,8 @@ from typing import Any
 import pytest
 
 import unity_link
-from bridge_programs import PROGRAM
-from simulated_time import on_simulated_time
+from support.bridge_programs import PROGRAM
+from support.simulated_time import on_simulated_time
 from unity_link.errors import ArgumentError
 from unity_link.protocol.configuration import Feature
 from unity_link.spec import compile_file, compile_text

@@ -14,9 +14,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import unity_link
-from bridge_programs import PROGRAM, wait_for
-from searching import examples
-from simulated_time import on_simulated_time, run_simulated
+from support.bridge_programs import PROGRAM, wait_for
+from support.searching import examples
+from support.simulated_time import on_simulated_time, run_simulated
 from unity_link.bridges.recording import Recording
 from unity_link.bridges.serve import serve
 from unity_link.errors import ArgumentError, BusError, BusTimeoutError, UnsupportedError

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import pytest
 
-from simulated_time import ModelledTimeLoop, on_simulated_time
+from support.simulated_time import ModelledTimeLoop, on_simulated_time
 from unity_link.transport.buffered import HIGH_WATER
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.line import SlowLine

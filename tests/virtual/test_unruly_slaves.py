@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import pytest
 
-from compilers import needs_cxx
+from support.compilers import needs_cxx
 from unity_link.virtual.rtl import RtlGateway
 from unity_link.virtual.rtl.library import Reply, SlaveFunction
 

@@ -11,7 +11,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from searching import examples
+from support.searching import examples
 from unity_link.protocol.configuration import Feature, GatewayInfo
 from unity_link.protocol.messages import ErrorCode
 from unity_link.virtual import VirtualGateway

@@ -6,7 +6,7 @@ import asyncio
 from contextlib import asynccontextmanager
 from typing import TYPE_CHECKING, Self
 
-import pipe
+from support import pipe
 from unity_link.bridges.serve.client import Client
 from unity_link.bridges.serve.shared import SharedLink
 from unity_link.link.link import Link

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 
 import pytest
 
-from noting_gateway import SPEC as NOTED_SPEC
+from support.noting_gateway import SPEC as NOTED_SPEC
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator

@@ -7,7 +7,7 @@ import socket
 from contextlib import contextmanager
 from typing import TYPE_CHECKING
 
-from sharing import ServedGateway
+from support.sharing import ServedGateway
 from unity_link.bridges.zenoh.streams import Streams
 from unity_link.transport import load_driver, parse_url
 from unity_link.transport.zenoh_session import KeyTransport, Network, close_session, open_session

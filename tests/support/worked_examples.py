@@ -8,7 +8,7 @@ from pathlib import Path
 
 import msgspec
 
-DOCUMENT = Path(__file__).parent.parent / "docs" / "protocol.md"
+DOCUMENT = Path(__file__).parents[2] / "docs" / "protocol.md"
 _ENDS = {"␍": "\r", "␊": "\n"}
 
 

@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 
 from unity_link.virtual.simulated import SimulatedRobot
 
-EXAMPLES = Path(__file__).parents[1] / "examples"
+EXAMPLES = Path(__file__).parents[2] / "examples"
 
 
 class Own(NamedTuple):

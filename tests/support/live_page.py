@@ -15,13 +15,13 @@ import numpy as np
 from websockets.sync.client import ClientConnection, connect
 from websockets.typing import Origin
 
-from bridge_programs import PATIENCE, PROGRAM
+from support.bridge_programs import PATIENCE, PROGRAM
 from unity_link.bridges.live.outbox import BATCH_HEAD, HEAD
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
-SPEC = str(Path(__file__).parents[1] / "examples" / "scara.ul")
+SPEC = str(Path(__file__).parents[2] / "examples" / "scara.ul")
 FAST = "sim:scara?base_frequency_millihertz=2000000000"
 """A gateway that publishes 20,000 samples a second."""
 TOKEN = "a-token"

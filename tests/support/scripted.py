@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import deque
 from typing import TYPE_CHECKING
 
-from valve import Valve
+from support.valve import Valve
 
 if TYPE_CHECKING:
     from collections.abc import Iterable

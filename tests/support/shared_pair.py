@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from support.valve import Valve
 from unity_link.protocol.configuration import Feature, GatewayInfo
 from unity_link.virtual.line import SlowLine
-from valve import Valve
 
 if TYPE_CHECKING:
     from unity_link.virtual import VirtualGateway

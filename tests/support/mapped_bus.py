@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Iterator
     from pathlib import Path
 
-    from makers import Maker
+    from support.makers import Maker
     from unity_link.virtual import BareGateway
     from unity_link.virtual.bus import Device
 

@@ -13,7 +13,7 @@ import tempfile
 import zipfile
 from pathlib import Path
 
-ROOT = Path(__file__).parent.parent
+ROOT = Path(__file__).parents[2]
 _PYTHON = re.compile(r"^```python\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 _BEFORE, _BEHIND = "import asyncio\nimport unity_link\n", "\nasyncio.run(main())\n"
 """What a block of the README takes from the one before it."""

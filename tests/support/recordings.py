@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import unity_link
-from bridge_programs import PROGRAM
+from support.bridge_programs import PROGRAM
 from unity_link.bridges.recording import Recorder, Recording, recorder
 
 if TYPE_CHECKING:
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
     from unity_link.spec import Spec
 
-SPEC = Path(__file__).parents[1] / "examples" / "scara.ul"
+SPEC = Path(__file__).parents[2] / "examples" / "scara.ul"
 GATEWAY = "sim:scara?base_frequency_millihertz=20000000"
 """The robot of the paper, whose group publishes two hundred times a second here."""
 
