@@ -171,12 +171,12 @@ class BlockingLink(Sealed):
 
     @property
     def gateway(self) -> GatewayInfo:
-        """What the gateway says of itself."""
+        """Description of the gateway, as it answers `Q`."""
         return self._link.gateway
 
     @property
     def statistics(self) -> asynchronous.Statistics:
-        """What the link has seen since it was opened."""
+        """Counters of the link since it was opened."""
         return self._link.statistics
 
     def read(self, address: int) -> int:
@@ -232,7 +232,7 @@ class BlockingLink(Sealed):
         self._call(self._link.send_immediate, mode)
 
     def subscribe(self, addresses: int | ArrayLike, **options: Any) -> BlockingSubscription:
-        """Have the gateway sample addresses by itself; `unity_link.Link.subscribe` documents the options.
+        """Subscribe to addresses that the gateway samples by itself; `unity_link.Link.subscribe` documents the options.
 
         A ``callback`` is called in the thread that takes the samples, and must not call the link.
         """
@@ -278,7 +278,7 @@ class BlockingSubscription(Sealed):
         return self._subscription.lost
 
     def publish(self) -> None:
-        """Have one sample taken now."""
+        """Ask the gateway for one sample now."""
         self._call(self._subscription.publish)
 
     def take(self, count: int | None = None) -> list[Sample]:

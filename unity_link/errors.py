@@ -1,4 +1,4 @@
-"""What can go wrong, sorted by what a caller can do about it.
+"""The errors of the package, sorted by what a caller can do about them.
 
 Every error that Unity-Link raises is a `UnityLinkError`. An error's class says what to do: mend the call
 (`ArgumentError`), look at the cable and the URL (`ConnectError`, `LinkLostError`), look at the gateware
@@ -45,7 +45,7 @@ class SamplesLostError(UnityLinkError):
 
 
 class Outcome(enum.Enum):
-    """What is known of a request whose answer did not come."""
+    """Fate of a request whose answer did not come."""
 
     EXECUTED = "executed"
     NOT_EXECUTED = "not executed"

@@ -46,15 +46,15 @@ _KINDS: dict[str, tuple[Any, str]] = {
     "seed": (int, "a whole number"),
     "rtl": (bool, "True or False"),
 }
-"""What the marker takes."""
+"""Arguments of the marker."""
 
 
 @dataclass(frozen=True)
 class Settings:
-    """What a test asks for."""
+    """Settings that a test asks for."""
 
     spec: Path | None = None
-    """Of the robot; None for plain memory."""
+    """Spec of the robot; None for plain memory."""
     model: str | None = None
     """As ``rover.py:Rover``; None: the registers are memory."""
     medium: str = "sim"
@@ -62,9 +62,9 @@ class Settings:
     """Probability that a byte is lost, and that one is damaged, in both directions."""
     seed: int = 0
     rtl: bool = False
-    """Whether the gateway is the compiled gateware in place of a model."""
+    """True if the gateway is the compiled gateware in place of a model."""
     url: str | None = None
-    """Of a board, in place of all of that but the spec."""
+    """URL of a board, in place of all of that but the spec."""
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:

@@ -1,4 +1,4 @@
-"""What a board is: its FPGA, its clock, the medium of its link, and the pins of both."""
+"""The description of a board: its FPGA, its clock, the medium of its link, and the pins of both."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ class Clock(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     hz: int
     """At the pin."""
     core_hz: int | None = None
-    """What a PLL is to make of it; None for no PLL."""
+    """Core clock in Hz that a PLL makes of the board's; None for no PLL."""
 
 
 class Board(msgspec.Struct, frozen=True, forbid_unknown_fields=True, kw_only=True):
@@ -52,7 +52,7 @@ class Board(msgspec.Struct, frozen=True, forbid_unknown_fields=True, kw_only=Tru
     """Speed grade of an ECP5."""
     medium: Literal["uart", "ft245", "ft245_sync"]
     baud: int | None = None
-    """Of a UART."""
+    """Baud rate of a UART."""
     io_type: str = "LVCMOS33"
     programmer: tuple[str, ...] = ()
     """Options of openFPGALoader."""

@@ -42,19 +42,19 @@ class BuildError(UnityLinkError):
 
 
 class Built(NamedTuple):
-    """What a build leaves."""
+    """Files and figures that a build leaves."""
 
     bitstream: Path
     report: Path
 
 
 class _Placed(NamedTuple):
-    """What nextpnr says of a placed design."""
+    """Figures that nextpnr reports of a placed design."""
 
     cells: dict[str, tuple[int, int]]
-    """How many are used of each kind, and how many there are."""
+    """Number used and number available, for each kind of cell."""
     clocks: dict[str, tuple[float, float]]
-    """What each clock reaches, and what it needs, in MHz."""
+    """Frequency reached and frequency needed, in MHz, for each clock."""
 
 
 def build(spec: Spec, board_name: str, board: Board, output: Path, interface: str | None = None) -> Built:

@@ -26,7 +26,7 @@ _ICE40_FILTERS = ((17, 1), (26, 2), (44, 3), (66, 4), (101, 5), (133, 6))
 class _Settings(NamedTuple):
     hz: Fraction
     divider: int
-    """Of the input."""
+    """Divider of the input clock."""
     factor: int
     output: int
     """From the oscillator to the output."""

@@ -1,4 +1,4 @@
-"""How the tools of a family of FPGAs are called, and what its pin files look like."""
+"""Calls of the tools of each FPGA family, and the form of its pin files."""
 
 from __future__ import annotations
 
@@ -26,11 +26,11 @@ class Family(NamedTuple):
     pack: Callable[[Board], tuple[str, ...]]
     pin_file: Callable[[Board], str]
     suffix: str
-    """Of the bitstream."""
+    """Suffix of the bitstream's file name."""
     resources: dict[str, str]
-    """What the report calls the cells that nextpnr counts."""
+    """Names that the report gives to the cells that nextpnr counts."""
     pads: str | None = None
-    """Whose registers an FT245 has at its pins, a folder of `gateware/pads`; None: portable ones."""
+    """Folder of `gateware/pads` whose registers an FT245 has at its pins; None: portable ones."""
 
 
 def _pcf(board: Board) -> str:

@@ -34,10 +34,10 @@ _ATTENTION = "No tool of a vendor has read this file yet: see gateware/constrain
 
 
 class Design(NamedTuple):
-    """What a project is of."""
+    """The design that a project is for."""
 
     name: str
-    """Of the project."""
+    """Name of the project."""
     top: str
     generics: dict[str, int]
     sources: list[tuple[str, str | None]]
@@ -52,10 +52,10 @@ class Vendor(NamedTuple):
     opened: str
     """The suffix of the file that is opened."""
     opens: str
-    """How, on a command line."""
+    """Command line that opens the project."""
     files: Callable[[Design], Iterator[GeneratedFile]]
     pads: str | None
-    """Whose registers an FT245 has at its pins, a folder of `gateware/pads`; None: portable ones."""
+    """Folder of `gateware/pads` whose registers an FT245 has at its pins; None: portable ones."""
 
 
 def make_project(spec: Spec, board_name: str, board: Board, output: Path, interface: str | None = None) -> Path:

@@ -1,4 +1,4 @@
-"""How samples get from the event loop to a thread that writes or sends them, so that neither waits for the other."""
+"""Samples carried from the event loop to a thread that writes or sends them, so that neither waits for the other."""
 
 from __future__ import annotations
 

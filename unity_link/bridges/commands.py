@@ -54,11 +54,11 @@ class SignalCommands:
         self._limit: asyncio.Timeout | None = None
 
     def give(self, *commands: Command) -> None:
-        """Have values written; to be called from another thread, which waits while too many do."""
+        """Write values; to be called from another thread, which waits while too many are under way."""
         self._inbox.give(*((command,) for command in commands))
 
     def give_together(self, commands: Sequence[Command]) -> None:
-        """Have values written together; as `give`."""
+        """Write values together; as `give`."""
         if commands:
             self._inbox.give(commands)
 
@@ -138,7 +138,7 @@ class SignalCommands:
             await asyncio.sleep(LOOK_EVERY)
 
     async def _learn(self) -> None:
-        """Tell of the errors of what was posted, unless that takes long."""
+        """Report the errors of what was posted, unless that takes long."""
         if not self._posted:
             return
         self._posted = False

@@ -1,4 +1,4 @@
-"""How a bridge is, in the words of ``diagnostic_msgs``: what `RosBridge` publishes on ``/diagnostics``."""
+"""The state of a bridge in terms of ``diagnostic_msgs``: what `RosBridge` publishes on ``/diagnostics``."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ OK, WARN, ERROR = range(3)
 
 
 class Status(NamedTuple):
-    """What is told at one instant; the fields of ``diagnostic_msgs/DiagnosticStatus``."""
+    """State at one instant, as the fields of ``diagnostic_msgs/DiagnosticStatus``."""
 
     level: int
     name: str

@@ -1,4 +1,4 @@
-"""When samples were taken, by this machine's clock, as true as a link can tell.
+"""Instants at which samples were taken, on this machine's clock, as exact as a link allows.
 
 The gateway's clock tells the distances exactly, and nothing of where it began; an arrival tells the instant, late by as
 much as the sample was on its way. Of all samples the one that was on its way for the shortest time says best when the
@@ -65,7 +65,7 @@ class GatewayTime:
         self._most_slew = most_slew
         self._session = -1
         self._earliest = 0.0
-        """When the gateway's clock was 0, by this machine's, as the quickest of all samples says."""
+        """Instant on this machine's clock at which the gateway's was 0, by the quickest of all samples."""
         self._epoch = 0.0
         """The same, as it is used."""
         self._latest = 0.0

@@ -1,4 +1,4 @@
-"""What a sample is in a recording, and for those who watch as if it were one: JSON.
+"""The JSON of a sample, in recordings and for viewers of samples.
 
 ::
 
@@ -30,7 +30,7 @@ _TYPES = {"b": "boolean", "i": "integer", "u": "integer", "f": "number"}
 
 
 class RecordedMessage(msgspec.Struct):
-    """What is read back of a message."""
+    """A message as it is read back."""
 
     sequence: int
     time: float | None

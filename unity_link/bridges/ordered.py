@@ -20,7 +20,7 @@ FEWEST = 12
 
 
 class Value(NamedTuple):
-    """What is to be written to one signal: checked, and encoded once."""
+    """A value to be written to one signal: checked, and encoded once."""
 
     proxy: Proxy[Any]
     value: Any
@@ -37,7 +37,7 @@ class Value(NamedTuple):
 
 
 Objects = list[list[Value]]
-"""What is written, one object after the other; the values of one object together."""
+"""Values to be written, object by object; those of one object together."""
 
 
 async def write_in_order(objects: Objects, *, posted: bool) -> list[UnityLinkError]:

@@ -1,4 +1,4 @@
-"""Whether a gateway is away, as its link and its samples tell.
+"""The state of a gateway, away or there, as its link and its samples show it.
 
 A link whose connection is lost says so itself. Behind a server the connection stays while the gateway is away, and all
 that tells is that samples do not come which come by themselves. Where none do, the gateway is asked: a server answers
@@ -47,12 +47,12 @@ class Interruption(NamedTuple):
     """Time for which a gateway was away, in seconds of the clock of who looks."""
 
     began: float
-    """When it was heard last."""
+    """Instant at which it was heard last."""
     ended: float
 
 
 class Presence:
-    """Whether a gateway is there, for who looks again and again.
+    """State of a gateway, away or there, for callers that look repeatedly.
 
     Args:
         link: to the gateway.
@@ -61,7 +61,7 @@ class Presence:
 
     def __init__(self, link: Link, now: float) -> None:
         self.away_since: float | None = None
-        """When it was heard last; None while it is there."""
+        """Instant at which it was heard last; None while it is there."""
         self._link = link
         self._reconnections = link.statistics.reconnections
         self._signs = self._answers = 0

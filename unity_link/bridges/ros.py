@@ -1,4 +1,4 @@
-"""What the bridges to ROS 1 and ROS 2 have in common: samples to topics, values from topics, and counts."""
+"""The common part of the bridges to ROS 1 and ROS 2: samples to topics, values from topics, and counts."""
 
 from __future__ import annotations
 
@@ -45,7 +45,7 @@ class Outlet(Protocol):
 
     @property
     def is_wanted(self) -> bool:
-        """Whether anybody subscribes."""
+        """Return whether the topic has a subscriber."""
 
     def send(self, rows: Any, /) -> None:
         """Send messages that are serialised already."""
@@ -148,7 +148,7 @@ class RosBridge(abc.ABC, Generic[AnyOutlet]):
                 presence.look(loop.time(), carrier.received, carrier.rate_hz)
 
     def _give_joints(self, topic: JointCommandTopic, message: Any) -> None:
-        """Have joints set as a message asks; to be called from the thread that has taken it."""
+        """Set joints as a message asks; to be called from the thread that took it."""
         joints = topic.joints
         try:
             if topic.part is None:

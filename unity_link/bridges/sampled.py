@@ -1,4 +1,4 @@
-"""What a robot gives by itself: the groups whose samples bridges carry elsewhere."""
+"""The samples that a robot gives by itself: the groups whose samples bridges carry elsewhere."""
 
 from __future__ import annotations
 

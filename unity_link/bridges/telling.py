@@ -1,4 +1,4 @@
-"""What a bridge tells of faults: each kind of them once, however often it comes."""
+"""Log messages of faults: each kind of them once, however often it comes."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ class Faults:
         self._told: set[str] = set()
 
     def tell(self, text: str) -> None:
-        """Tell of a fault, unless one was told that differs in nothing but numbers."""
+        """Log a fault, unless one was logged that differs in nothing but numbers."""
         kind = _NUMBER.sub("#", text)
         if kind not in self._told and len(self._told) < MOST_KINDS:
             self._told.add(kind)

@@ -38,7 +38,7 @@ class Topic(NamedTuple):
     name: str
     """Relative to the namespace of the bridge."""
     type: str
-    """Of ``std_msgs``: ``Float64``."""
+    """Type of ``std_msgs``: ``Float64``."""
     proxy: Proxy[Any]
 
 
@@ -105,7 +105,7 @@ class JointCommands(NamedTuple):
     """The set points of all joints of a group, to be given together, in SI units."""
 
     names: list[str]
-    """Of the joints, as their states have them."""
+    """Names of the joints, as in their states."""
     parts: dict[str, list[Writable[Any] | None]]
     """Signals by joint, of ``velocity``, ``effort`` and ``position``, in the order in which they are written."""
 

@@ -77,7 +77,7 @@ def _options(
 
 
 _UNWRITABLE = {errno.EBADF, errno.EDQUOT, errno.EFBIG, errno.EIO, errno.ENOSPC, errno.EPIPE}
-"""What a file, pipe or terminal says to a write that it cannot take."""
+"""Errors of a file, pipe or terminal that cannot take a write."""
 
 
 def main(program: typer.Typer = app, name: str = NAME) -> None:

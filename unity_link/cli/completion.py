@@ -1,4 +1,4 @@
-"""What the shell is told when it asks how an argument goes on: URLs that were used before, schemes, ports, signals.
+"""Completions of arguments for the shell: URLs that were used before, schemes, ports, signals.
 
 URLs that a command has used with success are remembered in a file of the user's own, but for those with a token. No
 gateway is asked: completion is quick, and nothing happens on a wire.
@@ -22,9 +22,9 @@ MEMORY_VARIABLE = "UNITY_LINK_MEMORY"
 _MOST = 20
 """URLs that are remembered."""
 _ASKED, _BY_BASH = "_UNITY_LINK_COMPLETE", "complete_bash"
-"""What typer's scripts for shells say in the environment."""
+"""Environment variables that typer's scripts for shells set."""
 _BREAKS = (":", "=")
-"""What breaks words in bash, and is in URLs and assignments."""
+"""Characters that break words in bash and occur in URLs and assignments."""
 _LISTS = ("names", "assignments", "signals")
 """Parameters of commands that are specs and signals."""
 _SUFFIX = ".ul"

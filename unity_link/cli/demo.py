@@ -147,7 +147,7 @@ class Step(msgspec.Struct):
 
 
 class Summary(msgspec.Struct, kw_only=True):
-    """What a run of the demo has seen; times in seconds."""
+    """Results of a run of the demo; times in seconds."""
 
     duration_s: float
     requests: int
@@ -171,7 +171,7 @@ class Summary(msgspec.Struct, kw_only=True):
 
 
 class Demo:
-    """What the demo does on a link, and what it has seen so far."""
+    """A run of the demo on a link, and its results so far."""
 
     def __init__(self, url: str, link: Link, duration: float) -> None:
         self.url = url
@@ -181,7 +181,7 @@ class Demo:
         self.history: deque[tuple[float, list[int]]] = deque(maxlen=int(HISTORY * RATE_HZ))
         """Time of arrival in seconds since the motion began, and the positions in counts."""
         self.targets: list[tuple[float, tuple[float, ...]]] = []
-        """When each pose became the set point, and the pose."""
+        """Instant at which each pose became the set point, and the pose."""
         self.began: float | None = None
         self._link = link
         self._round_trips: list[float] = []
@@ -312,7 +312,7 @@ class Demo:
             await asyncio.sleep(PAUSE)
 
     async def _report(self) -> None:
-        """Tell once a second where the robot is."""
+        """Print the robot's position once a second."""
         from unity_link.virtual import scara
 
         while True:

@@ -82,7 +82,7 @@ def _commands_of(family: str) -> dict[str, Any]:
 
 
 def _convert_sparingly(command: Any, ctx: Any) -> None:
-    """Have typer's converters made only for values that need them.
+    """Make typer's converters only for values that need them.
 
     They are pydantic's, whose import takes a third of the time of a read, and typer asks for one also where there is
     nothing to convert: for an option that was not given, for text. Should a version of it ask in another way, this

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 ROUND_TRIPS = 25
 """Fences that are measured: enough for a median, and quick on a slow serial line."""
 _OF_FRAMES = frozenset({"protocol", "message IDs", "CRC", "blocks", "clock", "FIFOs", "build"})
-"""What a bus that is mapped into memory has none of."""
+"""Rows of `info` that a bus mapped into memory does not have."""
 
 
 def add_to(app: typer.Typer) -> None:
@@ -72,7 +72,7 @@ def _print(url: str, rows: list[tuple[str, str]], round_trip: float) -> None:
 
 
 def describe(gateway: GatewayInfo) -> list[tuple[str, str]]:
-    """Say what a gateway is, as pairs of a name and a text with units."""
+    """Return the description of a gateway, as pairs of a name and a text with units."""
     from unity_link.protocol.configuration import Feature
 
     base = gateway.base_frequency_hz

@@ -32,7 +32,7 @@ if TYPE_CHECKING:
 
 PORT = 8421
 FOXGLOVE_PORT = 8765
-"""Where the Foxglove app looks if nothing else is said."""
+"""Port on which the Foxglove app looks by default."""
 _FOXGLOVE = "Foxglove"
 
 
@@ -105,7 +105,7 @@ def live(  # noqa: PLR0913  (its options)
 
 
 class _Shown:
-    """What the user wants to see."""
+    """Signals and groups that the user wants to see."""
 
     def __init__(
         self, spec: Spec | None, interface: str | None, words: list[int], rate: float, poll: float | None

@@ -1,4 +1,4 @@
-"""What a command prints where.
+"""The output of commands.
 
 stdout has what was asked for, and under `--json` nothing but one JSON object a line. stderr has errors and summaries.
 Colours and moving pictures are for terminals alone; rich sees to that, and to `NO_COLOR`.
@@ -105,4 +105,4 @@ def _console(stream: TextIO) -> Console:
 
 
 _COLOURING = ("FORCE_COLOR", "TTY_COMPATIBLE")
-"""What in the environment has rich colour what is no terminal, too."""
+"""Environment variables by which rich colours output that is no terminal."""

@@ -14,7 +14,9 @@ if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
 
 FARTHEST = 1e300
-"""What plotext draws: where a double does not hold how far limits are apart, it ends the process."""
+"""Bounds of the numbers that plotext can draw: where a double does not hold how far limits are apart, it ends the
+process.
+"""
 DOTS_ACROSS = 2
 DOTS_DOWN = 4
 Rgb = tuple[int, int, int]

@@ -66,7 +66,7 @@ async def _until_signal(command: Coroutine[None, None, None]) -> None:
 
 
 def _end_at_next(watched: list[signal.Signals]) -> None:
-    """Have the program end by the next signal that comes after `PATIENCE`, whatever it is doing then."""
+    """End the program by the next signal that comes after `PATIENCE`, whatever it is doing then."""
     earliest = time.monotonic() + PATIENCE
 
     def end(number: int, _: object) -> None:

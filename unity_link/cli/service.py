@@ -1,4 +1,4 @@
-"""What a command that runs for long tells the service manager that started it: sd_notify of systemd.
+"""Notifications to the service manager that started a command, by sd_notify of systemd.
 
 The protocol is datagrams of ``NAME=value`` lines to the socket that `NOTIFY_SOCKET` names (sd_notify(3)); where it
 names none, nothing is said. `WATCHDOG_USEC` asks for a sign of life within so many microseconds
@@ -44,7 +44,7 @@ class Service:
         return False
 
     def status(self, text: str) -> None:
-        """Tell a status that differs from the last that was taken."""
+        """Send a status, if it differs from the last that was taken."""
         if text != self._told and self.tell(f"STATUS={text}"):
             self._told = text
 

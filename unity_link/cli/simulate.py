@@ -246,7 +246,7 @@ async def _simulate(way: AbstractAsyncContextManager[str], console: Console | No
 
 
 class Console:
-    """What a person, or a program, tells a robot while it is simulated, in lines of the standard input."""
+    """Commands of a person, or a program, to a simulated robot, as lines of the standard input."""
 
     def __init__(self, gateway: BareGateway) -> None:
         self._gateway = gateway

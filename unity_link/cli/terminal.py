@@ -227,7 +227,7 @@ class _Session(_Receiver):
         return self.answered.is_set()
 
     def tell_of_silence(self, line: str, seconds: float) -> None:
-        """Tell the user of it where no answer to `line`, which was sent last, comes within `seconds`."""
+        """Print that no answer to `line`, which was sent last, came within `seconds`, where that is so."""
 
         def tell() -> None:
             if not self.answered.is_set():

@@ -1,4 +1,4 @@
-"""What `watch` shows on a terminal: one row for each address or signal, and its last seconds as a curve."""
+"""The display of `watch` on a terminal: one row for each address or signal, and its last seconds as a curve."""
 
 from __future__ import annotations
 

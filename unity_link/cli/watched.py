@@ -1,4 +1,4 @@
-"""What `watch` watches: the words at addresses, or the signals of a spec."""
+"""The sources of `watch`: the words at addresses, or the signals of a spec."""
 
 from __future__ import annotations
 
@@ -23,10 +23,10 @@ if TYPE_CHECKING:
 
 
 class Watched(Protocol):
-    """What is watched, and how it is written. `names` are known when `subscribe` was called."""
+    """A source of samples and their texts. `names` are known when `subscribe` was called."""
 
     heading: str
-    """What the names are."""
+    """Heading of the column of names."""
     names: Sequence[str]
 
     def subscribe(self, link: Link, rate_hz: float) -> AbstractAsyncContextManager[Stream]:

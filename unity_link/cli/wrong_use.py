@@ -1,4 +1,4 @@
-"""What is wrong with a command line, in one sentence: of the values that typer and pydantic refuse."""
+"""Messages in one sentence for wrong command lines: for the values that typer and pydantic refuse."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     import typer
 
 _UNITS = {"HZ": "Hz", "SECONDS": "seconds", "SAMPLES": "samples"}
-"""What the metavars of options count."""
+"""Units of the metavars of options."""
 
 
 def sentence_about(error: typer.TyperException) -> str:

@@ -112,7 +112,7 @@ class GroupSample(NamedTuple):
     """Instant of arrival in seconds of this machine's clock (`time.time`)."""
     values: Values
     lost: int
-    """How many samples were lost between the one before and this one."""
+    """Number of samples lost between the one before and this one."""
 
     def __getitem__(self, key: Any) -> Any:
         """Return the value of a signal, by its proxy or path; a number counts the fields, as in any tuple."""
@@ -246,7 +246,7 @@ class Batch(Sealed):
 
     @functools.cached_property
     def lost(self) -> NDArray[np.int64]:
-        """How many samples were lost before each, shape (samples,)."""
+        """Number of samples lost before each, shape (samples,)."""
         return np.array([sample.lost for sample in self.samples], np.int64)
 
     @functools.cached_property

@@ -37,7 +37,7 @@ if TYPE_CHECKING:
 
 
 _SHOWN = (Component, Proxy, Module, groups.Group, GroupSubscription, Registration, AsyncGeneratorType)
-"""What is seen through a view; everything else is given as it is."""
+"""Types that are wrapped in a view; everything else is given as it is."""
 
 
 class View(OfLink):

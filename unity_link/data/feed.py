@@ -161,7 +161,7 @@ class Feed:
         self._task: Job | None = None
         self._began = self._deserted = False
         self._starts = 0
-        """How often a task was begun, or cancelled before it began."""
+        """Number of times a task was begun, or cancelled before it began."""
         self._told: set[type[UnityLinkError]] = set()
 
     def listen(
@@ -251,7 +251,7 @@ class Feed:
 
 
 def _fail(listeners: Collection[Listener], error: Exception) -> bool:
-    """Have listeners end with an error, and return whether there is one that it does not reach."""
+    """End listeners with an error, and return whether there is one that it does not reach."""
     for listener in listeners:
         listener.fail(error)
     return any(listener.is_deaf() for listener in listeners)

@@ -37,7 +37,7 @@ if TYPE_CHECKING:
 
 
 class Plan(msgspec.Struct, frozen=True, kw_only=True):
-    """When samples are taken; as the arguments of `unity_link.Link.subscribe`."""
+    """Rate and form of sampling; as the arguments of `unity_link.Link.subscribe`."""
 
     rate_hz: float | None = None
     divisor: int | None = None
@@ -48,9 +48,9 @@ class Plan(msgspec.Struct, frozen=True, kw_only=True):
     group: int | None = None
     """The number in the gateway, where its own trigger counts."""
     polled: bool = False
-    """Whether the host is to read by itself, though the gateway may have groups."""
+    """True if the host is to read by itself, though the gateway may have groups."""
     nearest: bool = False
-    """Whether a rate, or sending at once, that the gateway does not have stands for the nearest that it has."""
+    """True if the nearest rate and mode of the gateway stand for those that it does not have."""
 
     def is_known(self) -> bool:
         """Return whether this tells when samples are taken."""
@@ -135,7 +135,7 @@ class Group(Sealed):
 
     @property
     def model(self) -> model.Group | None:
-        """What the spec says of it; None for a group that a program made."""
+        """Declaration of the group in the spec; None for a group that a program made."""
         return self._model
 
     def _called(self) -> str:
@@ -226,7 +226,7 @@ class Group(Sealed):
         latest: bool = False,
         overflow: Overflow = "drop_oldest",
     ) -> GroupSubscription:
-        """Have all signals sampled again and again, by the gateway where it has groups, else by reads of the host.
+        """Subscribe to all signals, sampled by the gateway where it has groups, else by reads of the host.
 
         Without a rate, a divisor or a trigger, when and how is what the spec says of the group. The arguments are those
         of `unity_link.Link.subscribe`; a host that reads by itself is late where it is busy, has no timestamps, and

@@ -52,7 +52,7 @@ class GroupLayout:
 
     @property
     def link(self) -> Link:
-        """What they are behind; none where they are out of a pickle."""
+        """Link that they are behind; raise an error where they come out of a pickle."""
         return self.proxies[0].link
 
     def check_registers(self) -> None:
@@ -99,7 +99,7 @@ class GroupLayout:
         return dict(zip(self.proxies, self._columns.columns(words), strict=True))
 
     def see_batch(self, batch: Batch, asked: float) -> None:
-        """Have each signal keep its last value of a batch, or call its handlers of changes with each.
+        """Keep each signal's last value of a batch, or call its handlers of changes with each value.
 
         Args:
             batch: is passed over by signals of which something newer was seen while it waited for its reader.

@@ -46,12 +46,12 @@ class _Last(Generic[T]):
 
     def __init__(self) -> None:
         self.callbacks: tuple[Callback[T], ...] = ()
-        """What is called with each other value than before."""
+        """Callbacks for values that differ from the one before."""
         self.value: T | None = None
         self.at = -math.inf
         """Instant by `time.monotonic`."""
         self.batch: Batch | None = None
-        """What has the value, if the last one came in a batch."""
+        """Batch with the value, if the last one came in a batch."""
 
 
 class Proxy(Sealed, Generic[T]):
@@ -64,10 +64,10 @@ class Proxy(Sealed, Generic[T]):
 
     def __init__(self, signal: Signal, robot: Robot, bus: Bus) -> None:
         self.signal = signal
-        """What the spec says of it."""
+        """Declaration of the signal in the spec."""
         self.robot = robot
         self.bus = bus
-        """What it is reached over: the link, or what a module puts before it."""
+        """Bus that it is reached over: the link, or what a module puts before it."""
         self.link = link_under(bus)
         self._names: dict[int, Any] | None = None
         if signal.kind.enumeration is not None:
@@ -100,12 +100,12 @@ class Proxy(Sealed, Generic[T]):
         return _alone, (self.signal, self._names)
 
     def is_alone(self) -> bool:
-        """Whether it is out of a pickle, and of no robot."""
+        """Return whether it comes out of a pickle and belongs to no robot."""
         return type(self) is Proxy
 
     @property
     def path(self) -> str:
-        """How it is reached from its robot: ``legs[2].coxa.cpos``."""
+        """Path from its robot: ``legs[2].coxa.cpos``."""
         return self.signal.path
 
     @property
@@ -235,7 +235,7 @@ def _refuse_as_value(proxy: Proxy[Any], *_: object) -> Never:
 
 _NAMES = "bool int float lt le gt ge add radd sub rsub mul rmul truediv rtruediv neg abs round"
 OPERATORS = tuple(f"__{name}__" for name in _NAMES.split())
-"""Of a value: who uses one on a signal has forgotten to read it."""
+"""Operators of values: who uses one on a signal has forgotten to read it."""
 for _name in OPERATORS:
     setattr(Proxy, _name, _refuse_as_value)
 

@@ -90,7 +90,7 @@ class Robot(Component):
     """A public interface of a spec, behind a link. `unity_link.load` and generated modules make subclasses."""
 
     interface: ClassVar[model.Interface]
-    """What the spec says of it."""
+    """Declaration of the robot in the spec."""
     components: ClassVar[Mapping[str, type[Component]]] = {}
     """The classes of its components by the names of their declarations."""
     enumerations: ClassVar[Mapping[str, type[enum.IntEnum]]] = {}

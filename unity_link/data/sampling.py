@@ -1,4 +1,4 @@
-"""Where samples of a group come from: subscriptions of the gateway, or reads that the host repeats.
+"""The sources of samples of a group: subscriptions of the gateway, or reads that the host repeats.
 
 Both give lists of `Sample` by `take`. A group of several gateways has one source each.
 """
@@ -57,10 +57,10 @@ class SampleSource(Protocol):
         """Wait until there is a sample, or so many, and return all that wait, or so many."""
 
     def give_back(self, samples: Sequence[Sample]) -> None:
-        """Have the samples that were taken last wait again."""
+        """Put the samples that were taken last back, to be taken again."""
 
     async def publish(self) -> None:
-        """Have one sample taken now."""
+        """Ask for one sample now."""
 
     async def __aenter__(self) -> Self: ...
 
@@ -87,7 +87,7 @@ class Poll:
         self._asked = Event()
         self._last: Words | None = None
         self._waiting: deque[Sample] = deque()
-        """What was given back."""
+        """Samples that were given back."""
         self._lost = 0
         self._cut_off = 0
         """Reads that were cancelled: lost where others follow, not where that was the end."""
@@ -109,7 +109,7 @@ class Poll:
         return [await self._next()] if count is None else await so_many(self._next, count, self.give_back)
 
     def give_back(self, samples: Sequence[Sample]) -> None:
-        """Have samples wait again."""
+        """Put samples back, to be taken again."""
         self._waiting.extendleft(reversed(samples))
 
     async def _next(self) -> Sample:
@@ -196,9 +196,9 @@ class GroupSubscription(Sealed):
         self._read = [(layout, source, [-1]) for layout, source in sources]
         """The same, each with the sequence of the last sample that signals have seen."""
         self._batch: Batch | None = None
-        """What iteration has taken last."""
+        """Batch that iteration took last."""
         self._rest: list[GroupSample] = []
-        """What is left of it, the last first."""
+        """Rest of that batch, the last first."""
 
     @property
     def rate_hz(self) -> float | None:
@@ -216,7 +216,7 @@ class GroupSubscription(Sealed):
         return sum(source.received for _, source in self._sources)
 
     async def publish(self) -> None:
-        """Have one sample taken now, of each gateway, besides those that are due by themselves."""
+        """Ask each gateway for one sample now, besides those that are due by themselves."""
         await gather(*(source.publish() for _, source in self._sources))
 
     if not TYPE_CHECKING:  # A type checker refuses them by itself.
@@ -261,7 +261,7 @@ class GroupSubscription(Sealed):
         return first.result()
 
     def _give_back_rest(self) -> None:
-        """Have what iteration has not come to wait again, so that nothing that is taken now is ahead of it."""
+        """Put back the samples that iteration has not reached, so that nothing taken now is ahead of them."""
         if self._rest and self._batch is not None:
             samples = self._batch.samples[-len(self._rest) :]
             self._rest = []

@@ -1,4 +1,4 @@
-"""What is slow or wrong between a program and its gateway, and what to do about it: `unity-link doctor`.
+"""Diagnosis of faults and slowness between a program and its gateway, with advice: `unity-link doctor`.
 
 - `findings`: what is found, in words, with the name of the fault
 - `computer`: Python, packages, drivers, ports, and how soon this computer runs what waits

@@ -1,4 +1,4 @@
-"""What is at the other end where no gateway answers: the own bytes, another speed, another protocol, or nothing."""
+"""Diagnosis of a medium where no gateway answers: the own bytes, another speed, another protocol, or nothing."""
 
 from __future__ import annotations
 
@@ -48,12 +48,12 @@ _LONGEST_QUOTE = 60
 
 
 class Heard(NamedTuple):
-    """What came of what was sent."""
+    """Bytes heard after a question."""
 
     sent: bytes
     data: bytes
     ended: bool
-    """Whether the other end closed the connection."""
+    """True if the other end closed the connection."""
 
 
 class _Listener(asyncio.Protocol):
@@ -99,7 +99,7 @@ async def listen(
 
 
 async def explain_silence(url: DriverUrl, error: ConnectError) -> AsyncIterator[Finding]:
-    """Say why no gateway answers at a medium.
+    """Yield the reasons found for the silence of a gateway at a medium.
 
     Args:
         url: of the medium.

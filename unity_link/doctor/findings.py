@@ -1,4 +1,4 @@
-"""What is found, in words."""
+"""Findings of the doctor, in words."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ import msgspec
 
 
 class Fault(enum.StrEnum):
-    """What can be wrong, by the name that programs may look for."""
+    """Names of faults, which programs may look for."""
 
     MISSING = "missing package"
     PERMISSION = "no permission"
@@ -32,11 +32,11 @@ class Fault(enum.StrEnum):
 
 
 class Finding(msgspec.Struct, frozen=True):
-    """What one check has found."""
+    """Result of one check."""
 
     check: str
     text: str
     fault: Fault | None = None
     """None where nothing is wrong."""
     advice: str = ""
-    """What to do about it."""
+    """Advice to the user."""

@@ -33,12 +33,12 @@ REQUESTS = 2_000
 LONGEST_BURST = 1.5
 """Seconds for all bursts."""
 _FIFO_BYTES_PER_SECOND = 8e6
-"""Of an asynchronous FT245."""
+"""Bytes a second through an asynchronous FT245."""
 _BITS_PER_BYTE = 10
 _LONGEST_ANSWER = 2.0
 """Seconds after which a gateway that has not answered stands still."""
 _REQUEST_BYTES = 10
-"""Of an ``h``, as of its answer."""
+"""Bytes of an ``h``, as of its answer."""
 _SLACK = 5e-3
 """Seconds by which a computer with other work may be slower than the medium."""
 _FEWEST_IN_FIFO = 4
@@ -48,7 +48,7 @@ _LONG_LATENCY = 64
 
 
 class Measured(NamedTuple):
-    """What came of many requests."""
+    """Result of many requests."""
 
     requests: int
     seconds: float
@@ -177,7 +177,7 @@ async def check_send_immediate(url: DriverUrl, info: GatewayInfo) -> Finding:
 
 
 async def _measure(link: Link, rate: float | None) -> Measured:
-    """Have many requests under way, and count what happens."""
+    """Send many requests at a rate, and return counts of their results."""
     before, began = link.statistics, time.perf_counter()
     burst = BURST if rate is None else min(BURST, max(1, int(rate * LONGEST_BURST / 4 / _REQUEST_BYTES)))
     done = 0

@@ -1,4 +1,4 @@
-"""What is made of the gateware's VHDL by a tool that reads it: GHDL, of version 4 or later.
+"""Products that a tool makes of the gateware's VHDL: GHDL, of version 4 or later.
 
 - `cache`: where the VHDL is, where made things are kept, and under which name
 - `sources`: the VHDL and all that belongs to it, for a design of a user's own
@@ -9,4 +9,4 @@
 """
 
 LICENCE = "SPDX-License-Identifier: BSD-3-Clause"
-"""What stands at the top of each source that users copy."""
+"""Licence text at the top of each source that users copy."""

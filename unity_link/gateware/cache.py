@@ -1,4 +1,4 @@
-"""Where made things are kept, and under which name: a hash of everything that they were made from."""
+"""The cache of made files, each named by a hash of everything that it was made from."""
 
 from __future__ import annotations
 

@@ -30,7 +30,7 @@ _LOADER = "usr/lib64/ld-linux-x86-64.so.2"
 
 @dataclasses.dataclass(frozen=True)
 class Ghdl:
-    """How to run one GHDL."""
+    """A GHDL, and the command line that runs it."""
 
     command: tuple[str, ...]
     environment: dict[str, str]

@@ -1,4 +1,4 @@
-"""What the gateware refuses at its elaboration, said before any tool is started, and in the words of who asked for it.
+"""Limits of the gateware, checked before any tool is started, in terms of the caller's options.
 
 The assertions of `gateware/rtl` have the last word; a test holds these rules equal to them.
 """

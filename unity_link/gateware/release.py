@@ -35,7 +35,7 @@ class Port(NamedTuple):
     width: int
     is_input: bool
     default: str
-    """What Verilog ties an input to that may be left alone; empty for all others."""
+    """Value that Verilog ties an unconnected input to; empty for inputs that must be connected."""
 
 
 def release(

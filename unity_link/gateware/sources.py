@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 _TAKEN = ("rtl/**/*.vhd", "pads/**/*.vhd", "constraints/**/*", "import/*", "unity_link.f", "unity_link.core")
 _LICENCES = (GATEWARE / "LICENSE", GATEWARE.parent / "LICENSE")
-"""Where an installed package has it, and where the project has."""
+"""Paths of the licence, in an installed package and in the project."""
 
 
 def gateware_files() -> dict[str, str]:

@@ -1,4 +1,4 @@
-"""How the tools of vendors are told of a VHDL file, each in its own words: Tcl, or a line of Quartus' settings."""
+"""Lists of VHDL files for the tools of vendors: in Tcl, or as lines of Quartus' settings."""
 
 from __future__ import annotations
 

@@ -47,11 +47,11 @@ class GeneratedFile(NamedTuple):
     """Its path in the directory that is written to, with slashes."""
     text: str
     executable: bool = False
-    """Whether it is a program."""
+    """True if it is a program."""
 
 
 class Target(Protocol):
-    """What the module of a target offers."""
+    """Interface of a target's module."""
 
     DOC: str
 

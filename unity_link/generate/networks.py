@@ -22,7 +22,7 @@ class Network(NamedTuple):
     """Address of CTRL, or the parameter of the interface that gives it."""
     comm: int | str | None
     addresses: tuple[int, ...]
-    """Of all words that signals and named modules write, ascending."""
+    """Addresses of all words that signals and named modules write, ascending."""
 
 
 def networks(interface: Interface) -> list[Network]:

@@ -1,4 +1,4 @@
-"""What a module stands on: addresses that can be read and written as those of a link."""
+"""The bus below a module: addresses that can be read and written as those of a link."""
 
 # ruff: noqa: D102  (the methods are those of `unity_link.Link`, which says what they do)
 

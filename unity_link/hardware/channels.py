@@ -1,4 +1,4 @@
-"""What modules of several like channels share: channel n is the word at offset n."""
+"""The common part of modules of several like channels: channel n is the word at offset n."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What all hardware modules have in common: addresses that count from the module's own first word.
+"""The common part of all hardware modules: addresses that count from the module's own first word.
 
 A module stands on a `Bus`, and gives one to what stands in it: the link itself, or what an outer module puts before
 it, as a TosNet network does to commit what was written.
@@ -39,7 +39,7 @@ class Module(Sealed):
     """
 
     SIZE: ClassVar[int | None] = None
-    """How many words modules of this kind take, where that is always the same."""
+    """Number of words of modules of this kind, where it is always the same."""
 
     def __init_subclass__(cls, *, word: str | None = None, slots: Sequence[ArgumentSlot] = (), **options: Any) -> None:
         super().__init_subclass__(**options)
@@ -57,7 +57,7 @@ class Module(Sealed):
             parameters: what else a spec says of the module, in small letters; subclasses name theirs.
         """
         self.outer = bus
-        """What it stands on."""
+        """Bus below the module."""
         self.link = link_under(bus)
         self.base = base
         self.size = self.SIZE if size is None else size
@@ -81,7 +81,7 @@ class Module(Sealed):
 
     @property
     def bus(self) -> Bus:
-        """What signals and modules inside of this one are to be reached over."""
+        """Bus for the signals and modules inside of this one."""
         return self.outer
 
     def address(self, offset: int, count: int = 1) -> int:
@@ -129,7 +129,7 @@ class Module(Sealed):
     def subscribe(
         self, offsets: Sequence[int], *, callback: Callable[[Sample], object] | None = None, **options: Any
     ) -> Subscription:
-        """Have the gateway sample offsets by itself; `unity_link.Link.subscribe` documents the options."""
+        """Subscribe to offsets that the gateway samples; `unity_link.Link.subscribe` documents the options."""
         return self.link.subscribe([self.address(offset) for offset in offsets], callback=callback, **options)
 
 

@@ -63,16 +63,16 @@ _LOST_CYCLES = 1000
 
 
 class TosnetState(msgspec.Struct, frozen=True, kw_only=True):
-    """What a network says of itself; the counters count since the FPGA was configured."""
+    """State of a network; the counters count since the FPGA was configured."""
 
     online: bool
-    """Whether the network is configured and running."""
+    """True if the network is configured and running."""
     is_master: bool
-    """Whether the gateway's node is the one that sends the packets."""
+    """True if the gateway's node is the one that sends the packets."""
     packet_error: bool
-    """Whether the last packet was damaged."""
+    """True if the last packet was damaged."""
     system_halt: bool
-    """Whether there were too many cycles without a commit."""
+    """True if there were too many cycles without a commit."""
     resets: int
     packets: int
     errors: int
@@ -140,7 +140,7 @@ class TosnetNetwork(Module, word="TOSNET"):
         )
 
     async def commit_read(self) -> None:
-        """Have the newest packet shown to reads, and wait until it is; for gateware that does not by itself.
+        """Show the newest packet to reads, and wait until it is shown; for gateware that does not by itself.
 
         Raises:
             ArgumentError: where no CTRL was given.
@@ -203,7 +203,7 @@ class TosnetNode(Module, word="TOSNET_NODE"):
 
 
 class _Written:
-    """What was ever written to a network over a link, by address."""
+    """Words ever written to a network over a link, by address."""
 
     def __init__(self) -> None:
         self.words: dict[int, int] = {}

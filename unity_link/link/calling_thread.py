@@ -42,7 +42,7 @@ LONGEST_WAIT = 1e9
 
 
 class CallWaiter(Result):
-    """What a call awaits."""
+    """Awaitable of a call."""
 
     __slots__ = ()
 
@@ -60,9 +60,9 @@ class _Run:
 
     def __init__(self) -> None:
         self.waiter: CallWaiter | None = None
-        """What it waits for, or waited for last."""
+        """Waiter that it waits for, or waited for last."""
         self.deadline: float | None = None
-        """When the innermost `timeout` that it is in ends."""
+        """Instant at which the innermost `timeout` around it ends."""
 
 
 class _Job(_Run):
@@ -93,7 +93,7 @@ class _Job(_Run):
                 waiter.cancel()
 
     def cancel(self) -> None:
-        """Have it end at its next wait."""
+        """End it at its next wait."""
         self._cancelled = True
         if self.waiter is not None:
             self.waiter.cancel()
@@ -120,9 +120,9 @@ class CallingThread:
         self.ended = ()
         self._lock = threading.RLock()
         self.is_running_here: Callable[[], bool] = self._lock._is_owned  # type: ignore[attr-defined]  # noqa: SLF001
-        """Whether this thread runs something of the link now."""
+        """True if this thread runs something of the link now."""
         self._polling = False
-        """Whether a thread polls, for all."""
+        """True if a thread polls, for all."""
         self._poller = Poller()
         self._parked: list[threading.Lock] = []
         """One for each thread that waits for another; to release it wakes the thread."""
@@ -131,7 +131,7 @@ class CallingThread:
         self.call_at = self._timers.call_at
         self._handlers: dict[int, Callable[[int], None]] = {}
         self.running = _Run()
-        """What runs now."""
+        """Call that runs now."""
         self._relays: list[Relay] = []
         self._closed = False
         self._attended = 0
@@ -215,7 +215,7 @@ class CallingThread:
                     waiter.on_done = self._stir
 
     def _hand_over(self) -> None:
-        """Have another thread poll."""
+        """Wake another thread, to poll in place of this one."""
         if self._polling:
             return
         if self._parked:
@@ -254,7 +254,7 @@ class CallingThread:
             raise interruption
 
     def _stir(self) -> None:
-        """Have the thread that polls look again at what there is to wait for."""
+        """Wake the thread that polls, so that it looks again at what there is to wait for."""
         if self._polling:
             self._send_byte()
 
@@ -305,7 +305,7 @@ class CallingThread:
 
     @asynccontextmanager
     async def timeout(self, seconds: float) -> AsyncIterator[None]:
-        """Have the block raise TimeoutError after some time."""
+        """Raise TimeoutError in the block after some time."""
         run, expired = self.running, False
 
         def expire() -> None:
@@ -369,7 +369,7 @@ class CallingThread:
                 self._polling = False
 
     def end(self) -> None:
-        """Have no thread poll any more but for a call, when the link has ended."""
+        """Stop polling but for calls, when the link has ended."""
         with self._lock:
             self._closed, self._attended = True, 0
             self._stir()
@@ -386,7 +386,7 @@ class CallingThread:
     # Polling without a call
 
     def attend(self) -> None:
-        """Have a thread poll while no call does, until `leave` is called as often."""
+        """Poll in a thread while no call does, until `leave` is called as often."""
         self._attended += 1
         if self._attendant is None:
             self._attendant = threading.Thread(target=self._attend, name="unity_link.blocking", daemon=True)

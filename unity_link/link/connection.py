@@ -51,7 +51,7 @@ _SEED_BITS = 16
 
 
 class Reconnect(msgspec.Struct, frozen=True, kw_only=True):
-    """How a lost connection is opened again: with pauses that double from `first_pause` to `longest_pause` seconds.
+    """Reopening of a lost connection: with pauses that double from `first_pause` to `longest_pause` seconds.
 
     Each attempt may take as long as the first one might, the ``timeout`` of `connect`.
     """
@@ -88,7 +88,7 @@ class Connection:
     """
 
     gateway: GatewayInfo
-    """What the gateway says of itself."""
+    """Description of the gateway, as it answers `Q`."""
 
     def __init__(
         self,
@@ -105,7 +105,7 @@ class Connection:
         self._now = self._runtime.time
         self._new_waiter = self._runtime.create_future
         self.any_map = isinstance(target, DriverUrl) and target.any_map
-        """Whether robots of another map than the gateway's are taken."""
+        """True if robots of another map than the gateway's are taken."""
         self._session = Session(node_of(target), choose_seed, resumes=resumes or reconnect is not None)
         self._flow = Flow(self._session, self._runtime, self._disconnected)
         handlers: dict[type, Callable[[Any], None]] = {
@@ -118,7 +118,7 @@ class Connection:
         self._opened: Waiter = self._new_waiter()
         """Done when the connection that is being opened is of use, or is known not to be."""
         self._opening = False
-        """Whether `open` is under way."""
+        """True if `open` is under way."""
         self._open_timeout = CONNECT_TIMEOUT
         """Seconds that an attempt to open the connection again may take."""
         self._restored: Waiter = self._new_waiter()
@@ -150,12 +150,12 @@ class Connection:
 
     @property
     def name(self) -> str:
-        """What messages call the gateway: its URL."""
+        """Name of the gateway in messages: its URL."""
         return self._name
 
     @property
     def connected(self) -> bool:
-        """Whether there is a session now; not while it is being opened again, nor after the end."""
+        """Return whether there is a session now; not while it is being opened again, nor after the end."""
         return self._session.is_open
 
     def _disconnected(self, reason: Exception | None) -> None:

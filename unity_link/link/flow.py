@@ -31,7 +31,7 @@ _LATE = 0.05
 
 
 class Flow:
-    """What passes between a session and the streams of its connections, one at a time.
+    """Traffic between a session and the streams of its connections, one at a time.
 
     Args:
         session: of one link.
@@ -46,9 +46,9 @@ class Flow:
         self.stream: Stream | None = None
         """That of the connection, None while there is none."""
         self.seat: Seat | None = None
-        """Where nodes share the medium: the link's place, whose turn is waited for."""
+        """Seat of the link, where nodes share the medium; its turn is waited for."""
         self.handlers: dict[type, Callable[[Any], None]] = dict.fromkeys((Request, Fence, Batch), settle)
-        """What each kind of event of the session is given to."""
+        """Handler of each kind of event of the session."""
         self.disconnected = disconnected
         self.now = runtime.time
         self.create_future, self._create_lone_future = runtime.create_future, runtime.create_lone_future
@@ -56,17 +56,17 @@ class Flow:
         self._runtime = runtime
         self._timer: Timer | None = None
         self._timer_at = math.inf
-        """When `_timer` is due."""
+        """Instant at which `_timer` is due."""
         self._turn_timer: Timer | None = None
         self._flushing = False
-        """Whether what the session has to send is sent when what runs now waits."""
+        """True if the output of the session is sent when what runs now waits."""
         self._bytes_before = (0, 0)
         """Sent and received on the streams before this one."""
 
     # Requests
 
     def submit(self, source: Source) -> None:
-        """Have the session send what a source has.
+        """Submit the requests of a source to the session.
 
         Raises:
             LinkLostError: where the link has ended.
@@ -81,7 +81,7 @@ class Flow:
             self._send()
 
     def ask(self, request: Request) -> Waiter:
-        """Have the session send a request that has an answer, and return what awaits that.
+        """Submit a request that has an answer to the session, and return the waiter for that.
 
         Raises:
             LinkLostError: where the link has ended.
@@ -104,7 +104,7 @@ class Flow:
         return waiter
 
     async def answer(self, request: Request | Batch) -> Any:
-        """Have a request done, and return its answer; one that is cancelled is given up."""
+        """Execute a request, and return its answer; one that is cancelled is given up."""
         if isinstance(request, Request):
             waiter = self.ask(request)
         else:
@@ -257,7 +257,7 @@ class Flow:
     # Time
 
     def _set_timer(self) -> None:
-        """Have `_tick` called by the session's deadline; a timer that comes too early sets itself again."""
+        """Set the timer for the session's deadline; one that comes too early sets itself again."""
         deadline = self.session.deadline
         if self._timer is not None:
             if deadline is None or self._timer_at <= deadline:

@@ -1,4 +1,4 @@
-"""What notebooks show in place of a `repr`: small tables. Nothing is asked of a gateway for them."""
+"""The HTML that notebooks show in place of a `repr`: small tables. Nothing is asked of a gateway for them."""
 
 from __future__ import annotations
 

@@ -62,7 +62,7 @@ _SEND_IMMEDIATE: dict[str, int] = {"off": 0, "always": 1, "adaptive": 2}
 
 
 class Statistics(msgspec.Struct, frozen=True, kw_only=True):
-    """What a link has seen since it was opened."""
+    """Counters of a link since it was opened."""
 
     requests: int
     """Requests sent, repetitions not counted."""
@@ -73,7 +73,7 @@ class Statistics(msgspec.Struct, frozen=True, kw_only=True):
     repetitions: int
     """Requests sent again."""
     timeouts: int
-    """How often a repetition was due to silence."""
+    """Number of repetitions that were due to silence."""
     errors: int
     """Responses that were errors of the bus or out of range."""
     damaged_frames: int
@@ -183,7 +183,7 @@ class Link(OfLink, Connection):
 
     @property
     def statistics(self) -> Statistics:
-        """What the link has seen since it was opened."""
+        """Counters of the link since it was opened."""
         counters = self._session.counters
         return Statistics(
             requests=counters.requests,
@@ -292,7 +292,7 @@ class Link(OfLink, Connection):
         await self._flow.answer(Fence(self._flow.codec, of_session=leaving))
 
     async def _ping(self) -> None:
-        """Have the gateway answer, which changes nothing.
+        """Ask the gateway for an answer, which changes nothing.
 
         Raises:
             BusTimeoutError: where a server answers, whose gateway is away.
@@ -409,7 +409,7 @@ class Link(OfLink, Connection):
         overflow: Overflow = "drop_oldest",
         callback: Callable[[Sample], object] | None = None,
     ) -> Subscription:
-        """Have the gateway sample addresses by itself, all in one atomic bus transaction.
+        """Subscribe to addresses that the gateway samples by itself, all in one atomic bus transaction.
 
         Args:
             addresses: one address, or up to ``gateway.group_words``.
@@ -483,7 +483,7 @@ class Link(OfLink, Connection):
     # The inside
 
     async def _ask(self, command: str, *values: Any) -> None:
-        """Have a request done that is answered by an acknowledgement."""
+        """Execute a request that is answered by an acknowledgement."""
         codec = self._flow.codec
         await self._flow.answer(Request(codec, command, codec.fields(command, *values), 0))
 
@@ -499,7 +499,7 @@ class Link(OfLink, Connection):
             raise
 
     async def _post_answered(self, posted: Request | Batch) -> None:
-        """Have writes done that are answered, with their error kept as that of posted ones."""
+        """Execute writes that are answered, and keep their errors as those of posted ones."""
         try:
             await self._flow.answer(posted)
         except UnityLinkError as error:
@@ -526,7 +526,7 @@ class Link(OfLink, Connection):
         )
 
     async def _all(self, requests: list[Request]) -> list[Any]:
-        """Have requests done in order, and return their answers; if one fails, the rest is not waited for."""
+        """Execute requests in order, and return their answers; if one fails, the rest is not waited for."""
         if len(requests) == 1:
             return [await self._flow.answer(requests[0])]
         waiters = []
@@ -610,7 +610,7 @@ def check_mode(mode: SendImmediate) -> None:
 
 
 class Connecting:
-    """What `connect` gives: await it for a `Link`, or use it as an async context manager."""
+    """Result of `connect`: await it for a `Link`, or use it as an async context manager."""
 
     def __init__(self, target: str | Medium, timeout: float, reconnect: Reconnect | None) -> None:
         self._target = target

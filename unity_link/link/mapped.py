@@ -72,7 +72,7 @@ class MappedLink(Link):
 
     @property
     def connected(self) -> bool:
-        """Whether the bus is mapped."""
+        """Return whether the bus is mapped."""
         return self._words_at is not _CLOSED
 
     async def _done(self, accesses: int) -> None:
@@ -217,7 +217,7 @@ _CLOSED = _Closed()
 
 
 class Polling(Publishing):
-    """What the subscriptions of a mapped link share: the host reads their words by a timer of its own.
+    """Polling for all subscriptions of a mapped link: the host reads their words by a timer of its own.
 
     The time of a sample is that of the host when its words were read.
 
@@ -241,7 +241,7 @@ class Polling(Publishing):
 
     @property
     def info(self) -> GatewayInfo:
-        """What is known of the bus."""
+        """Description of the bus, as far as it is known."""
         return self._bus.info
 
     def start(self, codec: Codec) -> None:

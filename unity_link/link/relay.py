@@ -23,7 +23,7 @@ T = TypeVar("T")
 
 
 class Home(Protocol):
-    """What runs the link."""
+    """Event loop and thread that run the link."""
 
     def create_future(self) -> Waiter:
         """Return what a call can await."""
@@ -52,7 +52,7 @@ def run_in_loop(function: Callable[[], Coroutine[Any, Any, T]]) -> T:
 
 
 def complete(waiter: Waiter, error: BaseException | None = None) -> None:
-    """Have what awaits a waiter go on, if it has not been given up."""
+    """Complete a waiter, if it has not been given up."""
     if waiter.done():
         return
     if error is None:
@@ -99,7 +99,7 @@ class Relay(asyncio.Transport):
 
     @property
     def has_ended(self) -> bool:
-        """Whether its thread has ended."""
+        """Return whether its thread has ended."""
         return self._thread.ident is not None and not self._thread.is_alive()
 
     # In the thread of the link
@@ -194,7 +194,7 @@ class Relay(asyncio.Transport):
 
     @property
     def stream(self) -> Stream:
-        """What takes what arrives."""
+        """Receiver of what arrives."""
         return self._stream
 
 

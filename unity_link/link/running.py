@@ -1,4 +1,4 @@
-"""What code that is built on links waits by, in every kind of program.
+"""Waiting primitives of code that is built on links, for every kind of program.
 
 In asyncio it is asyncio's own; elsewhere what runs the link has it.
 """
@@ -23,9 +23,9 @@ if TYPE_CHECKING:
     from unity_link.link.runtime import Runtime, Waiter
 
 STRUCTURED: ContextVar[Runtime] = ContextVar("STRUCTURED")
-"""What runs the link of the innermost block, under trio."""
+"""Runtime of the links of the innermost block, under trio."""
 CALLING: WeakSet[CallingThread] = WeakSet()
-"""What runs the links of blocking code."""
+"""Runtimes of the links of blocking code."""
 
 
 def running() -> Runtime:
@@ -53,7 +53,7 @@ def _calling() -> list[CallingThread]:
 
 
 async def gather(*coroutines: Coroutine[Any, Any, Any]) -> list[Any]:
-    """Have all done, at once where that can be and in turn otherwise, and return their results.
+    """Await all, together where that can be and in turn otherwise, and return their results.
 
     Raises:
         Exception: the first error; the others are done all the same.
@@ -85,7 +85,7 @@ class Event:
         self._waiters: list[Waiter] = []
 
     def set(self) -> None:
-        """Have those go on who wait."""
+        """Wake those who wait."""
         self._set = True
         for waiter in self._waiters:
             if not waiter.done():

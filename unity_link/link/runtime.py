@@ -1,4 +1,4 @@
-"""What runs a link: the clock, the timers and the futures that `Connection` and `Link` wait by.
+"""The runtime of a link: the clock, the timers and the futures that `Connection` and `Link` wait by.
 
 Their coroutines are the same in every kind of program. `AsyncioRuntime` is the event loop that they were called in;
 `calling_thread` runs them in the threads of blocking code, and `structured` in a task group of anyio, so under trio.
@@ -35,22 +35,22 @@ def report(message: str, error: BaseException) -> None:
 
 
 class Waiter(Protocol):
-    """What a call awaits: as much of `asyncio.Future` as links need."""
+    """Awaitable of a call: as much of `asyncio.Future` as links need."""
 
     def done(self) -> bool:
-        """Whether there is a result or an error, or it was cancelled."""
+        """Return whether there is a result or an error, or it was cancelled."""
 
     def cancelled(self) -> bool:
-        """Whether it was cancelled."""
+        """Return whether it was cancelled."""
 
     def cancel(self) -> bool:
         """Cancel it, and return whether it was not done before."""
 
     def set_result(self, result: Any, /) -> None:
-        """Have what awaits it go on with a result."""
+        """Resume the awaiting call with a result."""
 
     def set_exception(self, exception: BaseException, /) -> None:
-        """Have what awaits it go on with an error."""
+        """Resume the awaiting call with an error."""
 
     def exception(self) -> BaseException | None:
         """Return the error of one that is done."""
@@ -60,21 +60,21 @@ class Waiter(Protocol):
 
 
 class Timer(Protocol):
-    """What is to be called at a time."""
+    """Call that is due at a time."""
 
     def cancel(self) -> None:
-        """Have it not called."""
+        """Cancel the call."""
 
 
 class Job(Protocol):
     """A coroutine that runs beside the calls."""
 
     def cancel(self) -> Any:
-        """Have it end at its next wait."""
+        """End it at its next wait."""
 
 
 class Runtime(Protocol):
-    """What runs a link."""
+    """Runtime of a link."""
 
     @property
     def ended(self) -> Sequence[object]:
@@ -90,7 +90,7 @@ class Runtime(Protocol):
         """Return the same for a request that is alone in flight; it goes on at `wake`."""
 
     def wake(self) -> None:
-        """Have those go on who await the futures of lone requests that are done."""
+        """Resume those who await the futures of lone requests that are done."""
 
     def call_soon(self, function: Callable[[], object], /) -> Any:
         """Call a function when what runs now waits."""
@@ -143,7 +143,7 @@ class _ShortTimer:
         self._handle: asyncio.Handle = loop.call_soon(self._turn)
 
     def cancel(self) -> None:
-        """Have the function not called."""
+        """Cancel the call."""
         self._handle.cancel()
 
     def _turn(self) -> None:
@@ -159,7 +159,7 @@ class _ShortTimer:
 
 
 class LoneFuture(Result):
-    """What a task awaits whose request is alone in flight: where it is woken, the task goes on at once.
+    """Future of a request that is alone in flight: where it is woken, the task goes on at once.
 
     With asyncio's own future it would go on in the next turn of the event loop: two turns, and two polls, for each
     answer. To the task it is one; this is all that tasks ask of a future (`asyncio.isfuture`). Where many are under
@@ -198,7 +198,7 @@ class LoneFuture(Result):
         self._ended.append(self)
 
     def wake(self) -> None:
-        """Have the task go on now; in the next turn of the loop where another runs at this moment."""
+        """Resume the task now; in the next turn of the loop where another runs at this moment."""
         step, context = self._step, self._context
         if step is None or context is None:
             # The task has not come to wait yet.
@@ -249,9 +249,9 @@ class _LoopSpinner:
     def __init__(self) -> None:
         self._spinning = Spinning()
         self.awaited = 0
-        """How many answers to lone requests are awaited."""
+        """Number of answers to lone requests that are awaited."""
         self._is_planned = False
-        """Whether the loop looks again in its next turn."""
+        """True if the loop looks again in its next turn."""
         self._until = self._looked_at = 0.0
 
     def begin(self, loop: asyncio.AbstractEventLoop) -> float:
@@ -297,10 +297,10 @@ class AsyncioRuntime:
         self.call_soon_threadsafe = loop.call_soon_threadsafe
         self._loop = loop
         self.ended: list[LoneFuture] = []
-        """Of lone requests, those that are done, and whose tasks are to go on."""
+        """Futures of lone requests that are done, and whose tasks are to be resumed."""
         self._spinner = _spinners.setdefault(loop, _LoopSpinner())
         self._asked_at = 0.0
-        """When the last lone request was sent."""
+        """Instant at which the last lone request was sent."""
         self.create_task = loop.create_task
         self.timeout = asyncio.timeout
         self.sleep = asyncio.sleep
@@ -313,7 +313,7 @@ class AsyncioRuntime:
         return future
 
     def wake(self) -> None:
-        """Have those tasks go on now whose lone requests are done."""
+        """Resume the tasks whose lone requests are done."""
         ended = self.ended
         self._spinner.end(self._loop, self._asked_at)
         while ended:

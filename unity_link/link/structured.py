@@ -33,7 +33,7 @@ if TYPE_CHECKING:
 
 
 class TaskWaiter(Result):
-    """What a call awaits."""
+    """Awaitable of a call."""
 
     __slots__ = ("_event",)
 
@@ -70,7 +70,7 @@ class _TaskJob:
             self.ended.set()
 
     def cancel(self) -> None:
-        """Have it end at its next wait."""
+        """End it at its next wait."""
         self._scope.cancel()
 
 
@@ -152,7 +152,7 @@ class Structured:
 
     @asynccontextmanager
     async def timeout(self, seconds: float) -> AsyncIterator[None]:
-        """Have the block raise TimeoutError after some time."""
+        """Raise TimeoutError in the block after some time."""
         with anyio.fail_after(seconds):
             yield
 

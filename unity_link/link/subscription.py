@@ -74,7 +74,7 @@ class Sample(msgspec.Struct, frozen=True, gc=False):
     values: Words
     """The words, in the order of the addresses; shape (addresses,)."""
     lost: int
-    """How many samples were lost between the one that was read before and this one, but for an interruption."""
+    """Number of samples lost between the one that was read before and this one, but for an interruption."""
     epoch: int = 0
     """Number of the link's session that it came in: 0, and one more after each reconnection."""
 
@@ -97,7 +97,7 @@ class GatewayClock:
         self._ticks: int | None = None
         self._at = 0.0
         self._offset = 0
-        """What is added to timestamps since a reset of the gateway, in ticks."""
+        """Ticks added to timestamps since a reset of the gateway."""
         self._resumed = False
 
     def resume(self) -> None:
@@ -135,7 +135,7 @@ class GatewayClock:
 
 
 class Schedule(msgspec.Struct, frozen=True):
-    """When and what a group publishes."""
+    """Times and form of a group's samples."""
 
     addresses: tuple[int, ...]
     divisor: int
@@ -145,7 +145,7 @@ class Schedule(msgspec.Struct, frozen=True):
 
 
 class Publishing:
-    """What the subscriptions of one link share: the way to the gateway's groups, the time, and the counts.
+    """Publication for all subscriptions of one link: the way to the gateway's groups, the time, and the counts.
 
     Args:
         flow: of the link.
@@ -169,7 +169,7 @@ class Publishing:
             GroupStarted: lambda event: event.group.owner.started(),
             GroupRefused: lambda event: event.group.owner.refused(event.error),
         }
-        """What is to be called for each class of events."""
+        """Handler of each class of events."""
 
     def _receive_together(self, event: SampledTogether) -> None:
         """Take samples of several subscriptions that arrived together: the same as `receive` of each, in order."""
@@ -195,7 +195,7 @@ class Publishing:
 
     @property
     def info(self) -> GatewayInfo:
-        """What the gateway says of itself."""
+        """Description of the gateway, as it answers `Q`."""
         return self._session.codec.info
 
     @property
@@ -261,12 +261,12 @@ class Publishing:
                 await waiter
 
     async def publish(self, group: HeldGroup) -> None:
-        """Have a group published once, now."""
+        """Ask for one sample of a group now."""
         await self._flow.answer(Request(self._session.codec, "GP", group.text, 0))
 
 
 class Intake:
-    """What comes of one group: samples are counted, and kept for their reader or given to a callback.
+    """Receiver of the samples of one group: samples are counted, and kept for their reader or given to a callback.
 
     Apart from `Subscription` for the sake of speed, too: `flow` says why.
 
@@ -294,14 +294,14 @@ class Intake:
         self.length = 0
         """Characters of a publish."""
         self.words_at = HEAD
-        """How many of them stand before the words."""
+        """Number of characters before the words."""
         self.buffer: deque[Sample] = deque()
         self.error: UnityLinkError | None = None
         """Why there are no more samples, behind those that wait."""
         self.ended = False
-        """Whether the reader wants no more."""
+        """True if the reader wants no more."""
         self.holder: object = None
-        """What is not garbage as long as the group is set up."""
+        """Object that is alive as long as the group is set up."""
         self.started_up: Waiter | None = None
         """While the group is being set up: done when samples come."""
         self._publishing = publishing
@@ -334,7 +334,7 @@ class Intake:
         return sample
 
     def give_back(self, samples: Sequence[Sample]) -> None:
-        """Have the samples that were taken last wait again."""
+        """Put the samples that were taken last back, to be taken again."""
         if self._dropped and self.buffer:
             # What was dropped stood behind these.
             self.buffer.appendleft(self.next())
@@ -540,7 +540,7 @@ class Intake:
                 report(what, error)
 
     def wake(self) -> None:
-        """Have the reader look again at what there is."""
+        """Wake the reader, to look again at what there is."""
         if self._waiter is not None and not self._waiter.done():
             self._waiter.set_result(None)
 
@@ -580,7 +580,7 @@ class Subscription(OfLink):
 
     _group: Any = None
     _waits_for_block = False
-    """Whether it has a callback, and nothing was done yet to have that called."""
+    """True if it has a callback, and its call was not arranged yet."""
 
     def __del__(self) -> None:
         """Warn of one that was not closed, and of one whose callback was never to be called."""
@@ -623,7 +623,7 @@ class Subscription(OfLink):
         return self._intake.lost
 
     async def publish(self) -> None:
-        """Have one sample taken now, besides those that are due by themselves."""
+        """Ask for one sample now, besides those that are due by themselves."""
         if self._group is None:
             raise ArgumentError(NOT_OPEN)
         await self._publishing.publish(self._group)
@@ -681,7 +681,7 @@ class Subscription(OfLink):
         return [intake.next() for _ in range(len(intake.buffer))]
 
     def give_back(self, samples: Sequence[Sample]) -> None:
-        """Have the samples that were taken last wait again; those that there is no room for are lost, and counted."""
+        """Put the samples that were taken last back; those without room are lost, and counted."""
         self._intake.give_back(samples)
 
 

@@ -10,7 +10,7 @@ if TYPE_CHECKING:
 
 
 class PendingCall:
-    """What is to be called at a time."""
+    """Call that is due at a time."""
 
     def __init__(self, timers: Timers, when: float, function: Callable[[], object]) -> None:
         self._timers = timers
@@ -18,7 +18,7 @@ class PendingCall:
         self.function = function
 
     def cancel(self) -> None:
-        """Have it not called."""
+        """Cancel the call."""
         self._timers.drop(self)
 
 
@@ -32,7 +32,7 @@ class Timers:
 
     def __init__(self, time: Callable[[], float], stir: Callable[[], object]) -> None:
         self.due = math.inf
-        """When the first is to be called."""
+        """Instant at which the first is to be called."""
         self._time = time
         self._stir = stir
         self._pending: list[PendingCall] = []

@@ -1,4 +1,4 @@
-"""What a call awaits where there is no event loop: as much of `asyncio.Future` as links need."""
+"""The awaitable of calls where there is no event loop: as much of `asyncio.Future` as links need."""
 
 from __future__ import annotations
 
@@ -22,11 +22,11 @@ class Result:
         """Is called when there is a result or an error."""
 
     def done(self) -> bool:
-        """Whether there is a result or an error, or it was cancelled."""
+        """Return whether there is a result or an error, or it was cancelled."""
         return self._done
 
     def cancelled(self) -> bool:
-        """Whether it was cancelled."""
+        """Return whether it was cancelled."""
         return isinstance(self._error, asyncio.CancelledError)
 
     def cancel(self) -> bool:
@@ -37,12 +37,12 @@ class Result:
         return True
 
     def set_result(self, result: Any, /) -> None:
-        """Have what awaits it go on with a result."""
+        """Resume the awaiting call with a result."""
         self._result = result
         self._end()
 
     def set_exception(self, exception: BaseException, /) -> None:
-        """Have what awaits it go on with an error."""
+        """Resume the awaiting call with an error."""
         self._error = exception
         self._end()
 

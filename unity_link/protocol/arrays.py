@@ -38,7 +38,7 @@ _HEX_OF_BYTE = np.frombuffer(b"".join(b"%02X" % value for value in range(256)), 
 
 
 class _Form(NamedTuple):
-    """How numpy holds numbers of so many hex digits: in the smallest integers that can."""
+    """The types by which numpy holds numbers of so many hex digits: in the smallest integers that can."""
 
     padding: int
     """Digits that are missing to whole ones."""

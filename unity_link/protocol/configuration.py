@@ -1,4 +1,4 @@
-"""What a gateway says of itself: the answer to `Q` (docs/protocol.md, "Configuration").
+"""The gateway's description of itself: the answer to `Q` (docs/protocol.md, "Configuration").
 
 All widths of all messages follow from it, so this is the first thing that a host learns and the one thing that host,
 model and generated code share.
@@ -17,7 +17,7 @@ _HEX_DIGITS = b"0123456789ABCDEFabcdef"
 
 
 class Feature(enum.IntFlag):
-    """What a gateway was built with."""
+    """Features that a gateway was built with."""
 
     GROUPS = 1
     EXTERNAL_TRIGGERS = 2

@@ -1,4 +1,4 @@
-"""How long and how often a host tries: the constants of its side of protocol section 3, in one table.
+"""The durations and counts of a host's attempts: the constants of its side of protocol section 3, in one table.
 
 `unity_link.protocol.window` works by them, and the clients that are generated in other languages are given the same
 (`TABLE`). The module imports nothing, so that whatever reads them needs nothing installed. Times are in seconds.
@@ -11,11 +11,11 @@ KEEP_ALIVE = 1.0
 FEWEST_SILENT_TRIES = 3
 """Time outs in silence before the link is lost, however long one takes."""
 MOST_QUICK_SIGNS = 6
-"""How often signs of loss are followed at the pace of a round trip that is next to nothing."""
+"""Number of signs of loss that are followed at the pace of a round trip that is next to nothing."""
 MOST_SIGNS = 12
-"""How often the window goes back for signs of loss of the same request; from there on they count as time outs."""
+"""Number of times the window goes back for signs of loss of the same request; further ones count as time outs."""
 SLOWER_SIGNS = 0.001
-"""What a round trip counts as, at least, after so many signs."""
+"""Least round trip, in seconds, that is assumed after so many signs."""
 MOST_TRIES = 32
 """Time outs of one request while something was heard; one more, and the request is given up."""
 MOST_REFUSALS = 3
@@ -43,16 +43,16 @@ FIRST_TRY = 0.1
 """Seconds until a question of the handshake is asked again, doubled each time."""
 LONGEST_TRY = 1.0
 CHECKED_TRIES = 4
-"""How often the checked `Q` is asked before the plain answer is doubted."""
+"""Number of times the checked `Q` is asked before the plain answer is doubted."""
 DAMAGE_PAUSE = 0.002
 """Seconds from a line that is no answer to the next question."""
 DAMAGE_PATIENCE = 16
-"""How many times as long as a line took that was no answer, the next answer is waited for."""
+"""Factor by which the wait for the next answer exceeds the time that a line without an answer took."""
 SHORTEST_TRY = 0.002
 DAMAGE_COST = 1 / 16
-"""What part of a try a question counts that was answered by something else."""
+"""Part of a try that a question counts that was answered by something else."""
 SURE = 3
-"""How often an impossible answer is heard before it is believed: a datagram that was damaged can come twice."""
+"""Number of times an impossible answer is heard before it is believed: a datagram that was damaged can come twice."""
 
 TABLE: dict[str, float] = {name: value for name, value in globals().items() if isinstance(value, int | float)}
 """All of them by name, for clients in other languages."""

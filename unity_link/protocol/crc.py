@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
 USUAL_POLYNOMIALS = {8: 0x07, 16: 0x1021, 32: 0x04C11DB7}
-"""Of each width: CRC-8/CCITT, CRC-16/XMODEM, and that of Ethernet."""
+"""Usual polynomial of each width: CRC-8/CCITT, CRC-16/XMODEM, and that of Ethernet."""
 _COMPILED: dict[tuple[int, int], Callable[[bytes], int]] = {
     (8, 0x07): fastcrc.crc8.smbus,
     (16, 0x1021): fastcrc.crc16.xmodem,

@@ -35,15 +35,15 @@ _OUTSIDE = 0
 _LAST_COUNT = 0xFFFFFFFF
 _HEADER_SIZE = len("U") + 16
 _HEADER = re.compile(rb"[\r\n]*((?:Z[0-9A-F]{2})?U([0-9A-Fa-f]{8})([0-9A-Fa-f]{8}))(?:\r\n?|([0-9A-Fa-f]+)\n)")
-"""What its CRC covers, session, count, and the CRC, None in a plain one."""
+"""Groups of a header: the text that its CRC covers, session, count, and the CRC, None in a plain one."""
 _FIRST_FRAME = re.compile(rb"[\r\n]*([^\r\n]*\r?)\n?")
 _REFUSAL = b"X%02X" % ErrorCode.NO_SESSION
 _OF_SESSION = re.compile(rb"[g-zKP]")
-"""What only a session is answered by, and samples."""
+"""First letters of answers that only a session has, and of samples."""
 
 
 class Counts:
-    """What tells new datagrams from late and doubled ones: how many were sent, and the newest count that was taken."""
+    """Filter of late and doubled datagrams: how many were sent, and the newest count that was taken."""
 
     def __init__(self) -> None:
         self.sent = self.taken = _OUTSIDE
@@ -68,9 +68,9 @@ class Datagram(NamedTuple):
     number: int
     """Its count."""
     frames: bytes
-    """What stands behind the header."""
+    """Bytes behind the header."""
     plain: bool
-    """Whether the header is a plain frame."""
+    """True if the header is a plain frame."""
 
 
 def read_header(datagram: bytes, framing: Framing) -> Datagram | None:
@@ -194,7 +194,7 @@ class HostDatagrams:
 
 
 class Asker(NamedTuple, Generic[A]):
-    """Whose requests without a session were taken last, and in which form."""
+    """Host whose requests without a session were taken last, and their form."""
 
     address: A
     plain: bool
@@ -231,7 +231,7 @@ class GatewayDatagrams(Generic[A]):
         self._framing = codec.framing
         self._reception = Reception(codec)
         self.asker: Asker[A] | None = None
-        """Where answers without an ID go, if not to the opener."""
+        """Destination of answers without an ID, if not the opener."""
         self._execute = execute
         self._send = send
         self._draw = draw

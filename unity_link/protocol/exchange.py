@@ -45,7 +45,7 @@ class Sampled(NamedTuple):
     """Event: a sample has come."""
 
     owner: Any
-    """What was named when the group was set up."""
+    """Object that was named when the group was set up."""
     body: bytes
     arrived: float
     """On the clock of the session."""
@@ -71,7 +71,7 @@ class SampledTogether(NamedTuple):
 
 
 class Counters:
-    """What has happened since the link was opened."""
+    """Counters since the link was opened."""
 
     __slots__ = ("damaged", "errors", "repetitions", "requests", "responses", "stray", "timeouts")
 
@@ -81,7 +81,7 @@ class Counters:
 
 
 class Exchange:
-    """What passes in one session, from the answer to `K` on.
+    """One session, from the answer to `K` on.
 
     Args:
         codec: the messages of the gateway.
@@ -109,7 +109,7 @@ class Exchange:
         self.codec = codec
         self.window = window
         self.blocked = blocked
-        """Whether the medium takes no bytes: what was sent is still held back, so a repetition would be behind it."""
+        """True if the medium takes no bytes: what was sent is still held back, so a repetition would be behind it."""
         self._takes_turns = takes_turns
         self._may_send = not takes_turns
         self.refused: int | None = None
@@ -124,11 +124,11 @@ class Exchange:
         self._open = codec.framing.open
         self._prefix_size = len(codec.framing.prefix)
         self._sample = codec.framing.prefix + b"P"
-        """What samples begin with, which say nothing about requests."""
+        """First letters of samples, which carry nothing about requests."""
         self._end = b"" if Feature.HALF_DUPLEX in codec.info.features else LF
         """An empty frame, so that damage to the end of the last one is found; where sides take turns, that is alone."""
         self._batching = False
-        """Whether answers to many requests may be under way."""
+        """True if answers to many requests may be under way."""
         self._sizes = _answer_sizes(codec)
         self._error_size = self._sizes[b"X"]
         if not self._end:
@@ -218,7 +218,7 @@ class Exchange:
 
     @property
     def wants_turn(self) -> bool:
-        """Whether there is something to send that waits for a turn."""
+        """Return whether there is something to send that waits for a turn."""
         window = self.window
         if not self._takes_turns:
             return False
@@ -520,13 +520,13 @@ class Exchange:
 
     @property
     def deadline(self) -> float | None:
-        """When `expire` must be called; None while nothing is under way and no group is set up."""
+        """Instant at which `expire` must be called; None while nothing is under way and no group is set up."""
         deadline = self.window.deadline
         return self._keep_alive_due if deadline is None else deadline
 
     @property
     def _keep_alive_due(self) -> float | None:
-        """When the gateway is to be asked whether it still hears its host; None while that is of no concern.
+        """Instant at which the gateway is to be asked whether it still hears its host; None while that does not matter.
 
         Samples say neither that it does nor that it was not reset since.
         """

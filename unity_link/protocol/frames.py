@@ -1,4 +1,4 @@
-"""What stands between two line ends (docs/protocol.md, "Frames"): a body, its check and its end.
+"""The bytes between two line ends (docs/protocol.md, "Frames"): a body, its check and its end.
 
 A *checked* frame is the body, its CRC and LF. A *plain* one, which a person can type, is the body and CR; a gateway
 ends its plain replies with CR LF. On a medium that several nodes share ("Addressed frames") each body stands behind a
@@ -18,7 +18,7 @@ LF = b"\n"
 CR = b"\r"
 _CR_BYTE = CR[0]
 TOKEN_LINE = b"token "
-"""What the first line of a connection begins with where a token is wanted; no command begins so."""
+"""Beginning of the first line of a connection where a token is wanted; no command begins so."""
 LONGEST_FRAME = 16_384
 """Bytes without a line end that are kept: more than the longest message, a sample of 255 words of 64 bits, has."""
 LARGEST_DATAGRAM = 1400

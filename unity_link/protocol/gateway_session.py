@@ -49,7 +49,7 @@ class GatewaySession:
 
     @property
     def begun(self) -> bool:
-        """Whether there is a session: a `K` has come since the reset."""
+        """Return whether there is a session: a `K` has come since the reset."""
         return self.sequence.expected >= 0
 
     def reset(self) -> None:

@@ -38,7 +38,7 @@ class HeldGroup:
         self.length = length
         self.owner = owner
         self.started = False
-        """Whether it has been set up and started, in this session or in an earlier one."""
+        """True if it has been set up and started, in this session or in an earlier one."""
 
 
 class GroupBegun(NamedTuple):
@@ -126,12 +126,12 @@ class GroupTable:
         return True
 
     def deliver(self, text: bytes, owner: Any) -> None:
-        """Have the samples of a group that is not held told to be for `owner`, as long as the session lasts."""
+        """Deliver the samples of a group that is not held to `owner`, as long as the session lasts."""
         self.begun[text] = HeldGroup(int(text, 16), b"", 0, owner)
         self.known = text
 
     def drop(self, text: bytes) -> None:
-        """Have the samples of such a group dropped."""
+        """Drop the samples of such a group."""
         self.begun.pop(text, None)
 
     # Sessions

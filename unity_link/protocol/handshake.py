@@ -35,7 +35,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
 RESET_TRIES = 3
-"""How often a gateway is asked whether it was reset, before it is asked for a session all the same."""
+"""Number of times a gateway is asked for the state of its session before a session is asked for all the same."""
 ECHO = "what is sent comes back as it is: is TX wired to RX, or an echo switched on?"
 ECHO_PATIENCE = 0.5
 """Seconds for which nothing but an echo is heard before it is believed: on a pair of wires an answer may follow."""
@@ -50,19 +50,19 @@ _OTHERS = {
     "220 ": "a mail or FTP server",
     "login:": "a console that waits for a login",
 }
-"""Who says a line of its own in answer to anything, by how it begins."""
+"""Beginnings of the lines by which other devices answer anything, and their names."""
 
 
 class _Question(NamedTuple):
-    """What is asked, again and again, until it is answered."""
+    """A question that is asked again and again until it is answered."""
 
     frame: bytes
     beginnings: tuple[bytes, ...]
-    """What an answer begins with."""
+    """Beginnings of an answer."""
     answered: Callable[[bytes, float], None]
     tries: float = math.inf
     unanswered: Callable[[float], None] | None = None
-    """What is to be done after so many tries."""
+    """Function to call after so many tries."""
 
 
 class Handshake:
@@ -97,22 +97,22 @@ class Handshake:
         self._out: list[bytes] = []
         self._heard = 0
         self._text = ""
-        """What was said last that is no frame."""
+        """Text heard last that is no frame."""
         self._other = ""
         """The protocol that answers in place of a gateway's."""
         self._doubtful = b""
         """An answer that no other has confirmed."""
         self._alike = 0
-        """How often it was heard, where no gateway can be as it says."""
+        """Number of times it was heard, where no gateway can be as it says."""
         self._echoed_at = math.inf
         """Since when nothing but the question was heard."""
         self._believed = b""
         """The answer that a checked one must repeat."""
         self._codec: Codec | None = None
         self.complete = False
-        """Whether the session has begun: `codec`, `first` and `round_trip` say how."""
+        """True if the session has begun: `codec`, `first` and `round_trip` say how."""
         self.found_reset = False
-        """Whether the gateway has said that it was reset since an earlier session."""
+        """True if the gateway has said that it was reset since an earlier session."""
         self.round_trip = 0.0
         """Seconds to the answer to the last question."""
         self._pausing = False
@@ -137,7 +137,7 @@ class Handshake:
 
     @property
     def asks(self) -> bool:
-        """Whether there is a question to send."""
+        """Return whether there is a question to send."""
         return bool(self._out)
 
     def take_turn(self, now: float) -> bytes:

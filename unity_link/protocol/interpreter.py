@@ -89,7 +89,7 @@ _BROADCAST = 0xFF
 
 
 class Kind(enum.StrEnum):
-    """What a frame is."""
+    """Kind of a frame."""
 
     REQUEST = "request"
     ANSWER = "answer"
@@ -102,7 +102,7 @@ class Kind(enum.StrEnum):
 
 
 class Meaning(NamedTuple):
-    """What a frame says."""
+    """Meaning of a frame."""
 
     kind: Kind
     words: str
@@ -110,7 +110,7 @@ class Meaning(NamedTuple):
     """In upper case, ``X``, ``N`` and ``P`` among them."""
     id: int | None = None
     group: int | None = None
-    """Of a sample."""
+    """Group of a sample."""
     error: int | None = None
 
 
@@ -302,7 +302,7 @@ class Interpreter:
 
 
 def _when(flags: int, divisor: int) -> str:
-    """Say when a group publishes, and how."""
+    """Return the times and the form of a group's samples, in words."""
     parts = [f"every {divisor} ticks" if divisor > 1 else "every tick"] if flags & GroupFlag.PERIODIC else []
     parts += [text for flag, text in _FLAGS.items() if flags & flag]
     return ", ".join(parts) or "when it is asked to"
@@ -315,7 +315,7 @@ def _configuration(text: bytes) -> str:
 
 
 def summary(info: GatewayInfo) -> str:
-    """Say in half a line what a gateway is."""
+    """Return the description of a gateway in half a line."""
     return (
         f"words of {info.data_bits} bits, addresses of {info.address_bits}, IDs of {info.id_digits} digits, "
         f"CRC-{info.crc_bits}, a clock of {info.clock_hz / 1e6:g} MHz"

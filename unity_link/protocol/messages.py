@@ -1,4 +1,4 @@
-"""What the frames mean: every message of the protocol, for any widths that `Q` can report.
+"""The meanings of the frames: every message of the protocol, for any widths that `Q` can report.
 
 `COMMANDS` is the table of docs/protocol.md, "Requests and responses". A `Codec` is that table made concrete for the
 widths of one gateway; it encodes and decodes both directions, because the virtual gateway speaks the same messages as
@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 
 
 class Repetition(enum.Enum):
-    """How a gateway answers a request that it has executed before (docs/protocol.md, "Exactly once, in order")."""
+    """Rule for the answer to a request that was executed before (docs/protocol.md, "Exactly once, in order")."""
 
     READ_AGAIN = enum.auto()
     REFUSE = enum.auto()
@@ -91,7 +91,7 @@ class ErrorCode(enum.IntEnum):
 
 
 class GroupFlag(enum.IntFlag):
-    """When a group publishes, and in which form."""
+    """Flags for the times and the form of a group's samples."""
 
     PERIODIC = 1
     TRIGGER = 2
@@ -131,7 +131,7 @@ class DecodedResponse(NamedTuple):
 
 
 _PACKED = {2: "B", 4: "H", 8: "I", 16: "Q"}
-"""How `struct` packs numbers of so many hex digits."""
+"""Format characters of `struct` for numbers of so many hex digits."""
 _LETTERS = re.compile(rb"([G-Z]+|[g-z]+)(?![G-Zg-z])")
 _HEX = re.compile(rb"[0-9A-Fa-f]*")
 

@@ -32,7 +32,7 @@ class Mixture(NamedTuple):
     """Sound samples, side by side."""
 
     owners: list[Any]
-    """Of the groups, in the order of the samples."""
+    """Owners of the groups, in the order of the samples."""
     parts: _Parts
     """For each size: the places of its samples among all, and their bodies, shape (n, length)."""
     size: int

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 
 class Format(enum.StrEnum):
-    """How a word is written."""
+    """Text form of a word."""
 
     HEX = "hex"
     DEC = "dec"

@@ -63,7 +63,7 @@ class Reception:
 
 
 def group_fits(info: GatewayInfo, number: int, flags: int, divisor: int, addresses: list[int]) -> bool:
-    """Whether a gateway takes the settings of a group; otherwise it answers error 06."""
+    """Return whether a gateway takes the settings of a group; otherwise it answers error 06."""
     known = int(_ALWAYS_KNOWN)
     for flag, feature in _NEEDED_FEATURES.items():
         if feature in info.features:
@@ -80,7 +80,7 @@ def group_fits(info: GatewayInfo, number: int, flags: int, divisor: int, address
 
 
 class SequencePlace(enum.Enum):
-    """Where a request with an ID stands in the order (docs/protocol.md, "Exactly once, in order")."""
+    """Place of a request with an ID in the order (docs/protocol.md, "Exactly once, in order")."""
 
     NO_SESSION = enum.auto()
     """No session has begun since reset: nothing with an ID is executed."""
@@ -112,7 +112,7 @@ class Sequence:
         """Go back to the state after reset: no session has begun."""
         self.expected = -1
         self.gap_told = False
-        """Whether the host knows of the gap before the requests that come now."""
+        """True if the host knows of the gap before the requests that come now."""
 
     def start(self, expected: int) -> None:
         """Begin a session."""

@@ -1,4 +1,4 @@
-"""What a host asks of a gateway: messages that know how they are sent and what their answers mean.
+"""The requests of a host to a gateway: messages that know how they are sent and what their answers mean.
 
 A session takes them from *sources*. A `Request` is one message and a source of itself. A `Block` is a source of several
 requests, because the gateway limits their length. A `Batch` has many messages for single words and is a source of
@@ -79,11 +79,11 @@ class PostedFailure(NamedTuple):
 
     error: UnityLinkError
     writes: int
-    """How many."""
+    """Number of writes."""
 
 
 Events = list[Any]
-"""What a session has to tell, in the order in which it happened: what has ended, `PostedFailure`, and what the session
+"""Events of a session, in the order in which they happened: what has ended, `PostedFailure`, and what the session
 defines."""
 
 
@@ -96,7 +96,7 @@ class Source(Protocol):
 
     @property
     def posted(self) -> bool:
-        """Whether the next message is a posted write."""
+        """Return whether the next message is a posted write."""
 
     @property
     def least(self) -> int:
@@ -134,9 +134,9 @@ class Message(Run):
         self.codec = codec
         self.command = command
         self.given_up = False
-        """Whether it will never be answered, and is sent as ``h`` from now on."""
+        """True if it will never be answered, and is sent as ``h`` from now on."""
         self.frames = b""
-        """Of all its messages, as they were sent first."""
+        """Frames of all its messages, as they were sent first."""
 
     def encode(self) -> bytes:
         """Return the frames, under the IDs that the window has given."""
@@ -218,16 +218,16 @@ class Request(Message):
         self.fields = fields
         self.of_session = of_session
         self.opening = b""
-        """What the frame begins with, and the answer to it: the prefix, the command and the ID that the window gave."""
+        """Beginning of the frame, and the answer to it: the prefix, the command and the ID that the window gave."""
         self.sent = False
-        """Whether it was given an ID."""
+        """True if it was given an ID."""
         self.done = False
-        """Whether `answer` or `error` is known."""
+        """True if `answer` or `error` is known."""
         self.answer: Any = None
         """The word or words read; None for an acknowledgement."""
         self.error: UnityLinkError | None = None
         self.owner: Any = None
-        """What waits for it: nothing that the session looks at."""
+        """Owner that waits for it: nothing that the session looks at."""
 
     def encode(self) -> bytes:
         """Return the frame, under the ID that the window has given."""
@@ -428,14 +428,14 @@ class Batch:
         self.size = codec.head_sizes[command] + sum(digits for _, digits in columns)
         self.reply_digits = None if self.posted else codec.info.data_digits if command == "R" else 0
         self.sent = 0
-        """How many were given an ID; a new session may send some of them again."""
+        """Number of messages that were given an ID; a new session may send some of them again."""
         self.done = False
-        """Whether `answer` or `error` is known; of posted writes, whether all were sent."""
+        """True if `answer` or `error` is known; of posted writes, whether all were sent."""
         self.answer: Words = protocol.arrays.zeros(0 if self.posted else self.count, codec.info.data_digits)
         self.error: UnityLinkError | None = None
         self.owner: Any = None
         self.given_up = False
-        """Whether no call waits for it any more."""
+        """True if no call waits for it any more."""
         self._fields = protocol.arrays.hex_columns(columns)
         self._unanswered = self.count
         self._refusal: tuple[int, GatewayError] | None = None

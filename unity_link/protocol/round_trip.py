@@ -1,4 +1,4 @@
-"""How long an answer takes: round trips as they were measured, and the time out that follows from them (RFC 6298).
+"""The duration of answers: round trips as they were measured, and the time out that follows from them (RFC 6298).
 
 One request at a time is timed, and none that was sent twice. Messages here are of unlike sizes, which RFC 6298 does not
 know: so the time that bytes need on the wire counts beside the time out.
@@ -12,7 +12,7 @@ from unity_link.protocol.constants import FIRST_TIMEOUT, LONGEST_TIMEOUT, MEASUR
 
 
 class RoundTrip:
-    """What is known of the round trips of one session.
+    """Estimate of the round trips of one session.
 
     Args:
         byte_time: seconds that one byte may need on the wire, at most; round trips of many bytes show where it is less.
@@ -47,13 +47,13 @@ class RoundTrip:
         self.least = 0.0 if first is None else first
         """The least in seconds, 0 before the first."""
         self.is_doubled = False
-        """Whether the time out is longer than the round trips say, for nothing came in time."""
+        """True if the time out is longer than the round trips say, for nothing came in time."""
         self.timed: int | None = None
         """ID of the request that is timed."""
         self._since = 0.0
         self._bytes = self._reply_bytes = 1
         self.next_measurement = -math.inf
-        """When the next request is timed, at the earliest."""
+        """Earliest instant at which the next request is timed."""
         if first is not None:
             self._measure(first)
 

@@ -49,7 +49,7 @@ if TYPE_CHECKING:
 _FIRST_TURN = 256
 """Bytes of a question of the handshake and its answer, at most; gateways of later versions say more of themselves."""
 _MOST_WAITING = 64
-"""What waits for a session without a look at what was given up of it, at least."""
+"""Least number of requests that wait for a session before those given up are removed."""
 _NO_RING = 2
 """IDs of the window while there is no session: as few as a ring can have."""
 _UNKNOWN_PATIENCE = 0.25
@@ -97,19 +97,19 @@ class Session:
         self._now = 0.0
         self._rest = b""
         self.output: list[bytes] = []
-        """What is to be sent; `take_output` returns it."""
+        """Bytes to be sent; `take_output` returns them."""
         self._waiting: deque[Source] = deque()
         self._most_waiting = _MOST_WAITING
-        """How many wait for a session until those that were given up are looked for."""
+        """Number of requests that wait for a session at which those given up are looked for."""
         self._codec: Codec | None = None
         self._groups: GroupTable | None = None
         self._handshake: Handshake | None = None
         self._give_up_at: float | None = None
-        """When a gateway that was reset must have answered."""
+        """Instant by which a gateway that was reset must have answered."""
         self._shortest_timeout = 0.0
         self._blocked = False
         self._takes_turns = False
-        """Whether a turn is waited for before each frame: `take_turn` gives it."""
+        """True if a turn is waited for before each frame: `take_turn` gives it."""
         self._byte_time: float | None = None
         self._exchange: Exchange | None = None
         self.window: Window[Any] = Window(_NO_RING)
@@ -119,12 +119,12 @@ class Session:
 
     @property
     def is_open(self) -> bool:
-        """Whether requests are sent now."""
+        """Return whether requests are sent now."""
         return self._exchange is not None
 
     @property
     def is_full(self) -> bool:
-        """Whether what is asked for has to wait: for room, or for a session."""
+        """Return whether what is asked for has to wait: for room, or for a session."""
         return bool(self._waiting)
 
     @property
@@ -141,7 +141,7 @@ class Session:
 
     @property
     def deadline(self) -> float | None:
-        """When `expire` must be called; None while there is nothing to wait for."""
+        """Instant at which `expire` must be called; None while there is nothing to wait for."""
         if self._takes_turns and self.wants_turn:
             # Then the time begins.
             return self._give_up_at
@@ -153,7 +153,7 @@ class Session:
 
     @property
     def wants_turn(self) -> bool:
-        """Whether a turn is waited for, to send something."""
+        """Return whether a turn is waited for, to send something."""
         if not self._takes_turns:
             return False
         if self._exchange is not None:
@@ -162,7 +162,7 @@ class Session:
 
     @property
     def is_owed_an_answer(self) -> bool:
-        """Whether an answer can be on its way."""
+        """Return whether an answer can be on its way."""
         if self._exchange is not None:
             return self.window.in_flight > 0 and not self.window.wants_repetition()
         return self._handshake is not None and not self._handshake.asks
@@ -464,7 +464,7 @@ class Session:
         self._begin(now, again=False)
 
     def _interrupted(self, error: GatewayResetError, events: Events) -> None:
-        """Tell of a reset, after which the gateway knows no group."""
+        """Report a reset, after which the gateway knows no group."""
         self.groups.known = None
         events.append(Interrupted(error))
 

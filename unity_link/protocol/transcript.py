@@ -39,7 +39,7 @@ class TimedFrame(NamedTuple):
     again: bool = False
     """A request that was sent before under the same ID."""
     round_trip: float | None = None
-    """Of an answer to a request with an ID that was sent once: seconds since then."""
+    """Seconds since the request, for an answer to one with an ID that was sent once."""
 
 
 class FrameCutter:
@@ -68,7 +68,7 @@ class FrameCutter:
 
 
 class Transcript:
-    """What passes on one connection, as frames with their meanings."""
+    """Frames of one connection with their meanings."""
 
     def __init__(self) -> None:
         self.codec = Codec(GatewayInfo())
@@ -98,7 +98,7 @@ class Transcript:
         return TimedFrame(time, sent=True, frame=frame, meaning=meaning, again=self._is_again(meaning, time, frame))
 
     def _is_again(self, meaning: Meaning, time: float, frame: bytes) -> bool:
-        """Whether a request was sent before; record the IDs and times that tell."""
+        """Return whether a request was sent before; record the IDs and times that tell."""
         number, ring = meaning.id, self.codec.ring
         if meaning.command == "K":
             self._next = self.codec.id_number.get(

@@ -208,20 +208,20 @@ class Window(Generic[R]):
         self._sent = 0
         """Number of requests sent, repetitions counted as well."""
         self._repetitions: dict[int, tuple[int, float]] = {}
-        """Of requests that were sent again, by ID: the place of the last sending among all that were sent, and until
+        """Requests that were sent again, by ID: the place of the last sending among all that were sent, and until
         when an answer may be to an earlier one; where the place is before that of the run, it is of an earlier lap."""
         self._repeat_ambiguous_until = 0.0
         """The same of what is to be sent again."""
         self._allowed = self._most
         self.loses = False
-        """Whether fewer are kept in flight, for the line has lost some."""
+        """True if fewer are kept in flight, for the line has lost some."""
         self._allowed_after_loss = self._came = 0
         self._bytes = 0
         self.unfenced = 0
         """Posted writes that nothing with an answer was sent behind."""
         self._unfenced_bytes = 0
         self._fence_due = math.inf
-        """When they are to be confirmed, if there are any."""
+        """Instant at which they are to be confirmed, if there are any."""
         shortest = shortest_timeout if byte_limit is None else max(shortest_timeout, SHORTEST_TIMEOUT)
         self.round_trip = RoundTrip(byte_time, round_trip, shortest)
         # The first IDs: behind all that were sent again, behind the last that was sent again for a damaged answer, and
@@ -233,9 +233,9 @@ class Window(Generic[R]):
         """Something that can be about a request has arrived since the last time out, be it damaged: set by the reader.
         """
         self._gone_back = 0
-        """How often the window has gone back to this `oldest`."""
+        """Number of times the window has gone back to this `oldest`."""
         self.timed_out = False
-        """Whether the window went back last because the time had run out."""
+        """True if the window went back last because the time had run out."""
         # From when on a sign can be about what was last sent again for one, how long that was from then, and how many
         # requests had been sent until then.
         self._next_sign, self._sign_pause, self._sent_at_sign = -math.inf, 0.0, -1
@@ -262,7 +262,7 @@ class Window(Generic[R]):
 
     @property
     def idle_since(self) -> float:
-        """When the last request was done; it holds while none is in flight."""
+        """Instant at which the last request was done; it holds while none is in flight."""
         return self._since
 
     # Sending
@@ -556,7 +556,7 @@ class Window(Generic[R]):
 
     @property
     def deadline(self) -> float | None:
-        """When `expire` must be called, or a fence is due; None while nothing is under way."""
+        """Instant at which `expire` must be called, or a fence is due; None while nothing is under way."""
         repeating = self._to_repeat != self._repeat_end
         if self.unfenced == self.in_flight and not repeating:
             # Posted writes alone have no answer to wait for: their fence will.
@@ -809,7 +809,7 @@ class Window(Generic[R]):
         self._repeat(self.oldest, self.next, now, ambiguous_until)
 
     def _repeat(self, start: int, end: int, now: float, ambiguous_until: float) -> None:
-        """Have all sent again that waits for its answer from one ID on and before another, besides what is to be."""
+        """Repeat all requests without an answer from `start` on and before `end`, besides those already due."""
         if self._to_repeat == self._repeat_end:
             self._to_repeat, self._repeat_end = start, end
             self._repeat_ambiguous_until = ambiguous_until

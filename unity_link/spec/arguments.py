@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 
 class Shape(enum.StrEnum):
-    """What an argument is."""
+    """Type and bounds of an argument."""
 
     WHOLE = "a whole number"
     NUMBER = "a number"
@@ -109,7 +109,7 @@ class Binder:
         self._evaluator = evaluator
         self._scope = scope
         self.places: dict[str, tuple[int, int]] = {}
-        """Where each argument stands; those of clauses under ``CLAUSE.NAME``."""
+        """Place of each argument; those of clauses under ``CLAUSE.NAME``."""
 
     def bind(
         self,

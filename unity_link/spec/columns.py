@@ -34,7 +34,7 @@ class _Block(NamedTuple):
     shifts: NDArray[np.uint64]
     mask: np.uint64
     is_whole: bool
-    """Whether the signals are whole words, with nothing beside them to be taken away."""
+    """True if the signals are whole words, with nothing beside them to be taken away."""
 
 
 class Columns:

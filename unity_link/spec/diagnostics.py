@@ -66,7 +66,7 @@ class Diagnostic(msgspec.Struct, frozen=True):
     text: str = ""
     """The line of the source at that place."""
     help: str = ""
-    """What the author can do; may be empty where the message says it."""
+    """Advice to the author; may be empty where the message has it."""
     notes: tuple[Note, ...] = ()
 
     def render(self) -> str:
@@ -207,12 +207,12 @@ class Reporter:
 
     @property
     def failed(self) -> bool:
-        """Whether there is an error among what was reported."""
+        """Return whether there is an error among what was reported."""
         return any(diagnostic.severity == "error" for diagnostic in self._found.values())
 
     @property
     def diagnostics(self) -> tuple[Diagnostic, ...]:
-        """What was reported, in the order of the sources."""
+        """Diagnostics that were reported, in the order of the sources."""
         files = {span.file: index for index, (_, span) in reversed(list(enumerate(self._found)))}
         return tuple(
             sorted(

@@ -224,7 +224,7 @@ class Elaborator:
 
     @property
     def declarations(self) -> Declarations:
-        """What the files declare."""
+        """Declarations of the files."""
         return self._declarations
 
     @property
@@ -234,7 +234,7 @@ class Elaborator:
 
     @property
     def reporter(self) -> Reporter:
-        """Where faults go."""
+        """Receiver of faults."""
         return self._reporter
 
     def new_group(self, name: str) -> GroupDraft:
@@ -249,5 +249,5 @@ class Elaborator:
 
     @property
     def globals(self) -> Mapping[str, Result]:
-        """What has a value everywhere."""
+        """Names that have a value everywhere."""
         return self._globals

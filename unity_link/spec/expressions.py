@@ -29,7 +29,7 @@ class GroupReference(NamedTuple):
 Result: TypeAlias = int | float | str | bool | GroupReference | ParameterReference | None
 CONSTANTS: dict[str, Result] = {"true": True, "false": False, "pi": math.pi}
 MOST_BITS = 128
-"""Of a whole number. An address has at most 32 bits, a value 64; a mistyped shift would fill the memory."""
+"""Most bits of a whole number. An address has at most 32 bits, a value 64; a mistyped shift would fill the memory."""
 MOST_TEXT = 1000
 _PRECEDENCE = {"|": 0, "^": 1, "&": 2, "<<": 3, ">>": 3, "+": 4, "-": 4, "*": 5, "/": 5, "%": 5}
 _WHOLE_ONLY = {"|", "^", "&", "<<", ">>"}

@@ -1,4 +1,4 @@
-"""What is gathered while an interface is built, and the rules that hold for it as a whole.
+"""The parts of an interface while it is built, and the rules that hold for it as a whole.
 
 Components are checked where they stand; here is what no part can know alone: whether addresses are the gateway's,
 whether signals or modules lie over each other, whether an ID is used twice, and what the groups come to.

@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
 Value: TypeAlias = bool | int | float
-"""What a program sees of a signal; of an enumeration a member of its `IntEnum`, or a number without name."""
+"""Value of a signal in a program; of an enumeration a member of its `IntEnum`, or a number without name."""
 
 MOST_BITS = 64
 _NATIVE_BITS = (8, 16, 32, 64)
@@ -97,7 +97,7 @@ def _member(enumeration: Enumeration, number: int) -> enum.IntEnum:
 
 
 class Kind(msgspec.Struct, frozen=True):
-    """What the bits of a signal mean.
+    """Meaning of the bits of a signal.
 
     A value is ``number * scale + offset``, where `number` is what the bits say by themselves.
     """
@@ -123,22 +123,22 @@ class Kind(msgspec.Struct, frozen=True):
 
     @property
     def is_signed(self) -> bool:
-        """Whether the raw is in two's complement."""
+        """Return whether the raw is in two's complement."""
         return self.name in {KindName.SIGNED, KindName.FIXED}
 
     @property
     def is_scaled(self) -> bool:
-        """Whether the value is the raw times something, a float."""
+        """Return whether the value is the raw times something, a float."""
         return self.scale != 1 or self.offset != 0 or self.name in {KindName.FIXED, KindName.UFIXED}
 
     @property
     def is_float(self) -> bool:
-        """Whether the value is a float."""
+        """Return whether the value is a float."""
         return self.is_scaled or self.name is KindName.FLOAT
 
     @property
     def step(self) -> float:
-        """How much the value changes where the raw changes by one; of a float it has no meaning."""
+        """Change of the value where the raw changes by one; of a float it has no meaning."""
         return math.ldexp(self.scale, -self.fraction)
 
     @property

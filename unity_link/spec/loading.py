@@ -29,12 +29,12 @@ class Declared(NamedTuple, Generic[DeclarationT]):
 
     @property
     def span(self) -> Span:
-        """Where its name stands."""
+        """Place of its name."""
         return self.source.span(*self.node.name.place)
 
 
 class Declarations:
-    """What all files of a spec declare."""
+    """Declarations of all files of a spec."""
 
     def __init__(self) -> None:
         self.sources: list[SourceText] = []

@@ -27,7 +27,7 @@ from unity_link.spec.kinds import Enumeration, Kind, Value  # noqa: TC001
 
 
 class Access(enum.StrEnum):
-    """What may be done with a signal."""
+    """Access to a signal."""
 
     READ = "READ"
     WRITE = "WRITE"
@@ -35,12 +35,12 @@ class Access(enum.StrEnum):
 
     @property
     def reads(self) -> bool:
-        """Whether it can be read."""
+        """Return whether it can be read."""
         return self is not Access.WRITE
 
     @property
     def writes(self) -> bool:
-        """Whether it can be written."""
+        """Return whether it can be written."""
         return self is not Access.READ
 
 
@@ -60,18 +60,18 @@ class Signal(msgspec.Struct, frozen=True, kw_only=True):
     path: str
     id: str
     address: int
-    """Of the word, or of the first one."""
+    """Address of the word, or of the first one."""
     word_bits: int
     """Width of a word of the gateway."""
     lowest_bit: int = 0
     kind: Kind
     access: Access
     fifo: bool = False
-    """Whether the address is the port of a queue: each read takes a word from it, each write appends one."""
+    """True if the address is the port of a queue: each read takes a word from it, each write appends one."""
     fifo_words: int | None = None
     """Depth of that queue, where the spec tells it."""
     is_field: bool = False
-    """Whether other signals are written in the same word, so that this one needs a masked write."""
+    """True if other signals are written in the same word, so that this one needs a masked write."""
     unit: str = ""
     minimum: int | float | None = None
     maximum: int | float | None = None
@@ -81,7 +81,7 @@ class Signal(msgspec.Struct, frozen=True, kw_only=True):
     groups: tuple[str, ...] = ()
     """All groups that it belongs to, the one that publishes it first."""
     poll_hz: float | None = None
-    """How often a host is to read it by itself."""
+    """Reads a second by the host."""
     module: int | None = None
     """Index in `Interface.modules` of the module that it stands in."""
     doc: str = ""
@@ -172,7 +172,7 @@ class Component(msgspec.Struct, frozen=True, kw_only=True, tag_field="part", tag
     index: int | None = None
     """Its place in an array."""
     arguments: dict[str, int | float | str | bool] = {}
-    """What it was declared with, by the names of the parameters: ``{"name": "joint 1"}``."""
+    """Arguments of its declaration, by the names of the parameters: ``{"name": "joint 1"}``."""
     signals: tuple[Signal, ...] = ()
     parts: tuple[Component | ComponentArray, ...] = ()
     modules: tuple[int, ...] = ()
@@ -212,11 +212,11 @@ class Module(msgspec.Struct, frozen=True, kw_only=True):
     base: int
     """Address of its first word on the gateway's bus."""
     words: int | None
-    """How many addresses it takes; None where the spec does not say."""
+    """Number of addresses that it takes; None where the spec does not say."""
     parent: int | None
     """Index of the module that it stands in."""
     arguments: dict[str, ModuleArgument]
-    """What it was declared with, without BASE and SIZE; flags are True."""
+    """Arguments of its declaration, without BASE and SIZE; flags are True."""
     doc: str = ""
     span: Span = NOWHERE
 
@@ -230,7 +230,7 @@ class Joint(msgspec.Struct, frozen=True, kw_only=True):
     velocity: str | None = None
     effort: str | None = None
     set_position: str | None = None
-    """Of what can be written, as the two below."""
+    """Path of the position to be written, as the two below."""
     set_velocity: str | None = None
     set_effort: str | None = None
 

@@ -31,7 +31,7 @@ class ModuleType(NamedTuple):
     words: Callable[[Mapping[str, Any]], int | None] = _unknown
     """Number of addresses that it takes, by its arguments; None if that is open."""
     offset: Callable[[Mapping[str, Any]], int] = lambda _: 0
-    """Where it begins by itself, before BASE is added."""
+    """Function that gives its first address by itself, before BASE is added."""
 
 
 COMMON = (ArgumentSlot("BASE", Shape.WHOLE, *ADDRESS), ArgumentSlot("SIZE", Shape.WHOLE, 1, ADDRESS[1] + 1))

@@ -39,7 +39,7 @@ if TYPE_CHECKING:
 GATEWAY_WORD = "GATEWAY"
 MOST_LEVELS = 24
 MOST_ITEMS = 65_536
-"""Of an array."""
+"""Most items of an array."""
 
 
 class Address(NamedTuple):
@@ -50,7 +50,7 @@ class Address(NamedTuple):
 
 
 class Where(NamedTuple):
-    """Where a component is being put."""
+    """Place where a component is being put."""
 
     path: str
     addresses: Mapping[str, Address]

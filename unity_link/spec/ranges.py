@@ -1,4 +1,4 @@
-"""Whether the numbers of a model are such as a spec has: of one that was not compiled here, but read from a file."""
+"""Checks that the numbers of a model are such as a spec has, for models that were read from a file."""
 
 from __future__ import annotations
 

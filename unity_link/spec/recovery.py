@@ -184,7 +184,7 @@ class _Recovery:
         return "\n" in self._source.text[previous.end_pos : token.start_pos]
 
     def _expected(self, parser: InteractiveParser) -> str:
-        """Say in words what could stand at the place that the parser is at."""
+        """Return the tokens that could stand at the place that the parser is at, in words."""
         accepted = _accepted(parser)
         # An operator may follow any operand; to say so each time would hide what is missing.
         accepted = accepted - _OPERATORS or accepted

@@ -23,21 +23,21 @@ _FIXED = re.compile(r"(\d+)\.(\d+)")
 
 
 class BitRange(NamedTuple):
-    """Where a signal stands in its word."""
+    """Bits of a signal in its word."""
 
     lowest: int
     width: int
 
 
 class Publishing(NamedTuple):
-    """What a signal says of how it is published."""
+    """Publication of a signal, as declared."""
 
     group: int | str
     divisor: int | None
 
 
 class SignalParts(NamedTuple):
-    """What a declaration says, without address and name."""
+    """Parts of a declaration, without address and name."""
 
     kind: Kind
     lowest_bit: int
@@ -252,7 +252,7 @@ class SignalReader:
 
 
 def _reaches(kind: Kind, limit: float) -> bool:
-    """Whether a limit beyond the range of a scaled kind goes to a number that it has: 0.3 times 3 is less than 0.9."""
+    """Return whether a limit beyond a scaled kind's range goes to a number of it: 0.3 times 3 is less than 0.9."""
     if not kind.is_scaled:
         return False
     try:

@@ -29,7 +29,7 @@ class Word(str):
 
     @property
     def place(self) -> tuple[int, int]:
-        """Where it stands."""
+        """Line and column."""
         return self.start, self.end
 
 
@@ -42,7 +42,7 @@ class Node:
 
     @property
     def place(self) -> tuple[int, int]:
-        """Where it stands."""
+        """Line and column."""
         return self.start, self.end
 
 
@@ -121,12 +121,12 @@ class Comment:
 
     text: str
     blank_before: bool = field(default=False, compare=False)
-    """Whether an empty line stands before it."""
+    """True if an empty line stands before it."""
 
 
 @dataclass(slots=True, kw_only=True)
 class Statement(Node):
-    """What a comment can belong to."""
+    """Statement that a comment can belong to."""
 
     doc: list[str] = field(default_factory=list)
     """Lines of its doc string, without ``///``."""
@@ -135,7 +135,7 @@ class Statement(Node):
     trailing: list[Comment] = field(default_factory=list)
     """Comments on the line that it ends on."""
     blank_before: bool = field(default=False, compare=False)
-    """Whether an empty line stands before it and its comments."""
+    """True if an empty line stands before it and its comments."""
 
 
 @dataclass(slots=True, kw_only=True)
@@ -143,7 +143,7 @@ class Block(Statement):
     """A statement with others inside."""
 
     open: int = field(default=0, compare=False, repr=False)
-    """Where the inside begins."""
+    """Offset at which the inside begins."""
     dangling: list[Comment] = field(default_factory=list)
     """Comments after the last statement inside."""
 

@@ -55,7 +55,7 @@ COMMON_OPTIONS = frozenset({"node", "snoop", "map"})
 SNOOP_VARIABLE = "UNITY_LINK_SNOOP"
 """In the environment: the snoop of all connections whose URL names none."""
 SENT, RECEIVED, SAMPLES = (logging.getLogger(f"unity_link.frames.{name}") for name in ("sent", "received", "samples"))
-"""Who takes the frames of connections that are opened while they are at debug level."""
+"""Loggers of the frames of connections that are opened while they are at debug level."""
 _OPENING_TIMEOUT = 5.0
 """Seconds that the thread which opens a shared port waits, whoever has given it up meanwhile."""
 _TOKEN = re.compile(r"(?<=[?&]token=)[^&]*")
@@ -128,7 +128,7 @@ class DriverUrl(msgspec.Struct, frozen=True):
 
     @property
     def any_map(self) -> bool:
-        """Whether a program may use a gateway that was built from another spec than its own."""
+        """Return whether a program may use a gateway that was built from another spec than its own."""
         chosen = self.options.get("map")
         if chosen not in (None, "any"):
             raise ArgumentError(f"map={chosen} in {self.text} is not any")
@@ -144,7 +144,7 @@ class DriverUrl(msgspec.Struct, frozen=True):
 
 
 class Driver(Protocol):
-    """What opens the URLs of a scheme: a module, or an object."""
+    """Opener of the URLs of a scheme: a module, or an object."""
 
     OPTIONS: frozenset[str]
     """Names of the URL options that it takes."""
@@ -182,14 +182,14 @@ class MemoryBus(Protocol):
 
     @property
     def info(self) -> GatewayInfo:
-        """What a link is to know of it."""
+        """Description of the gateway for the link."""
 
     def close(self) -> None:
         """Unmap it."""
 
 
 def register(scheme: str, driver: str | Driver) -> None:
-    """Have URLs of a scheme opened by a driver.
+    """Register the driver that opens the URLs of a scheme.
 
     Args:
         scheme: what stands before the colon: lower-case letters, digits, ``+``, ``-`` and ``.``, a letter first.
@@ -246,7 +246,7 @@ def _register_installed(scheme: str) -> bool:
 
 
 def register_stand_in(device: str, module: str) -> None:
-    """Have URLs that name a device, such as ``ftdi://virtual``, opened by a module that the driver imports."""
+    """Register a module that opens URLs that name a device, such as ``ftdi://virtual``."""
     _STAND_INS[device] = module
 
 

@@ -1,4 +1,4 @@
-"""What the transports of this package have in common: who is delivered to, and when which side has to pause."""
+"""The common part of the transports of this package: who is delivered to, and when which side has to pause."""
 
 from __future__ import annotations
 

@@ -71,7 +71,7 @@ class SocketChannel:
 
 @contextlib.contextmanager
 def refused_as(failure: str, question: str | Callable[[OSError | UnicodeError], str] = "") -> Iterator[None]:
-    """Have what the system refuses in the block raise ConnectError.
+    """Raise ConnectError for what the system refuses in the block.
 
     Args:
         failure: what could not be done.

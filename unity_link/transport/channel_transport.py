@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 
 class Watcher(Protocol):
-    """What polls."""
+    """A poller of file descriptors."""
 
     def call_soon(self, function: Callable[[], object], /) -> object:
         """Call a function when what runs now waits."""

@@ -1,4 +1,4 @@
-"""Where other threads, as those of Zenoh and ROS, and the event loop meet: things on their way into the loop."""
+"""The way from other threads, as those of Zenoh and ROS, into the event loop."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ T = TypeVar("T")
 
 
 class Inbox(Generic[T]):
-    """What threads give and an event loop takes: all that has come together at a time.
+    """Queue from threads into an event loop: all that has come together at a time.
 
     Args:
         take: is called in the loop with what has come, in order.

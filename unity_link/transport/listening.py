@@ -30,7 +30,7 @@ _OWNER_ONLY = 0o177
 
 
 class Serving(contextlib.AbstractAsyncContextManager[T_co]):
-    """What is served while its ``async with`` block runs; warns where that is never left.
+    """Server of an ``async with`` block; warns where that is never left.
 
     Args:
         what: how messages call it.
@@ -180,7 +180,7 @@ def url_of(scheme: str, host: str, port: int) -> str:
 
 
 def port_error(kind: str, host: str, port: int, error: Exception) -> ConnectError:
-    """Say why a port can't be opened."""
+    """Return the error for a port that can't be opened, with the reason."""
     host = host or repr(host)
     if isinstance(error, OSError) and error.errno == errno.EADDRINUSE:
         return ConnectError(f"{kind} port {port} of {host} is in use: choose another, or 0 for any free one")

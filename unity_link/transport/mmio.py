@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
 OPTIONS = frozenset({"offset", "size", "uio_map", "data_bits", "base_frequency_millihertz"})
 UIO = Path("/sys/class/uio")
-"""Where Linux tells what the devices of UIO map."""
+"""Folder in which Linux lists what the devices of UIO map."""
 _FORMATS: dict[int, Literal["B", "H", "I", "Q"]] = {8: "B", 16: "H", 32: "I", 64: "Q"}
 """By which `memoryview` knows words of so many bits: it makes one access for each, of the width of the word."""
 _BASE_MILLIHERTZ = 1_000_000

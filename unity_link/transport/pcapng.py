@@ -18,7 +18,7 @@ ORDER = 0x1A2B3C4D
 LINK_TYPE = 147
 """LINKTYPE_USER0: what it is, the two ends know."""
 FORM = "Unity-Link snoop 1"
-"""What a section says of itself; a later form has another number."""
+"""Marker of the form in a section; a later form has another number."""
 SECTION_START = struct.pack("<I", SECTION)
 _INBOUND, _OUTBOUND = 1, 2
 _COMMENT, _APPLICATION, _NAME, _RESOLUTION, _FLAGS = 1, 4, 2, 9, 2

@@ -11,7 +11,7 @@ if TYPE_CHECKING:
 
 
 class PipeEnd(BufferedTransport):
-    """What one protocol writes to; the other end's protocol gets it in the next turn of the loop."""
+    """End of a pipe that one protocol writes to; the other end's protocol gets it in the next turn of the loop."""
 
     peer: PipeEnd
 

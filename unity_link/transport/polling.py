@@ -13,13 +13,13 @@ if TYPE_CHECKING:
 
 READABLE, WRITABLE = selectors.EVENT_READ, selectors.EVENT_WRITE
 SPIN = 100e-6
-"""How long to look for what is ready before sleeping, in seconds.
+"""Seconds of looking for what is ready before sleeping.
 
 A processor that has gone to sleep for a wait takes 10 to 50 µs to go on, which is as long as a quick gateway takes to
 answer. With 30 µs, waits of the benchmark are now shorter, now longer than that.
 """
 REMEMBERED_WAITS = 8
-"""How many waits in a row are longer than that until a medium counts as slow."""
+"""Number of longer waits in a row after which a medium counts as slow."""
 
 
 def count_processors() -> int:
@@ -28,7 +28,7 @@ def count_processors() -> int:
 
 
 class Spinning:
-    """Whether to spin: to look again and again instead of sleeping.
+    """True to spin: to look again and again instead of sleeping.
 
     It is worth it where one of the last waits was shorter than `SPIN`. The first wait finds out, for a medium may be
     that quick only where nobody sleeps. On a single processor, spinning would keep the other side from running.

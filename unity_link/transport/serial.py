@@ -38,11 +38,11 @@ OPTIONS = frozenset({"baud", "rtscts", "library"})
 DEFAULT_BAUD = 115_200
 NODES_SHARE = True
 DEFAULTS = {"baud": str(DEFAULT_BAUD), "rtscts": "0"}
-"""What the options of the port are where they are not given."""
+"""Values of the port's options where none are given."""
 _MOST_BAUD = (1 << 31) - 1
-"""What the system holds a rate in."""
+"""Largest baud rate that the system can hold."""
 _BITS = 10
-"""Of a byte, with start and stop bit."""
+"""Bits of a byte, with start and stop bit."""
 DEFAULT_LIBRARY = "pyserial-asyncio-fast"
 LIBRARIES = {DEFAULT_LIBRARY: "serial_asyncio_fast", "pyserial-asyncio": "serial_asyncio"}
 """The module of each package that joins pyserial to asyncio."""

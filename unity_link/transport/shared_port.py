@@ -45,7 +45,7 @@ class Port:
         """Held while it is being opened, which may take its time."""
         self.channel: Channel | None = None
         self.over = False
-        """Whether it was closed, or could not be opened."""
+        """True if it was closed, or could not be opened."""
         self.line = Line(_without_node(url), free_at=_OWED.pop(key, float("-inf")))
         self.users: set[SharedChannel] = set()
 
@@ -140,7 +140,7 @@ class SharedChannel:
 
     @property
     def _has_ended(self) -> bool:
-        """Whether nothing was read for the other side has closed: of a serial port, another link may have read it."""
+        """Return whether the other side has closed; of a serial port, another link may have read what came."""
         if not os.isatty(self._descriptor):
             return True
         poll = select.poll()

@@ -73,7 +73,7 @@ class Snoop:
 
     @property
     def is_there(self) -> bool:
-        """Whether the file is still what its path leads to, and is written."""
+        """Return whether the file is still what its path leads to, and is written."""
         if self._file is None:
             return False
         try:

@@ -29,13 +29,13 @@ class Receiver(Protocol):
 
 
 class Ended(Awaitable[Any], Protocol):
-    """What tells that a stream has ended: an `asyncio.Future`, or what stands for it where no event loop is."""
+    """Awaitable of the end of a stream: an `asyncio.Future`, or what stands for it where no event loop is."""
 
     def done(self) -> bool:
-        """Whether it is over."""
+        """Return whether it is over."""
 
     def set_result(self, result: None, /) -> None:
-        """Have what awaits it go on."""
+        """Resume the awaiting call."""
 
 
 class Stream(asyncio.Protocol):
@@ -57,10 +57,10 @@ class Stream(asyncio.Protocol):
         self._transport: asyncio.Transport | None = None
         self._create_future = create_future or asyncio.get_running_loop().create_future
         self._closings: list[Ended] = []
-        """What calls of `close` wait for."""
+        """Waiters of calls of `close`."""
         self._held_back: list[bytes] = []
         self.paused = False
-        """Whether the transport has asked for no more bytes: what is sent now is held back here."""
+        """True if the transport has asked for no more bytes: what is sent now is held back here."""
 
     # Called by users of the stream
 
@@ -106,7 +106,7 @@ class Stream(asyncio.Protocol):
             self._transport.abort()
 
     async def choose_send_immediate(self, mode: str) -> None:
-        """Have the driver do its part of a send-immediate mode, where its medium has one."""
+        """Set the send-immediate mode of the driver, where its medium has one."""
         choose = self._transport.get_extra_info("send_immediate") if self._transport is not None else None
         if choose is not None and not self.closed:
             await choose(mode)
@@ -142,7 +142,7 @@ class Stream(asyncio.Protocol):
             self.on_pause()
 
     def connection_lost(self, exc: Exception | None) -> None:
-        """Tell the receiver."""
+        """Report the end of the connection to the receiver."""
         self.closed = True
         self._held_back.clear()
         for ended in self._closings:

@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
 
 class Observer(Protocol):
-    """What is given everything that passes."""
+    """Observer of all bytes that pass."""
 
     def take(self, data: bytes, *, sent: bool) -> None:
         """Take bytes of one direction."""

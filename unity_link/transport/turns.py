@@ -1,4 +1,4 @@
-"""Whose turn it is to send on a medium that several nodes share (docs/protocol.md, "Half-duplex").
+"""The turns of nodes that share a medium to send on (docs/protocol.md, "Half-duplex").
 
 Each link of a program has a `Seat` on the `Line`, and asks for a turn before each frame that wants an answer. The turn
 is given back with the answer, and passes to whoever has waited longest. Where no answer comes, where a program is busy
@@ -41,11 +41,11 @@ class Line:
         self.seats: dict[int, Seat] = {}
         """By the number of the node."""
         self.holder: Seat | None = None
-        """Whose turn it is."""
+        """Seat that has the turn."""
         self.last: Seat | None = None
-        """Whose turn it was last, or is."""
+        """Seat that has the turn, or had it last."""
         self.free_at = free_at
-        """When the turn ends by itself."""
+        """Instant at which the turn ends by itself."""
         self.waiting: deque[Seat] = deque()
 
     @property
@@ -69,7 +69,7 @@ class Line:
             return seat
 
     def give_to(self, seat: Seat) -> None:
-        """Give a turn, which is to be begun soon."""
+        """Pass a turn to a seat, which is to begin it soon."""
         if seat in self.waiting:
             self.waiting.remove(seat)
         self.holder = self.last = seat
@@ -77,7 +77,7 @@ class Line:
         self.free_at = self.clock() + MOST_HESITATION
 
     def pass_on(self) -> Seat | None:
-        """Give the turn to whoever has waited longest; return who that is, who must be told."""
+        """Pass the turn to the seat that has waited longest, and return that, which must be told."""
         self.holder, self.free_at = None, -math.inf
         if not self.waiting:
             return None
@@ -99,22 +99,22 @@ class Seat:
         """Is called, in any thread, when a turn that was asked for has come."""
         self._line = line
         self.has_begun = False
-        """Whether something was sent in the turn."""
+        """True if something was sent in the turn."""
 
     @property
     def listens(self) -> bool:
-        """Whether what arrives is for this link: in its turn; between turns the last one listens."""
+        """Return whether what arrives is for this link: in its turn; between turns the last one listens."""
         line = self._line
         return line.last is self
 
     @property
     def has_turn(self) -> bool:
-        """Whether this link may send."""
+        """Return whether this link may send."""
         return self._line.holder is self
 
     @property
     def is_kept(self) -> bool:
-        """Whether this link has the turn for good."""
+        """Return whether this link has the turn for good."""
         return self.has_turn and self._line.free_at == math.inf
 
     @property
@@ -170,7 +170,7 @@ class Seat:
             line.free_at = math.inf
 
     def leave(self) -> None:
-        """Give the seat up. If an answer is owed, its time passes before another turn begins."""
+        """Leave the seat. If an answer is owed, its time passes before another turn begins."""
         line = self._line
         with line.lock:
             if line.seats.get(self.node) is not self:

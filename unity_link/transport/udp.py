@@ -58,7 +58,7 @@ def open_channel(url: DriverUrl, timeout: float | None) -> Channel:  # noqa: ARG
 
 
 def refused(host: str, port: int) -> AbstractContextManager[None]:
-    """Have what the system refuses in the block raise ConnectError, for a port of a host."""
+    """Raise ConnectError for what the system refuses in the block, for a port of a host."""
     return refused_as(
         f"no socket for port {port} of {host}",
         lambda error: "is the name right?" if isinstance(error, NAMELESS) else "",

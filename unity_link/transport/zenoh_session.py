@@ -51,7 +51,7 @@ _RETRY = {"period_init_ms": 100, "period_max_ms": 1000, "period_increase_factor"
 
 
 class Declaration(Protocol):
-    """What a session has declared."""
+    """A declaration of a session."""
 
     def undeclare(self) -> object:
         """End it."""
@@ -62,7 +62,7 @@ class UnreachableError(ConnectError):
 
 
 class Network(msgspec.Struct, frozen=True, kw_only=True):
-    """How a session finds others."""
+    """Settings by which a session finds others."""
 
     connect: tuple[str, ...] = ()
     """Endpoints to connect to, such as ``tcp/192.168.1.5:7447``."""

@@ -1,4 +1,4 @@
-"""What stands in for hardware.
+"""Stand-ins for hardware.
 
 - `gateway`: the protocol as a model; `commands`, `groups` and `bus` are its inside
 - `rtl`: the gateware itself, compiled

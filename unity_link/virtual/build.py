@@ -44,7 +44,7 @@ ROBOTS: dict[str, Callable[[BareGateway], object]] = {
     "tosnet": _attach_tosnet,
     "walker": Walker.attach,
 }
-"""What can stand behind the bus, by name; the empty name is plain memory."""
+"""Robots that can stand behind the bus, by name; the empty name is plain memory."""
 CHANCES = ("loss", "flip", "double")
 """Probabilities of `Noise` that a user can choose."""
 CONFIGURATION = tuple(name for name in GatewayInfo.__struct_fields__ if name != "protocol_version")
@@ -54,7 +54,7 @@ ROBOT_OPTIONS = frozenset({"model", "interface", "fault", "trigger"})
 
 
 class Wanted(msgspec.Struct, frozen=True, kw_only=True):
-    """What is wanted: a gateway, and what stands behind it."""
+    """Options of a virtual gateway and of the robot behind it."""
 
     robot: str = ""
     """Nothing for plain memory, a name of `ROBOTS`, or the path of a spec."""
@@ -69,7 +69,7 @@ class Wanted(msgspec.Struct, frozen=True, kw_only=True):
     node: int | None = None
     """Its number on a shared medium."""
     faults: tuple[str, ...] = ()
-    """What is wrong with the robot from the beginning: ``stuck``, ``left.speed:timeout``."""
+    """Faults of the robot from the beginning: ``stuck``, ``left.speed:timeout``."""
     triggers: dict[str, float] = {}
     """Groups by name or number whose triggers fire by themselves, and how often a second."""
 
@@ -93,7 +93,7 @@ class Wanted(msgspec.Struct, frozen=True, kw_only=True):
 
     @property
     def has_spec(self) -> bool:
-        """Whether the robot is that of a spec."""
+        """Return whether the robot is that of a spec."""
         return self.robot not in ROBOTS
 
 

@@ -30,7 +30,7 @@ class AccessError(Exception):
 
 
 class Device(Protocol):
-    """What can stand behind addresses of a gateway.
+    """Interface of devices behind addresses of a gateway.
 
     `offset` counts the addresses that the device was attached to, `now` is the time of the access in seconds; it never
     goes back. Raise `AccessError` to end an access with an error.

@@ -1,4 +1,4 @@
-"""What each request does in the virtual gateway, once its frame and its sequence are found right.
+"""The effect of each request in the virtual gateway, once its frame and its sequence are found right.
 
 Each method checks the ranges (error 06), accesses the bus (04, 05), and returns what was read, if anything.
 """

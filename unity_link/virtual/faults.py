@@ -1,4 +1,4 @@
-"""What can go wrong, on purpose and repeatably: addresses that fail, and bytes that are lost, damaged or doubled.
+"""Faults, on purpose and repeatably: addresses that fail, and bytes that are lost, damaged or doubled.
 
 `Failing` is a device, attached where the bus is to fail. `Noise` spoils one stream of bytes; `NoisyLine` puts two of
 them between a gateway and its host, and is a gateway itself. `Straying` does to datagrams what networks do;
@@ -110,7 +110,7 @@ class Noise:
 
 
 class Straying(Generic[T]):
-    """What a network does to the datagrams of one direction: it loses, doubles and delays them, each by itself.
+    """Faults that a network makes to the datagrams of one direction: it loses, doubles and delays them, each by itself.
 
     How late a datagram is counts in others, not in seconds: from one to `latest` of them overtake it, each power of two
     as likely as the next. So neighbours change their places, and what is late by thousands comes as well. The same seed
@@ -137,7 +137,7 @@ class Straying(Generic[T]):
         self._random = random.Random(seed)  # noqa: S311  (repeatable is what is wanted)
         self._numbers = itertools.count()
         self._late: list[tuple[int, int, T]] = []
-        """What is still on its way, by the number of the datagram behind which it arrives."""
+        """Datagrams that are still on their way, each with the number of the datagram behind which it arrives."""
 
     def carry(self, datagram: T) -> list[T]:
         """Return what arrives when a datagram is sent."""
@@ -227,12 +227,12 @@ class NoisyLine(Gateway):
 
     @property
     def leaves_time_out(self) -> bool:
-        """Whether the gateway leaves out what it is too late for."""
+        """Return whether the gateway leaves out what it is too late for."""
         return self._gateway.leaves_time_out
 
     @property
     def next_due(self) -> float | None:
-        """When the gateway has something to do, or a stall ends."""
+        """Instant at which the gateway has something to do, or a stall ends."""
         return _earlier(self._next_at_gateway(), self._back.next_due)
 
     def receive(self, data: bytes, now: float) -> bytes:
@@ -253,7 +253,7 @@ class NoisyLine(Gateway):
         return arrived
 
     def _next_at_gateway(self) -> float | None:
-        """When something happens at the gateway's end of the line."""
+        """Return the instant of the next event at the gateway's end of the line."""
         return _earlier(self._towards.next_due, self._gateway.next_due)
 
     def _step(self, now: float, room: int | None) -> None:

@@ -63,7 +63,7 @@ class Gateway(Protocol):
 
     @property
     def next_due(self) -> float | None:
-        """When `advance` must be called next; None while nothing is planned."""
+        """Instant at which `advance` must be called next; None while nothing is planned."""
 
     @property
     def waiting(self) -> int:
@@ -71,7 +71,7 @@ class Gateway(Protocol):
 
     @property
     def leaves_time_out(self) -> bool:
-        """Whether `advance` leaves out what it is too late for: it need not be told to lose samples then."""
+        """Return whether `advance` leaves out what it is too late for: it need not be told to lose samples then."""
         return False
 
     def receive(self, data: bytes, now: float) -> bytes:
@@ -204,7 +204,7 @@ class VirtualGateway(BareGateway):
 
     @property
     def flush_wanted(self) -> bool:
-        """Whether a sample was sent that is to be flushed (group flag bit 2); the one who flushes clears it."""
+        """Return whether a sample was sent that is to be flushed (group flag bit 2); the one who flushes clears it."""
         return self.groups.ring.flush_wanted
 
     @flush_wanted.setter
@@ -218,7 +218,7 @@ class VirtualGateway(BareGateway):
 
     @property
     def next_due(self) -> float | None:
-        """When a sample is due next, or one that waits is to be asked for."""
+        """Instant at which a sample is due next, or one that waits is to be asked for."""
         return self.groups.next_due
 
     def advance(self, now: float, room: int | None = None) -> bytes:

@@ -18,7 +18,7 @@ FEATURES = {
     "masked_write": Feature.MASKED_WRITE,
     "queue_commands": Feature.QUEUE_COMMANDS,
 }
-"""What can be left out, and is in by default."""
+"""Features that can be left out, and are in by default."""
 # As in gateware/rtl/unity_link_fifo.vhd.
 _DEFAULTS: dict[str, Any] = {
     **dict.fromkeys([*FEATURES, "flow_control"], True),

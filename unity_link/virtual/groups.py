@@ -82,7 +82,7 @@ class PublishGroup:
         self.divisor = divisor
         self.addresses = addresses
         self.words = SampleRing.words_of(len(addresses), stamped=GroupFlag.TIMESTAMP in self.flags)
-        """What a sample takes in the ring."""
+        """Words of a sample in the ring."""
         self.form = form
         """%-format of the body: sequence, timestamp if there is one, words."""
         self.sequence = 0
@@ -114,7 +114,7 @@ class PublishGroups:
         self._schedule: list[tuple[int, int]] = []
         """Heap of next tick and number of every periodic group that runs."""
         self._triggers: deque[tuple[float, int | None]] = deque()
-        """When, and of which group; None of all."""
+        """Instant and group of each trigger; None for all groups."""
         self._advanced_to = 0.0
 
     def reset(self) -> None:
@@ -126,7 +126,7 @@ class PublishGroups:
         self.clock.restart()
 
     def is_set(self, number: int) -> bool:
-        """Whether a group was set since the reset."""
+        """Return whether a group was set since the reset."""
         return number in self._groups
 
     def set(self, number: int, flags: int, divisor: int, addresses: list[int]) -> None:
@@ -169,7 +169,7 @@ class PublishGroups:
 
     @property
     def next_due(self) -> float | None:
-        """When `advance` has something to do next; while samples wait, also every `_PAUSE`."""
+        """Instant at which `advance` has something to do next; while samples wait, also every `_PAUSE`."""
         due = self.clock.time_of(self._schedule[0][0]) if self._schedule else math.inf
         if self._triggers:
             due = min(due, self._triggers[0][0])

@@ -50,9 +50,9 @@ class SlowLine(Gateway):
         self._lost_at: list[int] = []
         """Places in the FIFO before which bytes were lost."""
         self._sent_at = float("-inf")
-        """When the line will have sent everything."""
+        """Instant at which the line will have sent everything."""
         self._under_way: deque[tuple[float, bytes]] = deque()
-        """What is in the transmit FIFO or on the line, and when it arrives."""
+        """Bytes in the transmit FIFO or on the line, and the instant at which they arrive."""
 
     def _pass_on_wake(self) -> None:
         self.wake()
@@ -69,12 +69,12 @@ class SlowLine(Gateway):
 
     @property
     def leaves_time_out(self) -> bool:
-        """Whether the gateway leaves out what it is too late for."""
+        """Return whether the gateway leaves out what it is too late for."""
         return self._gateway.leaves_time_out
 
     @property
     def next_due(self) -> float | None:
-        """When a sample is due, a request can be looked at, or a frame arrives."""
+        """Instant at which a sample is due, a request can be looked at, or a frame arrives."""
         arrival = self._under_way[0][0] if self._under_way else None
         times = (self._next_step, arrival)
         return min((time for time in times if time is not None), default=None)
@@ -106,14 +106,14 @@ class SlowLine(Gateway):
 
     @property
     def _next_step(self) -> float | None:
-        """When something happens at the gateway's end of the line."""
+        """Instant of the next event at the gateway's end of the line."""
         free = self._free_at if self._fifo else None
         times = (free, self._gateway.next_due)
         return min((time for time in times if time is not None), default=None)
 
     @property
     def _free_at(self) -> float:
-        """When the last byte of the last response is in the transmit FIFO."""
+        """Instant at which the last byte of the last response is in the transmit FIFO."""
         return self._sent_at - self.info.transmit_fifo_bytes / self._rate
 
     def _step(self, now: float, room: int | None) -> None:

@@ -136,5 +136,5 @@ class ModelledTimeLoop(asyncio.SelectorEventLoop):
         return self._jumping.standing_still()
 
     def call_world_at(self, owner: object, when: float, callback: Callable[[], object] | None) -> None:
-        """Have a part of the world called at `when` and not before; each `owner` has one timer. None for no more."""
+        """Set the timer of `owner`, a part of the world, to call at `when` and not before; None for no call."""
         self._jumping.set_world(owner, when, callback)

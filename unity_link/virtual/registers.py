@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from unity_link.spec import Interface, Module, Signal, Value
 
 SignalFault = Literal["error", "timeout", "frozen"]
-"""What can be wrong with a signal: accesses are bus errors, are never answered, or read what they read first."""
+"""Faults of a signal: accesses are bus errors, are never answered, or read what they read first."""
 SIGNAL_FAULTS: tuple[str, ...] = get_args(SignalFault)
 DEFAULT_DEPTH = 1024
 """Words of a queue whose depth the spec does not tell."""
@@ -75,7 +75,7 @@ class Cell:
         self._bounds = _bound(signal, signal.minimum), _bound(signal, signal.maximum)
 
     def set(self, value: Value | str) -> None:
-        """Give it a value; what a float is between two values of the register is kept.
+        """Set its value; the rest of a float between two values of the register is kept.
 
         Raises:
             ArgumentError: for a value that its kind cannot say.
@@ -174,7 +174,7 @@ class Registers:
                     self._written.setdefault(address, []).append((cell, part))
 
     def set_fault(self, path: str, fault: SignalFault | None) -> None:
-        """Have something be wrong with a signal, or nothing any more.
+        """Set the fault of a signal; None ends it.
 
         Raises:
             ArgumentError: for a signal or a fault that there is not.
@@ -265,7 +265,7 @@ def _limits(signal: Signal) -> str:
 
 
 def _is_hardware(module: Module) -> bool:
-    """Whether a module takes addresses: a MEMORY without a name is only a base for what stands in it."""
+    """Return whether a module takes addresses: a MEMORY without a name is only a base for what stands in it."""
     return module.type != "MEMORY" or module.name is not None
 
 

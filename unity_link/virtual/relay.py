@@ -26,7 +26,7 @@ Parcel: TypeAlias = "tuple[bytes, Address]"
 """A datagram and the client that it comes from or goes to."""
 _LARGEST = 65_536
 MOST_CLIENTS = 64
-"""Who has not been heard for longest is forgotten: a client has another port each time."""
+"""Most clients; the one that has not been heard for longest is forgotten: a client has another port each time."""
 
 
 @serving("a network")

@@ -1,4 +1,4 @@
-"""What the virtual robots have in common: servo joints as a device on the bus, with two set points each."""
+"""The common part of the virtual robots: servo joints as a device on the bus, with two set points each."""
 
 from __future__ import annotations
 

@@ -17,7 +17,7 @@ _BESIDE_WORDS = 2
 
 
 class SampleRing:
-    """Where samples wait for the line.
+    """Ring of samples that wait for the line.
 
     Args:
         group_words: the most words in a group, of which at least one sample must fit.
@@ -51,7 +51,7 @@ class SampleRing:
             self._room -= self.send_one()
 
     def takes(self, words: int) -> bool:
-        """Whether there is room for a sample, on the line or in the ring."""
+        """Return whether there is room for a sample, on the line or in the ring."""
         return self._room > 0 or words <= self._free
 
     def put(self, frame: bytes, words: int, *, immediate: bool) -> None:
@@ -62,7 +62,7 @@ class SampleRing:
             self._room -= self.send_one()
 
     def send_one(self) -> int:
-        """Have the first of those that wait leave, and return its length."""
+        """Remove the first of those that wait, and return its length."""
         frame, words, immediate = self.waiting.popleft()
         self._free += words
         self.flush_wanted |= immediate
@@ -70,7 +70,7 @@ class SampleRing:
         return len(frame)
 
     def send_all(self) -> None:
-        """Have all leave that wait."""
+        """Remove all that wait."""
         while self.waiting:
             self.send_one()
 

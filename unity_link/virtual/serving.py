@@ -41,14 +41,14 @@ _TCGETS2, _TERMIOS2_SIZE, _OUTPUT_SPEED = 0x802C542A, 64, 10
 
 
 class ClientCounter(asyncio.Protocol):
-    """Where a gateway meets its client of the moment."""
+    """Connection between a gateway and its client of the moment."""
 
     def __init__(self, gateway: Gateway) -> None:
         self.gateway = GatewayTransport(gateway, self, at_once=True)
         self.sender: asyncio.WriteTransport | None = None
-        """Where bytes for the client go."""
+        """Transport for bytes to the client."""
         self.reader: asyncio.ReadTransport | None = None
-        """Where bytes of the client come from."""
+        """Transport for bytes of the client."""
         self.connected: set[asyncio.Transport] = set()
         """All connections: that of the client, and those that are still to be served or refused."""
         self._over = False

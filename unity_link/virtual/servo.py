@@ -11,7 +11,7 @@ import msgspec
 
 
 class JointType(msgspec.Struct, frozen=True):
-    """What a joint is able to do, in counts and seconds."""
+    """Limits of a joint, in counts and seconds."""
 
     name: str
     unit: str

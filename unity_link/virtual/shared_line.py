@@ -29,11 +29,11 @@ if TYPE_CHECKING:
 
 DEFAULT_BAUD = 115_200
 _BITS = 10
-"""Of a byte, with start and stop bit."""
+"""Bits of a byte, with start and stop bit."""
 _TURN_AROUND = 1.5
 """Bits between the last stop bit of the host and the first start bit of a node."""
 _DAMAGED = b"\xff"
-"""What is heard of a byte where two drivers are against each other."""
+"""Byte that is heard where two drivers are against each other."""
 
 
 def build_shared_line(
@@ -97,9 +97,9 @@ class SharedLine(Gateway):
         self._byte_time = _BITS / baud
         self._pause = _TURN_AROUND / baud + delay
         self._heard: deque[tuple[float, bytes]] = deque()
-        """What the host sends, and when its last stop bit is over."""
+        """Bytes that the host sends, and the instants at which their last stop bits are over."""
         self._sent: list[_Sending] = []
-        """What nodes send."""
+        """Transmissions of nodes."""
         self._places: _Places | None = None
 
     def _pass_on_wake(self) -> None:
@@ -127,13 +127,13 @@ class SharedLine(Gateway):
 
     @property
     def next_due(self) -> float | None:
-        """When something arrives, or a node sends by itself."""
+        """Instant at which something arrives, or a node sends by itself."""
         times = [until for until, _ in self._heard] + [sending.until for sending in self._sent]
         times += [due for gateway in self.gateways.values() if (due := gateway.next_due) is not None]
         return min(times, default=None)
 
     def receive(self, data: bytes, now: float) -> bytes:
-        """Have the host send bytes; return what has arrived from the nodes."""
+        """Send bytes as the host; return what has arrived from the nodes."""
         arrived = self.advance(now)
         if data:
             begins = max(now, self._heard[-1][0]) if self._heard else now
@@ -161,7 +161,7 @@ class SharedLine(Gateway):
         return arrived
 
     def _send(self, node: int, data: bytes, begins: float) -> None:
-        """Have a node send."""
+        """Send as a node."""
         if not data or node in self.gone:
             return
         own = [sending.until for sending in self._sent if sending.node == node]
@@ -191,7 +191,7 @@ class SharedLine(Gateway):
 
 
 class _Sending:
-    """What a node sends."""
+    """Transmission of a node."""
 
     def __init__(self, node: int, begins: float, until: float, data: bytes) -> None:
         self.node, self.begins, self.until, self.data = node, begins, until, data

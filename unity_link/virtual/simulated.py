@@ -83,7 +83,7 @@ class Part:
         return cell.value if cell.queue is None else cell.queue
 
     def __setattr__(self, name: str, value: Any) -> None:
-        """Give a signal a value; before the first step also make an attribute of the model's own.
+        """Set the value of a signal; before the first step also make an attribute of the model's own.
 
         Raises:
             ArgumentError: for a value that the signal cannot have.
@@ -130,19 +130,19 @@ class SimulatedRobot(Part):
     """The robot's time passes in steps of so much; None: in one step up to each instant at which it is looked at."""
 
     interface: Interface
-    """What the spec says of it."""
+    """Declaration of the robot in the spec."""
     now: float
     """Seconds since the robot began."""
     faults: set[str]
     """The names of the faults that are switched on."""
     fired: deque[tuple[float, int]]
-    """When triggers of groups were fired that the gateway has not seen yet, and whose."""
+    """Instants and groups of fired triggers that the gateway has not seen yet."""
     _registers: Registers
     _parts: list[Part]
     _began: float | None
-    """When the robot began, in the seconds of those who look at it."""
+    """Instant at which the robot began, on the clock of its callers."""
     _last: float
-    """When somebody looked last, likewise."""
+    """Instant of the last look, on the same clock."""
     _steps: int
     _failed: bool
     _told_late: bool
@@ -172,7 +172,7 @@ class SimulatedRobot(Part):
     # What a model overrides
 
     def start(self) -> None:
-        """Give signals their first values, which are 0 otherwise, and make attributes of the model's own."""
+        """Set the first values of signals, which are 0 otherwise, and make attributes of the model's own."""
 
     def step(self, dt: float) -> None:
         """Let time pass.
@@ -192,7 +192,7 @@ class SimulatedRobot(Part):
     # What a model, or who tries it, calls
 
     def trigger(self, group: str) -> None:
-        """Give a group that is declared with TRIGGER its edge, so that the gateway publishes it.
+        """Fire the trigger of a group that is declared with TRIGGER, so that the gateway publishes it.
 
         Raises:
             ArgumentError: for a group that there is not, or that has no trigger.
@@ -252,7 +252,7 @@ class SimulatedRobot(Part):
 
     @property
     def next_step(self) -> float | None:
-        """When time should have passed, whoever looks; None where that makes no difference."""
+        """Instant up to which time should pass without a call; None where that makes no difference."""
         if self._failed or self._began is None or self.step_seconds is None or not self._moves:
             return None
         return self._last + max(self.step_seconds, 0.01)
@@ -276,7 +276,7 @@ class SimulatedRobot(Part):
             part._started = True  # noqa: SLF001  (it is made here)
 
     def begin(self, now: float) -> None:
-        """Have the robot's time begin at an instant, if it has not begun."""
+        """Begin the robot's time at an instant, if it has not begun."""
         if self._began is None:
             self._began = self._last = now
 

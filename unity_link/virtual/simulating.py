@@ -40,7 +40,7 @@ class SimulatedGateway(BareGateway):
         self._gateway = gateway
         self._now = 0.0
         self._rates: dict[int, tuple[float, float | None]] = {}
-        """Of each group whose trigger fires by itself the seconds between two edges, and when the next one is."""
+        """Seconds between two edges of each group whose trigger fires by itself, and the instant of the next one."""
         gateway.wake = self._pass_on_wake
         if robot is not None:
             gateway.attach_elsewhere(robot)
@@ -56,7 +56,7 @@ class SimulatedGateway(BareGateway):
     # Triggers
 
     def fire(self, group: str | int) -> None:
-        """Give the trigger of a group an edge, now; to be called where the event loop runs that serves the gateway.
+        """Fire the trigger of a group now; to be called where the event loop runs that serves the gateway.
 
         Args:
             group: its name in the spec of the robot, or its number.
@@ -70,7 +70,7 @@ class SimulatedGateway(BareGateway):
         self.trigger(self._now, number)
 
     def fire_at(self, group: str | int, rate_hz: float) -> None:
-        """Have the trigger of a group fire by itself, so often from now on.
+        """Fire the trigger of a group by itself at a rate, from now on.
 
         Raises:
             ArgumentError: as `fire`, and for what is no rate.
@@ -104,12 +104,12 @@ class SimulatedGateway(BareGateway):
 
     @property
     def leaves_time_out(self) -> bool:
-        """Whether the gateway leaves out what it is too late for."""
+        """Return whether the gateway leaves out what it is too late for."""
         return self._gateway.leaves_time_out
 
     @property
     def next_due(self) -> float | None:
-        """When the gateway has something to do, a trigger fires, or the robot's time is to pass."""
+        """Instant at which the gateway has something to do, a trigger fires, or the robot's time is to pass."""
         times = [self._gateway.next_due, None if self.robot is None else self.robot.next_step]
         times += [self._now if edge is None else edge for _, edge in self._rates.values()]
         return min((time for time in times if time is not None), default=None)
@@ -186,7 +186,7 @@ class SimulatedGateway(BareGateway):
 
     @property
     def flush_wanted(self) -> bool:
-        """Whether the model has sent a sample that is to be flushed; the one who flushes clears it."""
+        """Return whether the model has sent a sample that is to be flushed; the one who flushes clears it."""
         return bool(getattr(self._gateway, "flush_wanted", False))
 
     @flush_wanted.setter

@@ -60,9 +60,9 @@ class SharedMemory:
         self.words = words
         self.cycle = cycle
         self.buffers = [dict(initial or {}), dict(initial or {})]
-        """What is written to, and what the network sends."""
+        """Buffers that are written to, and those that the network sends."""
         self.sent: list[dict[int, int]] = []
-        """What the network has sent, as of each change of the buffers; the last 64."""
+        """Buffers that the network has sent, as of each change; the last 64."""
         self.resets, self.errors = 1, 0
         self._deliver = deliver
         self._sent_by = sent_by
@@ -75,7 +75,7 @@ class SharedMemory:
         return math.floor(now / self.cycle + 1e-9)
 
     def commit(self, which: int, now: float) -> None:
-        """Have buffers change places with the next packet: of `COMMIT_WRITE` and `COMMIT_READ`."""
+        """Exchange the buffers of `COMMIT_WRITE` or `COMMIT_READ` with the next packet."""
         self.pass_time(now)
         for bit in (COMMIT_WRITE, COMMIT_READ):
             if which & bit:

@@ -1,4 +1,4 @@
-"""What a UART hears of another one that has a different speed.
+"""The bytes that a UART hears of another one that has a different speed.
 
 The line is high at rest. A byte is a low start bit, eight data bits, the lowest first, and a high stop bit. The hearer
 waits for a falling edge, and looks at the line in the middle of what it takes for bits. Where it finds the line low at
@@ -71,7 +71,7 @@ class UartLine(Gateway):
 
     @property
     def next_due(self) -> float | None:
-        """When the gateway has something to do."""
+        """Instant at which the gateway has something to do."""
         return self._gateway.next_due
 
     @property

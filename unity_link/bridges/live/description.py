@@ -1,4 +1,4 @@
-"""What the page is told of a robot: its signals, which stream has them, and the values that they take."""
+"""The description of a robot for the page: its signals, which stream has them, and the values that they take."""
 
 from __future__ import annotations
 
@@ -44,13 +44,13 @@ class SignalAbout(msgspec.Struct, frozen=True, kw_only=True):
     high: float | None
     """Limits of what may be written; None where there is none."""
     limited: bool
-    """Whether the spec limits it closer than its bits do."""
+    """True if the spec has narrower limits than its bits."""
     names: list[tuple[int, str]]
-    """Of an enumeration."""
+    """Numbers and names of an enumeration."""
     writable: bool
     stream: int | None
     column: int | None
-    """Where its samples are; None of what is only written."""
+    """Column of its samples; None for a signal that is only written."""
 
 
 class About(msgspec.Struct, frozen=True, kw_only=True, tag_field="type", tag="about"):
@@ -59,9 +59,9 @@ class About(msgspec.Struct, frozen=True, kw_only=True, tag_field="type", tag="ab
     robot: str
     doc: str
     gateway: str
-    """Where the gateway is, without tokens."""
+    """URL of the gateway, without tokens."""
     writes: bool
-    """Whether there is a way to write, for those who have the token."""
+    """True if the page may write, for those who have the token."""
     parts: dict[str, str]
     """Descriptions of the components by their paths."""
     streams: list[SignalStream]

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from unity_link.data import Batch, Group
 
 MOST_BYTES = 4 << 20
-"""What waits for a browser that does not read; then the oldest samples are dropped, and counted."""
+"""Bytes kept for a browser that does not read; beyond them the oldest samples are dropped, and counted."""
 HEAD = struct.Struct("<dQ")
 """This machine's clock in seconds since 1970, and the samples that were dropped since the browser came."""
 BATCH_HEAD = struct.Struct("<II")
@@ -67,7 +67,7 @@ class Tabulator:
 
 
 class Outbox:
-    """What one browser has not got yet."""
+    """Messages that one browser has not received yet."""
 
     def __init__(self, most_bytes: int = MOST_BYTES) -> None:
         self.dropped = 0

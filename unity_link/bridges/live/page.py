@@ -62,7 +62,7 @@ def bind(port: int) -> socket.socket:
 
 
 class PageStatus(msgspec.Struct, tag_field="type", tag="status"):
-    """How the link is."""
+    """State of the link."""
 
     connected: bool
     refusal: str | None

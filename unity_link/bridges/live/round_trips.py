@@ -1,4 +1,4 @@
-"""How quickly the gateway answers: reads of one word, one after the other, and how often each duration came."""
+"""Round trips of the gateway: reads of one word, one after the other, and how often each duration came."""
 
 from __future__ import annotations
 
@@ -30,10 +30,12 @@ BINS = 7 * BINS_PER_DECADE
 
 
 class Histogram(msgspec.Struct, frozen=True):
-    """What was measured, for the page."""
+    """Round trips measured, for the page."""
 
     counts: list[int]
-    """How often each duration came: bins of equal ratio from `SHORTEST` on, `BINS_PER_DECADE` for a factor of 10."""
+    """Number of round trips of each duration: bins of equal ratio from `SHORTEST` on, `BINS_PER_DECADE` for a factor of
+    10.
+    """
     median: float | None
     within: float | None
     """Seconds within which 99 % of the recent round trips were."""

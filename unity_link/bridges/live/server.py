@@ -30,7 +30,7 @@ MOST_PAGES = 64
 LARGEST_MESSAGE = 4096
 """Bytes of what a page says."""
 MOST_PARTS = 64
-"""Of a message; browsers send one."""
+"""Most parts of a message; browsers send one."""
 INTERVAL = 1 / 60
 """Seconds over which messages are counted: one picture of a screen, a delay that cannot be seen."""
 MOST_FRAMES = 32
@@ -71,7 +71,7 @@ class PageConversation(WebSocketsSansIOProtocol):
     def connection_made(self, transport: asyncio.BaseTransport) -> None:
         """Take it, unless there are too many."""
         self.unheard = bytearray()
-        """What was read and waits for its turn."""
+        """Bytes received that wait for their turn."""
         self._may_say = 0
         self._interval: asyncio.TimerHandle | None = None
         super().connection_made(transport)

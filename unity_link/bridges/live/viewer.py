@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from unity_link.bridges.live.writing import Writing
 
 PICTURES_PER_SECOND = 60
-"""How often samples are sent: as often as a screen shows another picture."""
+"""Rate at which samples are sent: that of the pictures of a screen."""
 _NO_WRITES = "writes are off: they are allowed by unity-link live --allow-writes"
 _WRONG_TOKEN = "this page does not know the token: open the link that unity-link live printed"  # noqa: S105
 _POLICY_VIOLATION = 1008
@@ -43,7 +43,7 @@ class Viewer:
     def __init__(self, socket: WebSocket, about: bytes, writing: Writing | None) -> None:
         self.outbox = Outbox()
         self.status = b""
-        """What is sent next of how the link is; a newer one takes the place of one that waits."""
+        """The link's state to be sent next; a newer one replaces one that waits."""
         self._socket = socket
         self._about = about
         self._writing = writing

@@ -35,7 +35,7 @@ class Write(msgspec.Struct, tag_field="type", tag="write", forbid_unknown_fields
     """A page wants a value written."""
 
     number: Annotated[int, msgspec.Meta(ge=0, le=_LARGEST_NUMBER)]
-    """What its answer is to be known by."""
+    """Number that its answer repeats."""
     signal: str
     value: bool | int | float | str
     """In the signal's unit; of an enumeration a number or a name."""

@@ -46,7 +46,7 @@ if TYPE_CHECKING:
 CHUNK = 4 << 20
 """Bytes before compression after which a chunk ends by itself: before it has twice as many, or with one message."""
 _LEVEL = 1
-"""Of zstd: a quarter of the size, as at its usual 3, in half the time."""
+"""Level of zstd: a quarter of the size, as at its usual 3, in half the time."""
 _RECORD = struct.Struct("<BQ")
 _MESSAGE = np.dtype(
     [
@@ -58,10 +58,10 @@ _MESSAGE = np.dtype(
         ("publish_time", "<u8"),
     ]
 )
-"""What a message record has before its data."""
+"""Fields of a message record before its data."""
 _INDEX = struct.Struct("<HI")
 _ENTRY = np.dtype([("log_time", "<u8"), ("offset", "<u8")])
-"""What an index has of each message: its instant, and where it begins in the chunk."""
+"""Fields of the index for each message: its instant, and where it begins in the chunk."""
 _SUMMARY = (Opcode.SCHEMA, Opcode.CHANNEL, Opcode.CHUNK_INDEX, Opcode.ATTACHMENT_INDEX, Opcode.METADATA_INDEX)
 """Records that are gathered for the end of the file; `Opcode.STATISTICS` comes to them there."""
 

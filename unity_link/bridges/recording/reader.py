@@ -38,7 +38,7 @@ MOST_WORDS = 8 << 20
 """Words of samples that `Recording.in_order` holds at most, besides those of one chunk."""
 _AT_ONCE = 4096
 _RECORD = struct.Struct("<BQ")
-"""What each record begins with: its opcode, and how long the rest is."""
+"""Beginning of each record: its opcode, and how long the rest is."""
 
 
 class RecordedGroup(NamedTuple):
@@ -47,7 +47,7 @@ class RecordedGroup(NamedTuple):
     name: str
     signals: tuple[Signal, ...]
     addresses: tuple[int, ...]
-    """Of the words of a sample."""
+    """Addresses of the words of a sample."""
 
 
 class RecordedSamples(NamedTuple):
@@ -84,11 +84,11 @@ class Recording:
     def __init__(self, path: Path | str) -> None:
         self.path = path_of(path)
         self.was_cut = False
-        """Whether the last reading found the end missing, as it is after a crash."""
+        """True if the last reading found the end missing, as after a crash."""
         self.was_damaged = False
-        """Whether the last reading found a chunk that is not as it was written; the others were read."""
+        """True if the last reading found a damaged chunk; the others were read."""
         self.interface: Interface
-        """What the spec said of the robot."""
+        """The robot, as the spec declared it."""
         self.gateway: GatewayInfo
         self._channels: dict[int, RecordedGroup] = {}
         check_extra()
@@ -96,7 +96,7 @@ class Recording:
 
     @property
     def groups(self) -> tuple[RecordedGroup, ...]:
-        """What was recorded, in the order of the spec."""
+        """Groups that were recorded, in the order of the spec."""
         return tuple(self._channels.values())
 
     @property

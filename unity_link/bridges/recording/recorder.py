@@ -77,14 +77,14 @@ class Recorder:
         self._time = GatewayTime(robot.link, clock=self._clock)
         self._report = report
         self.interruptions = 0
-        """How often the gateway was away."""
+        """Number of times the gateway was away."""
         self._away = 0.0
         self._presence = Presence(robot.link, self._clock.now())
         self._block = AsyncExitStack()
         self._is_idle = True
 
     _is_idle = False
-    """Whether its file waits for `run`."""
+    """True if its file waits for `run`."""
 
     if not TYPE_CHECKING:  # A type checker refuses them by itself.
         __enter__ = __exit__ = refusing("write `async with` before a recorder")

@@ -1,4 +1,4 @@
-"""What is around the node: where rospy is, which distributions install for their own Python, and where it listens."""
+"""The environment of the node: where rospy is, which distributions install for their own Python, and its address."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ def find_rospy() -> None:
 
 
 def choose_address() -> None:
-    """Have the node listen at this machine alone, unless ROS's own words say where: ROS_IP, ROS_HOSTNAME, ``__ip:=``.
+    """Restrict the node to this machine, unless ROS's own settings name an address: ROS_IP, ROS_HOSTNAME, ``__ip:=``.
 
     Raises:
         ArgumentError: where the master is on another machine, whose nodes could not reach this one, or nowhere.

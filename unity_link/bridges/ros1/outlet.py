@@ -39,7 +39,7 @@ class Ros1Outlet:
         self._publisher = rospy.Publisher(name, message, tcp_nodelay=True, queue_size=MOST_WRITES)
         self._report = report
         self._given: dict[Any, int] = {}
-        """How many writes each connection was given."""
+        """Number of writes given to each connection."""
 
     @property
     def registered(self) -> tuple[str, str]:
@@ -48,7 +48,7 @@ class Ros1Outlet:
 
     @property
     def is_wanted(self) -> bool:
-        """Whether anybody subscribes."""
+        """Return whether the topic has a subscriber."""
         return bool(self._publisher.get_num_connections())
 
     def send(self, rows: Rows) -> None:

@@ -37,7 +37,7 @@ LOOPBACK = """
 """A configuration of CycloneDDS (its guide, "Configuration") as ROS 2's LOCALHOST range has it."""
 HIGHEST_DOMAIN = 232
 _FIRST_PORT, _PORTS = 7400, 250
-"""Of domain 0, and of each (DDS-RTPS 9.6.1.1)."""
+"""First UDP port of domain 0, and ports of each domain (DDS-RTPS 9.6.1.1)."""
 LOOK = 1.0
 """Seconds in which another bridge of the same namespace shows itself."""
 

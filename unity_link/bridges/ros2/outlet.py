@@ -49,7 +49,7 @@ class Ros2Outlet:
 
     @property
     def is_wanted(self) -> bool:
-        """Whether anybody reads."""
+        """Return whether the topic has a reader."""
         return bool(self._writer.get_matched_subscriptions())
 
     def send(self, rows: list[bytes]) -> None:

@@ -1,4 +1,4 @@
-"""What can be chosen: on the command line, or in a file of parameters as ROS 2 writes them.
+"""The settings of a bridge: on the command line, or in a file of parameters as ROS 2 writes them.
 
 ::
 
@@ -36,7 +36,7 @@ class Quality(enum.StrEnum):
 
 
 class TopicSettings(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """What is chosen for one topic."""
+    """Settings of one topic."""
 
     quality: Quality
 
@@ -47,18 +47,18 @@ class Settings(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=
     link: str | None = None
     """The URL of the gateway."""
     namespace: str | None = None
-    """What stands before all topics; the interface's name if nothing is said."""
+    """Prefix of all topics; None: the interface's name."""
     poll_hz: float | None = None
-    """How often to read, for publication, what nothing samples."""
+    """Reads a second, for publication, of signals that nothing samples."""
     frame_id: str = ""
-    """Of the headers of states of joints."""
+    """Frame ID in the headers of joint states."""
     quality: Quality = Quality.RELIABLE
     topics: dict[str, TopicSettings] = {}
     """By their names without namespace."""
     given: dict[str, int] = {}
     """Addresses for the parameters of the interface; -1 for one that is not needed."""
     network: bool = False
-    """Whether to speak to other machines; else only to programs of this one."""
+    """True to speak to other machines too; else only to programs of this one."""
     domain: int | None = None
     """The domain; ROS_DOMAIN_ID, or 0, if nothing is said."""
 

@@ -41,7 +41,7 @@ class Server:
 
     def __init__(self, shared: SharedLink) -> None:
         self.urls: list[str] = []
-        """Where it can be connected to. A token is not part of them."""
+        """URLs that clients can connect to. A token is not part of them."""
         self._shared = shared
 
     @property

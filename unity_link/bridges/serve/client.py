@@ -45,7 +45,7 @@ class Client(asyncio.Protocol):
         self.conversation: Conversation | None = None
         """None before it has said anything that could be understood."""
         self.listening = True
-        """Whether there is room for what it says."""
+        """True if there is room for more requests of the client."""
         self.samples_dropped = 0
         """Samples that it did not read in time."""
         self._shared = shared
@@ -53,7 +53,7 @@ class Client(asyncio.Protocol):
         self._rest = b""
         self._pending: deque[Relayed | RelayedRows | Said] = deque()
         self._asked = 0
-        """How many times the client has asked for something."""
+        """Number of requests of the client so far."""
         self._last_posted = 0
         """Place of the last posted write among all that the client has asked for."""
         self._last_answered = 0
@@ -152,11 +152,11 @@ class Client(asyncio.Protocol):
 
     @property
     def posts_unconfirmed(self) -> bool:
-        """Whether there are posted writes of which it is not known yet that they were executed."""
+        """Return whether posted writes are not yet known to be executed."""
         return self._last_posted > self._last_answered
 
     def follow_others(self) -> None:
-        """Have all that this client asks for executed behind the writes that are here: they may be its own.
+        """Order all that this client asks for behind the writes that are here, which may be its own.
 
         Its former connection may be cut without anything having told so yet.
         """
@@ -216,11 +216,11 @@ class Client(asyncio.Protocol):
             self.write(frame)
 
     def refuse_all(self) -> None:
-        """Tell the client that the gateway is away; nothing that it waits for will be executed any more."""
+        """Answer every waiting request with an error, since the gateway is away; none will be executed any more."""
         self._refuse([*self._pending, *self._shared.turns.leave(self.queue)], ErrorCode.BUS_TIMEOUT)
 
     def lose_session(self) -> None:
-        """Tell the client that the gateway was reset; what it waits for ends, but for what needs no session."""
+        """Answer for a reset of the gateway; all waiting requests end but those that need no session."""
         if self.conversation is not None:
             self.conversation.reset()
         dropped = self._shared.turns.leave(self.queue)

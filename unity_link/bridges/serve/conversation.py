@@ -1,4 +1,4 @@
-"""What one client says, and what it means: frames, sequence, groups, send-immediate.
+"""The requests of one client, decoded: frames, sequence, groups, send-immediate.
 
 To its client, a `Conversation` is a gateway that has just been reset. It keeps a session as every gateway does
 (`unity_link.protocol.gateway_session`), hands on what is the next to be executed, and answers everything else itself.
@@ -56,7 +56,7 @@ class Conversation:
         self._shared = shared
         self._codec = codec
         self._takes_turns = Feature.HALF_DUPLEX in shared.gateway.features
-        """Whether the gateway's medium lets only one side send at a time."""
+        """True if the gateway's medium lets only one side send at a time."""
         self._session = GatewaySession(codec)
         self._sequence = self._session.sequence
         self._prepare_short_way(codec)
@@ -165,7 +165,7 @@ class Conversation:
         self._client.hand_on(relayed, self._session.awaited)
 
     def _relay_silently(self, command: str, slot: Slot, settings: Settings | None = None) -> None:
-        """Have something done with a slot that the client did not ask for; its next requests are answered behind it."""
+        """Relay a setting of a slot that the client did not ask for; its next requests are answered behind it."""
         fields = slot.text + (b"" if settings is None else settings.fields)
         relayed = Relayed(self._shared.to_gateway, command, fields, 0, self._client, b"")
         relayed.silent = True

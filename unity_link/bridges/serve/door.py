@@ -30,7 +30,7 @@ KEEP_ALIVE = {
     "TCP_KEEPCNT": 3,
     "TCP_USER_TIMEOUT": 45_000,
 }
-"""How the system finds that a client's machine has gone, 45 s after it was last heard of, by names of options.
+"""Socket options by which the system notices, after 45 s of silence, that a client's machine is gone.
 
 After 30 s of silence it asks, every 5 s, three times; what was sent and is not confirmed in 45 s ends the connection,
 too (RFC 5482). TCP_KEEPALIVE is what macOS calls TCP_KEEPIDLE. An option that a system does not have is left out.

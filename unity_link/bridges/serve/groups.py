@@ -40,7 +40,7 @@ class Taker(Protocol):
 
 
 class Settings:
-    """What a client has set up a group to, and what the group's samples are then like.
+    """A client's settings of a group, and the form of the group's samples under them.
 
     The gateway publishes checked frames in any case; a plain one would reach the server without protection.
     """
@@ -73,7 +73,7 @@ class ClientGroup:
     def __init__(self, number: int, taker: Taker, settings: Settings) -> None:
         self.number = number
         self.settings = settings
-        """What the client has asked for last."""
+        """Settings that the client asked for last."""
         self.slot: Slot | None = None
         self._head = b"P%02X" % number
         self._taker = taker
@@ -121,20 +121,20 @@ class Slot:
         self.group: ClientGroup | None = None
         """The group that holds it; None also where its client has left and it may still publish."""
         self.settings: Settings | None = None
-        """What the gateway has stored for the group."""
+        """Settings that the gateway has stored for the group."""
         self.running = False
-        """Whether the gateway publishes it, or did when it was lost."""
+        """True if the gateway publishes it, or did when it was lost."""
         self.lost_at: float | None = None
-        """When the gateway was lost while this was running; None once it is set up again."""
+        """Instant at which the gateway was lost while this was running; None once it is set up again."""
         self.busy = 0
         """Requests that name it and are not over."""
         self.changes: deque[Callable[[], None]] = deque()
-        """What those of its client that are not known to be executed change when they are, in their order."""
+        """Changes that requests of the client make once they are known to be executed, in their order."""
         self.stopping = False
-        """Whether the server is stopping it on its own account."""
+        """True if the server is stopping it on its own account."""
 
     def idle(self) -> bool:
-        """Whether it can change hands: nothing is under way, and it does not publish."""
+        """Return whether it can change hands: nothing is under way, and it does not publish."""
         return not self.busy and not self.stopping and not self.running
 
     def change(self, *, running: bool) -> None:

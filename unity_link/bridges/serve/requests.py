@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
 
 class Asker(Protocol):
-    """Who is answered."""
+    """A receiver of answers."""
 
     def answer(self, request: Relayed, body: bytes) -> None:
         """Take the body of the answer to a request; nothing, where it has none."""
@@ -40,7 +40,7 @@ def answer_digits(codec: Codec, command: str, count: int) -> int | None:
 
 
 class RowsAsker(Protocol):
-    """Who is answered many at a time."""
+    """A receiver of many answers at a time."""
 
     def answer_rows(self, rows: RelayedRows) -> None:
         """Record that some of the answers to many requests are there."""
@@ -92,7 +92,7 @@ class Relayed(Request):
         self.number = number
         self.plain = plain
         self.silent = False
-        """Whether the client did not ask for this, and is not answered."""
+        """True if the client did not ask for this, and is not answered."""
         self.cost = self.size + self.reply_size
         """Bytes that it takes of the gateway's line."""
         self.order = 0
@@ -100,9 +100,9 @@ class Relayed(Request):
         self.reply: bytes | None = None
         """The frame for the client, once there is one."""
         self.awaited: bytearray | None = None
-        """Where its client notes the IDs that are under way."""
+        """Set of the client that marks the IDs under way."""
         self.executed = False
-        """Whether the gateway has executed it without an error."""
+        """True if the gateway has executed it without an error."""
         self.after: Callable[[bool], None] | None = None
         """Called when it is over, with `executed`."""
         self.stored: Callable[[], None] | None = None
@@ -128,7 +128,7 @@ class Relayed(Request):
             events.append(self)
 
     def tell(self) -> None:
-        """Tell the client what has become of it, in the words that the protocol has."""
+        """Answer the client with the outcome, in the frames that the protocol has for it."""
         if not self.done:
             self._asker.posted(self)
         elif self.error is None:
@@ -153,7 +153,7 @@ class Relayed(Request):
 
     @property
     def of_no_session(self) -> bool:
-        """Whether it can be executed in any session: it was not sent, has no ID, and names no group."""
+        """Return whether it can be executed in any session: it was not sent, has no ID, and names no group."""
         return not self.sent and self.after is None and self.number is None and not self.silent
 
 
@@ -184,7 +184,7 @@ class RelayedRows(Batch):
         """Its place among all that the client has asked for."""
         self.awaited: bytearray
         self.answered = 0
-        """How many have been answered to the client."""
+        """Number of requests answered to the client."""
         self._fields = fields
         self._asker = asker
         self._early: dict[int, tuple[int, bytes]] = {}
@@ -253,7 +253,7 @@ class RowsAnswered(NamedTuple):
     """For the client."""
 
     def tell(self) -> None:
-        """Tell the client, behind what the events before this one tell."""
+        """Answer the client, behind the answers of earlier events."""
         self.rows.take_frames(self.offset, self.size, self.frames)
 
 
@@ -286,7 +286,7 @@ class RelayedRun(BatchRun):
         return len(data)
 
     def fail_part(self, offset: int, count: int, error: UnityLinkError, events: Events) -> None:
-        """Tell the client of some requests what the protocol has words for."""
+        """Answer the client for some requests that ended with an error."""
         rows, code = self._rows, _code_of(error, self.command)
         for place in range(self._start + offset, self._start + offset + count):
             frame = rows.reply(place, b"") if code is None else rows.error_frame(place, code)

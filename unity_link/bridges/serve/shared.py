@@ -53,7 +53,7 @@ class SharedLink(Connection):
         self.codec: Codec | None = None
         """The messages towards clients; None before the gateway has said for the first time what it is."""
         self.away = True
-        """Whether requests are refused because the gateway has been away too long."""
+        """True if requests are refused because the gateway has been away too long."""
         self.turns = Turns(self._flow.submit)
         self.slots: Slots
         self.clients: set[Client] = set()
@@ -62,7 +62,7 @@ class SharedLink(Connection):
         self.ended: asyncio.Future[None] = self.loop.create_future()
         """Raises when the link has ended for good."""
         self.tried = asyncio.Event()
-        """Whether the first attempt to reach the gateway is over."""
+        """True if the first attempt to reach the gateway is over."""
         self._report = report
         self._mode = _ADAPTIVE
         """The gateway's send-immediate mode."""
@@ -144,7 +144,7 @@ class SharedLink(Connection):
             self.slots.settle(slot)
 
     def _stop(self, slot: Slot) -> None:
-        """Have a slot publish no more, also where its client could not stop it."""
+        """Stop publication of a slot, also where its client could not stop it."""
         slot.change(running=False)
         slot.stopping = True
         self._run(self._stop_in_this_session(slot))
@@ -160,7 +160,7 @@ class SharedLink(Connection):
     # Send-immediate
 
     def settle_mode(self) -> None:
-        """Have the gateway take the send-immediate mode that its clients want.
+        """Set the gateway to the send-immediate mode that its clients want.
 
         It has one mode for all: whoever wants answers at once gets them.
         """
@@ -184,7 +184,7 @@ class SharedLink(Connection):
     # The gateway
 
     async def _do(self, command: str, fields: bytes) -> None:
-        """Have a request of the server's own done."""
+        """Submit a request of the server's own."""
         await self._flow.answer(Request(self._flow.codec, command, fields, 0, of_session=True))
 
     def _run(self, errand: Coroutine[Any, Any, None]) -> asyncio.Task[None]:
@@ -200,7 +200,7 @@ class SharedLink(Connection):
             task.exception()
 
     def _begin(self, codec: Codec) -> None:
-        """Say to clients what the gateway says, but for what is between it and here."""
+        """Take the description of the gateway for clients, but for what is between it and here."""
         self.tried.set()
         if self.codec is None:
             features = codec.info.features & ~(Feature.ADDRESSED | Feature.HALF_DUPLEX) | Feature.FLOW_CONTROL
@@ -243,7 +243,7 @@ class SharedLink(Connection):
             self.slots.settle(slot)
 
     async def _ask(self, command: str, fields: bytes) -> None:
-        """Have a request done that the session is worth nothing without.
+        """Execute a request without which the session is of no use.
 
         Raises:
             LinkLostError: where it was not executed; the session has ended.

@@ -1,4 +1,4 @@
-"""Who is next: the requests of all clients take turns on the way into the one link's window.
+"""The order of requests: the requests of all clients take turns on the way into the one link's window.
 
 Deficit round robin (Shreedhar and Varghese, 1995) over bytes: at its turn a client may send for a quantum of bytes of
 requests and answers, and what it overdraws is taken off its next turns. So one that moves blocks and one that reads
@@ -37,7 +37,7 @@ _SPAN = 0.005
 
 
 class Queue:
-    """What one client has asked for and is not sent."""
+    """Requests of one client that are not sent yet."""
 
     __slots__ = ("ahead", "balance", "followers", "in_line", "requests", "sent", "under_way")
 
@@ -45,9 +45,9 @@ class Queue:
         self.ahead = 0
         """Other queues that hold writes which go before all that is in this one."""
         self.followers: list[tuple[int, Queue]] = []
-        """What must have been sent, by the count of `sent`, and which queue waits for it."""
+        """Count of `sent` at which each waiting queue may go on, and the queue."""
         self.sent = 0
-        """How many requests have left this queue."""
+        """Number of requests that have left this queue."""
         self.under_way = 0
         """Bytes of requests that were sent and of their answers."""
         self.requests: deque[Relayed | RelayedRows] = deque()
@@ -65,7 +65,7 @@ class Queue:
 
 
 class Pace:
-    """How much may be under way on a line.
+    """Bytes that may be under way on a line.
 
     Where too little is, the line carries less than it could, but carries it quicker than `LONGEST_WAIT`: so more is
     allowed, and so on until it is as quick as it gets.
@@ -110,7 +110,7 @@ class Turns:
         self._submit()
 
     def follow(self, queue: Queue, others: Iterable[Queue]) -> None:
-        """Have a queue wait until the writes that are in others now have been sent."""
+        """Hold a queue back until the writes that are in others now have been sent."""
         for other in others:
             place = other.last_write()
             if place > other.sent:
@@ -189,7 +189,7 @@ class Turns:
 
     @property
     def posted(self) -> bool:
-        """Whether the next request is a posted write."""
+        """Return whether the next request is a posted write."""
         return self._first().requests[0].posted
 
     @property
@@ -223,7 +223,7 @@ class Turns:
         return not self._submitted
 
     def unwanted(self) -> bool:
-        """Say the same before a turn."""
+        """Return the same before a turn."""
         return self.exhausted()
 
     def fail(self, error: UnityLinkError, events: Events) -> None:  # noqa: ARG002  (the clients are hung up on)

@@ -1,4 +1,4 @@
-"""What a bridge says of its robot: where everything is, and what values there can be."""
+"""The description of a robot in a Zenoh network: where everything is, and what values there can be."""
 
 from __future__ import annotations
 

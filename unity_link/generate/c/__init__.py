@@ -38,7 +38,7 @@ FILTERS: dict[str, Callable[..., Any]] = {
 }
 RUNTIME = ("unity_link.h", "unity_link.c", "unity_link_posix.c")
 RUNTIME_VALUES = {"constants": TABLE, "SPIN": SPIN, "REMEMBERED_WAITS": REMEMBERED_WAITS}
-"""What the runtime has in common with the host in Python."""
+"""Constants that the runtime has in common with the host in Python."""
 
 
 def files(interface: Interface, templates: Templates) -> Iterator[GeneratedFile]:

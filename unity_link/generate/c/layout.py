@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 MOST_GROUP_WORDS = 255
 _OF_ENUMERATIONS = ("", "_signal", "_name", "_get", "_set", "_post")
 _OF_GROUPS = ("", "_subscription", "_read", "_write", "_subscribe", "_next", "_decode")
-"""What is named after an enumeration and a group."""
+"""Suffixes of names that are derived from enumerations and groups."""
 _OF_USE = ("link", "networks", "words", "status", "network", "ADDRESSES", "index")
 """Parameters and variables of the function that is given the addresses of networks."""
 _INT_MAX = 0x7FFF_FFFF
@@ -47,7 +47,7 @@ class Constant(NamedTuple):
 
     @property
     def is_int(self) -> bool:
-        """Whether an enumerator of C can have the value."""
+        """Return whether an enumerator of C can have the value."""
         return self.value <= _INT_MAX
 
 
@@ -55,10 +55,10 @@ class EnumerationType(NamedTuple):
     """An enumeration."""
 
     name: str
-    """Of the type of its values."""
+    """Name of the type of its values."""
     short: str
     signal: str
-    """Of the type of its signals."""
+    """Name of the type of its signals."""
     bits: int
     constants: tuple[Constant, ...]
     doc: str
@@ -77,7 +77,7 @@ class ValueType(NamedTuple):
 
     @property
     def is_enumeration(self) -> bool:
-        """Whether it is one of the spec's own."""
+        """Return whether it is one of the spec's own."""
         return not self.signal.startswith("ul_")
 
 
@@ -89,7 +89,7 @@ class SignalMember(NamedTuple):
     signal: Signal
     """The one of the first place."""
     varies: bool
-    """Whether its unit or limits are not the same everywhere."""
+    """True if its unit or limits are not the same everywhere."""
 
     @property
     def declaration(self) -> str:
@@ -124,7 +124,7 @@ class PartType(NamedTuple):
 
     @property
     def column(self) -> int:
-        """Where comments begin."""
+        """Column at which comments begin."""
         return _column([*self.signals, *self.parts, *self.modules])
 
 
@@ -137,7 +137,7 @@ class GroupMember(NamedTuple):
     expression: str
     """Its structure in C."""
     words: str
-    """Where its words stand in a sample, in C."""
+    """Place of its words in a sample, in C."""
 
     @property
     def declaration(self) -> str:
@@ -161,27 +161,27 @@ class GroupType(NamedTuple):
 
     @property
     def column(self) -> int:
-        """Where comments begin."""
+        """Column at which comments begin."""
         return _column(self.members)
 
     @property
     def reads_all(self) -> bool:
-        """Whether all of it can be read."""
+        """Return whether all of it can be read."""
         return all(member.signal.access.reads for member in self.members)
 
     @property
     def has_read(self) -> bool:
-        """Whether it is read at once: a queue has its words in samples, or by itself."""
+        """Return whether it is read at once: a queue has its words in samples, or by itself."""
         return self.reads_all and not any(member.signal.fifo for member in self.members)
 
     @property
     def is_published(self) -> bool:
-        """Whether the gateway publishes it."""
+        """Return whether the gateway publishes it."""
         return self.group.number is not None and self.reads_all
 
     @property
     def writes_all(self) -> bool:
-        """Whether all of it can be written."""
+        """Return whether all of it can be written."""
         return all(member.signal.access.writes for member in self.members)
 
 

@@ -58,7 +58,7 @@ what is named after that."""
 _SCOPES = """
     int64_t place std the_link uint32_t uint64_t uint8_t unity_link
 """
-"""What the members of generated structures and classes must leave visible."""
+"""Names that the members of generated structures and classes must not hide."""
 _LIBRARY = """
     DIR FILE a64l abort abs accept access acos acosf acosh acoshf acoshl acosl alarm aligned_alloc alphasort
     arc4random arc4random_buf arc4random_uniform asctime asctime_r asin asinf asinh asinhf asinhl asinl asprintf
@@ -196,16 +196,16 @@ INTERFACES = frozenset(f"{_LOCALS}{_HEADERS}".split())
 
 
 def is_word(identifier: str) -> bool:
-    """Whether nothing can have the name, not even a member."""
+    """Return whether nothing can have the name, not even a member."""
     renamed = identifier.endswith("_") or "__" in identifier
     return identifier in WORDS or (not renamed and _FAMILIES.fullmatch(identifier) is not None)
 
 
 def is_global(identifier: str) -> bool:
-    """Whether nothing outside of a structure can have the name; what ends in ``_t`` is a type of POSIX."""
+    """Return whether nothing outside of a structure can have the name; what ends in ``_t`` is a type of POSIX."""
     return is_word(identifier) or identifier in GLOBALS or identifier.endswith("_t")
 
 
 def is_interface(identifier: str) -> bool:
-    """Whether no interface can have the name."""
+    """Return whether no interface can have the name."""
     return is_global(identifier) or identifier in INTERFACES or _OURS.fullmatch(identifier) is not None

@@ -114,7 +114,7 @@ def _properties(signal: Signal, layout: Layout, *, is_real: bool) -> str:
 
 
 def limits(signal: Signal) -> str:
-    """Say which values a signal takes, for people, where its type does not say it."""
+    """Return the values that a signal takes, for people, where its type does not show them."""
     low, high = signal.limits
     if not signal.access.writes or _says_it(signal) or not (math.isfinite(low) or math.isfinite(high)):
         return ""
@@ -131,7 +131,7 @@ def _says_it(signal: Signal) -> bool:
 
 
 def describe(member: SignalMember) -> str:
-    """Say what stands beside a signal: its doc string, what may be done with it, its limits and unit."""
+    """Return the comment beside a signal: its doc string, what may be done with it, its limits and unit."""
     signal = member.signal
     what = {"READ": "read", "WRITE": "write", "READWRITE": "read, write"}[signal.access]
     if signal.fifo:
@@ -142,7 +142,7 @@ def describe(member: SignalMember) -> str:
 
 
 def schedule(group: Group) -> str:
-    """Say when a group is published."""
+    """Return the times at which a group is published."""
     when = []
     if group.divisor is not None:
         when.append(f"at the gateway's base frequency / {group.divisor}")

@@ -37,10 +37,10 @@ class Row(NamedTuple):
     """Its bits of the word; empty where it has the whole word or several."""
     kind: str
     value: str
-    """How the value comes from the number; empty where it is the number."""
+    """Formula from the number to the value; empty where it is the number."""
     range: str
     notes: tuple[str, ...]
-    """What else is said of it."""
+    """Further notes."""
     anchor: str
 
     @property
@@ -59,7 +59,7 @@ class Field(NamedTuple):
 
     @property
     def width(self) -> int:
-        """How many bits."""
+        """Number of bits."""
         return self.high - self.low + 1
 
 
@@ -68,7 +68,7 @@ class PageWord(NamedTuple):
 
     address: str
     lanes: tuple[tuple[str, tuple[Field, ...]], ...]
-    """What is read and what is written, where that is not the same; each with its title."""
+    """Fields that are read and fields that are written, where they differ; each with its title."""
 
 
 class Part(NamedTuple):
@@ -96,7 +96,7 @@ class Cell(NamedTuple):
 
     address: str
     way: str
-    """How it can be accessed: ``read``, ``write``, ``readwrite``, ``module`` or ``unused``."""
+    """Access: ``read``, ``write``, ``readwrite``, ``module`` or ``unused``."""
     title: str
     anchor: str
 
@@ -353,7 +353,7 @@ def _notes(signal: Signal) -> Iterator[str]:
 
 
 def _overlap(first: tuple[Field, ...], second: tuple[Field, ...]) -> bool:
-    """Whether a bit is read as one signal and written as another."""
+    """Return whether a bit is read as one signal and written as another."""
     return any(
         one.low <= other.high and other.low <= one.high
         for one in first

@@ -48,9 +48,9 @@ class Line(NamedTuple):
 
     path: str
     signal: Signal | None
-    """What is put there; None for a component without signals of its own."""
+    """Signal at the place; None for a component without signals of its own."""
     copies: int = 1
-    """Of such a component in a row."""
+    """Number of such components in a row."""
 
 
 class Property(NamedTuple):

@@ -34,7 +34,7 @@ _FUNCTIONS = """
 KEYWORDS = frozenset(_KEYWORDS.split())
 """`iskeyword` of MATLAB and of Octave, the words that begin the blocks of a class, and `ans`, which expressions set."""
 MEMBERS = frozenset(_MEMBERS.split())
-"""What the generated class has itself, and what every handle class inherits."""
+"""Members of the generated class, and those that every handle class inherits."""
 FUNCTIONS = frozenset(_FUNCTIONS.split())
 """Functions that the package calls, in place of which it would find a class of the same name."""
 

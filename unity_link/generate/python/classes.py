@@ -41,7 +41,7 @@ class Class(NamedTuple):
     """A component, or the robot."""
 
     declaration: str
-    """What the spec calls it."""
+    """Name in the spec."""
     name: str
     doc: str
     attributes: tuple[Attribute, ...]
@@ -58,13 +58,13 @@ class EnumClass(NamedTuple):
 
 
 class Described(NamedTuple):
-    """What the template shows."""
+    """Values of the template."""
 
     robot: Class
     components: tuple[Class, ...]
     enumerations: tuple[EnumClass, ...]
     parameters: tuple[tuple[str, str], ...]
-    """What a program gives: the name of the argument, and what the spec calls it."""
+    """Parameters that a program gives: the name of the argument, and what the spec calls it."""
     proxies: tuple[str, ...]
     """Names that are imported from `unity_link.data`."""
     modules: tuple[str, ...]
@@ -191,7 +191,7 @@ def _text(doc: str) -> list[str]:
 
 
 def _properties(signals: list[Signal]) -> list[str]:
-    """Say what holds for a signal in all uses of its component."""
+    """Return the properties that a signal has in all uses of its component."""
     first = signals[0]
     addresses = ", ".join(f"{signal.address:#x}" for signal in signals[:_SHOWN])
     if len(signals) > _SHOWN:

@@ -1,4 +1,4 @@
-"""What packages of ROS 1 and ROS 2 have in common: a client of a shared link, and a bridge, for Python from 3.8.
+"""The common part of packages for ROS 1 and ROS 2: a client of a shared link, and a bridge, for Python from 3.8.
 
 - ``client.py``: the connection to `unity-link serve`
 - ``values.py``: signals and groups of them, as values
@@ -48,7 +48,7 @@ class Sampled(NamedTuple):
 
 
 class Package(NamedTuple):
-    """What the user says of a package."""
+    """Options of a package that the user chooses."""
 
     maintainer: str = "Maintainer"
     email: str = "user@example.com"

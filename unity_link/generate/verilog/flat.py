@@ -18,9 +18,9 @@ class FlatPort(NamedTuple):
 
     name: str
     width: int
-    """Of a vector; 0 for a single bit."""
+    """Width of a vector; 0 for a single bit."""
     target: str
-    """What is driven: an element of the record of what hardware gives, or the port."""
+    """Target of the assignment: an element of the record of what hardware gives, or the port."""
     value: str
     is_input: bool
 

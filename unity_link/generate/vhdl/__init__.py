@@ -37,7 +37,9 @@ FILTERS: dict[str, Callable[..., Any]] = {
 _LEAST_GROUPS = 16
 _LEAST_GROUP_WORDS = 32
 _LEAST_SAMPLE_DEPTH = 256
-"""What a gateway has by itself: room for the subscriptions of programs beside the groups of the spec."""
+"""Least depth of the sample FIFO of a gateway by itself: room for the subscriptions of programs beside the groups of
+the spec.
+"""
 _MEDIA = ("uart", "ft245", "ft245_sync")
 _BASE_HZ = 100_000
 """The gateway's own base frequency, which divisors in specs count from."""

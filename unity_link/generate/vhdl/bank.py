@@ -32,7 +32,7 @@ _CONSTANTS = (
     "base_frequency_millihertz",
     "build_id",
 )
-"""What the package has of the gateway, behind the name of the interface."""
+"""Constants of the gateway in the package, behind the name of the interface."""
 _HIDDEN = (
     *("to_bits", "to_hardware", "from_hardware", "to_chain", "wb_pipelined", "sample_access"),
     *("address_t", "addresses_t", "word_t", "words_t", "counts_t", "to_bank", "from_bank", "count_words"),
@@ -83,32 +83,32 @@ class Register(NamedTuple):
 
     @property
     def is_sampled(self) -> bool:
-        """Whether what is read of it is kept during a sample: what hardware gives, but for FIFO ports."""
+        """Return whether its readable value is kept during a sample: that of hardware's signals but FIFO ports."""
         return self.signal.access is Access.READ and not self.signal.fifo
 
     @property
     def is_held(self) -> bool:
-        """Whether what is read of it is kept for the rest of a transaction, as it takes several words."""
+        """Return whether its readable value is kept for the rest of a transaction, as it takes several words."""
         return self.is_sampled and self.signal.words > 1
 
     @property
     def is_register(self) -> bool:
-        """Whether it is written and stays."""
+        """Return whether it is written and stays."""
         return self.signal.access.writes and not self.signal.fifo
 
     @property
     def is_gathered(self) -> bool:
-        """Whether several words are written before it changes."""
+        """Return whether several words are written before it changes."""
         return self.is_register and self.signal.words > 1
 
     @property
     def reads_back(self) -> bool:
-        """Whether reading gives what was written: for a field, since it is written by reading first."""
+        """Return whether reading gives what was written: for a field, since it is written by reading first."""
         return self.is_register and (self.signal.access is Access.READWRITE or self.signal.is_field)
 
     @property
     def can_be_read(self) -> bool:
-        """Whether its address can be read."""
+        """Return whether its address can be read."""
         return self.signal.access.reads or self.reads_back
 
     @property
@@ -148,7 +148,7 @@ class BankWord(NamedTuple):
 
     @property
     def paths(self) -> str:
-        """What stands there, in the words of the spec."""
+        """Paths of its signals in the spec."""
         signals = (register.signal for register in self.read + self.written)
         return ", ".join(dict.fromkeys(f"{signal.path}{self._part(signal)}" for signal in signals))
 
@@ -160,7 +160,7 @@ class AddressWindow(NamedTuple):
     """Addresses that are handed on."""
 
     name: str
-    """What its ports begin with."""
+    """Prefix of its ports."""
     first: int
     last: int
     module: Module | None
@@ -199,7 +199,7 @@ class Bank:
             "_gathered",
         )
         self.names = {path: self._scope.unique(path, *endings) for path in interface.signals}
-        """Of all signals, those of modules too."""
+        """Names of all signals, those of modules too."""
         self.group_names = {
             group.name: self._scope.unique(f"group_{group.name}", "", "_divisor") for group in interface.groups
         }
@@ -211,12 +211,12 @@ class Bank:
 
     @property
     def chained_to(self) -> list[Register]:
-        """What hardware gets, each with its place on a chain of shift registers."""
+        """Registers that hardware gets, each with its place on a chain of shift registers."""
         return _chained(register for register in self.registers if register.is_register)
 
     @property
     def chained_from(self) -> list[Register]:
-        """What hardware gives, likewise."""
+        """Registers that hardware gives, each with its place on a chain of shift registers."""
         return _chained(register for register in self.registers if register.is_sampled)
 
     @property
@@ -291,12 +291,12 @@ def _chained(registers: Iterable[Register]) -> list[Register]:
 
 
 def is_bit(register: Register) -> bool:
-    """Whether `read_at` writes a single bit."""
+    """Return whether `read_at` writes a single bit."""
     return is_bool(register) and register.signal.fifo
 
 
 def is_bool(register: Register) -> bool:
-    """Whether hardware's side of a register is a single bit."""
+    """Return whether hardware's side of a register is a single bit."""
     return register.signal.kind.name is KindName.BOOL
 
 

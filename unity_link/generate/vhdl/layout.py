@@ -27,7 +27,7 @@ class _Line(NamedTuple):
     text: str
     depth: int
     sign: str
-    """What is aligned in it: a sign, ":" for a declaration, "()" for a call, or nothing."""
+    """Sign by which its lines are aligned: a sign, ":" for a declaration, "()" for a call, or nothing."""
 
 
 def align(text: str) -> str:

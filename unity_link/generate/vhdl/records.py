@@ -43,20 +43,20 @@ class RecordType(NamedTuple):
 
 
 class Pins(NamedTuple):
-    """Where the hardware's side of a signal is: names of elements of the two records, empty where there is none."""
+    """Ports of the hardware's side of a signal: names of elements of the two records, empty where there is none."""
 
     given: str = ""
-    """What hardware gives: the value that is read."""
+    """Port that hardware drives: the value that is read."""
     got: str = ""
-    """What hardware gets: the value that is written."""
+    """Port that hardware reads: the value that is written."""
     written: str = ""
     """Pulses with each write."""
     given_valid: str = ""
     given_ready: str = ""
-    """Of a FIFO that is read: hardware's word counts; it is being taken."""
+    """Port of a FIFO that is read: hardware's word counts; it is being taken."""
     got_valid: str = ""
     got_ready: str = ""
-    """Of a FIFO that is written: a word is there; hardware takes it."""
+    """Port of a FIFO that is written: a word is there; hardware takes it."""
 
 
 def elements_of(signal: Signal, name: str, type_: str) -> Iterator[tuple[Direction, str, Element]]:

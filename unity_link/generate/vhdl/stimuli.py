@@ -1,4 +1,4 @@
-"""What the bench does to a register bank, and what it must see: computed from the signals, not from the bank.
+"""The accesses of the bench to a register bank, and their results: computed from the signals, not from the bank.
 
 Which words a value has is what `Signal.encode` says of it to every client, so that a bank which passes agrees with the
 programs that are generated from the same spec. Values are random, but the same for the same spec. Each signal gets
@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 ROUNDS = 3
 _UNUSED_ADDRESSES = 8
-"""How many addresses without a signal are tried."""
+"""Number of addresses without a signal that are tried."""
 
 
 class Section(NamedTuple):
@@ -42,7 +42,7 @@ class Stimuli:
             register.signal.path: 0 for register in bank.registers if register.signal.access.writes
         }
         self._gathered: dict[int, int] = {}
-        """What was written to the words of a value that is not whole yet, by their addresses."""
+        """Words written to values that are not whole yet, by their addresses."""
         self._word_at = {word.address: word for word in bank.words}
         self._first_strobe: dict[int, int] = {}
         strobes: list[Register] = []

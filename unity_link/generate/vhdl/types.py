@@ -1,4 +1,4 @@
-"""What a kind is in VHDL: its type on the hardware's side, and the way between that and the bits on the bus."""
+"""The VHDL of a kind: its type on the hardware's side, and the way between that and the bits on the bus."""
 
 from __future__ import annotations
 

@@ -107,7 +107,7 @@ class _Importer:
         registers = [node for node in top.descendants() if type(node).__name__ == "RegNode"]
         self._bits = min((node.get_property("regwidth") for node in registers), default=32)
         self._enumerations: dict[str, str] = {}
-        """What stands between the braces of each, by their names."""
+        """Text between the braces of each, by their names."""
         self._components: dict[str, str] = {}
         """Names of components by what stands in them."""
         self._docs: dict[str, str] = {}
@@ -319,7 +319,7 @@ def _rebase(part: _Part) -> None:
 
 
 def _effects(node: Any) -> Iterator[str]:
-    """Say what reading or writing does besides, which UL-spec has no word for."""
+    """Yield the side effects of reading or writing, which UL-spec has no word for."""
     for word, name in (("Reading", "onread"), ("Writing", "onwrite")):
         effect = node.get_property(name)
         if effect is not None:

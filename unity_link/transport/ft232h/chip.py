@@ -45,7 +45,7 @@ LATENCIES = range(1, 256)
 LINE_FEED = 0x0A
 DEFAULT_BAUD = 115_200
 CONTROL_TIMEOUT_MS = 1000
-"""Of requests to the chip; a chip that works takes less than one."""
+"""Milliseconds for requests to the chip; a chip that works takes less than one."""
 UDEV_RULE = "/etc/udev/rules.d/70-ft232h.rules"
 UDEV_LINE = (
     'SUBSYSTEM=="usb", ATTR{idVendor}=="0403", ATTR{idProduct}=="6010|6014", '
@@ -63,10 +63,10 @@ log = logging.getLogger("unity_link.ft232h")
 
 
 class StandIn(Protocol):
-    """What a module offers that stands in for a chip."""
+    """Interface of a module that stands in for a chip."""
 
     OPTIONS: frozenset[str]
-    """What a URL may say besides the options of every chip."""
+    """Options of a URL besides those of every chip."""
 
     def open_ftdi(self, url: DriverUrl, mode: ChipMode) -> Any:
         """Return an open `pyftdi.ftdi.Ftdi`."""
@@ -79,7 +79,7 @@ def options_of(url: DriverUrl) -> frozenset[str]:
 
 
 class Tuning(msgspec.Struct, frozen=True):
-    """What decides when the chip sends a packet that is not full."""
+    """Settings by which the chip decides when it sends a packet that is not full."""
 
     latency: int
     """ms."""
@@ -96,7 +96,7 @@ once, with SIWU# wired or not. Adaptive: SIWU# sends what is urgent, and the lat
 
 
 class ChipSettings(msgspec.Struct, frozen=True):
-    """What a URL says of the chip; None where it leaves that to the driver."""
+    """Settings of the chip in a URL; None where it leaves that to the driver."""
 
     mode: ChipMode
     latency: int | None
@@ -416,7 +416,7 @@ def stuck() -> OSError:
 
 
 def explain(error: BaseException) -> str:
-    """Say what happened to a chip that was open."""
+    """Return the cause of an error of a chip that was open, in words."""
     if isinstance(error, OSError) and error.errno == errno.ETIME:
         return str(error.strerror)
     number = find_errno(error)
@@ -424,7 +424,7 @@ def explain(error: BaseException) -> str:
 
 
 def explain_opening(error: BaseException) -> str:
-    """Say why a chip can't be opened."""
+    """Return the reason why a chip can't be opened, in words."""
     text = str(error)
     number = find_errno(error)
     if number is None and _NO_LANGUAGE in text:

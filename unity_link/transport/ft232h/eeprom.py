@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 
 class EepromInfo(msgspec.Struct, frozen=True):
-    """What an EEPROM says of a port."""
+    """Settings of a port in an EEPROM."""
 
     chip: str
     """Name of its kind."""

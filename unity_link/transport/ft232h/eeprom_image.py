@@ -1,4 +1,4 @@
-"""What the chip's EEPROM says: a 93C56 of 256 bytes, by the layout that pyftdi, libftdi and FT_PROG read.
+"""The image of the chip's EEPROM: a 93C56 of 256 bytes, by the layout that pyftdi, libftdi and FT_PROG read.
 
 A chip whose EEPROM is blank, or has a wrong checksum, ignores it: all its ports are UARTs then, and it has no serial
 number.

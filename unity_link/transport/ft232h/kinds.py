@@ -15,7 +15,7 @@ class ChipKind(msgspec.Struct, frozen=True):
 
     name: str
     url_name: str
-    """What pyftdi's URLs call it, as in ``ftdi://ftdi:232h/1``."""
+    """Name in pyftdi's URLs, as in ``ftdi://ftdi:232h/1``."""
     product_id: int
     release: int
     """bcdDevice. The product alone does not do: an FT2232D, without high speed, has that of the FT2232H."""
@@ -26,9 +26,9 @@ class ChipKind(msgspec.Struct, frozen=True):
     """In the EEPROM's byte 0 (port A) or 1 (port B), the bits that say what the pins are. An FT2232H has the choice of
     the PC's driver beside three of them, and an FT232H behind four."""
     memory_model: int
-    """Where the EEPROM says what memory it is."""
+    """Offset in the EEPROM of the kind of memory that it is."""
     strings: int
-    """Where the EEPROM has its strings."""
+    """Offset of the strings in the EEPROM."""
 
 
 FT232H = ChipKind("FT232H", "232h", 0x6014, 0x0900, 1, 1024, 0x0F, 0x1E, 0xA0)

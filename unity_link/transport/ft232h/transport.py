@@ -1,4 +1,4 @@
-"""What both drivers of the chips are to the event loop; they differ in how they move bytes.
+"""The transport of both drivers of the chips for the event loop; they differ in how they move bytes.
 
 ``get_extra_info`` has ``send_immediate``, a coroutine function that takes a mode and chooses the driver's part of it,
 and ``line_errors``, the number of packets with which the chip reported lost bytes.

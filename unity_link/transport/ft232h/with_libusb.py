@@ -130,9 +130,9 @@ class OverlappedTransport(ChipTransport):
         self._reads = [self._handle.getTransfer() for _ in range(POSTED_READS)]
         self._idle_reads = list(self._reads)
         self._again: list[bytes] = []
-        """What a stalled endpoint did not take, in order."""
+        """Bytes that a stalled endpoint did not take, in order."""
         self._data: dict[Any, bytes] = {}
-        """What each write is of."""
+        """Data of each write."""
         self._under_way = 0
         self._in, self._out = chip.in_endpoint, chip.out_endpoint
         self._stalls = {self._in: 0, self._out: 0}
@@ -318,7 +318,7 @@ class OverlappedTransport(ChipTransport):
         self.abort()
 
     def _release(self) -> None:
-        """When it is closing and nothing is left to write: cancel what is under way, and at last let go of the chip."""
+        """Cancel what is under way, once it is closing and nothing is left to write, and at last release the chip."""
         if not self._closing or self._released or (self._unwritten and not self._aborted):
             return
         if self._under_way or self._clearing:
@@ -351,7 +351,7 @@ class OverlappedTransport(ChipTransport):
 
 
 def _cancel(transfer: Any) -> None:
-    """Have a transfer end soon, if it has not ended already."""
+    """Cancel a transfer, which ends soon, if it has not ended already."""
     if transfer.isSubmitted():
         # libusb may have ended it, with the callback still to come.
         with contextlib.suppress(Exception):

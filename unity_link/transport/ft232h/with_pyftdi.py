@@ -43,9 +43,9 @@ WRITE_SIZE = 16384
 MOST_UNREAD = 1 << 20
 """Bytes that were read and not delivered, at which reading pauses."""
 SLICE_MS = 250
-"""How long a write may block before it is looked whether to go on."""
+"""Milliseconds that a write may block before it is decided whether to go on."""
 READ_SLACK_MS = 1000
-"""How much longer than the latency timer a read may take; the chip answers with status bytes when it ends."""
+"""Milliseconds beyond the latency timer that a read may take; the chip answers with status bytes when it ends."""
 
 
 async def connect(url: DriverUrl, protocol: asyncio.Protocol) -> asyncio.Transport:
@@ -125,7 +125,7 @@ class ThreadedTransport(ChipTransport):
         self._protocol.connection_lost(self._error)
 
     def _in_loop(self, callback: Any) -> None:
-        """Have the loop call; one that is closed is not told."""
+        """Call a function in the loop; one that is closed is not called."""
         try:
             self._loop.call_soon_threadsafe(callback)
         except RuntimeError:

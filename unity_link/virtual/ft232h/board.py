@@ -1,4 +1,4 @@
-"""What is at the pins of a port: a gateway with its FIFOs, moved along in modelled time.
+"""The board at the pins of a port: a gateway with its FIFOs, moved along in modelled time.
 
 Bytes pass the pins in small steps (`STEP`), each done when its last byte would be: a request that comes alone is timed
 to the byte, and a stream costs the computer one event for a step. What the gateware does with a byte takes no time
@@ -29,11 +29,11 @@ _OFF, _ALWAYS = 0, 1
 
 
 class Board(Protocol):
-    """What can be connected to the pins."""
+    """Interface of boards that can be connected to the pins."""
 
     @property
     def next_due(self) -> float | None:
-        """When it does something next, if nothing changes at the port."""
+        """Instant of its next action, if nothing changes at the port."""
 
     def advance(self, port: Port, now: float) -> None:
         """Do what is due at `now`, or has become possible by what changed at the port."""
@@ -86,7 +86,7 @@ class GatewayBoard:
         self._written = 0
         self._pulse_when_idle = False
         self._reading: tuple[float, int] | None = None
-        """When a step at RD# is done, and of how many bytes."""
+        """Instant at which a step at RD# is done, and its number of bytes."""
         self._writing: tuple[float, bytes] | None = None
         self._wrote_last = False
         self._skipping = False
@@ -97,7 +97,7 @@ class GatewayBoard:
 
     @property
     def next_due(self) -> float | None:
-        """When something happens next, if nothing changes at the port."""
+        """Instant of the next event, if nothing changes at the port."""
         due: float | None = None
         if self._reading is not None:
             due = self._reading[0]
@@ -136,7 +136,7 @@ class GatewayBoard:
         return self.gateway.info.receive_fifo_bytes - len(self._received)
 
     def _publish(self, now: float, most: int) -> None:
-        """Have samples taken that are due; those beyond `most` bytes, or without room, wait in the gateway."""
+        """Take samples that are due; those beyond `most` bytes, or without room, wait in the gateway."""
         gateway, size = self.gateway, self.gateway.info.transmit_fifo_bytes
         if len(self._sent) >= size:
             self._skipping = True

@@ -146,9 +146,9 @@ class VirtualFt232h:
         self.address = 0
         """Number on its bus, given when it is plugged in."""
         self.denied = False
-        """Whether the operating system refuses to open it."""
+        """True if the operating system refuses to open it."""
         self.claims: dict[int, object] = {}
-        """Who has which interface (0 is that of port A); another program, where it is a stranger."""
+        """Owner of each interface (0 is that of port A); another program, where it is a stranger."""
         self.times_plugged = 1
         """Handles from before it was unplugged are void."""
         self.changed = threading.Condition()
@@ -192,7 +192,7 @@ class VirtualFt232h:
 
     @property
     def next_end(self) -> float | None:
-        """When the next transfer may have ended."""
+        """Earliest instant at which the next transfer can end."""
         due = self.host.next_due
         return None if due is None else max(due, self.chip.timing.boundary_after(due))
 
@@ -247,7 +247,7 @@ class VirtualFt232h:
             self.host.plug_in(self.clock.now())
 
     def halt(self, endpoint: int) -> None:
-        """Have an endpoint answer STALL until the host clears that."""
+        """Halt an endpoint, which answers STALL until the host clears that."""
         with self.changed:
             self.host.halt(endpoint, self.now())
             self.changed.notify_all()

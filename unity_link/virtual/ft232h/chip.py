@@ -187,7 +187,7 @@ class Chip:
 
     @property
     def device_descriptor(self) -> descriptors.DeviceDescriptor:
-        """What the chip tells of itself; without a serial number it names none."""
+        """Device descriptor of the chip; without a serial number it names none."""
         return descriptors.DeviceDescriptor(
             idProduct=self.kind.product_id, bcdDevice=self.kind.release, iSerialNumber=3 if self.strings[2] else 0
         )

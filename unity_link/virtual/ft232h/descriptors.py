@@ -1,4 +1,4 @@
-"""What the chip tells the USB of itself (USB 2.0, section 9.6): one configuration.
+"""The USB descriptors of the chip (USB 2.0, section 9.6): one configuration.
 
 Each port is an interface with two bulk endpoints. The field names are those of the standard, which pyusb asks for as
 attributes.

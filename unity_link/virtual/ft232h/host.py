@@ -25,7 +25,7 @@ _DIRECTION_IN = 0x80
 
 
 class TransferStatus(enum.Enum):
-    """How a transfer ended."""
+    """Result of a transfer."""
 
     DONE = "done"
     STALLED = "stalled"
@@ -37,7 +37,7 @@ class TransferStatus(enum.Enum):
 
 
 class Transfer:
-    """What a program wants to be moved.
+    """A transfer that a program has submitted.
 
     Args:
         endpoint: 0x81 or 0x02 of port A, 0x83 or 0x04 of port B.
@@ -54,7 +54,7 @@ class Transfer:
         self.endpoint = endpoint
         self.size = size
         self.data = bytearray() if endpoint & _DIRECTION_IN else bytearray(data)
-        """What came, or is to be sent."""
+        """Bytes that came, or are to be sent."""
         self.sent = 0
         self.on_end = on_end
         self.status: TransferStatus | None = None
@@ -75,7 +75,7 @@ class _InQueue:
         self.waiting: deque[Transfer] = deque()
 
     def next_due(self, now: float) -> float | None:
-        """When a packet can go."""
+        """Return the instant at which a packet can go."""
         if not self.waiting:
             return None
         return self.port.ready_at(max(now, self.waiting[0].starts_at))
@@ -109,7 +109,7 @@ class _OutQueue:
         return self.port.can_take >= min(PACKET_SIZE, len(head.data) - head.sent)
 
     def next_due(self, now: float) -> float | None:  # noqa: ARG002  (as the other queue has it)
-        """When a packet can go; without room it waits for the board, which is due by itself."""
+        """Return the instant at which a packet can go; without room it waits for the board, which is due by itself."""
         return self.waiting[0].starts_at if self.waiting and self._has_room() else None
 
     def begin(self, now: float) -> bytes | None:
@@ -223,7 +223,7 @@ class UsbHost:
         self.chip.power_up(now)
 
     def halt(self, endpoint: int, now: float) -> None:
-        """Have an endpoint answer STALL until the host clears that."""
+        """Halt an endpoint, which answers STALL until the host clears that."""
         self.advance(now)
         self.chip.halted.add(endpoint)
         waiting = self._queues[endpoint].waiting
@@ -234,7 +234,7 @@ class UsbHost:
 
     @property
     def next_due(self) -> float | None:
-        """When something happens next; None where nothing will without a new transfer."""
+        """Instant of the next event; None where none comes without a new transfer."""
         if not self.plugged:
             return None
         due: float | None = None

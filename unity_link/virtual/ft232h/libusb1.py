@@ -1,4 +1,4 @@
-"""What python-libusb1 offers to the overlapped driver, for a virtual chip.
+"""The part of python-libusb1 that the overlapped driver uses, for a virtual chip.
 
 `Context`, `Handle` and `TransferRequest` are the few classes of the `usb1` module that the driver needs, with its
 names. As with usbfs, the one poll descriptor becomes *writable* when something has ended, and the callbacks run inside
@@ -180,7 +180,7 @@ class Context:
             request.call_back()
 
     def getNextTimeout(self) -> float | None:  # noqa: N802
-        """Say that no time out is planned."""
+        """Return None, since no time out is planned."""
         return None
 
 
@@ -202,7 +202,7 @@ class Handle:
         self.device.release(interface, self)
 
     def clearHalt(self, endpoint: int) -> None:  # noqa: N802
-        """Have a halted endpoint work again."""
+        """Clear the halt of an endpoint."""
         with self.device.changed:
             self.device.host.control_out(0x02, 0x01, 0, endpoint, self.device.now())
 
@@ -250,7 +250,7 @@ class TransferRequest:
     def setBulk(  # noqa: N802
         self, endpoint: int, buffer_or_len: bytes | int, callback: Callable[[TransferRequest], None] | None = None
     ) -> None:
-        """Say what is to be moved."""
+        """Set endpoint, data and callback of the transfer."""
         self._endpoint, self._buffer, self._callback = endpoint, buffer_or_len, callback
 
     def submit(self) -> None:
@@ -278,7 +278,7 @@ class TransferRequest:
             self._callback(self)
 
     def cancel(self) -> None:
-        """Have it end soon."""
+        """Cancel the transfer, which ends soon."""
         assert self._transfer is not None
         self._handle.cancel(self._transfer)
 
@@ -287,7 +287,7 @@ class TransferRequest:
         return self._submitted
 
     def getStatus(self) -> int:  # noqa: N802
-        """Say how it ended."""
+        """Return the result of the transfer."""
         assert self._transfer is not None
         assert self._transfer.status is not None
         return _STATUSES[self._transfer.status]

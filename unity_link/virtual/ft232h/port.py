@@ -32,7 +32,7 @@ OVERRUN = 0x02
 
 
 class Mode(enum.Enum):
-    """What the pins are."""
+    """Mode of the pins."""
 
     UART = "uart"
     FIFO = "ft245"
@@ -87,13 +87,13 @@ class Port:
         """Forget what the host has not read."""
         self.to_host.clear()
         self._wanted = 0
-        """How many of the bytes to the host are to be sent at once."""
+        """Number of the bytes to the host that are to be sent at once."""
         self._empty_packet_due = False
         self._timer_began = now
 
     @property
     def mode(self) -> Mode:
-        """What the pins are, by EEPROM and bit mode."""
+        """Mode of the pins, by EEPROM and bit mode."""
         if self._first is not None and (self.bit_mode == BitMode.SYNC_FIFO or self._first.mode is Mode.SYNC_FIFO):
             return Mode.OTHER
         if self.channel_type == "UART":

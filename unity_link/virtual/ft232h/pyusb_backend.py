@@ -44,7 +44,7 @@ class OpenDevice:
 
     @property
     def gone(self) -> bool:
-        """Whether the device was unplugged since it was opened."""
+        """Return whether the device was unplugged since it was opened."""
         return not self.device.host.plugged or self.device.times_plugged != self._times_plugged
 
 
@@ -138,7 +138,7 @@ class Backend(IBackend):  # type: ignore[misc]  # pyusb has no types
         dev_handle.device.release(intf, dev_handle)
 
     def is_kernel_driver_active(self, dev_handle: OpenDevice, intf: int) -> bool:  # noqa: ARG002
-        """Say that no other driver has it."""
+        """Return False, since no other driver has it."""
         return False
 
     def reset_device(self, dev_handle: OpenDevice) -> None:
@@ -147,7 +147,7 @@ class Backend(IBackend):  # type: ignore[misc]  # pyusb has no types
             self.ctrl_transfer(dev_handle, 0x40, 0, 0, port.number, None, 0)
 
     def clear_halt(self, dev_handle: OpenDevice, ep: int) -> None:
-        """Have a halted endpoint work again."""
+        """Clear the halt of an endpoint."""
         self.ctrl_transfer(dev_handle, 0x02, 0x01, 0, ep, None, 0)
 
     # Transfers
@@ -252,7 +252,7 @@ def get_backend() -> Backend | None:
 
 @contextmanager
 def installed(bus: VirtualBus) -> Iterator[VirtualBus]:
-    """Have pyftdi find the chips of `bus` and nothing else."""
+    """Show pyftdi the chips of `bus` and nothing else, in the block."""
     from pyftdi.usbtools import UsbTools
 
     before = UsbTools.BACKENDS

@@ -39,19 +39,19 @@ class RtlBoard:
         self._slice_cycles = round(SLICE * self._clock_hz)
         self._slice_bytes = round(SLICE * bytes_per_second)
         self._passing: tuple[float, Passage] | None = None
-        """When a slice ends, and what passes the pins in it."""
+        """Instant at which a slice ends, and the bytes that pass the pins in it."""
         self._moving = False
-        """Whether the gateway may go on without anything new at the pins."""
+        """True if the gateway may go on without anything new at the pins."""
         self._looks = 0
         """Slices that are still looked at although nothing moves."""
         self._blocked = False
-        """Whether what it has to send has found no room."""
+        """True if what it has to send has found no room."""
         self._began = (0.0, 0)
-        """When the last slice began, and in which cycle."""
+        """Instant and cycle at which the last slice began."""
 
     @property
     def next_due(self) -> float | None:
-        """When the slice ends that is under way."""
+        """Instant at which the slice under way ends."""
         return None if self._passing is None else self._passing[0]
 
     def time_of(self, cycle: int) -> float:

@@ -8,7 +8,7 @@ import msgspec
 
 
 class Timing(msgspec.Struct, frozen=True, kw_only=True):
-    """How long things take, in seconds and bytes."""
+    """Durations in seconds, and sizes in bytes."""
 
     microframe: float = 125e-6
     """Period of a high-speed bus (USB 2.0, section 8.4.3.1). A transfer that the program submits is begun at the next
@@ -25,7 +25,7 @@ class Timing(msgspec.Struct, frozen=True, kw_only=True):
     default_latency: int = 16
     """Latency timer after a reset, ms (AN232B-04)."""
     short_packet_after_full: bool = False
-    """Whether a flush that fills a packet to its last byte is followed by an empty one, which ends the host's transfer.
+    """True if a flush that fills a packet to its last byte is followed by an empty one, which ends the host's transfer.
     Not documented; the default is the worse case, in which the latency timer ends it."""
 
     @property

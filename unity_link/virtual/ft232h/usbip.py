@@ -160,7 +160,7 @@ class UsbipServer:
 
 
 class ProtocolError(Exception):
-    """What came is not what the protocol has; the connection ends."""
+    """Input that the protocol does not have; the connection ends."""
 
 
 class UsbipImport:

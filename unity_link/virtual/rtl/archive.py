@@ -25,12 +25,12 @@ _ADVICE = "install unity-link anew, or run make rtl"
 
 
 class Entry(msgspec.Struct, frozen=True, omit_defaults=True):
-    """What the index says of one build."""
+    """Entry of one build in the index."""
 
     origin: str
     """Names what it was made from."""
     answers: str
-    """What it answers to `Q`, in hex."""
+    """Its answer to `Q`, in hex."""
     digest: str
     """Names its C++."""
     node: int | None = None

@@ -68,7 +68,7 @@ async def compile_beside(configuration: Configuration) -> None:
 
 
 class _Plan(msgspec.Struct, frozen=True):
-    """What is compiled by what, and where it is kept."""
+    """Steps of a compilation, and the paths of their results."""
 
     compiler: list[str]
     configuration: Configuration

@@ -32,9 +32,9 @@ class Configuration(msgspec.Struct, frozen=True):
     node: int | None
     """Its number on a medium that several share."""
     generics: str = ""
-    """Of one that an installation does not have, as JSON: it is made of these."""
+    """Generics of a configuration that an installation does not have, as JSON: it is made of these."""
     path: str = ""
-    """Where its C++ is then."""
+    """Path of its C++ then."""
 
     def made(self, path: Path) -> Configuration:
         """Return the configuration with its C++, which is in a file."""

@@ -40,14 +40,14 @@ _TRIGGER_CYCLES = 8
 
 
 class Passage(NamedTuple):
-    """What passed the pins of a gateway in some clock cycles."""
+    """Bytes that passed the pins of a gateway in some clock cycles."""
 
     cycles: int
     taken: int
     """Bytes of those offered."""
     sent: bytes
     flush: bool
-    """Whether the gateway asked its medium, at the end, to send at once what it has."""
+    """True if the gateway asked its medium, at the end, to send at once what it has."""
 
 
 class RtlMemory(MutableMapping[int, int]):
@@ -104,7 +104,7 @@ class RtlGateway(BareGateway):
         self._origin: float | None = None
         self._fault: BaseException | None = None
         self._sampled_at = 0.0
-        """When the first word of the last sample was read."""
+        """Instant at which the first word of the last sample was read."""
         # The library keeps the address alone: the function must live as long as the gateway.
         self._device_function = DeviceFunction(_device_of(weakref.ref(self)))
         self._library.ul_set_device(self._handle, self._device_function, None)
@@ -159,7 +159,7 @@ class RtlGateway(BareGateway):
 
     @property
     def flushes(self) -> int:
-        """How often the gateware asked its medium to send at once, since the last reset."""
+        """Number of times the gateware asked its medium to send at once, since the last reset."""
         return int(self._library.ul_flushes(self._handle))
 
     @property
@@ -169,12 +169,12 @@ class RtlGateway(BareGateway):
 
     @property
     def leaves_time_out(self) -> bool:
-        """Whether it leaves out what it is too late for: its own clock falls behind then, and no sample is lost."""
+        """Return whether it leaves out what it is too late for: its clock falls behind then, and no sample is lost."""
         return True
 
     @property
     def next_due(self) -> float | None:
-        """When `advance` should be called next; None while time makes no difference."""
+        """Instant at which `advance` should be called next; None while time makes no difference."""
         if self._origin is None:
             return None
         if self._library.ul_available(self._handle):
@@ -218,11 +218,11 @@ class RtlGateway(BareGateway):
 
     @property
     def ticking(self) -> bool:
-        """Whether periodic groups are running, so that time has to pass although no byte does."""
+        """Return whether periodic groups are running, so that time has to pass although no byte does."""
         return bool(self._library.ul_ticking(self._handle))
 
     def set_pace(self, bytes_per_second: float) -> None:
-        """Have each byte take its time at the medium, in both directions, from now on."""
+        """Set the pace of bytes at the medium, in both directions, from now on."""
         self._library.ul_set_pace(self._handle, self.info.clock_hz / bytes_per_second)
 
     def pass_pins(self, offered: bytes, cycles: int, room: int) -> Passage:
@@ -266,7 +266,7 @@ class RtlGateway(BareGateway):
 
     @property
     def _is_held_up(self) -> bool:
-        """Whether bytes wait for room, on their way in or out."""
+        """Return whether bytes wait for room, on their way in or out."""
         return self.waiting > 0 or bool(self._library.ul_stalled(self._handle))
 
     def _time(self) -> float:

@@ -32,7 +32,7 @@ if TYPE_CHECKING:
     from unity_link.virtual.rtl.snooped import Access, Settings, Snooped
 
 _SHAPE = ("protocol_version", "data_bits", "address_bits", "id_digits", "crc_bits", "crc_polynomial")
-"""What the form of the frames depends on."""
+"""Parameters that the form of the frames depends on."""
 _MOST_CYCLES = 2_000_000
 """Within these everything that was asked for is answered, even if each access of a block runs into its time out."""
 _PIECE = 64
@@ -41,19 +41,19 @@ _FARTHEST = 1024
 
 
 class Difference(NamedTuple):
-    """Where the retraced gateway said something else."""
+    """Place at which the retraced gateway answered otherwise."""
 
     time: float
     """Seconds, as `explain` shows them."""
     sent: bytes
-    """What it answers; nothing for a sample."""
+    """Bytes that it answers; nothing for a sample."""
     recorded: bytes
     retraced: bytes
     """Nothing where nothing came."""
 
 
 class Report(msgspec.Struct):
-    """What a comparison has found."""
+    """Result of a comparison."""
 
     answers: int = 0
     """Compared ones."""
@@ -63,7 +63,7 @@ class Report(msgspec.Struct):
     triggered: int = 0
     """Samples by external triggers, which a snoop does not have."""
     seconds: float = 0.0
-    """What was played, on the clock of the snoop."""
+    """Seconds played, on the clock of the snoop."""
     differences: int = 0
     first: Difference | None = None
 
@@ -110,7 +110,7 @@ class Retrace(RtlGateway):
     """
 
     _window: tuple[float, float] | None = None
-    """When the waveform begins and ends, in nanoseconds."""
+    """Instants at which the waveform begins and ends, in nanoseconds."""
 
     def __init__(self, snooped: Snooped, build: Configuration) -> None:
         super().__init__(build.name)
@@ -124,7 +124,7 @@ class Retrace(RtlGateway):
         self._accesses: deque[Access] = deque()
         self._owed: deque[Step] = deque()
         self._words: dict[int, int] = {}
-        """What was read from and written to addresses last."""
+        """Words read from and written to addresses last."""
         self._cutter = FrameCutter(sent=False)
         self._settings: dict[int, Settings] = {}
         self._place: dict[int, int] = dict.fromkeys(snooped.groups, -1)
@@ -196,7 +196,7 @@ class Retrace(RtlGateway):
         return self._began + (self.cycles - self._began_at) * self._cycle_ns
 
     def _set_time(self, now: float) -> None:
-        """Have it be a time of the snoop."""
+        """Set the time to one of the snoop."""
         self._began, self._began_at = now, self.cycles
         self._library.ul_set_time(self._handle, now, self._cycle_ns)
 
@@ -230,7 +230,7 @@ class Retrace(RtlGateway):
         self._collect()
 
     def _has_run(self, bound: Mapping[int, int]) -> bool:
-        """Whether all groups have come as far as they may."""
+        """Return whether all groups have come as far as they may."""
         return not self._behind(bound)
 
     def _behind(self, bound: Mapping[int, int]) -> set[int]:
@@ -249,7 +249,7 @@ class Retrace(RtlGateway):
         return bool(flags & GroupFlag.TRIGGER) and not flags & GroupFlag.PERIODIC
 
     def _await_samples(self, bound: Mapping[int, int]) -> None:
-        """Have groups run until they have come as far as they did."""
+        """Run until the groups have come as far as they did."""
         slowest = max((settings.divisor for settings in self._settings.values()), default=0)
         for _ in range((_MOST_CYCLES + 2 * slowest * self._base_tick) // _PIECE):
             if not self.ticking or self._has_run(bound):

@@ -1,4 +1,4 @@
-"""What a snoop says of one gateway: what it was sent, what it answered to each frame, and the samples of its groups.
+"""The traffic of one gateway in a snoop: frames sent, the answer to each, and the samples of its groups.
 
 A response is found again by its command and ID, as a host finds it; one that was lost or damaged has left its request
 without an answer. Which requests were executed follows from the rules of the session, so it is known which words the
@@ -39,7 +39,7 @@ GROUP_COMMANDS = frozenset({"GS", "GN", "GX", "GP", "K"})
 """Their answers divide samples: those that were taken before come before them."""
 _SENT = re.compile(rb"[\r\n]*[^\r\n]+[\r\n]")
 _OF_BUS = (ErrorCode.BUS_ERROR, ErrorCode.BUS_TIMEOUT, ErrorCode.OUT_OF_RANGE)
-"""What a posted write may be answered by, too."""
+"""Errors of the bus, by which a posted write may be answered, too."""
 _TO_ALL = b"ZFF"
 _PREFIX_SIZE = 3
 _SEQUENCES = 256
@@ -51,7 +51,7 @@ class Access(NamedTuple):
     write: bool
     address: int
     outcome: int | ErrorCode | None = None
-    """Of a read: the word, None where it is not known. Of either: the error that ends it."""
+    """Word of a read, None where it is not known; of a read or write, the error that ended it."""
 
 
 class Step(msgspec.Struct):
@@ -61,13 +61,13 @@ class Step(msgspec.Struct):
     """In nanoseconds from the first record of the file on, as all times here."""
     frame: bytes
     request: DecodedRequest | None = None
-    """What was executed."""
+    """Request that was executed."""
     owes: bool = False
-    """Whether it has an answer."""
+    """True if it has an answer."""
     answer: bytes | None = None
-    """What was recorded of that, None where it is not known."""
+    """Answer that was recorded, None where it is not known."""
     refusal: bytes = b""
-    """What it must be where nothing was executed."""
+    """Answer that it must have where nothing was executed."""
     before: tuple[int, bool] = (-1, False)
     """The ID that the gateway expected before it, and whether it had told of a gap."""
     accesses: list[Access] = []
@@ -77,7 +77,7 @@ class Step(msgspec.Struct):
 
     @property
     def divides_samples(self) -> bool:
-        """Whether no sample that was taken before may come after its answer."""
+        """Return whether no sample that was taken before may come after its answer."""
         return self.request is not None and self.request.command in GROUP_COMMANDS
 
 
@@ -118,7 +118,7 @@ class Snooped(NamedTuple):
     groups: dict[int, list[Settings]]
     """By group: its settings one after the other."""
     last: float
-    """When the last byte passed."""
+    """Instant at which the last byte passed."""
     astray: int
     """Frames of the gateway that are damaged, or of which it is not known what they answer."""
 
@@ -305,7 +305,7 @@ class _Reader:
         return response.id is not None and step.refusal == self._codec.out_of_sequence(response.id)
 
     def _fits(self, step: Step, response: DecodedResponse) -> bool:
-        """Whether a response may be to a frame."""
+        """Return whether a response may be to a frame."""
         if step.request is None and not step.owes:
             return False
         number = None if step.request is None else step.request.id
