@@ -34,7 +34,7 @@ HERE = Path(__file__).parents[1]
 PATCHES = Path(__file__).with_name("revisions")
 ROUNDS = 3
 SLOWER = 1.05
-"""What counts as slower: more than the noise of the medians."""
+"""Bound from which on a row counts as slower: more than the noise of the medians."""
 _MEASURE = (
     "import asyncio, msgspec; from benchmarks import {name}; "
     "print(msgspec.json.encode(asyncio.run({name}.measure())).decode())"

@@ -19,7 +19,7 @@ PIECES_PER_SECOND = 200
 
 
 Count = tuple[int, float]
-"""How many messages, and in how many seconds."""
+"""Number of messages, and their seconds."""
 
 
 def listen(count: Callable[[], int]) -> Count:
@@ -150,7 +150,7 @@ def zenoh(what: str, seconds: float, rate: float) -> Count:
 
 
 def ready() -> None:
-    """Say that messages can come."""
+    """Report that messages can come."""
     print("ready", flush=True)
 
 

@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 
 SECONDS = 30.0
 MARGIN = 1.02
-"""How much more than the target is asked for, so that what is seen is not a little less."""
+"""Factor above the target that is asked for, so that the figure seen is not a little less."""
 RESULTS = Path(__file__).with_name("BRIDGES.md")
 PEER = str(Path(__file__).with_name("bridge_peer.py"))
 PROGRAM = str(Path(sys.executable).parent / "unity-link")
@@ -45,7 +45,7 @@ GATEWAY = "sim:?data_bits=64&base_frequency_millihertz={}000"
 
 
 class Row(NamedTuple):
-    """What was seen of one bridge in one direction."""
+    """Figures of one bridge in one direction."""
 
     what: str
     rate: float
@@ -64,7 +64,7 @@ class Row(NamedTuple):
 
 
 def to_peer(kind: str, folder: Path, target: int) -> Row:
-    """Have samples carried to a peer."""
+    """Carry samples to a peer."""
     with peering(kind, "listen") as peer, bridging(kind, folder, round(MARGIN * target)) as bridge:
         with measuring(bridge, peer) as loads:
             time.sleep(SECONDS)
@@ -77,7 +77,7 @@ def to_peer(kind: str, folder: Path, target: int) -> Row:
 
 
 def from_peer(kind: str, folder: Path, target: int) -> Row:
-    """Have values of a peer written."""
+    """Write values of a peer."""
     with bridging(kind, folder, 100) as bridge, peering(kind, "talk", MARGIN * target) as peer:
         with measuring(bridge, peer) as loads:
             sent, seconds = answer(peer).split()
@@ -103,7 +103,7 @@ def cpu_seconds(process: subprocess.Popen[str]) -> float:
 
 
 def recording(folder: Path, target: int) -> Row:
-    """Have samples recorded."""
+    """Record samples."""
     result = subprocess.run(
         [
             *command("record", round(MARGIN * target), folder),

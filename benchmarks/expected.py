@@ -4,7 +4,7 @@ from __future__ import annotations
 
 ADDRESS = 0x0A
 WORD = 0x0A0A0A0A
-"""What all responders have at `ADDRESS`."""
+"""Word of all responders at `ADDRESS`."""
 
 
 def expect(value: object, expected: object = WORD) -> None:

@@ -68,7 +68,7 @@ class Waiting(asyncio.Protocol):
 
 @contextmanager
 def chip(microframe: float) -> Iterator[None]:
-    """Have a chip plugged in."""
+    """Connect a chip, in the block."""
     device = VirtualFt232h(GatewayBoard(VirtualGateway()), timing=Timing(microframe=microframe))
     with installed(VirtualBus(device)):
         yield

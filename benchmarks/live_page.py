@@ -32,7 +32,7 @@ RESULTS = Path(__file__).with_name("LIVE.md")
 
 
 class Screen(NamedTuple):
-    """What the page is shown on."""
+    """Size and form of the screen that the page is shown on."""
 
     name: str
     width: int
@@ -45,7 +45,7 @@ SCREENS = (Screen("desktop", 1280, 900, 1), Screen("phone", 390, 844, 3))
 
 
 class Row(NamedTuple):
-    """What was seen of one robot on one screen; times are of one picture, in ms."""
+    """Figures of one robot on one screen; times are of one picture, in ms."""
 
     robot: str
     screen: str
@@ -57,7 +57,7 @@ class Row(NamedTuple):
     beside: float
     """All other threads of Chromium."""
     slowest: float
-    """Of a hundred pictures the slowest: how long after the one before."""
+    """Slowest of a hundred pictures: how long after the one before."""
     pictures: float
     """A second."""
 
@@ -93,7 +93,7 @@ def look(browser: Browser, robot: str, screen: Screen, seconds: float) -> Row:
 
 
 def move(page: Page) -> None:
-    """Have all set points of positions move to and fro."""
+    """Move all set points of positions to and fro."""
     page.locator("input[type=range]:enabled").first.wait_for()
     page.evaluate(
         """() => {

@@ -19,7 +19,7 @@ LEAST = 0.6
 
 
 async def over_links(paths: list[str]) -> float:
-    """Have a task for each pseudo-terminal read over a link of its own; return the seconds of a read."""
+    """Read each pseudo-terminal over a link of its own, in tasks; return the seconds of a read."""
     reads = READS // len(paths)
     async with AsyncExitStack() as stack:
         links = [await stack.enter_async_context(unity_link.connect(f"serial:{path}", timeout=60)) for path in paths]
@@ -36,7 +36,7 @@ async def over_links(paths: list[str]) -> float:
 
 
 async def over_loops(paths: list[str]) -> float:
-    """Have a task for each pseudo-terminal move the same bytes with nothing around them."""
+    """Move the same bytes over each pseudo-terminal, in tasks with nothing around them."""
     reads = READS // len(paths)
     loops = [BareLoop(path) for path in paths]
 

@@ -56,7 +56,7 @@ async def lone(link: Link) -> None:
 
 
 class Question(NamedTuple):
-    """What is asked of a noisy line."""
+    """Question about a noisy line."""
 
     text: str
     work: Callable[[Link], Awaitable[None]]

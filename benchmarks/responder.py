@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 SOURCE = Path(__file__).with_name("responder.c")
 LOOPBACK = "127.0.0.1"
 GATEWAY = GatewayInfo(features=Feature.GROUPS | Feature.FLOW_CONTROL, receive_fifo_bytes=4096, transmit_fifo_bytes=4096)
-"""What the responder usually is."""
+"""Description of the responder."""
 
 
 def exchange(info: GatewayInfo, command: str, *values: Any, reads: Any = None) -> tuple[bytes, bytes]:

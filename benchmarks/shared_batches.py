@@ -11,5 +11,5 @@ if TYPE_CHECKING:
 
 
 async def measure() -> Row:
-    """Have each program read by `read_many`."""
+    """Read by `read_many` in each program."""
     return await compare("batch", f"Reads by {CLIENTS} programs with `read_many`; beside it, by one alone")

@@ -46,7 +46,7 @@ async def line_of(process: Process) -> str:
 
 
 async def rate(url: str, clients: int, way: str) -> float:
-    """Have so many programs read at once, in a way of `shared_client`; return their reads a second in all."""
+    """Read in so many programs at once, in a way of `shared_client`; return their reads a second in all."""
     arguments = ["-m", "benchmarks.shared_client", url, str(SECONDS), way]
     programs = [
         await asyncio.create_subprocess_exec(sys.executable, *arguments, stdin=PIPE, stdout=PIPE)
@@ -82,5 +82,5 @@ async def compare(way: str, question: str) -> Row:
 
 
 async def measure() -> Row:
-    """Have each program read in 64 tasks."""
+    """Read in 64 tasks in each program."""
     return await compare("tasks", f"Reads by {CLIENTS} programs that share a link; beside it, by one alone")

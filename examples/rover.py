@@ -1,4 +1,4 @@
-"""How the rover of `rover.ul` moves, for a gateway without a rover behind it.
+"""Model of the rover of `rover.ul`, for a gateway without a rover behind it.
 
 unity-link simulate examples/rover.ul --model examples/rover.py:Rover
 unity-link record "sim:examples/rover.ul?model=examples/rover.py:Rover" examples/rover.ul -o run.mcap

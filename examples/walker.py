@@ -25,9 +25,9 @@ if TYPE_CHECKING:
 Walker = unity_link.load(Path(__file__).with_name("walker.ul"))
 
 STEP, STEP_TIME = 0.4, 0.8
-"""How far a leg swings, in rad, and how long a step takes, in s."""
+"""Swing of a leg, in rad, and duration of a step, in s."""
 STEPS, RATE = 4, 50
-"""How many steps, and how many new set points a second."""
+"""Number of steps, and of new set points a second."""
 
 
 def gait(time: float) -> list[float]:

@@ -1,4 +1,4 @@
-"""What is left open warns, with what to write instead, and only then."""
+"""Objects left open warn, with what to write instead, and only then."""
 
 from __future__ import annotations
 

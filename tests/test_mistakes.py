@@ -35,7 +35,7 @@ SPEC = ROOT / "examples" / "scara.ul"
 PROGRAM = str(Path(sys.executable).parent / "unity-link")
 SECTION, ROW = re.compile(r"^## (.*)$"), re.compile(r"^\| `(.+?)` \| (.+) \| `?([\w.]+)`? \|$")
 PRIVATE = re.compile(r"^[\w./-]*: error: ")
-"""What stands before the sentence about a spec: its place."""
+"""Prefix of the sentence about a spec: its place."""
 
 
 class Mistake(NamedTuple):

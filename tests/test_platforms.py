@@ -21,7 +21,7 @@ NOT_THERE = {
     "darwin": {},
 }
 OF_THE_SYSTEM = "unity_link.bridges.ros1.outlet"
-"""What runs in the Python of ROS 1 alone."""
+"""Modules that run in the Python of ROS 1 alone."""
 
 
 @pytest.fixture(scope="module")

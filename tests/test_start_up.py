@@ -1,4 +1,4 @@
-"""What is slow to import is imported by those who use it, and never while samples and answers are taken."""
+"""Slow modules are imported by those who use them, and never while samples and answers are taken."""
 
 from __future__ import annotations
 

@@ -14,7 +14,7 @@ MODEL = GatewayInfo(
     groups=16,
     base_frequency_millihertz=1_000_000_000,
 )
-"""What counts of it here. Fewer digits of ID would leave too few requests under way for a USB."""
+"""Parts of the model that count here. Fewer digits of ID would leave too few requests under way for a USB."""
 CODEC = Codec(MODEL)
 """Its messages."""
 

@@ -11,7 +11,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterator
 
 LINK_MBITS = 64.0
-"""What 8 MB/s carry in one direction."""
+"""Megabits a second that 8 MB/s carry in one direction."""
 
 
 def check(results: Results) -> list[Check]:

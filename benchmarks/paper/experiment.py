@@ -40,12 +40,12 @@ if TYPE_CHECKING:
 
 
 class _Plan(NamedTuple):
-    """How much is measured."""
+    """Amounts of measurements."""
 
     accesses: int
-    """Of which a latency is the mean."""
+    """Number of accesses of which a latency is the mean."""
     latency_runs: int
-    """Of which the best counts, here and below."""
+    """Number of runs of which the best counts, here and below."""
     arrivals: int
     """Samples of which a delay is the mean."""
     burst: int

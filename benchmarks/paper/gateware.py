@@ -18,14 +18,14 @@ if TYPE_CHECKING:
 
 ADDRESS, WORD = 0x0A, 0x12
 READ_BYTES, WRITE_BYTES, POST_BYTES = (6, 14), (14, 6), (15, 0)
-"""Of request and answer."""
+"""Bytes of request and answer."""
 BLOCKS = (1, 16, 255)
 _PIPELINED = 500
 _PATIENCE = 20_000
 """Cycles in which everything here is long done."""
 _FLOOD_CYCLES = 100_000
 _HEAD_BYTES, _WORD_BYTES = 8, 8
-"""Of a publish without timestamp: letter, group, sequence, check and line end; and a word of it."""
+"""Bytes of a publish without timestamp: letter, group, sequence, check and line end; and a word of it."""
 
 
 def measure_gateware(sizes: Sequence[int] = (1, 4, 16, 64, 255)) -> GatewareFigures:

@@ -20,13 +20,13 @@ class Medium(msgspec.Struct, frozen=True):
 
     name: MediumName
     options: str
-    """Of the URL."""
+    """Options of the URL."""
     mode: Pins
     eeprom: ChannelType
     bytes_per_second: float
     """In each direction; of both together, where the bus carries one at a time."""
     fifo_bytes: int = 256
-    """Of each FIFO of the gateway."""
+    """Bytes of each FIFO of the gateway."""
 
     def of(self, info: GatewayInfo) -> GatewayInfo:
         """Return what a gateway says of itself that is built for it, and is otherwise like another one."""

@@ -24,7 +24,7 @@ class Probe:
         self._rtl = board if isinstance(board, RtlBoard) else None
         self._clock_hz = clock_hz
         self.effects: list[float] = []
-        """When words were written, in seconds of modelled time."""
+        """Instants at which words were written, in seconds of modelled time."""
 
     def read(self, offset: int, now: float) -> int:  # noqa: ARG002  (as devices have it)
         """Return the time in cycles."""

@@ -40,7 +40,7 @@ class Figure(msgspec.Struct, frozen=True, kw_only=True):
     """One figure."""
 
     what: str
-    """Of what, where the rest does not say it."""
+    """Subject, where the rest does not say it."""
     value: float
     unit: Unit
     place: str

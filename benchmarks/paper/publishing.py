@@ -16,20 +16,20 @@ if TYPE_CHECKING:
     from benchmarks.paper.workbench import Measure, Workbench
 
 HEAD_BYTES = len(checked(b"P0000"))
-"""Of a publish without timestamp: letter, group, sequence, check and line end."""
+"""Bytes of the head of a publish without timestamp: letter, group, sequence, check and line end."""
 WORD_BYTES = 8
 BURST = 50
 """Samples of a burst: those that may wait, in the gateway and on the way, help it."""
 _RING_WORDS = 1024
 """Samples of so many words wait in the gateway before one is lost."""
 _BUFFER_BYTES = 1024 + 256 + 65536
-"""What else may wait: in the chip, in the gateway's FIFO, and in transfers that the program has not taken."""
+"""Other bytes that may wait: in the chip, in the gateway's FIFO, and in transfers that the program has not taken."""
 _FLOOD = 1.5
 """So many times what the line carries is asked for, to see what comes."""
 
 
 class _Stream(NamedTuple):
-    """What came of a subscription."""
+    """Results of a subscription."""
 
     asked: float
     """Hz."""

@@ -21,7 +21,7 @@ RHYTHMS: tuple[Rhythm, ...] = ("back to back", "at any time")
 
 
 class Spread(msgspec.Struct, frozen=True, kw_only=True):
-    """Of several times, in microseconds."""
+    """Statistics of several times, in microseconds."""
 
     median: float
     mean: float
@@ -70,7 +70,7 @@ class GatewareFigures(msgspec.Struct, frozen=True, kw_only=True):
     post_effect_cycles: int
     """The same of a posted write."""
     cycles_per_read: float
-    """Of pipelined reads: from one to the next."""
+    """Cycles of a read, of pipelined reads: from one to the next."""
     cycles_per_write: float
     cycles_per_post: float
     bytes_per_cycle: float
@@ -88,7 +88,7 @@ class GatewareFigures(msgspec.Struct, frozen=True, kw_only=True):
 
 
 class Latency(msgspec.Struct, frozen=True, kw_only=True):
-    """What one access takes, from call to answer."""
+    """Duration of one access, from call to answer."""
 
     stack: StackName
     access: Access
@@ -196,7 +196,7 @@ class PublishLimit(msgspec.Struct, frozen=True, kw_only=True):
     words: int
     message_bytes: int
     line: float
-    """What 8 MB/s would carry."""
+    """Rate that 8 MB/s would carry."""
     burst_modelled: float
     """For as many samples as `publishing.BURST`."""
     burst_total: float
@@ -229,13 +229,13 @@ class MediumFigures(msgspec.Struct, frozen=True, kw_only=True):
 
     medium: MediumName
     fifo_bytes: int
-    """Of each FIFO of the gateway."""
+    """Bytes of each FIFO of the gateway."""
     line_megabits: float
-    """What the medium carries in each direction; in both together, where it has one at a time."""
+    """Megabits a second that the medium carries in each direction; in both together, where it has one at a time."""
     read: Spread
     write: Spread
     answers_megabits: float
-    """Of a long burst of reads."""
+    """Megabits a second of a long burst of reads."""
     posts_megabits: float
     """Requests of a long burst of posted writes."""
     samples: float
@@ -249,7 +249,7 @@ class Lines(msgspec.Struct, frozen=True, kw_only=True):
 
     spec: int
     comments: int
-    """Of the spec's."""
+    """Number of comments of the spec."""
     configuration: int
     boilerplate: int
     pins: int
@@ -266,7 +266,7 @@ class Check(msgspec.Struct, frozen=True, kw_only=True):
     wanted: str
     met: bool
     measured: bool
-    """Whether this machine's processor time is in it, so that another run can find another."""
+    """True if this machine's processor time is in it, so that another run can find another."""
 
 
 class Parameters(msgspec.Struct, frozen=True, kw_only=True):
@@ -279,12 +279,12 @@ class Parameters(msgspec.Struct, frozen=True, kw_only=True):
     receive_fifo_bytes: int
     transmit_fifo_bytes: int
     base_frequency: float
-    """Of publishing, Hz."""
+    """Base frequency of publishing, Hz."""
     timing: dict[str, float]
     """The model's numbers: fields of `unity_link.virtual.ft232h.Timing`."""
     posted_reads: int
     read_size: int
-    """Of the driver: transfers that wait for the chip, and bytes of each."""
+    """Size of the driver's reads: transfers that wait for the chip, and bytes of each."""
     machine: str
     quick: bool
     """Fewer accesses than usual: to see that it works, not to be quoted."""

@@ -26,13 +26,13 @@ Access = Literal["read", "block", "write", "post"]
 """A block is an RM of `BLOCK_WORDS`. A post is a stateless write: it has no answer."""
 ACCESSES: tuple[Access, ...] = ("read", "block", "write", "post")
 Mode = Literal["off", "off, 1 ms", "always", "adaptive"]
-"""Of send-immediate; off with the latency timer of the chip's reset, and with one of 1 ms, as the paper had."""
+"""Mode of send-immediate; off with the latency timer of the chip's reset, and with one of 1 ms, as the paper had."""
 MODES: tuple[Mode, ...] = ("off", "off, 1 ms", "always", "adaptive")
 URL = "ftdi-async://ftdi:232h/1"
 ADDRESS, ADDRESSES = 0x0A, 0xF0
 """Accesses go to the first; bursts go round so many."""
 PROBE = 0xFE
-"""Where the probe is (`probe.Probe`)."""
+"""Address of the probe (`probe.Probe`)."""
 WORD = 0x12
 BLOCK_WORDS = 16
 _GROUP = 1
@@ -50,7 +50,7 @@ def of_the_link(mode: Mode) -> SendImmediate:
 
 
 class Samples(Protocol):
-    """What comes of a subscription."""
+    """Samples of a subscription."""
 
     @property
     def lost(self) -> int:
@@ -85,7 +85,7 @@ class Stack(Protocol):
     def publishing(
         self, addresses: list[int], divisor: int, *, immediate: bool
     ) -> AbstractAsyncContextManager[Samples]:
-        """Have addresses published, without timestamps."""
+        """Publish addresses, without timestamps, in the block."""
 
     def clock_of(self, sample: Any) -> int:
         """Return the first word of a sample."""
@@ -164,7 +164,7 @@ class LowLevel(asyncio.Protocol):
         self._loop = asyncio.get_running_loop()
         self._missing = 0
         self._kept: list[bytes] | None = None
-        """What arrives, where that is wanted."""
+        """Bytes that arrive, where they are wanted."""
         self._samples: _Frames | None = None
         self._arrived: asyncio.Future[None] = self._loop.create_future()
         self._ended: asyncio.Future[None] = self._loop.create_future()

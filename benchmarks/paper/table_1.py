@@ -28,7 +28,7 @@ TITLES: dict[Operation, str] = {
     "publish": "Publish, one word",
 }
 COLUMNS: dict[published.Mode, tuple[Mode, Mode]] = {"off": ("off, 1 ms", "off"), "always": ("always", "adaptive")}
-"""What of ours stands beside the paper's, without and with its send-immediate."""
+"""Columns of ours beside the paper's, without and with its send-immediate."""
 HEADS: dict[Mode, str] = {
     "off, 1 ms": "timer of 1 ms",
     "off": "timer of 16 ms",

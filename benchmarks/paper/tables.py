@@ -44,7 +44,7 @@ NOT_WITHOUT_A_BOARD: tuple[tuple[str, str], ...] = (
     ("the paper's points of figures 3 and 4", "figure 3's stand in Table I, figure 4's in the picture alone"),
     ("rates of rospy and rostopic on the paper's PC", "ours on a virtual gateway: benchmarks/BRIDGES.md"),
 )  # fmt: skip
-"""What a board would be needed for, and what is said instead."""
+"""Figures for which a board would be needed, and what is said instead."""
 
 
 def to_markdown(results: Results, pictures: Sequence[tuple[str, str]] = ()) -> str:

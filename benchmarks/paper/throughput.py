@@ -72,7 +72,7 @@ def measure_bursts(bench: Workbench, stack: StackName, counts: Sequence[int], ru
 
 
 def measure_stamps(bench: Workbench, counts: Sequence[int]) -> Iterator[Stamps]:
-    """Have the gateway's clock answer bursts of reads, low-level."""
+    """Measure bursts of reads by the gateway's clock, low-level."""
     for mode in MODES:
         for count in counts:
             yield bench.run("low-level", mode, _measuring_stamps(mode, count), host_time=False)

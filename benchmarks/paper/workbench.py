@@ -47,14 +47,14 @@ def available_gateway() -> GatewayKind:
 
 
 class Workbench(msgspec.Struct, frozen=True):
-    """How measurements are made."""
+    """Equipment of the measurements."""
 
     gateway: GatewayKind
     timing: Timing = Timing()
     counts_host_time: bool = True
     """False to leave the program's time out everywhere: then every run gives the same."""
     medium: Medium = ASYNCHRONOUS
-    """What is between chip and gateway; the RTL is behind the default alone."""
+    """Medium between chip and gateway; the RTL is behind the default alone."""
 
     def run(self, stack: StackName, mode: Mode, measure: Measure[T], *, host_time: bool) -> T:
         """Measure on a fresh gateway, through one of the stacks.

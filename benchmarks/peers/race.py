@@ -17,18 +17,18 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
 RESPONDERS = Path(__file__).with_name("responders.c")
-"""What answers the peers."""
+"""Responders of the peers."""
 BLOCK = 65_536
 
 
 class Size(msgspec.Struct, frozen=True):
-    """How much work there is in a round."""
+    """Amount of work in a round."""
 
     lone: int = 3000
     together: int = 25_600
     queue: int = 100_000
     blocks: int = 8
-    """Of `BLOCK` words."""
+    """Number of blocks of `BLOCK` words."""
 
 
 QUICK = Size(lone=100, together=512, queue=2000, blocks=1)
@@ -41,7 +41,7 @@ class Contender(msgspec.Struct, frozen=True):
     run: Callable[[], float]
     """Does the work, and returns its seconds for one unit."""
     beside: str = ""
-    """Of a peer: the name of ours that does the same in the same kind of program."""
+    """Name of a peer: the name of ours that does the same in the same kind of program."""
     wire: float = 0.0
     """Bytes of answers on the wire for one unit, where that is told."""
 
@@ -52,12 +52,12 @@ class Race(msgspec.Struct, frozen=True):
     question: str
     medium: str
     unit: str
-    """Of a rate; empty where the time is told."""
+    """Unit of a rate; empty where the time is given."""
     contenders: list[Contender]
 
 
 class Finish(msgspec.Struct, frozen=True):
-    """How a contender came off."""
+    """Result of a contender."""
 
     question: str
     medium: str
@@ -65,9 +65,9 @@ class Finish(msgspec.Struct, frozen=True):
     figure: str
     beside: str
     ratio: float | None
-    """How many times as quick as ours it is, median over the rounds; None of ours."""
+    """Ratio of its speed to ours, median over the rounds; None of ours."""
     wire: float | None = None
-    """How many times as many bytes of the wire as ours it moves in a second, where those are told."""
+    """Ratio of its bytes of the wire a second to ours, where those are given."""
 
 
 def run_race(race: Race, rounds: int) -> list[Finish]:

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 BEGIN, END = "<!-- Written by `make bench-peers`: begin -->", "<!-- end -->"
 _LEVEL = 1.05
-"""What is closer to ours than this is level with it."""
+"""Ratio to ours below which it is level with it."""
 _QUICKER, _SLOWER = "#B3261E", "#2E6DA4"
 
 

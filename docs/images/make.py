@@ -97,7 +97,7 @@ class Terminal:
         self._width, self._height = width, height
         self._scratch = tempfile.TemporaryDirectory()
         self.folder = Path(self._scratch.name)
-        """What is there goes when it is closed."""
+        """Folder whose contents go when it is closed."""
 
     def __enter__(self) -> Self:
         """Open it."""

@@ -39,7 +39,7 @@ class BenchError(AssertionError):
 
 
 def simulator_available() -> bool:
-    """Whether `ghdl` and cocotb are installed, which every bench needs."""
+    """Return whether `ghdl` and cocotb are installed, which every bench needs."""
     try:
         import cocotb  # noqa: F401 - asked for here, so that the module can be imported without it
     except ImportError:

@@ -1,4 +1,4 @@
-"""What docs/gateware.md shows is so: its design works, and the boards elaborate."""
+"""The claims of docs/gateware.md: its design works, and the boards elaborate."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What `gateware/formal` claims is proved, and the proofs can fail: each finds a fault that is put in for it."""
+"""The proofs of `gateware/formal`, and that they can fail: each finds a fault that is put in for it."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What is refused before any tool is started is what the gateware refuses at its elaboration, and nothing else is."""
+"""Rules checked before any tool is started: equal to those that the gateware checks at its elaboration."""
 
 from __future__ import annotations
 

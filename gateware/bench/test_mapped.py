@@ -1,4 +1,4 @@
-"""What is mapped without placing: how cells are counted, and that the table has each configuration."""
+"""The tops that are mapped without placing: how cells are counted, and that the table has each configuration."""
 
 from __future__ import annotations
 

@@ -49,7 +49,7 @@ class Row:
     as_text: bool = False
     """Its value is a character."""
     each: str = ""
-    """Where it counts, there is another value at each rising edge of this clock, even if it is the same."""
+    """Clock at each rising edge of which another value is drawn, even if it is the same."""
 
 
 @dataclasses.dataclass(frozen=True)
@@ -63,7 +63,7 @@ class Window:
 
 
 class Waveform:
-    """What the signals of an entity were, from a file that the simulator wrote.
+    """Values of the signals of an entity, from a file that the simulator wrote.
 
     Args:
         path: of the file.

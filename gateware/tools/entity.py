@@ -40,7 +40,7 @@ class Declaration:
 
     @property
     def width(self) -> str:
-        """How many bits a port has; the name of its type, where that is no vector."""
+        """Number of bits of a port; the name of its type, where that is no vector."""
         found = _WIDTH.search(self.type)
         if found is None:
             return "1" if self.type == "std_logic" else self.type
@@ -57,11 +57,11 @@ class Group:
     comment: str
     declarations: tuple[Declaration, ...]
     difference: str = ""
-    """What is not as the comment of another entity says."""
+    """Difference from the comment of another entity."""
 
     @property
     def range(self) -> str:
-        """What generics of the group may be."""
+        """Range of the generics of the group."""
         if self.declarations[0].type == "boolean":
             return "false, true"
         return self.comment.partition(": ")[0]
@@ -76,7 +76,7 @@ class Group:
 
     @property
     def meaning(self) -> str:
-        """What the group is."""
+        """Meaning of the group."""
         declared = self.declarations[0]
         if declared.direction:
             return _CLOCK.sub("", self.comment)
@@ -87,7 +87,7 @@ class Group:
 
 @dataclasses.dataclass(frozen=True)
 class Entity:
-    """What a design sees of an entity."""
+    """Interface of an entity."""
 
     name: str
     generics: tuple[Group, ...]

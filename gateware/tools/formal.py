@@ -45,17 +45,17 @@ class Proof:
     two_clocks: bool = False
     """`in_clk` and `out_clk` instead of `clk`."""
     rules: str = ""
-    """What the properties share with others: another file of `gateware/formal`."""
+    """Properties' file shared with others: another file of `gateware/formal`."""
     spec: str = ""
     """The UL-spec in `gateware/formal` from which the entity is generated."""
     defines: tuple[str, ...] = ()
-    """Of the properties' preprocessor."""
+    """Defines of the properties' preprocessor."""
     joined: dict[str, dict[str, object]] = dataclasses.field(default_factory=dict)
     """Entities, each with its generics, that the properties put together; `entity` names the properties alone."""
 
     @property
     def name(self) -> str:
-        """What it is called: the entity, and which of its variants."""
+        """Name: the entity, and which of its variants."""
         return " ".join((self.entity, *map(str.lower, self.defines)))
 
 

@@ -42,7 +42,7 @@ class Target:
 
     title: str
     board: str
-    """Of `unity-link build`: mapped as for that."""
+    """Board of `unity-link build`: mapped as for that."""
     cells: Mapping[str, str]
     """Patterns of the names of cells, by what they count as."""
     free: str

@@ -84,7 +84,7 @@ CONFIGURATIONS: dict[str, dict[str, int]] = {
 
 
 def is_current(name: str) -> bool:
-    """Whether the C++ of a configuration was made from what is there now."""
+    """Return whether the C++ of a configuration was made from what is there now."""
     entry = read_index(GENERATED).get(name)
     return entry is not None and entry.origin == origin(CONFIGURATIONS[name])
 

@@ -1,4 +1,4 @@
-"""What became of pins and crossings in a design that nextpnr has placed on an ECP5: read from its netlist.
+"""The pins and crossings of a design that nextpnr has placed on an ECP5: read from its netlist.
 
 A pin's registers are in its I/O cell (`IOLOGIC`), or they are not: nothing is taken from what the sources wanted. A
 crossing is every register whose data comes from another clock, or from a pin that no register stands behind; a good one
@@ -24,14 +24,14 @@ _OUTPUTS = {
 
 @dataclasses.dataclass(frozen=True)
 class Pin:
-    """What stands at one pin."""
+    """Cells at one pin."""
 
     registers: tuple[str, ...]
-    """Of its I/O cell: "in", "out" and "driver"."""
+    """Registers of its I/O cell: "in", "out" and "driver"."""
     bypassed: bool
-    """Whether something of the fabric is connected to the pin itself."""
+    """True if something of the fabric is connected to the pin itself."""
     delay_steps: int = 0
-    """Of the I/O cell's delay, which stands before the register "in"."""
+    """Steps of the I/O cell's delay, which stands before the register "in"."""
 
 
 @dataclasses.dataclass(frozen=True)
@@ -42,7 +42,7 @@ class Crossing:
     stages: int
     """Registers in a row; 0: what crosses does not do so on a wire, or a register is looked at before the last."""
     longest_ns: float
-    """Of the ways between the two clocks."""
+    """Delay of the longest way between the two clocks."""
     skew_ns: float
     """By which these differ."""
 

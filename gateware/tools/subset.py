@@ -61,7 +61,7 @@ _OPERATORS = ("adding_operator", "multiplying_operator", "unary_operator", "logi
 
 
 class Fault(NamedTuple):
-    """What a tool refuses."""
+    """Construct that a tool refuses."""
 
     line: int
     sentence: str
@@ -147,7 +147,7 @@ def _moving(root: Node) -> Iterator[str]:
 
 
 def _moves(node: Node, moving: set[str]) -> bool:
-    """Whether an expression mentions something that moves, other than its length or bounds."""
+    """Return whether an expression mentions something that moves, other than its length or bounds."""
     text = re.sub(r"\w+'(length|high|low|left|right|range)\b", "", re.sub(r"\.\w+", "", text_of(node)))
     return any(word.lower() in moving for word in re.findall(r"[a-z]\w*", text, re.IGNORECASE))
 

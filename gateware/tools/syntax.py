@@ -33,7 +33,7 @@ def child(node: Node, kind: str) -> Node | None:
 
 
 def is_within(node: Node, kind: str, end: Node) -> bool:
-    """Whether a node is below one of a kind, looking no further up than `end`."""
+    """Return whether a node is below one of a kind, looking no further up than `end`."""
     parent = node.parent
     while parent is not None and parent != end:
         if parent.type == kind:

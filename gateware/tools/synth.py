@@ -46,7 +46,7 @@ _EXPLAINED = "No PCF file|No LPF file|Max frequency for clock"
 
 @dataclasses.dataclass(frozen=True)
 class Device:
-    """How to map and place for one FPGA, and what its report calls things."""
+    """Options to map and place for one FPGA, and the terms of its report."""
 
     title: str
     synthesis: str
@@ -63,7 +63,7 @@ class Device:
     primitives: tuple[str, ...] = ()
     """Files of Yosys that say what the vendor's own cells are."""
     shown: bool = False
-    """Whether the placed design tells what became of pins and crossings (`gateware.tools.placed`)."""
+    """True if the placed design tells what became of pins and crossings (`gateware.tools.placed`)."""
 
 
 # `-no-rw-check`: no memory of the gateware uses a word that it reads while that is being written (each says so at its
@@ -114,7 +114,7 @@ class Configuration:
     package: str | None = None
     """Instead of the device's."""
     pads: str | None = None
-    """Whose registers are at the pins of an FT245, a folder of `gateware/pads`; else portable ones."""
+    """Folder of `gateware/pads` whose registers are at the pins of an FT245; else portable ones."""
     spec: Path | None = None
     """A UL-spec; `top` is in the VHDL that is generated from it."""
     sources: tuple[Path, ...] = ()
@@ -186,14 +186,14 @@ CONFIGURATIONS = {
 
 @dataclasses.dataclass(frozen=True)
 class Result:
-    """What one row of the table says; Fmax is in MHz, of each clock."""
+    """Figures of one row of the table; Fmax is in MHz, of each clock."""
 
     logic: int
     memory: int
     fmax: dict[str, float]
     pins: dict[str, Pin] = dataclasses.field(default_factory=dict)
     crossings: dict[str, Crossing] = dataclasses.field(default_factory=dict)
-    """Of a board, where the tool shows them."""
+    """Crossings of a board, where the tool shows them."""
 
     @property
     def slowest(self) -> float:
@@ -311,7 +311,7 @@ def _place(top: str, device: Device, verilog: Path, pins: list[Path], options: l
 
 
 def check(top: str, verilog: Path) -> None:
-    """Have Yosys look for faults in a converted design, as before each synthesis.
+    """Check a converted design with Yosys, as before each synthesis.
 
     Raises:
         ConversionError: if it finds one.

@@ -1,4 +1,4 @@
-"""Whether each top and each board is synthesised, which is all that a CI has the time for: `make synth-quick`.
+"""Synthesis of each top and each board, which is all that a CI has the time for: `make synth-quick`.
 
 GHDL converts each; Yosys looks for faults in it and maps it to the cells of its FPGA. Nothing is placed, which is for
 `make synth` and `make campaign`.

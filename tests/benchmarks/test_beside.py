@@ -1,4 +1,4 @@
-"""What is said where two revisions answer the same question."""
+"""Conclusions where two revisions answer the same question."""
 
 from __future__ import annotations
 

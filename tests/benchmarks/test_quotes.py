@@ -1,4 +1,4 @@
-"""What documents quote of the paper is what the paper says: each figure is one of `benchmarks.paper.published`.
+"""Quotes of the paper in the documents: each figure is one of `benchmarks.paper.published`.
 
 A quotation is a number with a unit, between the word "paper" and the end of its sentence or of its cell; and in a
 table, all of a column of which the head has that word. It may be rounded, and may have another unit of the same kind.
@@ -55,7 +55,7 @@ class Quote(NamedTuple):
 
     @property
     def right(self) -> bool:
-        """Whether the paper has it, rounded to as many digits."""
+        """Return whether the paper has it, rounded to as many digits."""
         values = [value for row in FIGURES if row.unit == self.unit for value in (row.value, row.deviation or 0.0)]
         return any(abs(value - self.value) <= self.precision * (0.5 + 1e-9) for value in values)
 

@@ -1,4 +1,4 @@
-"""What docs/tutorials/board.md has one type does what it says, as far as that needs no board."""
+"""The commands of docs/tutorials/board.md, as far as they need no board."""
 
 from __future__ import annotations
 

@@ -249,7 +249,7 @@ def stand_in(mhz: float = 80.0, failing: str = "", clocks: Mapping[str, float] |
 
 @pytest.fixture
 def tools(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> pytest.MonkeyPatch:
-    """Have stand-ins for all tools; each may be replaced."""
+    """Install stand-ins for all tools; each may be replaced."""
     (tmp_path / "lamp.v").write_text("")
     monkeypatch.setattr(building, "run", stand_in())
     monkeypatch.setattr(building, "script", lambda tool: tool)

@@ -1,4 +1,4 @@
-"""What the bridges to ROS tell of a gateway that a server stands before."""
+"""Diagnostics of the bridges to ROS where a server stands before the gateway."""
 
 from __future__ import annotations
 

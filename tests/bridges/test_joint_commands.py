@@ -1,4 +1,4 @@
-"""What sets all joints together, and what diagnostics tell: what both bridges to ROS have in common."""
+"""Commands for all joints together, and diagnostics: what both bridges to ROS have in common."""
 
 from __future__ import annotations
 

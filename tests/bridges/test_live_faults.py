@@ -1,4 +1,4 @@
-"""What can happen to live pictures: pages that stop reading, are killed or are too many, gateways that go and come."""
+"""Faults of live pictures: pages that stop reading, are killed or are too many, gateways that go and come."""
 
 from __future__ import annotations
 

@@ -64,7 +64,7 @@ def call(running: Live) -> socket.socket:
 
 
 def answer_to(running: Live, said: bytes, *, patience: float = 0.0) -> bytes:
-    """Say something; return what is heard until the other side ends, or for so long. Without patience, hang up."""
+    """Send bytes; return what is heard until the other side ends, or for so long. Without patience, hang up."""
     heard = b""
     with call(running) as caller, suppress(ConnectionError, TimeoutError):
         caller.sendall(said)

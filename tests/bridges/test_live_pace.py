@@ -1,4 +1,4 @@
-"""How much of what pages say is heard at a time: what people can say, and no more than leaves time for samples."""
+"""The pace at which pages are heard: that of people, and no more than leaves time for samples."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What serves live pictures: who is let in, what is written, and that no browser stands in the way of another."""
+"""The server of live pictures: who is let in, what is written, and that no browser stands in the way of another."""
 
 from __future__ import annotations
 
@@ -269,7 +269,7 @@ def test_round_trips_are_those_of_the_bus_of_a_signal_and_an_error_is_an_answer_
     asked: list[int] = []
 
     class Behind:
-        """What a module puts before the link."""
+        """Bus that a module puts before the link."""
 
         async def read(self, address: int) -> int:
             asked.append(address)

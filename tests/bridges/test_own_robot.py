@@ -1,4 +1,4 @@
-"""What runs on a built-in robot runs on one of one's own: that of a spec with a model, in `sim:` and in `rtl:`.
+"""Features of built-in robots on a robot of one's own: that of a spec with a model, in `sim:` and in `rtl:`.
 
 The bridges to ROS have theirs in tests of their own (test_ros1.py, test_ros2.py), as has the page in a browser.
 """

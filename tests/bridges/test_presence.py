@@ -1,4 +1,4 @@
-"""Whether a gateway is away, of which a server in between keeps the connection."""
+"""The state of a gateway, away or there, of which a server in between keeps the connection."""
 
 from __future__ import annotations
 

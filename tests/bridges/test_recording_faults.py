@@ -185,7 +185,7 @@ def test_a_file_that_was_damaged_anywhere_is_read_as_far_as_it_can_be_or_refused
 
 
 Place = tuple[str | int, ...]
-"""Where something stands in JSON: names and indices, from the outside in."""
+"""Path of a value in JSON: names and indices, from the outside in."""
 NUMBERS = st.sampled_from([0, -1, 1, 3, 64, 65, 255, 1 << 16, 1 << 31, 1 << 63, 1 << 70, 0.5, 5e-324, 1e308, -1e308])
 
 

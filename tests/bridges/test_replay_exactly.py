@@ -38,7 +38,7 @@ class Instants:
 
 class Robot(NamedTuple):
     groups: list[tuple[int, int, bool]]
-    """Of each: its divisor, how many words it has, and whether with timestamps."""
+    """Groups, of each: its divisor, how many words it has, and whether with timestamps."""
     polls: list[int]
     """Rates of what the host reads."""
 

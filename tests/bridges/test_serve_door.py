@@ -1,4 +1,4 @@
-"""Who comes in where a token is wanted, however many others stand before the door."""
+"""Admission where a token is wanted, however many others stand before the door."""
 
 from __future__ import annotations
 

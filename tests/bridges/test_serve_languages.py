@@ -34,7 +34,7 @@ def driver(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.fixture
 def place(tmp_path: Path) -> Iterator[Path]:
-    """Where the virtual SCARA is shared."""
+    """Yield the folder in which the virtual SCARA is shared."""
     path = tmp_path / "shared.sock"
     arguments = [PROGRAM, "serve", "sim:scara", "--unix", str(path)]
     with subprocess.Popen(arguments, stdout=subprocess.PIPE, stderr=subprocess.PIPE, env=os.environ) as server:

@@ -1,4 +1,4 @@
-"""How much the clients of a shared link may have under way."""
+"""Limits of what the clients of a shared link may have under way."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from unity_link.bridges.serve.turns import LEAST_AHEAD, LONGEST_WAIT, Pace
 
 
 def carry(pace: Pace, bytes_per_second: float, seconds: float = 1.0) -> None:
-    """Have a line carry all that is allowed, again and again; each goes there and back in no less than 0.1 ms."""
+    """Carry all that is allowed over a line, again and again; each goes there and back in no less than 0.1 ms."""
     now = 0.0
     while now < seconds:
         size = pace.most_ahead

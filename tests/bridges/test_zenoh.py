@@ -215,7 +215,7 @@ def test_a_url_that_makes_no_sense_is_explained(bad: str, words: str) -> None:
 
 
 def gets_a_sample(link: blocking.BlockingLink) -> bool:
-    """Whether a group is free, and publishes."""
+    """Return whether a group is free, and publishes."""
     with contextlib.suppress(OutOfRangeError), link.subscribe([0x80], rate_hz=100) as mine:
         return bool(next(iter(mine)).values.shape == (1,))
     return False
@@ -333,7 +333,7 @@ def test_a_client_that_is_killed_in_the_middle_of_a_query_has_written_each_value
 
 @contextmanager
 def counting_up(peer: zenoh.Session) -> Iterator[None]:
-    """Have 0, 1, 2 and so on put, to be written."""
+    """Put 0, 1, 2 and so on, to be written."""
     ended = threading.Event()
 
     def put() -> None:

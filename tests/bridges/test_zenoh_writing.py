@@ -1,4 +1,4 @@
-"""What a peer of Zenoh may say to be written: anything, and only what makes sense is."""
+"""Requests of a peer of Zenoh to write: any bytes may come, and only what makes sense is written."""
 
 from __future__ import annotations
 

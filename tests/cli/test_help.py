@@ -1,4 +1,4 @@
-"""What commands say of themselves, and of values that do not fit."""
+"""The help of commands, and their messages for values that do not fit."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What signals do to a command: the first has it end, more of them at once are one, a later one ends it by force."""
+"""Signals sent to a command: the first has it end, more of them at once are one, a later one ends it by force."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What a service manager is told by a command that runs for long."""
+"""Notifications of a service manager by a command that runs for long."""
 
 from __future__ import annotations
 

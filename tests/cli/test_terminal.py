@@ -21,7 +21,7 @@ PROMPT = "^> *$"
 
 
 class Noise(asyncio.Protocol):
-    """What answers to everything as a line of the wrong baud rate may: here, with what clears a terminal."""
+    """Peer that answers everything as a line of the wrong baud rate may: here, with what clears a terminal."""
 
     def connection_made(self, transport: asyncio.BaseTransport) -> None:
         assert isinstance(transport, asyncio.Transport)

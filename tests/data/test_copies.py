@@ -1,4 +1,4 @@
-"""What is copied, or goes through a pickle: data does, and what belongs to a link is itself or refused."""
+"""Copies and pickles: data has them; what belongs to a link is its own copy, or refused by a pickle."""
 
 from __future__ import annotations
 

@@ -19,11 +19,11 @@ if TYPE_CHECKING:
 
 Scara = unity_link.load(compile_text(FIGURE_1))
 SET_POINTS = (1200, -700, 345, 2000)
-"""Of joints 1 to 4, in counts; within the limits of each."""
+"""Set points of joints 1 to 4, in counts; within the limits of each."""
 
 
 ADDRESSES = {"scara": {}, "tosnet": {"ctrl": 0xF0, "comm": 0xF4}}
-"""Of the parameters, by the robot."""
+"""Addresses of the parameters, by the robot."""
 
 
 @pytest_asyncio.fixture(

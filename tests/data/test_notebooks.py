@@ -1,4 +1,4 @@
-"""What a notebook shows of links, robots, signals, samples and statistics: tables in which all text is text."""
+"""Notebook displays of links, robots, signals, samples and statistics: tables in which all text is text."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ HOSTILE = '<script>alert("1")</script> & <img src=x onerror=alert(1)>'
 
 
 class Shown(HTMLParser):
-    """What a browser would make of a page: the tags, and the text of each cell."""
+    """Text of a page as a browser would show it: the tags, and the text of each cell."""
 
     def __init__(self, page: str) -> None:
         super().__init__()

@@ -34,7 +34,7 @@ class Hostile(Gateway):
         self.honest = VirtualGateway()
         self.info, self.wake = self.honest.info, lambda: None
         self.instead = b""
-        """What the host hears next."""
+        """Bytes that the host hears next."""
         self.silent = False
 
     @property

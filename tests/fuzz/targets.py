@@ -1,4 +1,4 @@
-"""What reads bytes of strangers, each as a function of one input: it ends, or refuses in a sentence of ours.
+"""Readers of strangers' bytes, each as a function of one input: it ends, or refuses in a sentence of ours.
 
 A function raises nothing whatever it is given: what it lets through is a defect. `test_corpus.py` replays known inputs,
 ``python -m fuzz TARGET SECONDS`` searches for others by coverage.
@@ -64,7 +64,7 @@ def configuration(data: bytes) -> None:
 
 
 def gateway(data: bytes) -> None:
-    """Have a gateway hear bytes in two pieces, as time passes."""
+    """Feed bytes to a gateway in two pieces, as time passes."""
     heard = VirtualGateway()
     cut = data[0] * len(data) // 256 if data else 0
     answered = 0
@@ -137,7 +137,7 @@ class _Line:
 
 
 def session(data: bytes) -> None:
-    """Have a session ask a gateway, over a line that the input changes; nothing is answered and failed."""
+    """Run a session against a gateway, over a line that the input changes; nothing is answered and failed."""
     choices = Choices(data)
     line = _Line(choices)
     while choices:
@@ -200,7 +200,7 @@ def page(data: bytes) -> None:
 
 
 def serve(data: bytes) -> None:
-    """Have a server of a shared link hear hostile clients, and a hostile gateway."""
+    """Run a server of a shared link with hostile clients, and a hostile gateway."""
     serving.serve(Choices(data))
 
 

@@ -36,7 +36,7 @@ public echo() {
 }
 """
 )
-"""What is written and what is read have the same widths in the same order, so that the wire brings all back."""
+"""Signals that are written and read with the same widths in the same order, so that the wire brings all back."""
 
 
 class Board:

@@ -156,7 +156,7 @@ class Pair:
         self.dut.host_drives.value = 0
 
     async def until(self, done: Any) -> None:
-        """Have the links take turns until something is so."""
+        """Take turns of the links until something is so."""
         patience = clock() + 0.02
         while clock() < patience:
             for link in self.links:

@@ -1,4 +1,4 @@
-"""What the tests of generated code are given."""
+"""Fixtures of the tests of generated code."""
 
 from __future__ import annotations
 

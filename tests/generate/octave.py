@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
 MEX_FILE = "unity_link_mex.mex"
 CAREFULLY = {"CFLAGS": "-O1 -Wall -Wextra -Werror"}
-"""How the MEX file is compiled for the tests."""
+"""Compiler options of the MEX file for the tests."""
 LONGEST_RUN = 300
 """Seconds after which a script is ended that hangs."""
 _PRELUDE = """\
@@ -64,7 +64,7 @@ end
 
 @functools.cache
 def why_not() -> str:
-    """Say what is missing for these tests; empty where nothing is."""
+    """Return the reason why these tests cannot run; empty where they can."""
     octave = shutil.which("octave-cli")
     if octave is None:
         return "octave-cli is not installed (Debian: apt install octave)"

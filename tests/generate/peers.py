@@ -1,4 +1,4 @@
-"""What generated clients talk to: `unity-link simulate` as a process of its own, and a line that fails on demand.
+"""Peers of generated clients: `unity-link simulate` as a process of its own, and a line that fails on demand.
 
     with simulate("tcp", "--robot", "scara") as url, FaultyLine(url, "pty", [lose(r"^r002")]) as line:
         run_client(line.url)
@@ -87,7 +87,7 @@ class ObservedGateway(VirtualGateway):
         self.most_at_once = 0
         """Most requests with an ID that came together."""
         self.reset_before: int | None = None
-        """How many frames are still to come before the reset."""
+        """Number of frames until the reset."""
 
     def receive(self, data: bytes, now: float) -> bytes:
         """Take bytes, frame by frame."""
@@ -110,7 +110,7 @@ class ObservedGateway(VirtualGateway):
 
 
 class Fault(msgspec.Struct):
-    """What happens to the first frames that a pattern finds; `change` gives what arrives in place of the frame."""
+    """Fault of the first frames that a pattern finds; `change` gives what arrives in place of the frame."""
 
     pattern: re.Pattern[str]
     change: Callable[[bytes], bytes]
@@ -149,17 +149,17 @@ def damage(pattern: str, times: int = 1) -> Fault:
 
 
 def double(pattern: str, times: int = 1) -> Fault:
-    """Have frames arrive twice."""
+    """Return a fault by which frames arrive twice."""
     return Fault(re.compile(pattern), lambda frame: 2 * frame, times)
 
 
 def replace(pattern: str, text: bytes, times: int = 1) -> Fault:
-    """Have something else arrive."""
+    """Return a fault by which another text arrives."""
     return Fault(re.compile(pattern), lambda _: text, times)
 
 
 def answer(pattern: str, body: bytes, times: int = 1) -> Fault:
-    """Have a checked frame arrive: `body` with the ID of the frame at its `%b`."""
+    """Return a fault by which a checked frame arrives: `body` with the ID of the frame at its `%b`."""
     return Fault(re.compile(pattern), lambda frame: Framing(Crc()).checked(body % frame[1:4]), times)
 
 

@@ -44,7 +44,7 @@ def compiled(compiler: Sequence[str], sources: Sequence[Path], directory: Path, 
 
 
 def checked(compiler: Sequence[str], source: Path, directory: Path) -> None:
-    """Have a compiler look at a source, which takes a fraction of the time."""
+    """Check a source with a compiler, which takes a fraction of the time."""
     warnings = ("-pedantic", "-Wall", "-Wextra", "-Werror")
     _run([*compiler, *warnings, f"-I{directory}", "-fsyntax-only", str(source)])
 

@@ -29,7 +29,7 @@ PATIENCE = 60.0
 
 
 class Paper:
-    """What a bridge needs of ROS, on paper."""
+    """Stand-in for ROS on paper, as far as a bridge needs it."""
 
     def __init__(self, link: str, **parameters: Any) -> None:
         self._parameters = dict(PARAMETERS, link=link, **parameters)
@@ -70,7 +70,7 @@ class Paper:
         return fields
 
     def say(self, topic: str, **fields: Any) -> None:
-        """Have a message taken."""
+        """Deliver a message to its callback."""
         self.taking[topic][1](types.SimpleNamespace(**fields))
 
 

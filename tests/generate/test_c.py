@@ -100,7 +100,7 @@ DEFAULT_INFO = GatewayInfo()
 
 @pytest.fixture(scope="session")
 def runtime(tmp_path_factory: pytest.TempPathFactory) -> list[Path]:
-    """What is the same for every spec, with sanitizers in it."""
+    """Compile the part that is the same for every spec, with sanitizers in it."""
     directory = tmp_path_factory.mktemp("runtime")
     generated("c", compile_text(FIGURE_1), directory)
     return compiled(C, [directory / "unity_link.c", directory / "unity_link_posix.c"], directory, *SANITIZED)

@@ -1,4 +1,4 @@
-"""What holds for the output of every target: the same in each run, with its origin, and clean as text."""
+"""Properties of the output of every target: the same in each run, with its origin, and clean as text."""
 
 from __future__ import annotations
 

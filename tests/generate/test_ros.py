@@ -48,7 +48,9 @@ def packages(tmp_path: Path) -> dict[str, Path]:
 
 @pytest.fixture
 def environment(tmp_path: Path, packages: dict[str, Path]) -> dict[str, str]:
-    """Have ROS find the package, and the package the Python that ROS is installed for: not ours."""
+    """Return an environment in which ROS finds the package, and the package the Python that ROS is installed for: not
+    ours.
+    """
     with socket.create_server(("127.0.0.1", 0)) as free:
         port = free.getsockname()[1]
     return {

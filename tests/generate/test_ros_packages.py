@@ -1,4 +1,4 @@
-"""What is in a generated package of ROS, on the Pythons of its distributions: `make ros-packages` names them.
+"""The contents of a generated package of ROS, on the Pythons of its distributions: `make ros-packages` names them.
 
 Without ROS_PYTHONS, it is tried on this one and on those that are found.
 """
@@ -46,7 +46,7 @@ PATIENCE = 120
 NAMED = os.environ.get("ROS_PYTHONS", "").split()
 BASE, CTRL = 0x400, 0x7F0
 PACKAGES = {"ros1": ("scripts", ""), "ros2": ("", "scara_unity_link.")}
-"""Where a package has its modules, and what stands before their names."""
+"""Folder of a package's modules, and the prefix of their names."""
 MODULES = ("client", "values", "bridge", "robot")
 
 

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from generate.octave import Octave
 
 SET_POINTS = (1200, -700, 345, 2000)
-"""Of joints 1 to 4, in counts."""
+"""Set points of joints 1 to 4, in counts."""
 MODELS = ["", pytest.param("--rtl", marks=pytest.mark.rtl)]
 
 C_PROGRAM = """

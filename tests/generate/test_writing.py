@@ -1,4 +1,4 @@
-"""What `generate`, `fmt` and `export` write is there whole, or not at all; a full disk leaves what was there before."""
+"""Files written by `generate`, `fmt` and `export`: whole or not at all; a full disk leaves what was there before."""
 
 from __future__ import annotations
 

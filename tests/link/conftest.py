@@ -39,7 +39,7 @@ if TYPE_CHECKING:
 MAKERS: dict[str, Maker] = {"sim": simulated, "rtl": compiled}
 SCHEMES = ("ftdi", "ftdi-async")
 WAY = "unity_link.virtual.gateway.Gateway.open"
-"""What connects a link to a gateway of this process."""
+"""Connection between a link and a gateway of this process."""
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:

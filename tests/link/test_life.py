@@ -1,4 +1,4 @@
-"""How a link begins, what happens to those that wait when it ends, and how it begins again. Time is simulated."""
+"""The life of a link: its beginning, the calls that wait when it ends, and its reopening. Time is simulated."""
 
 from __future__ import annotations
 
@@ -80,7 +80,7 @@ def transport_under_test() -> asyncio.Transport:
 
 
 class Answering:
-    """What is at the other end, but is no gateway: answers each read by a function of it."""
+    """Peer at the other end that is no gateway: answers each read by a function of it."""
 
     memory: dict[int, int]
     next_due = None

@@ -1,4 +1,4 @@
-"""What the calls of a link promise in their docstrings, where something else happens at the same time."""
+"""Promises in the docstrings of a link's calls, where something else happens at the same time."""
 
 from __future__ import annotations
 

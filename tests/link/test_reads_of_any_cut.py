@@ -1,4 +1,4 @@
-"""What arrives means the same however it is cut into reads: frames are taken many at a time only where that is so."""
+"""Bytes mean the same however they are cut into reads: frames are taken many at a time only where that is so."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ class Burst(NamedTuple):
 
 
 WORDS = {0: 1, 1: 1, 2: 3, 3: 1, 4: 2, FOREIGN: 1}
-"""Of each group; a sample of group 3 is as long as one of group 4, for it has a timestamp."""
+"""Words of each group; a sample of group 3 is as long as one of group 4, for it has a timestamp."""
 STAMPED = 3
 GROUPS = {
     "first": 0,
@@ -133,7 +133,7 @@ async def heard(pieces: Sequence[bytes], node: int | None) -> object:
 
 @contextlib.contextmanager
 def scripted_driver() -> Iterator[list[Scripted]]:
-    """Have ``sim:`` open gateways of which a test writes what the host hears, and give them."""
+    """Open gateways for ``sim:`` of which a test writes what the host hears, and yield them."""
     made: list[Scripted] = []
 
     def build(*arguments: Any, **options: Any) -> Scripted:

@@ -1,4 +1,4 @@
-"""How soon a link gets over damage: by what arrives, and seldom by waiting. Simulated time passes in waiting alone."""
+"""Recovery of a link from damage: by what arrives, and seldom by waiting. Simulated time passes in waiting alone."""
 
 from __future__ import annotations
 

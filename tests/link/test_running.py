@@ -1,4 +1,4 @@
-"""What code on links waits by is the same in asyncio, under trio and in blocking code."""
+"""Waiting primitives: the same in asyncio, under trio and in blocking code."""
 
 from __future__ import annotations
 

@@ -447,7 +447,7 @@ async def test_what_is_no_sample_of_the_subscription_is_dropped(make_bare: Maker
 
 
 async def is_silent(link: Link) -> bool:
-    """Tell whether nothing is published any more, once a bad line had time for some repetitions."""
+    """Return whether nothing is published any more, once a bad line had time for some repetitions."""
     await asyncio.sleep(5)
     before = link.statistics.bytes_received
     await asyncio.sleep(1)

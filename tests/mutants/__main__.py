@@ -23,7 +23,7 @@ ENOUGH = 0.9
 
 
 class Result(msgspec.Struct):
-    """What became of a mutant."""
+    """Fate of a mutant."""
 
     status: str
     by: str

@@ -33,7 +33,7 @@ class Mutant(msgspec.Struct, frozen=True):
 
     @property
     def name(self) -> str:
-        """What it is called in results."""
+        """Name in results."""
         return f"{self.module}:{self.line}:{self.operator.removeprefix('core/')}:{self.occurrence}"
 
     @property
@@ -83,7 +83,7 @@ def _mutants_of(path: Path) -> Iterator[tuple[Position, Position, Mutant]]:
 
 
 def _tells_nothing(name: str) -> bool:
-    """Whether an operator needs arguments, or asks for identity in place of equality: the same of small numbers."""
+    """Return whether an operator needs arguments, or asks for identity, which small numbers have."""
     before, _, after = name.removeprefix("core/ReplaceComparisonOperator_").partition("_")
     return bool(get_operator(name).arguments()) or (after.startswith("Is") and not before.startswith("Is"))
 

@@ -39,7 +39,7 @@ LIBRARIES = [
     "usb.core",
     "xdist.scheduler",
 ]
-"""What the tests import, and each process that is forked has already."""
+"""Modules that the tests import, and that each forked process has already."""
 WORLDS = "tests/mutants/worlds.py"
 """Run on each mutant that they reach, however many other tests do."""
 TESTS = [

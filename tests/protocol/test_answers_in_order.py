@@ -102,12 +102,12 @@ class Line(Exchange):
 
 
 class Turn(NamedTuple):
-    """What is asked at a time, and what becomes of so many answers then."""
+    """Requests of one turn, and the fates of their answers."""
 
     commands: list[str]
     kinds: list[str]
     cuts: list[int] | None
-    """Where what arrives is cut; None: between the answers."""
+    """Offsets at which what arrives is cut; None: between the answers."""
     seconds: float
     cancelled: bool
 

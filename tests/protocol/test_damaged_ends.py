@@ -25,7 +25,7 @@ REPLIES = {"R": 1, "W": 0, "RM": WORDS, "H": 0}
 
 
 class Fate(NamedTuple):
-    """What becomes of an answer on its way."""
+    """Fate of an answer on its way."""
 
     kind: str
     place: int
@@ -52,7 +52,7 @@ class Host:
             self.answers.append(codec.framing.checked(body))
 
     def ask_many(self, count: int) -> Batch:
-        """Have a batch of reads in flight, whose answers are their numbers."""
+        """Submit a batch of reads whose answers are their numbers."""
         codec, first = self.codec, self.window.next
         batch = Batch(codec, "R", [(np.zeros(count, np.uint8), codec.info.address_digits)])
         self.exchange.submit(batch, 0.0, self.events)

@@ -39,7 +39,7 @@ class Gateway:
         )
 
     def opened(self) -> Gateway:
-        """Have A open the session that is offered first, and forget what was said."""
+        """Open the session that is offered first as A, and forget what was sent."""
         self.side.take(b"Q\r", "A")
         self.side.put(ANSWER)
         self.side.take(SESSION, "A")

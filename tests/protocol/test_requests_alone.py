@@ -30,7 +30,7 @@ class Side:
         self.session = Session(None, lambda: 0)
         self.gateway = VirtualGateway(GatewayInfo() if info is None else info)
         self.wire = self.sent = self.arriving = b""
-        """What is sent next, what was sent, and what has not been heard yet."""
+        """Bytes to be sent next, bytes sent, and bytes that have not been heard yet."""
         self.events: Events = []
         self.session.connect(0.0, 0.003, takes_turns=takes_turns)
         while not self.session.is_open:
@@ -96,7 +96,7 @@ class Side:
 
 
 class Step(NamedTuple):
-    """What is asked for, or what the medium does."""
+    """A request of the host, or an action of the medium."""
 
     what: str
     number: int

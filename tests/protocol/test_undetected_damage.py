@@ -1,4 +1,4 @@
-"""What the check of a frame finds for sure, and what it cannot: the figures of docs/protocol.md.
+"""The damages that the check of a frame finds for sure, and those that it cannot: the figures of docs/protocol.md.
 
 With an initial value of 0 the CRC is linear: damage passes if the CRC of the difference of the texts is the difference
 of the CRCs. So it is enough to look at differences. The CRC stands in the frame as hexadecimal digits, whose characters

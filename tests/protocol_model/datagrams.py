@@ -20,7 +20,7 @@ NO_SESSION = 0
 
 
 class Naming(Enum):
-    """How a session is named."""
+    """Naming of a session."""
 
     NOT_AT_ALL = auto()
     """Datagrams hold frames alone: protocol 01, in a session that was begun."""
@@ -33,20 +33,20 @@ class Naming(Enum):
 
 
 class Rules(NamedTuple):
-    """How sessions are named, and how much is explored."""
+    """Rules for the names of sessions, and bounds of the exploration."""
 
     naming: Naming = Naming.DRAWN
     requests: int = 5
     datagrams: int = 4
     """Most datagrams that the host sends in a session."""
     sessions: int = 2
-    """How many numbers of sessions there may be."""
+    """Numbers of sessions that there may be."""
     resets: int = 1
     counts: int = 1 << 32
     """The counts go round after so many, 0 left out."""
     first_count: int = 1
     beginnings: int = 3
-    """How often the host may begin."""
+    """Most beginnings of the host."""
     new_ports: bool = True
     """It does so from another port each time; a session belongs to the port that opened it."""
 

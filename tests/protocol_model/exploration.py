@@ -16,7 +16,7 @@ Moves: TypeAlias = Callable[[S], Iterator[tuple[str, "S | Fault"]]]
 
 
 class Exploration(NamedTuple):
-    """What was found."""
+    """Result of an exploration."""
 
     states: int
     fault: str | None
@@ -24,7 +24,7 @@ class Exploration(NamedTuple):
     story: tuple[str, ...]
     """The fewest steps that lead to the fault."""
     ends: int
-    """How many states were an end: all was told."""
+    """Number of states that were an end: all was told."""
 
     def __str__(self) -> str:
         if self.fault is None:

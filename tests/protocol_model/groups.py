@@ -17,7 +17,7 @@ NOBODY = -1
 
 
 class Rules(NamedTuple):
-    """What a version of the protocol says, and how much of it is explored."""
+    """Rules of a version of the protocol, and bounds of the exploration."""
 
     in_order: bool = True
     """The rule that 02 adds to 01."""
@@ -45,14 +45,14 @@ class Gateway(NamedTuple):
     last: Request | None = None
     """The request that was executed last: the same again is a repetition."""
     holder: int = NOBODY
-    """Whose addresses the group has."""
+    """Host whose addresses the group has."""
     running: bool = False
     buffer: tuple[int, ...] = ()
     """The samples that wait, by the holder whose addresses they were read from."""
     response: Request | None = None
-    """What waits to be answered: requests are executed one after the other."""
+    """Request that waits for its answer: requests are executed one after the other."""
     ahead: int = 0
-    """How many of the samples that wait are to be sent before the response."""
+    """Number of waiting samples that are sent before the response."""
 
 
 class Host(NamedTuple):

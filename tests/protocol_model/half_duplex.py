@@ -15,14 +15,14 @@ OWED = "rg"
 
 
 class Rules(NamedTuple):
-    """What keeps both from sending at once; each is needed."""
+    """Rules that keep both from sending at once; each is needed."""
 
     waits: bool = True
     """The host sends nothing while an answer is owed."""
     kinds: str = "rgb"
-    """What the host sends: nothing posted to one node."""
+    """Messages of the host: nothing posted to one node."""
     response_last: bool = True
-    """What a request has the node send stands before its response."""
+    """True if the node sends its response behind all else that a request causes."""
     patient: bool = True
     """An answer is given up only when it cannot come any more."""
     requests: int = 3
@@ -38,7 +38,7 @@ class State(NamedTuple):
     node_sends: str = ""
     """The frame that is on its way: `P` a sample, `x` an error, `a` a response."""
     pending: str = ""
-    """What the node is going to send."""
+    """Messages that the node is going to send."""
 
 
 def explored(rules: Rules) -> Exploration:

@@ -30,7 +30,7 @@ CRC_ERROR: Frame = ("X01", 0, -1)
 
 
 class Rules(NamedTuple):
-    """What a version of the protocol says, and how much of it is explored."""
+    """Rules of a version of the protocol, and bounds of the exploration."""
 
     needs_session: bool = True
     """No session, no execution: the rule that 02 adds to 01."""
@@ -41,9 +41,9 @@ class Rules(NamedTuple):
     in_line: int = 3
     """Most frames in each direction."""
     resets: int = 1
-    """How often the gateway may be reset."""
+    """Most resets of the gateway."""
     restarts: int = 0
-    """How often the host may begin anew on the line as it stands."""
+    """Most times that the host begins anew on the line as it stands."""
     damages: bool = False
     """Frames may also arrive damaged, which the gateway answers; a damaged answer is a lost one."""
     cancels: bool = False
@@ -68,7 +68,7 @@ class Host(NamedTuple):
     window: str
     """A letter for each request in flight, `DONE` for those that were told."""
     confirmed: int
-    """How many of them are known to be executed."""
+    """Number of them that are known to be executed."""
     again: tuple[int, ...]
     """For each of them, how many requests there had been when it was sent again last; 0 if it was sent once."""
 
@@ -81,7 +81,7 @@ class Gateway(NamedTuple):
     gap_told: bool
     executed: int
     never: int
-    """What was told as not executed."""
+    """Requests reported as not executed."""
 
 
 class State(NamedTuple):

@@ -1,4 +1,4 @@
-"""What holds for the rules of datagrams holds for the code of both sides, in every state of a small model."""
+"""The rules of datagrams in the code of both sides, in every state of a small model."""
 
 import pytest
 

@@ -45,7 +45,7 @@ class _Planned:
         self.is_cancelled = False
 
     def cancel(self) -> None:
-        """Have it not called."""
+        """Cancel the call."""
         self.is_cancelled = True
         self.args = ()
 

@@ -41,7 +41,7 @@ if TYPE_CHECKING:
     Serve = Callable[[Gateway], AbstractAsyncContextManager[str]]
 
 CHANCES = {"loss": 2e-4, "flip": 3e-4, "double": 2e-4, "stall": 5e-5}
-"""Of each byte, on both ways."""
+"""Probabilities for each byte, on both ways."""
 BETWEEN_CUTS = 0.7
 AWAY = 0.02
 SIDE_BY_SIDE = 12
@@ -74,7 +74,7 @@ class Media:
 
     @contextlib.contextmanager
     def plugged(self) -> Iterator[None]:
-        """Have the drivers of the FT232H find the virtual bus."""
+        """Show the virtual bus to the drivers of the FT232H, in the block."""
         with installed(self._bus):
             yield
 
@@ -123,7 +123,7 @@ def _free_port(kind: socket.SocketKind) -> int:
 
 
 class Result:
-    """What was done on one medium."""
+    """Result on one medium."""
 
     def __init__(self) -> None:
         self.requests = self.programs = self.cuts = self.reconnections = self.repetitions = self.damaged_frames = 0

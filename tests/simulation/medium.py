@@ -24,15 +24,15 @@ HIGH = 65_536
 NEVER = 1 << 62
 Address = tuple[str, int]
 STRETCH, IN_PIECES = 1_000, 250
-"""Of so many bytes of a line that cuts them the first so many arrive in pieces, the others as they were sent."""
+"""Bytes of a stretch of a line that cuts them, and how many first bytes of each arrive in pieces."""
 
 
 class Fault(NamedTuple):
-    """What happens to a line at one of its bytes."""
+    """Fault of a line at one of its bytes."""
 
     line: str
     back: bool
-    """Whether it is on the way from the gateway to the host."""
+    """True if it is on the way from the gateway to the host."""
     at: int
     """Number of the byte, counted since the world began."""
     kind: str
@@ -140,7 +140,7 @@ class Course:
 
 
 class _Socket:
-    """What drivers ask of a socket."""
+    """The part of a socket that drivers use."""
 
     family = socket.AF_UNIX
 
@@ -155,7 +155,7 @@ class _Socket:
 
 
 class End(asyncio.Transport):
-    """What one side of a connection writes to, and the other is fed from."""
+    """End of a connection that one side writes to, and that feeds the other."""
 
     def __init__(self, network: Network, protocol: asyncio.BaseProtocol, line: Line, course: Course) -> None:
         super().__init__({"socket": _Socket(0)})
@@ -330,7 +330,7 @@ class Port(asyncio.DatagramTransport):
 
 
 class _Listener:
-    """What `asyncio.Server` is to those who listen."""
+    """The part of `asyncio.Server` that its users need."""
 
     def __init__(self, network: Network, host: str, port: int) -> None:
         self._network = network

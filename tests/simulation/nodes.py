@@ -30,11 +30,11 @@ class Wire(SharedLine):
 
     @property
     def was_disturbed(self) -> bool:
-        """Whether something has happened to what was sent."""
+        """Return whether something has happened to what was sent."""
         return any(self._network.courses[WIRE, back].fired for back in (False, True))
 
     def receive(self, data: bytes, now: float) -> bytes:
-        """Have the host send bytes; return what has arrived from the nodes."""
+        """Send bytes as the host; return what has arrived from the nodes."""
         return super().receive(self._carry(data, now, back=False), now)
 
     def advance(self, now: float, room: int | None = None) -> bytes:

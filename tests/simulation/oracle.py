@@ -34,7 +34,7 @@ then."""
 
 
 class WorldError(AssertionError):
-    """What the oracle found. `kind` is the rule that was broken."""
+    """Violation that the oracle found. `kind` is the rule that was broken."""
 
     def __init__(self, kind: str, text: str) -> None:
         super().__init__(f"{kind}: {text}")
@@ -61,15 +61,15 @@ class Recorder:
         self.writes: list[tuple[float, int, int]] = []
         """Instant, address and word of each write, also of those that failed."""
         self.places: dict[int, list[int]] = defaultdict(list)
-        """Where in `writes` each word stands."""
+        """Places of each word in `writes`."""
         self.history: dict[int, list[tuple[float, int]]] = {}
         """For each address since when it had which word."""
         self.instants: list[float] = []
-        """When the words that name instants were read."""
+        """Instants at which the words that name instants were read."""
         self.popped: dict[int, list[float]] = defaultdict(list)
         """For each queue when its words were taken."""
         self.reads: dict[int, list[float]] = defaultdict(list)
-        """When each other address was read."""
+        """Instants at which each other address was read."""
         self._trace = trace
         self._words: dict[int, int] = {}
         self._numbers: dict[tuple[int, float], int] = {}
@@ -120,7 +120,7 @@ class Recorder:
 
 
 class Published:
-    """What one gateway published, as it left the gateway.
+    """Samples of one gateway, as they left the gateway.
 
     The gateway numbers its samples with two digits; here they are numbered on since the group was set up, its `life`.
     """
@@ -270,14 +270,14 @@ class Ask:
         """Address and word of each write, address and count of what is read."""
         self.asked = asked
         self.told: float | None = None
-        """When it ended; None while it has not."""
+        """Instant at which it ended; None while it has not."""
         self.error: BaseException | None = None
         self.answer: Any = None
         self.after: dict[int, int] | None = None
-        """What the program itself wrote last before, by address."""
+        """Values that the program itself wrote last before, by address."""
         self.cancelled = False
         self.ended = False
-        """Whether the link had ended when it failed."""
+        """True if the link had ended when it failed."""
 
     def __str__(self) -> str:
         words = ", ".join(f"{word:#x}" for _, word in self.words[:3])
@@ -291,17 +291,17 @@ class LinkLog:
         self.name = name
         self.recorder = recorder
         self.shared = shared
-        """Whether there is a server between."""
+        """True if there is a server between."""
         self.reconnect = reconnect
         self.block_words = block_words
         self.refused = False
-        """Whether the link gave up reconnecting, because a server had no group left for its subscriptions."""
+        """True if the link gave up reconnecting, because a server had no group left for its subscriptions."""
         self.closed = False
-        """Whether the program has closed the link while its tasks ran."""
+        """True if the program has closed the link while its tasks ran."""
         self.asks: list[Ask] = []
         self.listenings: list[Listening] = []
         self.post_failures: list[tuple[float, int]] = []
-        """When how many errors of posted writes were reported."""
+        """Instant of each report of errors of posted writes, and their number."""
 
     def ended(self, link: Link) -> bool:
         """Return whether there will be no session any more."""
@@ -315,7 +315,7 @@ class LinkLog:
 
 
 class Listening:
-    """What one subscription delivered."""
+    """Samples that one subscription delivered."""
 
     def __init__(
         self, link: LinkLog, published: Published, addresses: tuple[int, ...], arguments: dict[str, Any]
@@ -326,7 +326,7 @@ class Listening:
         self.arguments = arguments
         self.samples: list[Sample] = []
         self.lost: int | None = None
-        """What the subscription counted, if it was read to its end."""
+        """Losses that the subscription counted, if it was read to its end."""
         self.rate: float | None = None
 
 

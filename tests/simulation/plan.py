@@ -1,4 +1,4 @@
-"""What a seed chooses: the gateways, servers, lines, programs and faults of a world, before any of it runs.
+"""The plan of a world, chosen by a seed before any of it runs: gateways, servers, lines, programs and faults.
 
 Nothing is drawn later. A plan can be cut short in any place, and what is left of it does the same as before; that is
 how `story` finds the shortest one that still fails.
@@ -50,9 +50,9 @@ class GatewayPlan(NamedTuple):
     bytes_per_second: float | None
     """Rate of the line, with the FIFOs at its end; None for one without limit."""
     triggers: tuple[float, ...]
-    """When its external trigger rises."""
+    """Instants at which its external trigger rises."""
     datagrams: bool
-    """Whether it is reached by datagrams, not by a stream."""
+    """True if it is reached by datagrams, not by a stream."""
     build: str
     """Name of a build of the gateware, which runs compiled; none for the model."""
 
@@ -89,7 +89,7 @@ class ProgramPlan(NamedTuple):
 
 
 class Mishap(NamedTuple):
-    """What befalls a gateway, a server or a client at an instant, whatever is on its lines."""
+    """Mishap of a gateway, a server or a client at an instant, whatever is on its lines."""
 
     at: float
     """Seconds since the world began; of a ``hang up`` latencies since the server's line was connected again."""
@@ -460,14 +460,14 @@ class Draw:
 
 
 _GROUPS = ("periodic", "periodic", "periodic", "asked", "changed", "triggered")
-"""What makes groups publish."""
+"""Causes of publication of groups."""
 _BAD_WIRES = 0.7
-"""How often something happens to nodes, or to their line."""
+"""Probabilities of faults of nodes, or of their line."""
 _WIRE_FAULTS = ("lose", "lose", "flip", "flip", "double")
 _FAULTS = ("lose", "lose", "flip", "flip", "double", "stall", "cut", "mute")
 _DATAGRAM_FAULTS = ("lose", "lose", "flip", "copy", "copy", "late", "late", "mute")
 _SOCKET_FAULTS = ("stall", "stall", "cut")
-"""What a socket does, which is all that is between a server and its clients."""
+"""Faults of a socket, which is all that is between a server and its clients."""
 _SLOW, _QUICK = 200, 1_000
 """Base frequencies up to which a group may publish at each tick, and above which it looks no more often."""
 _AMOUNTS: dict[str, tuple[float, ...]] = {
@@ -479,7 +479,7 @@ _AMOUNTS: dict[str, tuple[float, ...]] = {
     "copy": (0.0, 0.001, 0.01, 0.1, 0.4, 2.0),
     "late": (0.0, 0.001, 0.01, 0.1, 0.4, 2.0),
 }
-"""What a `Fault` may amount to."""
+"""Amounts that a `Fault` may have."""
 _CALL_ODDS = {
     "read": 20,
     "write": 20,
@@ -496,7 +496,9 @@ _CALL_ODDS = {
     "post_many": 3,
 }
 _MANNERS = {"by callback": 0.2, "in haste": 0.3}
-"""How a program listens, and how often: it is called, and it does not wait until its group has been stopped."""
+"""Manners in which a program listens, and their frequencies: it is called, and it does not wait until its group has
+been stopped.
+"""
 _STEP_ODDS = {"call": 60, "burst": 12, "cancel": 12, "sleep": 8, "listen": 12}
 _CALLS, _CALL_WEIGHTS = list(_CALL_ODDS), list(_CALL_ODDS.values())
 _STEPS, _STEP_WEIGHTS = list(_STEP_ODDS), list(_STEP_ODDS.values())

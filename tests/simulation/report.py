@@ -1,4 +1,4 @@
-"""What was run and what was injected, over many worlds."""
+"""Counts of runs and of injected faults, over many worlds."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ class Report:
 
     def __init__(self) -> None:
         self.worlds: dict[str, list[int]] = {name: [] for name in ("requests", "programs", "faults", "sessions")}
-        """Of each world: requests sent, programs, what was injected, changes of session."""
+        """Counts of each world: requests sent, programs, what was injected, changes of session."""
         self.injected: Counter[str] = Counter()
         self.failed: list[int] = []
         self._began = time.process_time()

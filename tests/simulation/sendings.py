@@ -1,4 +1,4 @@
-"""How often each request is sent: watched at the windows of all links and servers of a world."""
+"""Sendings of each request: watched at the windows of all links and servers of a world."""
 
 from __future__ import annotations
 
@@ -16,11 +16,11 @@ _repetition = Window.repetition
 
 
 class Sendings:
-    """What windows send again, counted for each request."""
+    """Repetitions of windows, counted for each request."""
 
     def __init__(self) -> None:
         self._runs: dict[int, Any] = {}
-        """What was sent again, kept so that no other gets its identity."""
+        """Sources that were sent again, kept so that no other gets their identity."""
         self._by_signs: Counter[tuple[int, int]] = Counter()
         self._by_time: Counter[tuple[int, int]] = Counter()
 

@@ -1,4 +1,4 @@
-"""What noise costs: time-outs, which are waiting for nothing, and requests that are sent again. On simulated time."""
+"""The cost of noise: time-outs, which are waiting for nothing, and requests that are sent again. On simulated time."""
 
 from __future__ import annotations
 

@@ -41,11 +41,11 @@ CALM_AFTER = 10.0
 SETTLED_AFTER = 90.0
 """Seconds after which everything must have come to its end."""
 MOST_SENDINGS = 12
-"""How often a request may be sent, but for repetitions because nothing had come in time."""
+"""Most sendings of a request, but for repetitions because nothing had come in time."""
 
 
 class Outcome:
-    """What became of a world."""
+    """Result of a world."""
 
     def __init__(self, plan: Plan) -> None:
         self.plan = plan
@@ -73,7 +73,7 @@ class World:
         self._programs: list[Program] = []
         self._logs: list[LinkLog] = []
         self._faults: list[str] = []
-        """What raised where nothing waits for it."""
+        """Errors raised where nothing waits for them."""
         self._wire: Wire | None = None
         """The line that the gateways share, if they do."""
         self._anew: dict[str, asyncio.Event] = {}
@@ -263,7 +263,7 @@ class World:
         raise WorldError("a program that waits for ever", "; ".join(waiting[:3]) or "no call")
 
     def _hang_up(self, line: Line) -> None:
-        """Have clients leave when the line of their server is connected again."""
+        """Disconnect clients when the line of their server is connected again."""
         server, _, gateway = line.name.partition(".")
         for mishap in self._plan.mishaps:
             if mishap.kind == "hang up" and mishap.whom.endswith(f".{server}") and gateway:

@@ -1,4 +1,4 @@
-"""What a spec means: the paper's figure, and each word of the language beyond it."""
+"""The meaning of a spec: the paper's figure, and each word of the language beyond it."""
 
 from pathlib import Path
 

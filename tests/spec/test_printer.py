@@ -1,4 +1,4 @@
-"""What is printed says what was parsed, comments included."""
+"""The printer prints what was parsed, comments included."""
 
 import pytest
 from hypothesis import given, settings

@@ -1,4 +1,4 @@
-"""What every face of a link does, as functions over anything with a link's methods.
+"""Behaviours of every face of a link, as functions over anything with a link's methods.
 
 `tests/generate/test_every_face.py` runs them. Each takes what connects to a URL, and the line to a gateway of the test.
 """

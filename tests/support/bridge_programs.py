@@ -1,4 +1,4 @@
-"""What tests of bridges as programs share: waiting for what they do and say, on a gateway that a test sees as well."""
+"""Common parts of tests of bridges as programs: waiting for their actions, on a gateway that a test sees as well."""
 
 from __future__ import annotations
 

@@ -35,7 +35,7 @@ EMPTY = {
     ("blocking", "test_a_reader_that_was_cancelled_loses_no_sample"): "a call in a thread is not cancelled",
     ("blocking", "test_posted_writes_are_confirmed_without_a_fence"): "between two calls nothing runs",
 }
-"""What a face does not promise, and why."""
+"""Promises that a face does not make, and the reasons."""
 _connect = unity_link.connect
 _WORDS = ("read", "write", "write_masked", "post", "post_many", "fence")
 _CALLS = frozenset({*_WORDS, "read_many", "write_many", "send_immediate", "aclose"}) | {
@@ -112,7 +112,7 @@ class ElsewhereSubscription:
 
 
 class Connecting:
-    """What `unity_link.connect` gives."""
+    """Result of `unity_link.connect`."""
 
     def __init__(self, opening: Callable[[AsyncExitStack], Any]) -> None:
         self._opening = opening

@@ -1,4 +1,4 @@
-"""What the library logs of errors that no call can raise."""
+"""Errors that no call can raise, as the library logs them."""
 
 from __future__ import annotations
 

@@ -54,7 +54,7 @@ def in_flight(gateway: GatewayInfo) -> int:
 
 
 def with_failing(gateway: BareGateway) -> BareGateway:
-    """Have every access of two addresses fail."""
+    """Add a device by which every access of two addresses fails."""
     gateway.detach([BUS_ERROR, BUS_TIMEOUT])
     gateway.attach(Failing(ErrorCode.BUS_ERROR), [BUS_ERROR])
     gateway.attach(Failing(ErrorCode.BUS_TIMEOUT), [BUS_TIMEOUT])

@@ -39,7 +39,7 @@ EMPTY = {
     "test_a_gateway_without_the_feature_is_told_by_name": CONFIGURATION,
     "test_timestamps_are_used_where_the_gateway_can": CONFIGURATION,
 }
-"""What a mapped bus does not promise, and why."""
+"""Promises that a mapped bus does not make, and the reasons."""
 _connect = unity_link.connect
 
 
@@ -67,7 +67,7 @@ class _Words(MutableMapping[int, int]):
 
 
 class FileGateway:
-    """What a test knows of a mapped bus of 256 words, in the words of a gateway."""
+    """Test's view of a mapped bus of 256 words, with the methods of a gateway."""
 
     def __init__(self, path: Path) -> None:
         path.write_bytes(bytes(1024))

@@ -16,7 +16,7 @@ import sys
 import threading
 
 OTHERS = ("anyio._backends._asyncio", "numpy", "serial", "serial_asyncio_fast", "typer")
-"""What looks at the system when it is imported, and is none of ours."""
+"""Modules that look at the system when they are imported, and are none of ours."""
 MODULES = {
     "win32": ("fcntl", "termios", "pty", "tty", "resource", "grp", "pwd", "syslog"),
     "darwin": (),

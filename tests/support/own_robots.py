@@ -14,7 +14,7 @@ EXAMPLES = Path(__file__).parents[2] / "examples"
 
 
 class Own(NamedTuple):
-    """Where a robot of one's own is, and which signals a test takes."""
+    """Folder of a robot of one's own, and the signals that a test takes."""
 
     spec: str
     url: str

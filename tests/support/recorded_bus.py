@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from unity_link.virtual import BareGateway
 
 WRITTEN = 0x100
-"""Where writes to a `gateway_of_short_laps` go, behind what is read."""
+"""Address to which writes to a `gateway_of_short_laps` go, behind what is read."""
 
 
 class RecordedBus:

@@ -1,4 +1,4 @@
-"""What tests of recordings share: a moving robot that is recorded, by a program and by the program."""
+"""Common parts of tests of recordings: a moving robot that is recorded, by a program and by the program."""
 
 from __future__ import annotations
 
@@ -76,6 +76,6 @@ class InPlace(Executor):
 
 
 def work_in_place(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Have recorders write in the event loop, without pauses."""
+    """Make recorders write in the event loop, without pauses."""
     monkeypatch.setattr(recorder, "ThreadPoolExecutor", lambda *_: InPlace())
     monkeypatch.setattr(recorder, "REST", 0.0)

@@ -16,7 +16,7 @@ from pathlib import Path
 ROOT = Path(__file__).parents[2]
 _PYTHON = re.compile(r"^```python\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 _BEFORE, _BEHIND = "import asyncio\nimport unity_link\n", "\nasyncio.run(main())\n"
-"""What a block of the README takes from the one before it."""
+"""Lines that a block of the README takes from the one before it."""
 
 
 def run(*command: str | Path, cwd: Path = ROOT) -> str:

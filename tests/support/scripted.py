@@ -23,12 +23,12 @@ class Scripted(Valve):
         self._pieces: deque[tuple[float, bytes]] = deque()
         self._now = 0.0
         self.before_answer = b""
-        """What the host hears once, right before the next answer."""
+        """Bytes that the host hears once, right before the next answer."""
         super().__init__(gateway)
         self.wake = lambda: None
 
     def say(self, pieces: Iterable[bytes]) -> float:
-        """Have each of `pieces` arrive as a read of its own, from the next instant on; return how long that takes."""
+        """Deliver each of `pieces` as a read of its own, from the next instant on; return how long that takes."""
         due = self._now
         for piece in pieces:
             due += APART

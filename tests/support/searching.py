@@ -1,4 +1,4 @@
-"""How many examples hypothesis tries of a property: each test has its share of what the profile says."""
+"""Numbers of examples that hypothesis tries of a property: each test has its share of what the profile says."""
 
 from __future__ import annotations
 

@@ -31,7 +31,7 @@ class LineOfASession:
         self._clean = gateway
         self._noisy = NoisyLine(gateway, Noise(2 * seed, **chances), Noise(2 * seed + 1, **chances))
         self.sent: list[tuple[float, bytes]] = []
-        """What was sent in the session, and when."""
+        """Frames sent in the session, and their instants."""
         self.first: int | None = None
         """The first ID of the session."""
 
@@ -66,7 +66,7 @@ class SimulatedHost:
             self._turn()
 
     def do(self, *sources: Any) -> None:
-        """Have all done, as many at a time as there is room for."""
+        """Execute all, as many at a time as there is room for."""
         left = {id(source) for source in sources}
         for source in sources:
             self._events += self.session.submit(source, self.now)

@@ -1,4 +1,4 @@
-"""What the tests of specs share: the paper's figure, and valid specs, made by hypothesis as syntax trees."""
+"""Common parts of the tests of specs: the paper's figure, and valid specs, made by hypothesis as syntax trees."""
 
 from __future__ import annotations
 

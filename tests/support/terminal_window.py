@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
 needs_tmux = pytest.mark.skipif(shutil.which("tmux") is None, reason="needs tmux: apt install tmux")
 GIVEN_BACK = "cursor 1, alternate 0"
-"""How a terminal stands that no program has for itself: its cursor is shown, and what stood on its screen is there."""
+"""Modes of a terminal that no program has for itself: its cursor is shown, and what stood on its screen is there."""
 PATIENCE = 60
 """Seconds after which a test gives up to wait for something on the screen."""
 NOT_INHERITED = ("COLUMNS", "LINES", "TMUX", "XDG_CONFIG_HOME")
@@ -79,7 +79,7 @@ class Window:
 
     @property
     def state(self) -> str:
-        """Whether the cursor is shown, and whether the screen is the alternate one."""
+        """Return the visibility of the cursor, and whether the screen is the alternate one."""
         return self._tmux("display-message", "-p", "cursor #{cursor_flag}, alternate #{alternate_on}").strip()
 
     def wait_until(self, condition: Callable[[str], object]) -> str:

@@ -27,9 +27,9 @@ class Valve(Gateway):
         self.requests_pass = True
         self.answers_pass = True
         self.instead = b""
-        """What the host hears whenever it says something, besides the answers."""
+        """Bytes that the host hears whenever it says something, besides the answers."""
         self.heard = b""
-        """What the host has said."""
+        """Bytes that the host has sent."""
 
     def __getattr__(self, name: str) -> Any:
         return getattr(self.gateway, name)

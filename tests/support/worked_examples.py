@@ -16,13 +16,13 @@ class Example(msgspec.Struct, frozen=True):
     """One block of the document: a conversation with a gateway fresh from reset."""
 
     line: int
-    """Of the document, where the block begins."""
+    """Line of the document at which the block begins."""
     memory: dict[int, int]
     bus_errors: frozenset[int]
     bus_timeouts: frozenset[int]
     node: int | None
     exchange: tuple[tuple[bytes, bytes], ...]
-    """What is sent, and all that comes back before the next is sent."""
+    """Bytes sent, and all that comes back before the next are sent."""
 
     @property
     def frames(self) -> list[bytes]:

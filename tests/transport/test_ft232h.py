@@ -71,7 +71,7 @@ def plugged_in(
     image: bytes | None = None,
     **timing: Any,
 ) -> Iterator[VirtualFt232h]:
-    """Have one chip on the machine's USB, and nothing else, with a gateway at the port of a URL."""
+    """Connect one chip to the machine's USB, and nothing else, with a gateway at the port of a URL."""
     board = GatewayBoard(gateway or VirtualGateway(), mode)
     boards = (board,) if port_in(url) == 1 else (Unconnected(), board)
     device = VirtualFt232h(*boards, kind=kind_in(url), image=image or eeprom_for(url, "FIFO"), timing=Timing(**timing))

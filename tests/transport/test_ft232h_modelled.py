@@ -1,4 +1,4 @@
-"""What the whole host makes of the chip's trade-off between latency and throughput, in modelled time alone.
+"""The whole host on the chip's trade-off between latency and throughput, in modelled time alone.
 
 The link, the overlapped driver and the virtual chip run on one simulated clock: what is asserted are USB times, exact
 and the same in every run, to which the host's own work comes on top.
@@ -28,7 +28,7 @@ if TYPE_CHECKING:
 URL = "ftdi-async://ftdi:232h/1"
 MICROFRAME = 125e-6
 ANSWER_BYTES = len("riiiDDDDDDDDcccc\n")
-"""Of a read."""
+"""Bytes of the answer to a read."""
 FIFO_RATE = 8e6
 READS = 20_000
 

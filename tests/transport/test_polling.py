@@ -1,4 +1,4 @@
-"""What waits for file descriptors spins where answers are quick, and sleeps everywhere else."""
+"""Pollers of file descriptors spin where answers are quick, and sleep everywhere else."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 DESCRIPTOR = 3
 READY = [(DESCRIPTOR, READABLE)]
 LOOK = SPIN / 10
-"""What a look takes, which does not sleep."""
+"""Duration of a look, which does not sleep."""
 QUICK, SLOW = SPIN * 0.7, SPIN * 20
 ROUNDING = 1e-12
 """Seconds by which sums of times may differ that are the same."""

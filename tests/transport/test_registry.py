@@ -54,7 +54,7 @@ class MediumOfOne:
 
 @pytest.fixture(autouse=True)
 def own_registry(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Have what a test registers forgotten behind it."""
+    """Restore the registry behind each test."""
     monkeypatch.setattr(transport, "_DRIVERS", dict(transport._DRIVERS))
 
 

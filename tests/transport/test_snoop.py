@@ -1,4 +1,4 @@
-"""What listens in on a connection: the snoop and the log of the frames; and nothing where none is asked for."""
+"""Listeners on a connection: the snoop and the log of the frames; and nothing where none is asked for."""
 
 from __future__ import annotations
 

@@ -48,7 +48,7 @@ class Recording(Straying[Any]):
         return arriving
 
     def replay(self) -> None:
-        """Have all that has passed arrive again, behind the next datagram."""
+        """Replay all that has passed, behind the next datagram."""
         self._again = list(self._passed)
 
 

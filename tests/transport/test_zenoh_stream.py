@@ -1,4 +1,4 @@
-"""What a stream over two keys makes of publications, without a network."""
+"""The stream over two keys that publications make, without a network."""
 
 from __future__ import annotations
 

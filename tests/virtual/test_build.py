@@ -1,4 +1,4 @@
-"""What a user says in a URL becomes a gateway, or one clear error."""
+"""URLs become a gateway, or one clear error."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What a host sent, played again into the compiled gateware: the same answers, the same samples, and a waveform."""
+"""Frames of a host, played again into the compiled gateware: the same answers, the same samples, and a waveform."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What a bad network does to datagrams, counted in datagrams."""
+"""Faults of a bad network for datagrams, counted in datagrams."""
 
 from __future__ import annotations
 

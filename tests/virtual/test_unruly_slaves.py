@@ -34,7 +34,7 @@ ACK, ERR, RTY = 0, 1, 3
 NOTHING = ACK, -1
 """In place of an answer and its word."""
 PATTERNS = {"default": 0, "wide": 0x8041_0C12_0F00_1124}
-"""Of each configuration the cycles in which its slave stalls; only the second one is pipelined."""
+"""Cycles in which the slave of each configuration stalls; only the second one is pipelined."""
 MOST_STALLS = 4
 REQUESTS_AT_ONCE = 16
 
@@ -48,7 +48,7 @@ class _Attempt(NamedTuple):
 
 
 class _Outcome(NamedTuple):
-    """What the gateway must make of an access: the word, or an error of the protocol."""
+    """Result that the gateway must report of an access: the word, or an error of the protocol."""
 
     word: int
     error: int
@@ -65,7 +65,7 @@ class _Read(NamedTuple):
 
 @dataclass
 class _Stream:
-    """What the slave sees next, up to the end of a transaction."""
+    """Cycles that the slave sees next, up to the end of a transaction."""
 
     single: _Attempt | None = None
     reads: dict[int, _Read] = field(default_factory=dict)
@@ -80,12 +80,12 @@ class _Stream:
     """The last cycle for answers that come late, once there are such."""
 
     def has_timed_out(self, cycle: int) -> bool:
-        """Whether a strobe in that cycle is for something else, as the bus has been taken back."""
+        """Return whether a strobe in that cycle is for something else, as the bus has been taken back."""
         return 0 < self.last_late < cycle + TIMEOUT
 
     @property
     def may_end(self) -> bool:
-        """Whether the gateway may do without what is left."""
+        """Return whether the gateway may do without what is left."""
         return self.single is None and not any(read.answers for read in self.needed)
 
 

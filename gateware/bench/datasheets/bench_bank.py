@@ -61,7 +61,7 @@ async def bank_fifo(dut: SimHandleBase) -> None:
     await _begin(dut)
 
     async def hardware() -> None:
-        """Have a byte three cycles later, and keep it until it is taken."""
+        """Return a byte three cycles later, and keep it until it is taken."""
         await ClockCycles(dut.clk, 3)
         dut.log.value, dut.log_valid.value = 0x2A, 1
         taken = False

@@ -19,7 +19,7 @@ ENTRIES = (0xA0, 0xA1, 0xA2)
 
 
 async def _pass_entries(dut: SimHandleBase, name: str, clk: str, waits: int) -> None:
-    """Have three entries go in and out, of which the first waits."""
+    """Pass three entries in and out, of which the first waits."""
     source = Source(
         getattr(dut, f"in_{clk}" if hasattr(dut, "in_clk") else clk), dut.in_data, dut.in_valid, dut.in_ready
     )
@@ -105,7 +105,7 @@ async def shift_chain(dut: SimHandleBase) -> None:
 
 @cocotb.test(timeout_time=1, timeout_unit="ms")
 async def one_bit(dut: SimHandleBase) -> None:
-    """What docs/tutorials/board.md needs: a light at the end of a chain of one bit, which does not flicker."""
+    """The part that docs/tutorials/board.md needs: a light at the end of a chain of one bit, which does not flicker."""
 
     async def wire() -> None:
         while True:

@@ -1,4 +1,4 @@
-"""What the pictures of the datasheets show: which bench, which of its signals, and the clock whose cycles are counted.
+"""The contents of the datasheets' pictures: which bench, which of its signals, and the clock whose cycles are counted.
 
 Each is a piece of a simulation; the bench says when it begins and ends (`gateware.bench.datasheets.window`).
 """
@@ -42,7 +42,7 @@ class Simulation:
     generics: Mapping[str, object] = dataclasses.field(default_factory=dict)
     sources: tuple[Path, ...] = ()
     generated: bool = False
-    """Whether it is of the entities that are generated from a spec."""
+    """True if it is of the entities that are generated from a spec."""
 
     def draw(self) -> Iterator[tuple[str, str]]:
         """Simulate, and yield the name of each picture with its text."""

@@ -25,7 +25,7 @@ class Picture:
         return self
 
     def zero(self) -> None:
-        """Have the cycles counted from the edge that is now."""
+        """Count the cycles from the edge that is now."""
         self._zero = _now()
 
     def __exit__(

@@ -22,7 +22,7 @@ _SILENCE_NS = 80 * _CLK_NS
 """After which the pins rest where CLKOUT stands: 64 cycles of clk, and those in which a question is on its way."""
 _FLAGS = ((0.0, 0.0), (0.5, 0.5), (0.1, 0.7), (0.8, 0.1), (0.03, 0.03))
 _CORE_PAUSES = ((0.0, 150), (0.5, 150), (0.95, 40))
-"""How often the core pauses, and bytes that show what it makes of it: pauses take the time, and not bytes."""
+"""Pauses of the core, and bytes that show their effect: pauses take the time, and not bytes."""
 
 
 async def _prepare(dut: SimHandleBase, no_rxf: float = 0.0, no_txe: float = 0.0, txe_high: int = 2) -> SyncChip:

@@ -34,7 +34,7 @@ _UNDEFINED = LogicArray("XXXXXXXX")
 
 @dataclasses.dataclass(frozen=True)
 class Timing:
-    """What a chip asks for and takes, in ps: table 4.1 of FT_000288, and the one of FT_000061 that is like it."""
+    """Times that a chip needs and takes, in ps: table 4.1 of FT_000288, and the one of FT_000061 that is like it."""
 
     setup: int
     hold: int
@@ -84,7 +84,7 @@ class SyncChip:
 
     @property
     def at_rest(self) -> bool:
-        """Whether the gateware asks for nothing and drives nothing."""
+        """Return whether the gateware asks for nothing and drives nothing."""
         return not self._ours() and all(self._bit(name) for name in self._pins)
 
     def stop(self) -> None:

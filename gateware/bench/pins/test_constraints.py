@@ -1,4 +1,4 @@
-"""What the vendors' constraint files name is there, and their figures are those of the chips that the benches model."""
+"""The names in vendors' constraint files exist, and their figures are those of the chips that the benches model."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What stands in place of the datalink layer, outwards."""
+"""The bytes outwards without the datalink layer."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What stands around the executor: the decoder's request, the bus master, the response ring, groups, and the answer.
+"""The surroundings of the executor: the decoder's request, the bus master, the response ring, groups, and the answer.
 
 One task plays them all, a cycle at a time: what is combinational in the gateware is answered within the cycle.
 """
@@ -25,7 +25,7 @@ OPERATIONS = ("set", "start", "stop", "publish", "stop all", "nothing")
 
 @dataclass
 class Request:
-    """What the decoder says of a frame; `words` stand in the request memory."""
+    """Decoder's description of a frame; `words` stand in the request memory."""
 
     command: str
     number: int | None = None
@@ -54,7 +54,7 @@ class Access:
 
 @dataclass(frozen=True)
 class Answer:
-    """What the frame writer was given."""
+    """Answer that the frame writer was given."""
 
     message: int
     number: int | None

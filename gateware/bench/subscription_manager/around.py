@@ -1,4 +1,4 @@
-"""What stands around the subscription manager: operations, the bus master, the sample ring.
+"""The surroundings of the subscription manager: operations, the bus master, the sample ring.
 
 One task plays them all, a cycle at a time: what is combinational in the gateware is answered within the cycle.
 """
@@ -43,7 +43,7 @@ class Around:
         self.dut = dut
         self.samples: list[Sample] = []
         self.read: Callable[[int], int] = lambda address: address + 1
-        """What an address reads."""
+        """Function that gives the word read at an address."""
         self.failing: set[int] = set()
         self.waits = 0
         """Wait states of the bus."""

@@ -34,7 +34,7 @@ class Pair:
         self.enabled_at: list[float] = []
         self.disabled_at: list[float] = []
         self.first_edge_at: list[float] = []
-        """When `txd` fell first after each enabling."""
+        """Instants at which `txd` fell first after each enabling."""
         self.line.drive(level=1)
 
     async def begin(self) -> None:
@@ -44,7 +44,7 @@ class Pair:
         await self.bits(2)
 
     async def far_end(self, data: bytes) -> None:
-        """Have the far end send; it has the line until the end of its last stop bit."""
+        """Send from the far end, which has the line until the end of its last stop bit."""
         assert self.pins.driver_enable.value == 0, "the far end would begin while the driver is enabled"
         self.far_end_sends = True
         await self.line.send(data)
@@ -70,7 +70,7 @@ class Pair:
                 self.first_edge_at.append(get_sim_time("ps"))
 
     async def _echo(self) -> None:
-        """Have the receiver hear what the driver sends: a transceiver's receiver need not be switched off meanwhile."""
+        """Feed the receiver with what the driver sends: a transceiver's receiver need not be switched off meanwhile."""
         while True:
             await self.pins.txd.value_change
             await ReadOnly()

@@ -34,7 +34,7 @@ GARBAGE = bytes(range(256))
 
 
 def _sets_a_clock(frame: bytes) -> bool:
-    """Whether a frame may set a group up with a timestamp, a period or a trigger, if only by what damaged it."""
+    """Return whether a frame may set a group up with a timestamp, a period or a trigger, if only by what damaged it."""
     flags = re.findall(rb"(?:GS|gs[0-9A-Fa-f]{3})[0-9A-Fa-f]{2}([0-9A-Fa-f]{2})", frame)
     return any(int(digits, 16) & TIMED for digits in flags)
 

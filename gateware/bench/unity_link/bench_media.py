@@ -34,7 +34,7 @@ class Medium(Protocol):
     """Bytes that had come when each flush came; None where the medium has no flush."""
 
     def send(self, data: bytes) -> None:
-        """Have bytes sent."""
+        """Send bytes."""
 
     def received(self) -> Sequence[int]:
         """Return all bytes that came."""

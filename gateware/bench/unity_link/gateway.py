@@ -131,7 +131,7 @@ class Gateway:
                 self.flushed_at.append(self.cycle)
 
     def send(self, data: bytes, *, lost_before: int | None = None) -> None:
-        """Have bytes sent after those that wait; `lost_before`: index of a byte before which others were lost."""
+        """Send bytes after those that wait; `lost_before`: index of a byte before which others were lost."""
         self._waiting += [(byte, int(index == lost_before)) for index, byte in enumerate(data)]
 
     async def reset(self) -> None:

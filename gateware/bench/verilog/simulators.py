@@ -20,7 +20,7 @@ HERE = Path(__file__).resolve().parent
 HARNESS = HERE / "harness.cc"
 TESTBENCH = HERE / "testbench.v"
 ENTITY = "unity_link_fifo"
-"""What every design here was converted from."""
+"""Entity that every design here was converted from."""
 _LANGUAGE = ("--language", "1364-2005")
 _QUIET_CYCLES = 6_000
 _HOST_PINS = ("clk", "rst", "in_data", "in_valid", "in_ready", "out_data", "out_valid", "out_ready")
@@ -73,7 +73,7 @@ class Verilated:
             self._in.write(b"send %d\n" % len(part) + part)
 
     def set_wait_states(self, count: int) -> None:
-        """Have the slave wait from now on."""
+        """Set the wait states of the slave from now on."""
         self._in.write(b"wait %d\n" % count)
 
     def reset(self) -> None:

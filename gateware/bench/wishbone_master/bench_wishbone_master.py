@@ -26,7 +26,7 @@ class _Slave:
         self.sends_away = 0
         """So many accesses are answered by `rty`."""
         self.away = 0.0
-        """Of the others, the share that is answered so as well."""
+        """Share of the others that is answered so as well."""
         self.most_at_once = 0
         """Accesses that were taken and not answered."""
         self.silent = False

@@ -1,4 +1,4 @@
-"""When the chip sends a packet, and what is in it."""
+"""The instants at which the chip sends packets, and their contents."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What a program sees of the chip, in modelled time: round trips, streams, faults."""
+"""The chip as a program sees it, in modelled time: round trips, streams, faults."""
 
 from __future__ import annotations
 
@@ -158,7 +158,7 @@ class Echo:
 
 
 def stream(seconds: float, *, mode: Mode, transfers: int, size: int, step: int) -> float:
-    """Have everything echoed for so long, and compare it; gives bytes a second in each direction."""
+    """Echo bytes for so long, and compare them; return bytes a second in each direction."""
     program = Program(GatewayBoard(Echo(), mode, step=step))
     program.port.bit_mode = 0x40 if mode is Mode.SYNC_FIFO else 0
     pattern = random.Random(7).randbytes(1 << 20)
