@@ -252,7 +252,7 @@ class BlockingSubscription(Sealed):
         self._subscription = subscription
         self._call = call
         self._run = run
-        """As `call`, on a link that was closed, too: what had come before is still to be taken."""
+        """Call as `call` does, on a link that was closed, too: what had come before is still to be taken."""
         self._samples: deque[Sample] = deque()
 
     def _called(self) -> str:

@@ -56,7 +56,7 @@ class Settings:
     spec: Path | None = None
     """Spec of the robot; None for plain memory."""
     model: str | None = None
-    """As ``rover.py:Rover``; None: the registers are memory."""
+    """Class of the model, as ``rover.py:Rover``; None: the registers are memory."""
     medium: str = "sim"
     noise: float = 0.0
     """Probability that a byte is lost, and that one is damaged, in both directions."""

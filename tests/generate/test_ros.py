@@ -48,9 +48,7 @@ def packages(tmp_path: Path) -> dict[str, Path]:
 
 @pytest.fixture
 def environment(tmp_path: Path, packages: dict[str, Path]) -> dict[str, str]:
-    """Return an environment in which ROS finds the package, and the package the Python that ROS is installed for: not
-    ours.
-    """
+    """Return an environment in which ROS finds the package, and runs it by its own Python, not ours."""
     with socket.create_server(("127.0.0.1", 0)) as free:
         port = free.getsockname()[1]
     return {

@@ -45,9 +45,9 @@ class Board(msgspec.Struct, frozen=True, forbid_unknown_fields=True, kw_only=Tru
     title: str
     family: Literal["ice40", "ecp5", "gowin", "gatemate", "artix7", "cyclonev"]
     device: str
-    """As the family's nextpnr calls it; the whole part number where the vendor's tool places."""
+    """Device as the family's nextpnr calls it; the whole part number where the vendor's tool places."""
     package: str
-    """As the family's nextpnr calls it; for Gowin the whole part number."""
+    """Package as the family's nextpnr calls it; for Gowin the whole part number."""
     speed: int = 6
     """Speed grade of an ECP5."""
     medium: Literal["uart", "ft245", "ft245_sync"]

@@ -29,7 +29,7 @@ class _Settings(NamedTuple):
     """Divider of the input clock."""
     factor: int
     output: int
-    """From the oscillator to the output."""
+    """Divider from the oscillator to the output."""
 
 
 def pll(board: Board) -> str:

@@ -154,7 +154,7 @@ class JointCommandTopic(NamedTuple):
 
     name: str
     part: str | None
-    """Which one a ``std_msgs/Float64MultiArray`` sets; None for a ``sensor_msgs/JointState``, which has all."""
+    """Part of joints that a ``std_msgs/Float64MultiArray`` sets; None: a ``sensor_msgs/JointState`` with all."""
     joints: JointCommands
 
 

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator
 
 MEMORY_VARIABLE = "UNITY_LINK_MEMORY"
-"""In the environment: the file with the URLs; empty for none."""
+"""Environment variable with the path of the file with the URLs; empty for none."""
 _MOST = 20
 """URLs that are remembered."""
 _ASKED, _BY_BASH = "_UNITY_LINK_COMPLETE", "complete_bash"

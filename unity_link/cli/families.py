@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
 MARKUP: Any = "markdown"
-"""As "rich", it would take the brackets of unity-link[zenoh] for its own."""
+"""Markup of help texts; "rich" would take the brackets of unity-link[zenoh] for its own."""
 FAMILIES = {
     "demo": "demo",
     "info": "info",

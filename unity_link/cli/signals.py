@@ -26,7 +26,7 @@ if TYPE_CHECKING:
     from unity_link.spec.model import Signal
 
 SPEC_VARIABLE = "UNITY_LINK_SPEC"
-"""In the environment: the spec of commands that are given none."""
+"""Environment variable with the spec of commands that are given none."""
 SUFFIX = ".ul"
 _HEX = re.compile("[0-9A-Fa-f]+")
 _TRUTHS = {"true": True, "on": True, "yes": True, "1": True, "false": False, "off": False, "no": False, "0": False}

@@ -132,11 +132,11 @@ class Batch(Sealed):
 
     def __init__(self, layout: GroupLayout, samples: Sequence[Sample]) -> None:
         self.layout = layout
-        """Which signals these are, and how they stand in the words."""
+        """Signals of the samples, and their places in the words."""
         self.at = _monotonic(samples[-1].arrived)
         """Instant at which the last one arrived, by `time.monotonic`."""
         self.samples = samples
-        """As they came."""
+        """Samples as they came."""
 
     def _called(self) -> str:
         return "a batch of samples"

@@ -1,4 +1,4 @@
-"""Which words some signals of one gateway take, and how to read and decode them together."""
+"""The words of some signals of one gateway, read and decoded together."""
 
 from __future__ import annotations
 

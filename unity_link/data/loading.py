@@ -1,4 +1,4 @@
-"""From a spec to the class of its robot."""
+"""Loading of specs: the class of a spec's robot."""
 
 from __future__ import annotations
 

@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
 Clock = Literal["seconds", "utc"]
 MOST_ROWS, MOST_COLUMNS = 10, 12
-"""That a notebook shows."""
+"""Most rows and columns that a notebook shows."""
 TIME = "time"
 """Name of the column that tells when samples were taken."""
 

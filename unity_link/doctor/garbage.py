@@ -1,4 +1,4 @@
-"""By the pattern of what is heard: whether the two ends of a serial line have different speeds.
+"""Recognition of wrong speeds by the bytes heard: whether the two ends of a serial line have different speeds.
 
 A port that is much faster than what it hears takes one bit for several: the bits of its bytes hardly change. One that
 is slower takes several for one, and hears bytes of all kinds, more of them not text than any protocol of text has.

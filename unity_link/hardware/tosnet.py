@@ -211,7 +211,7 @@ class _Written:
 
 
 _WRITTEN: WeakKeyDictionary[Link, dict[int, _Written]] = WeakKeyDictionary()
-"""By the address of CTRL."""
+"""Words written to networks, by the address of CTRL."""
 
 
 class CommittingBus:

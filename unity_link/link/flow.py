@@ -44,7 +44,7 @@ class Flow:
         self.codec: Codec
         """The messages of the gateway, once it has said what it is."""
         self.stream: Stream | None = None
-        """That of the connection, None while there is none."""
+        """Stream of the connection, None while there is none."""
         self.seat: Seat | None = None
         """Seat of the link, where nodes share the medium; its turn is waited for."""
         self.handlers: dict[type, Callable[[Any], None]] = dict.fromkeys((Request, Fence, Batch), settle)

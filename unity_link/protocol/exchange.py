@@ -64,9 +64,9 @@ class SampledTogether(NamedTuple):
     """Event: samples of several groups have come, side by side."""
 
     owners: list[Any]
-    """In the order of the samples."""
+    """Owners of the samples, in their order."""
     parts: list[tuple[NDArray[np.intp], NDArray[np.uint8]]]
-    """For each length: the places of the samples of that length among all, and their bodies, shape (n, length)."""
+    """Samples of each length: their places among all, and their bodies, shape (n, length)."""
     arrived: float
 
 

@@ -27,7 +27,7 @@ class Answer(NamedTuple):
 
 SILENCE: Final = Answer(b"")
 UNDER_WAY: Final = Answer(b"\n")
-"""In place of an answer: the request is a repetition of one that is awaited."""
+"""Stands for an answer where the request is a repetition of one that is awaited."""
 
 
 class GatewaySession:
@@ -40,7 +40,7 @@ class GatewaySession:
     def __init__(self, codec: Codec) -> None:
         self.sequence = Sequence(codec.ring)
         self.awaited: bytearray
-        """For each ID whether its request is under way. A gateway that answers at once has none."""
+        """Flags by ID: 1 if its request is under way. A gateway that answers at once has none."""
         self._codec = codec
         self._reception = Reception(codec)
         self.most_kept = self._reception.longest + len(codec.framing.prefix) + 1

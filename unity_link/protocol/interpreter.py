@@ -107,7 +107,7 @@ class Meaning(NamedTuple):
     kind: Kind
     words: str
     command: str = ""
-    """In upper case, ``X``, ``N`` and ``P`` among them."""
+    """Letter of the command in upper case, ``X``, ``N`` and ``P`` among them."""
     id: int | None = None
     group: int | None = None
     """Group of a sample."""

@@ -34,7 +34,7 @@ class Mixture(NamedTuple):
     owners: list[Any]
     """Owners of the groups, in the order of the samples."""
     parts: _Parts
-    """For each size: the places of its samples among all, and their bodies, shape (n, length)."""
+    """Samples of each size: the places of its samples among all, and their bodies, shape (n, length)."""
     size: int
     """Characters of all frames."""
 

@@ -86,7 +86,7 @@ class SequencePlace(enum.Enum):
     """No session has begun since reset: nothing with an ID is executed."""
 
     NEXT = enum.auto()
-    """It is the one expected, and now counted."""
+    """The request is the one expected, and now counted."""
     FIRST_AHEAD = enum.auto()
     """Something before it was lost, and the host has not been told yet."""
     AHEAD = enum.auto()

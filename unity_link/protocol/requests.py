@@ -100,7 +100,7 @@ class Source(Protocol):
 
     @property
     def least(self) -> int:
-        """For how many messages room is wanted before the next turn."""
+        """Number of messages for which room is wanted before the next turn."""
 
     def take(self, room: int, events: Events) -> Message:
         """Return the next run, of at most `room` messages."""

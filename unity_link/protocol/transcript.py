@@ -30,9 +30,9 @@ class TimedFrame(NamedTuple):
     """A frame, when it passed and what it means."""
 
     time: float
-    """In seconds."""
+    """Instant of the frame, in seconds."""
     sent: bool
-    """By the host."""
+    """True if the host has sent it."""
     frame: bytes
     """With its end."""
     meaning: Meaning

@@ -124,7 +124,7 @@ class EarlySign(NamedTuple):
     sent: int
     """Requests that had been sent when it came."""
     pause: float
-    """For how long nothing must come, in seconds."""
+    """Seconds for which nothing must come."""
     due: float
     """Until when."""
 

@@ -29,7 +29,7 @@ class _Block(NamedTuple):
 
     kind: Kind
     places: list[int]
-    """Which of the signals these are."""
+    """Indices of these among the signals."""
     columns: NDArray[np.intp]
     shifts: NDArray[np.uint64]
     mask: np.uint64

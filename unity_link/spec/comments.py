@@ -1,4 +1,4 @@
-"""Which statement a comment belongs to.
+"""The statements that comments belong to.
 
 The grammar knows no comments. This room hangs each on the tree, so that `fmt` loses none:
 

@@ -1,4 +1,4 @@
-"""From declarations to the checked model: components are put into each other, and every signal gets its address.
+"""Elaboration: components are put into each other, and every signal gets its address.
 
 `Elaborator` begins with each public interface; `building` and `placing` go down from there. A component is elaborated
 once for each place that it is put, with the values it is given there. Components that nothing uses are elaborated too,

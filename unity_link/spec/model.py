@@ -178,9 +178,9 @@ class Component(msgspec.Struct, frozen=True, kw_only=True, tag_field="part", tag
     modules: tuple[int, ...] = ()
     """Indices in `Interface.modules` of the modules that stand in it under a name of their own."""
     doc: str = ""
-    """That of the place where it is put, else that of its declaration."""
+    """Doc string of the place where it is put, else of its declaration."""
     type_doc: str = ""
-    """That of its declaration, where `doc` is of the place."""
+    """Doc string of its declaration, where `doc` is of the place."""
     span: Span = NOWHERE
 
     def walk(self) -> Iterator[Component]:

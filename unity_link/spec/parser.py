@@ -1,4 +1,4 @@
-"""From text to the syntax tree.
+"""The parser: from text to the syntax tree.
 
 A text without faults takes the quick way through lark. At the first fault the text is parsed again, token by token, by
 `recovery`, which finds the other ones too. lark's own errors never leave this room.

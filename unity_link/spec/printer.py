@@ -1,4 +1,4 @@
-"""From the syntax tree to text: the one way that a spec is laid out, which `unity-link fmt` puts it into.
+"""The printer of syntax trees: the one way that a spec is laid out, which `unity-link fmt` puts it into.
 
 Two spaces for a level, one statement a line, a line of at most 120 characters where its arguments can be broken;
 numbers and parentheses stay as they were written. What is printed parses to the same tree, and prints the same again.

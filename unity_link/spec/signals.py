@@ -1,4 +1,4 @@
-"""From the declaration of a signal to a `Signal`: bits, kind, access, limits, publishing, and the rules for each."""
+"""A signal's declaration as a `Signal`: bits, kind, access, limits, publishing, and the rules for each."""
 
 from __future__ import annotations
 

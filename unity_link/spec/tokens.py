@@ -1,4 +1,4 @@
-"""From text to tokens: the groups of one regular expression are the terminals of `grammar.lark`.
+"""The tokens of a text: the groups of one regular expression are the terminals of `grammar.lark`.
 
 lark asks for its lexer here. What begins no token becomes one of its own (`BAD_STRING`, `BAD_COMMENT`, `BAD`), which no
 rule of the grammar takes: so text that is no spec is a fault of the grammar, found at its place like any other one.

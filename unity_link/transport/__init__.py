@@ -53,7 +53,7 @@ _DEVICE_NAMES = frozenset({"ftdi", "ftdi-async"})
 """
 COMMON_OPTIONS = frozenset({"node", "snoop", "map"})
 SNOOP_VARIABLE = "UNITY_LINK_SNOOP"
-"""In the environment: the snoop of all connections whose URL names none."""
+"""Environment variable with the path of the snoop of all connections whose URL names none."""
 SENT, RECEIVED, SAMPLES = (logging.getLogger(f"unity_link.frames.{name}") for name in ("sent", "received", "samples"))
 """Loggers of the frames of connections that are opened while they are at debug level."""
 _OPENING_TIMEOUT = 5.0

@@ -25,7 +25,7 @@ OPTIONS = frozenset({"offset", "size", "uio_map", "data_bits", "base_frequency_m
 UIO = Path("/sys/class/uio")
 """Folder in which Linux lists what the devices of UIO map."""
 _FORMATS: dict[int, Literal["B", "H", "I", "Q"]] = {8: "B", 16: "H", 32: "I", 64: "Q"}
-"""By which `memoryview` knows words of so many bits: it makes one access for each, of the width of the word."""
+"""Format characters of `memoryview` by bits of a word: it makes one access for each, of that width."""
 _BASE_MILLIHERTZ = 1_000_000
 """A timer of the host is not much quicker."""
 _NANOSECONDS = 1_000_000_000
@@ -73,7 +73,7 @@ class _Place(NamedTuple):
     offset: int
     """Bytes before it, as mmap(2) counts them."""
     size: int
-    """In bytes."""
+    """Size in bytes."""
 
 
 async def connect(url: DriverUrl, protocol: asyncio.Protocol) -> asyncio.Transport:  # noqa: ARG001  (as a driver's)

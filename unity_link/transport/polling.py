@@ -40,7 +40,7 @@ class Spinning:
     def __init__(self, processors: int | None = None) -> None:
         self._most = REMEMBERED_WAITS if (processors or count_processors()) > 1 else 0
         self.left = min(1, self._most)
-        """For how many more waits it is worth it, if none of them is short."""
+        """Number of further waits that spin, if none of them is short."""
 
     def record(self, seconds: float) -> None:
         """Record how long a wait took."""

@@ -39,7 +39,7 @@ class Line:
         self.clock = clock
         self.lock = threading.RLock()
         self.seats: dict[int, Seat] = {}
-        """By the number of the node."""
+        """Seats by the number of the node."""
         self.holder: Seat | None = None
         """Seat that has the turn."""
         self.last: Seat | None = None

@@ -58,7 +58,7 @@ class Declaration(Protocol):
 
 
 class UnreachableError(ConnectError):
-    """As a client, the session finds no peer; one may come yet."""
+    """Raised where a session that is a client finds no peer; one may come yet."""
 
 
 class Network(msgspec.Struct, frozen=True, kw_only=True):

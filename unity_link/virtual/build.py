@@ -61,7 +61,7 @@ class Wanted(msgspec.Struct, frozen=True, kw_only=True):
     model: str | None = None
     """The model of the robot of a spec, as ``my.py:Rover``; None: its registers are memory."""
     interface: str | None = None
-    """Which public interface of the spec, where there are several."""
+    """Name of the public interface of the spec, where there are several."""
     configuration: dict[str, int] = {}
     """Fields of `GatewayInfo` that are not as in the gateware's default build, or as the spec has them."""
     rtl: bool = False

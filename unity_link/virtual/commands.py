@@ -62,7 +62,7 @@ class CommandSet:
             "H": self._nothing,
             "K": self._start_session,
         }
-        """By command: takes the time and the fields, returns what was read; raises `FieldRangeError`, `AccessError`."""
+        """Functions of time and fields by command; return what was read, raise `FieldRangeError` or `AccessError`."""
 
     def reset(self) -> None:
         """Go back to the state after power-up, as far as it is kept here."""

@@ -51,7 +51,7 @@ class _JumpingSelector(selectors.DefaultSelector):
         self._frozen: float | None = None
         """The time while it stands still."""
         self._world: dict[object, tuple[float, Callable[[], object]]] = {}
-        """By whom, when, and what is called."""
+        """Timers by owner: the instant, and the function to call."""
 
     @property
     def now(self) -> float:

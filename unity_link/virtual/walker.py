@@ -31,7 +31,7 @@ JOINTS_OF_A_LEG = ("coxa", "femur", "tibia")
 REGISTERS = 4
 COUNTS_PER_RADIAN = 65536 / (2 * math.pi)
 MOST_ANGLE, MOST_SPEED = 2, 10
-"""In rad and rad/s."""
+"""Limits of the joints in rad and rad/s."""
 
 
 def joint_type(name: str) -> JointType:

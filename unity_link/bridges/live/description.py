@@ -24,7 +24,7 @@ class SignalStream(msgspec.Struct, frozen=True):
 
     name: str
     rate_hz: float | None
-    """As the spec or the host says; None where samples are not periodic."""
+    """Rate in Hz of the spec or the host; None where samples are not periodic."""
 
 
 class SignalAbout(msgspec.Struct, frozen=True, kw_only=True):

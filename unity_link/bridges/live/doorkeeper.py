@@ -1,4 +1,4 @@
-"""Which requests are answered: those of this machine's own pages.
+"""The requests that are answered: those of this machine's own pages.
 
 A page of another site that is open in the same browser may send requests to any address, this machine's too, and by a
 name of its own that it has lead here (DNS rebinding) it could even read the answers. So the ``Host`` of a request must

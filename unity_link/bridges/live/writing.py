@@ -38,7 +38,7 @@ class Write(msgspec.Struct, tag_field="type", tag="write", forbid_unknown_fields
     """Number that its answer repeats."""
     signal: str
     value: bool | int | float | str
-    """In the signal's unit; of an enumeration a number or a name."""
+    """Value in the signal's unit; of an enumeration a number or a name."""
 
 
 class Written(msgspec.Struct, tag_field="type", tag="written"):

@@ -68,7 +68,7 @@ class RecordedRow(NamedTuple):
     """One sample of a group."""
 
     at: int
-    """As `RecordedSamples.at`."""
+    """Instant of the sample, as `RecordedSamples.at`."""
     group: RecordedGroup
     words: Words
     """Shape (addresses,)."""

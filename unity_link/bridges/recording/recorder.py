@@ -1,4 +1,4 @@
-"""From a robot into a file: samples are taken by the event loop and written by a thread, so that neither waits.
+"""The recorder of a robot: samples are taken by the event loop and written by a thread, so that neither waits.
 
 A recording is left alone for hours. So a gateway that goes away does not end it, where its link reconnects: it goes on
 when the gateway is back, and the file has a note of each interruption.

@@ -1,4 +1,4 @@
-"""Which network and which domain DDS is to use.
+"""The network and the domain that DDS is to use.
 
 DDS speaks to the whole network by itself. Here it speaks to programs of this machine alone, unless it is asked for, by
 the settings, by ROS's ROS_AUTOMATIC_DISCOVERY_RANGE, or by a configuration of CycloneDDS in CYCLONEDDS_URI.

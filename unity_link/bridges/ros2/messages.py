@@ -36,14 +36,14 @@ class MessageType(NamedTuple):
     struct: Any
     """The class of its messages."""
     hash: str
-    """As REP 2016 computes it."""
+    """Hash of the type, as REP 2016 computes it."""
 
 
 _LETTERS = {"Bool": "?", "Float32": "f", "Float64": "d"}
 _LETTERS |= dict(
     zip(("Int8", "Int16", "Int32", "Int64", "UInt8", "UInt16", "UInt32", "UInt64"), "bhiqBHIQ", strict=True)
 )
-"""By which `struct` knows the types."""
+"""Format characters of `struct` for the types."""
 HEADER = 4
 """Bytes that say how the others are to be read (DDS-RTPS, 10.2)."""
 

@@ -54,7 +54,7 @@ class Settings(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=
     """Frame ID in the headers of joint states."""
     quality: Quality = Quality.RELIABLE
     topics: dict[str, TopicSettings] = {}
-    """By their names without namespace."""
+    """Settings of topics by their names without namespace."""
     given: dict[str, int] = {}
     """Addresses for the parameters of the interface; -1 for one that is not needed."""
     network: bool = False

@@ -250,7 +250,7 @@ class RowsAnswered(NamedTuple):
     """The first of them."""
     size: int
     frames: bytes
-    """For the client."""
+    """Answers for the client."""
 
     def tell(self) -> None:
         """Answer the client, behind the answers of earlier events."""

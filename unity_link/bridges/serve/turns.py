@@ -194,7 +194,7 @@ class Turns:
 
     @property
     def least(self) -> int:
-        """For how many requests room is wanted before the next turn."""
+        """Number of requests for which room is wanted before the next turn."""
         return self._first().requests[0].least
 
     def take(self, room: int, events: Events) -> Message:

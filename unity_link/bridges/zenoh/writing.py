@@ -1,4 +1,4 @@
-"""From JSON to what is written: values by paths, many in one go."""
+"""Writes from JSON: values by paths, many in one go."""
 
 from __future__ import annotations
 

@@ -37,11 +37,11 @@ class Constant(NamedTuple):
     """A value of an enumeration."""
 
     name: str
-    """In C."""
+    """Name in C."""
     short: str
-    """In C++."""
+    """Name in C++."""
     text: str
-    """In the spec."""
+    """Name in the spec."""
     value: int
     doc: str
 
@@ -68,7 +68,7 @@ class ValueType(NamedTuple):
     """The type of a signal's value."""
 
     value: str
-    """In C."""
+    """Value in C."""
     signal: str
     """The structure around the `ul_signal`."""
     coding: str
@@ -93,7 +93,7 @@ class SignalMember(NamedTuple):
 
     @property
     def declaration(self) -> str:
-        """As a member of a structure."""
+        """Declaration as a member of a structure."""
         return f"{self.type.signal} {self.name};"
 
 
@@ -108,7 +108,7 @@ class PartMember(NamedTuple):
 
     @property
     def declaration(self) -> str:
-        """As a member of a structure."""
+        """Declaration as a member of a structure."""
         return f"{self.type} {self.name}{'' if self.size is None else f'[{self.size}]'};"
 
 
@@ -141,7 +141,7 @@ class GroupMember(NamedTuple):
 
     @property
     def declaration(self) -> str:
-        """As a member of the structure of values."""
+        """Declaration as a member of the structure of values."""
         return f"{self.type.value} {self.name};"
 
 
@@ -151,7 +151,7 @@ class GroupType(NamedTuple):
     name: str
     short: str
     class_name: str
-    """In C++, of what reads and writes it."""
+    """Name in C++ of the class that reads and writes it."""
     group: Group
     members: tuple[GroupMember, ...]
     addresses: tuple[int, ...]
@@ -209,7 +209,7 @@ class Layout:
         in_root = Names([*self._guards, *self._member_names[interface.root.path].values()])
         self.group_names = {group.name: in_root.take(group.name) for group in named}
         self.networks_member = in_root.take("networks")
-        """In C++."""
+        """Name in C++ of the member with the networks."""
         # In C++ a type that has the name of a member is no type any more.
         scopes = (*self._member_names.values(), *self._group_members.values(), self.group_names)
         members = {name for names in scopes for name in names.values()} | {self.networks_member}
@@ -226,11 +226,11 @@ class Layout:
         self.shared = shared_addresses(interface)
         self.enumerations = {one.name: self._enumeration(one) for one in interface.enumerations}
         self.value_types: dict[str, ValueType] = {}
-        """By the paths of the signals."""
+        """Types of values by the paths of the signals."""
         self._places: dict[tuple[str, str], list[Signal]] = {}
         self._look_around()
         self.types: dict[str, PartType] = {}
-        """By their names in C, those of parts before what they are part of."""
+        """Types of parts by their names in C, those of parts before what they are part of."""
         self._types_by_form: dict[tuple[object, ...], PartType] = {}
         self.expressions: dict[str, str] = {}
         """Expressions of C by paths."""

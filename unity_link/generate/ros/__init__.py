@@ -30,12 +30,12 @@ if TYPE_CHECKING:
 
 FILTERS = {"docstring": docstring}
 OLDEST_PYTHON = (3, 8)
-"""That of ROS 1 Noetic."""
+"""Python of ROS 1 Noetic."""
 RUNTIME = ("client.py", "values.py", "bridge.py")
 _NETWORKS = ("TOSNET",)
 _PARTS = ("position", "velocity", "effort")
 _SET_PARTS = ("velocity", "effort", "position")
-"""In the order in which they are written: a speed before the position that it is for."""
+"""Parts of a joint in the order in which they are written: a speed before the position that it is for."""
 
 
 class Sampled(NamedTuple):

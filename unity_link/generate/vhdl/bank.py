@@ -164,7 +164,7 @@ class AddressWindow(NamedTuple):
     first: int
     last: int
     module: Module | None
-    """To which module; None for the addresses of none."""
+    """Module that has the addresses; None for those of none."""
 
 
 class Bank:

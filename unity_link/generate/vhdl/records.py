@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 
 class Direction(enum.StrEnum):
-    """Which record; the value is the name of the port, and the end of the names of its types."""
+    """Record of a port; the value is the name of the port, and the end of the names of its types."""
 
     FROM = "from_hardware"
     TO = "to_hardware"
@@ -104,9 +104,9 @@ class Records:
         self._of_component: dict[tuple[str, Direction], str | None] = {}
         self._arrays: dict[tuple[str, Direction], str | None] = {}
         self.types: list[RecordType] = []
-        """In an order in which each uses only those before it."""
+        """Types in an order in which each uses only those before it."""
         self.pins: dict[str, Pins] = {path: Pins() for path in signals}
-        """By the paths of the signals."""
+        """Ports by the paths of the signals."""
         self.roots = {direction: self._record(interface.root, direction) for direction in Direction}
         """Names of the outermost types; None where that record would be empty."""
         for direction in Direction:

@@ -40,7 +40,7 @@ OPTIONS = frozenset({"mode", "latency", "event_char", "baud"})
 PACKET_SIZE = 512
 STATUS_SIZE = 2
 ERROR_BITS = 0x8E
-"""In the second status byte: overrun, parity, framing, error in the FIFO (as a 16550's line status)."""
+"""Bits of the second status byte: overrun, parity, framing, error in the FIFO (as a 16550's line status)."""
 LATENCIES = range(1, 256)
 LINE_FEED = 0x0A
 DEFAULT_BAUD = 115_200

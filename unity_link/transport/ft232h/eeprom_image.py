@@ -21,7 +21,7 @@ ChannelType = Literal["UART", "FIFO"]
 SIZE = 256
 BLANK = b"\xff" * SIZE
 _CHANNEL_TYPES: dict[ChannelType, int] = {"UART": 0, "FIFO": 1}
-"""In the byte of the port."""
+"""Values of the byte of a port."""
 _VENDOR = 0x0403
 _HAS_SERIAL_NUMBER = 0x08
 _BUS_POWERED = 0x80

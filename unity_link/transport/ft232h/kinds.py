@@ -23,7 +23,7 @@ class ChipKind(msgspec.Struct, frozen=True):
     fifo_size: int
     """Bytes of each FIFO of a port."""
     type_mask: int
-    """In the EEPROM's byte 0 (port A) or 1 (port B), the bits that say what the pins are. An FT2232H has the choice of
+    """Bits of the EEPROM's byte 0 (port A) or 1 (port B) that choose the mode of the pins. An FT2232H has the choice of
     the PC's driver beside three of them, and an FT232H behind four."""
     memory_model: int
     """Offset in the EEPROM of the kind of memory that it is."""

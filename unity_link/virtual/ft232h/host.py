@@ -134,7 +134,7 @@ class UsbHost:
         self._boards = list(zip(chip.ports, boards, strict=True))
         self.plugged = True
         self._queues: dict[int, _InQueue | _OutQueue] = {}
-        """By endpoint. The one that had its turn last is the last one."""
+        """Queues by endpoint. The one that had its turn last is the last one."""
         for port in reversed(chip.ports):
             self._queues[port.out_endpoint] = _OutQueue(port)
             self._queues[port.in_endpoint] = _InQueue(port)

@@ -28,7 +28,7 @@ _HIGH_SPEED_PACKETS = 0x02
 _CTS_AND_DSR = 0x30
 _TRANSMITTER_EMPTY = 0x60
 OVERRUN = 0x02
-"""In the second status byte: bytes came while the FIFO was full, and are lost."""
+"""Bit of the second status byte: bytes came while the FIFO was full, and are lost."""
 
 
 class Mode(enum.Enum):

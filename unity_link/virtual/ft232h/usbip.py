@@ -49,7 +49,7 @@ _IN = 1
 _DIRECTION_IN = 0x80
 _FAILED = 1
 MOST_BYTES = 1 << 20
-"""In one transfer: more than a kernel submits, and less than would harm."""
+"""Most bytes of a transfer: more than a kernel submits, and less than would harm."""
 MOST_TRANSFERS = 1024
 """Most transfers under way on a connection; one more ends it."""
 _ERRORS = {

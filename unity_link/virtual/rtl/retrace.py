@@ -128,7 +128,7 @@ class Retrace(RtlGateway):
         self._cutter = FrameCutter(sent=False)
         self._settings: dict[int, Settings] = {}
         self._place: dict[int, int] = dict.fromkeys(snooped.groups, -1)
-        """Which of a group's settings it has."""
+        """Index of each group's present settings."""
         self._sampled: dict[int, int] = {}
         """The number of the last sample of each group."""
         self._silent_at = -1
@@ -178,7 +178,7 @@ class Retrace(RtlGateway):
             raise ConnectError(f"{path} could not be written ({os.strerror(failure)})")
 
     def _bounds(self) -> list[dict[int, int]]:
-        """For each step, and behind the last: the samples up to which groups may run before something divides them."""
+        """Bounds before each step and behind the last: samples up to which groups may run undivided."""
         bound = {group: settings[-1].last for group, settings in self._snooped.groups.items()}
         bounds = [bound]
         for step in reversed(self._snooped.steps):

@@ -58,7 +58,7 @@ class Step(msgspec.Struct):
     """A frame that the host sent, and what became of it."""
 
     time: float
-    """In nanoseconds from the first record of the file on, as all times here."""
+    """Nanoseconds from the first record of the file on, as all times here."""
     frame: bytes
     request: DecodedRequest | None = None
     """Request that was executed."""
@@ -72,7 +72,7 @@ class Step(msgspec.Struct):
     """The ID that the gateway expected before it, and whether it had told of a gap."""
     accesses: list[Access] = []
     samples_before: dict[int, int] = {}
-    """For a command of `GROUP_COMMANDS`, by group: the last sample that was taken before it, counted from the group's
+    """Of a command of `GROUP_COMMANDS`, by group: the last sample that was taken before it, counted from the group's
     settings on; -1 for none."""
 
     @property
@@ -116,7 +116,7 @@ class Snooped(NamedTuple):
     node: int | None
     steps: list[Step]
     groups: dict[int, list[Settings]]
-    """By group: its settings one after the other."""
+    """Settings by group, one after the other."""
     last: float
     """Instant at which the last byte passed."""
     astray: int
