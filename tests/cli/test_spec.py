@@ -134,6 +134,38 @@ def test_systemrdl_goes_out_and_in(folder: Path) -> None:
     assert run(folder, "export", "rdl", "scara.ul").stdout == (folder / "scara.rdl").read_text()
 
 
+MACROS = "".join(f"`define A{index} `A{index - 1} `A{index - 1}\n" for index in range(1, 40))
+BOMB = "addrmap top { reg { field { desc = " + '"x";' + " } `A39; } r @0; };"
+
+
+def test_perl_that_never_ends_is_refused_and_ended(folder: Path) -> None:
+    (folder / "perl.rdl").write_text("addrmap top {\n<% while (1) {} %> reg { field {} f[8]; } r @0; };")
+    done = run(folder, "import", "rdl", "perl.rdl")
+    assert (done.returncode, done.stderr.splitlines()[0]) == (
+        1, "perl.rdl:2:1: error: this is Perl, a program: it is run only by `import rdl --perl`",
+    )  # fmt: skip
+    done = run(folder, "import", "rdl", "perl.rdl", "--perl")
+    assert (done.returncode, done.stderr.splitlines()[0]) == (
+        1, "perl.rdl:2:1: error: the Perl of this file does not end within 5 s",
+    )  # fmt: skip
+
+
+def test_macros_that_take_too_long_end_in_a_sentence(folder: Path) -> None:
+    (folder / "macros.rdl").write_text(f"`define A0 a\n{MACROS}{BOMB}")
+    done = run(folder, "import", "rdl", "macros.rdl", "--seconds", "1")
+    assert (done.returncode, done.stdout, done.stderr) == (
+        1, "", "error: macros.rdl takes more than 1 s of processor time; `--seconds` gives it more\n",
+    )  # fmt: skip
+
+
+def test_macros_that_take_too_much_memory_end_in_a_sentence(folder: Path) -> None:
+    (folder / "macros.rdl").write_text(f"`define A0 {'a' * 8_000_000}\n{MACROS}{BOMB}")
+    done = run(folder, "import", "rdl", "macros.rdl")
+    assert (done.returncode, done.stdout, done.stderr) == (
+        1, "", "error: macros.rdl takes more than 2 GiB of memory\n",
+    )  # fmt: skip
+
+
 def test_a_place_that_cannot_be_written_is_told(folder: Path) -> None:
     done = run(folder, "export", "rdl", "scara.ul", "-o", "no/such/folder.rdl")
     assert done.returncode == 2

@@ -225,12 +225,31 @@ def test_what_is_nested_too_deeply_is_refused(tmp_path: Path) -> None:
         import_file(path)
 
 
+def test_perl_is_refused_with_its_line_unless_it_is_asked_for(tmp_path: Path) -> None:
+    path = tmp_path / "perl.rdl"
+    path.write_text("addrmap top { // <% no Perl %>\n  <% my $n = 3; %>reg { field {} a[8] = <%=$n%>; } one;\n};\n")
+    with pytest.raises(SpecError, match=r"run only by `import rdl --perl`") as caught:
+        import_file(path)
+    (found,) = caught.value.diagnostics
+    assert (str(found.span), found.text) == (f"{path}:2:3", path.read_text().splitlines()[1])
+    assert "public top()" in import_file(path, perl=True)
+
+
+def test_perl_of_a_file_that_is_included_is_refused_with_its_line(tmp_path: Path) -> None:
+    path, inner = tmp_path / "outer.rdl", tmp_path / "inner.rdl"
+    inner.write_text("\n\n <%=1%>")
+    path.write_text('`include "inner.rdl"\naddrmap top { reg { field {} a[8] = 0; } one; };\n')
+    with pytest.raises(SpecError) as caught:
+        import_file(path)
+    assert str(caught.value.diagnostics[0].span) == f"{inner}:3:2"
+
+
 def test_perl_in_systemrdl_opens_and_starts_nothing(tmp_path: Path) -> None:
     path, started = tmp_path / "perl.rdl", tmp_path / "started"
     for text in (f"system('touch {started}')", f"open(my $f, '>', '{started}')"):
         path.write_text(f"<% {text}; %>addrmap top {{ reg {{ field {{}} a[8] = 0; }} one; }};")
         with pytest.raises(SpecError, match="trapped by operation mask"):
-            import_file(path)
+            import_file(path, perl=True)
     assert not started.exists()
 
 

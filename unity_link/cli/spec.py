@@ -136,13 +136,20 @@ def import_rdl(
     *,
     output: Output = None,
     top: Annotated[str | None, typer.Option("--top", help="The address map; the last one of the file without.")] = None,
+    perl: Annotated[
+        bool, typer.Option("--perl", help="Run the Perl in it, in a compartment, for 5 seconds at most.")
+    ] = False,
+    seconds: Annotated[int, typer.Option("--seconds", min=1, help="Processor time that it may take.")] = 30,
 ) -> None:
     """Make a spec of a SystemRDL description."""
+    from unity_link.cli.bounded import bounded
     from unity_link.spec import SpecError
     from unity_link.spec.systemrdl import import_file
 
     try:
-        text = import_file(file, top)
+        # A few lines of macros can ask for any amount of time and memory.
+        with bounded(str(file), seconds):
+            text = import_file(file, top, perl=perl)
     except SpecError as error:
         print_diagnostics(error.diagnostics)
         raise typer.Exit(FAILED) from None

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from dataclasses import dataclass, field
+from subprocess import TimeoutExpired
 from typing import TYPE_CHECKING, Any
 
 from unity_link.errors import UnsupportedError
@@ -18,8 +19,10 @@ if TYPE_CHECKING:
     from pathlib import Path
 
 from unity_link.spec.systemrdl.naming import doc_lines, unique_name, values_text
+from unity_link.spec.systemrdl.perl import first_perl
 
 _RESERVED = {"import", "enum", "group", "public"}
+_PERL_REFUSED = "this is Perl, a program: it is run only by `import rdl --perl`"
 _KINDS = {kind.value for kind in KindName}
 """Names that no enumeration can have."""
 
@@ -55,22 +58,26 @@ class _Placed:
     stride: int = 0
 
 
-def import_file(path: Path, top: str | None = None) -> str:
+def import_file(path: Path, top: str | None = None, *, perl: bool = False) -> str:
     """Write a SystemRDL description as a spec.
+
+    Neither time nor memory is bounded: macros of a few lines can ask for any amount of both, and the command
+    `import rdl` runs in a process of its own for that.
 
     Args:
         path: the file.
         top: name of the address map to take; None takes the last one of the file.
+        perl: runs the Perl in it, in the compiler's compartment, for 5 seconds at most.
 
     Raises:
-        SpecError: where the file is no SystemRDL, with what its compiler says.
+        SpecError: where the file is no SystemRDL, with what its compiler says; or has Perl, which is not to be run.
         UnsupportedError: where it has what no gateway has, or the extra ``rdl`` is not installed.
     """
-    root = _compiled(path, top)
+    root = _compiled(path, top, perl=perl)
     return _Importer(root.top).text()
 
 
-def _compiled(path: Path, top: str | None) -> Any:
+def _compiled(path: Path, top: str | None, *, perl: bool) -> Any:
     try:
         from systemrdl.compiler import RDLCompiler
         from systemrdl.messages import MessagePrinter, RDLCompileError, Severity
@@ -88,14 +95,22 @@ def _compiled(path: Path, top: str | None) -> Any:
             found.append(Diagnostic("error", "systemrdl", text, span, getattr(src_ref, "line_text", "").rstrip()))
 
     compiler = RDLCompiler(message_printer=Collector())
+    perl_at: tuple[Span, str] | None = None
     try:
+        perl_at = first_perl(compiler.env, path)
+        if perl_at is not None and not perl:
+            raise SpecError([Diagnostic("error", "systemrdl", _PERL_REFUSED, *perl_at)])
         compiler.compile_file(str(path))
         return compiler.elaborate(top_def_name=top)
-    except (RDLCompileError, OSError, ValueError, RecursionError) as error:
+    except (RDLCompileError, OSError, ValueError, RecursionError, TimeoutExpired) as error:
         if not found:
-            too_deep = "it is nested too deeply" if isinstance(error, RecursionError) else None
-            message = getattr(error, "strerror", None) or too_deep or str(error)
-            found.append(Diagnostic("error", "systemrdl", message, Span(str(path), 1, 1, 1, 1)))
+            place: tuple[Span, str] = (Span(str(path), 1, 1, 1, 1), "")
+            if isinstance(error, TimeoutExpired):
+                message, place = f"the Perl of this file does not end within {error.timeout:g} s", perl_at or place
+            else:
+                too_deep = "it is nested too deeply" if isinstance(error, RecursionError) else None
+                message = getattr(error, "strerror", None) or too_deep or str(error)
+            found.append(Diagnostic("error", "systemrdl", message, *place))
         raise SpecError(found) from None
 
 
