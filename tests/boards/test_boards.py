@@ -18,8 +18,8 @@ from unity_link.boards.board import PINS, Board, board_names, load_board
 from unity_link.boards.build import BuildError, Built, build, program, refusal, top_text
 from unity_link.boards.clocks import pll
 from unity_link.boards.families import FAMILIES, YOSYS
-from unity_link.boards.projects import VENDORS
-from unity_link.errors import ArgumentError
+from unity_link.boards.projects import VENDORS, make_project
+from unity_link.errors import ArgumentError, UnsupportedError
 from unity_link.gateware.cache import ToolMissingError
 from unity_link.gateware.convert import ConversionError
 from unity_link.gateware.yowasp import RefusedError
@@ -197,6 +197,23 @@ def test_a_clock_that_cannot_be_made_is_refused_with_the_nearest_one(name: str) 
 def test_a_pll_holds_the_design_in_reset_until_it_is_stable() -> None:
     assert ".LOCK(ready)" in top_text("lamp", with_core(HX8K, 48_000_000))
     assert "assign ready = 1'b1;" in top_text("lamp", HX8K)
+
+
+# What a spec names, and no gateware is behind
+
+
+@pytest.mark.parametrize("name", ["hx8k_breakout", "ulx3s_ft245_sync", "arty_a7", "de10_nano"])
+@pytest.mark.parametrize("declared", ["motors: PWM(BASE=0x20, CHANNELS=2)", "@log = 3: unsigned 8 READ(FIFO(16))"])
+def test_what_a_bitstream_would_leave_out_is_refused_before_anything_is_done(
+    declared: str, name: str, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    monkeypatch.setattr(building, "script", pytest.fail)
+    spec = compile_text(f"public robot() {{ {declared}; }}")
+    _, board = load_board(name)
+    make = make_project if board.family in VENDORS else build
+    with pytest.raises(UnsupportedError, match=r"stands behind (PWM motors|the FIFO port log); take robot_gateway"):
+        make(spec, name, board, tmp_path / "out")
+    assert not (tmp_path / "out").exists()
 
 
 # What nextpnr refuses

@@ -25,7 +25,7 @@ from unity_link.gateware.cache import LIBRARY, cache_folder, hash_of, kept
 from unity_link.gateware.convert import to_verilog
 from unity_link.generate import generate, write
 from unity_link.generate.verilog.flat import flat_ports
-from unity_link.generate.vhdl import gateway_generics
+from unity_link.generate.vhdl import check_whole, gateway_generics, left_open
 from unity_link.generate.vhdl.bank import Bank
 from unity_link.generate.vhdl.layout import align
 from unity_link.generate.vhdl.names import RESERVED, Scope, identifier
@@ -276,10 +276,44 @@ def test_gateway_and_boards_elaborate_with_the_gateware(name: str, tmp_path: Pat
     assert ghdl(tmp_path, "-i", f"--work={LIBRARY}", *map(str, rtl_sources())).returncode == 0
     assert ghdl(tmp_path, "-i", *map(str, (*BOARDS.glob("*.vhd"), *paths))).returncode == 0
     tops = [path.stem for path in paths if path.stem.endswith(("_gateway", "_on_uart", "_on_ft245", "_on_ft245_sync"))]
-    assert len(tops) == 4
+    # What has FIFO ports or modules is no whole design by itself.
+    assert len(tops) == (1 if left_open(SPECS[name].interface()) else 4)
     for top in tops:
         done = ghdl(tmp_path, "-m", top)
         assert (done.returncode, done.stderr) == (0, "")
+
+
+@pytest.mark.parametrize(
+    ("declared", "named"),
+    [
+        ("motors: PWM(BASE=0x20, CHANNELS=2, SIZE=2, WIDTH=12);", "PWM motors"),
+        ("leds: GPIO(BASE=0x40, WIDTH=4);", "GPIO leds"),
+        ("axes[2]: QUADRATURE(BASE=0x10 + i, SIZE=1);", "QUADRATURE axes[0], QUADRATURE axes[1]"),
+        ("hits: COUNTER(BASE=0x30, SIZE=1);", "COUNTER hits"),
+        ("pool: MEMORY(BASE=0x80, SIZE=16);", "MEMORY pool"),
+        ("queue: FIFO(BASE=0x90);", "FIFO queue"),
+        ("TOSNET(BASE=0, NODES=4);", "TOSNET"),
+        ("@log = 0x33: unsigned 8 READ(FIFO(16));", "the FIFO port log"),
+        ("@out = 0x33: unsigned 8 WRITE(FIFO(16)); leds: GPIO(BASE=0x40, SIZE=2);", "the FIFO port out, GPIO leds"),
+    ],
+)
+def test_no_whole_design_leaves_out_what_its_spec_names(declared: str, named: str) -> None:
+    spec = compile_text(f"public robot() {{ @lamp = 0xF0: unsigned 8 READWRITE(); {declared} }}")
+    names = [file.name for file in generate("vhdl", spec)]
+    assert names == [f"robot_{part}.vhd" for part in ("map", "registers", "gateway", "bench")]
+    with pytest.raises(UnsupportedError, match=re.escape(f"no gateware stands behind {named}; take robot_gateway")):
+        check_whole(spec.interface())
+
+
+def test_a_base_without_a_name_is_nothing_to_leave_out() -> None:
+    spec = compile_text("public robot() { MEMORY(BASE=0x10) { @lamp = 0: unsigned 8 READWRITE(); } }")
+    check_whole(spec.interface())
+
+
+def test_who_gets_no_whole_design_is_told_why(tmp_path: Path) -> None:
+    command = [sys.executable, "-m", "unity_link", "generate", "vhdl", str(ROOT / "examples" / "rover.ul")]
+    done = subprocess.run([*command, "-o", str(tmp_path)], capture_output=True, text=True, check=True)
+    assert "no gateware stands behind the FIFO port log; take rover_gateway" in done.stderr
 
 
 def test_no_port_of_a_netlist_hides_a_function_of_the_package_or_a_library() -> None:

@@ -73,9 +73,11 @@ def build(spec: Spec, board_name: str, board: Board, output: Path, interface: st
         BuildError: where the design does not fit, or not in time, or a site is none.
         ConversionError: where a tool refuses the design for another reason.
         ToolMissingError: where a tool is not there.
+        UnsupportedError: where the spec names FIFO ports or modules, which no gateware stands behind.
     """
     family = FAMILIES[board.family]
     chosen = spec.interface(interface)
+    vhdl.check_whole(chosen)
     check_generics({**vhdl.gateway_generics(chosen), "clock_hz": board.core_hz})
     # What is missing is said at once, not after a minute.
     for tool in (YOSYS, family.nextpnr, family.packer):

@@ -70,12 +70,14 @@ def make_project(spec: Spec, board_name: str, board: Board, output: Path, interf
 
     Raises:
         ArgumentError: where the directory cannot be written, or the board asks for a PLL.
+        UnsupportedError: where the spec names FIFO ports or modules, which no gateware stands behind.
     """
     vendor = VENDORS[board.family]
     if board.core_hz != board.clock.hz:
         wanted = f"core_hz = {board.core_hz} asks for one"
         raise ArgumentError(f"no PLL is made in a project of {vendor.tool}, and {wanted}: leave it out of [clock]")
     chosen = spec.interface(interface)
+    vhdl.check_whole(chosen)
     generated = list(vhdl.files(chosen, Templates("vhdl", spec, vhdl.FILTERS)))
     prefix = identifier(chosen.name)
     generics = {"clock_hz": board.core_hz} | ({"baud": board.baud} if board.baud is not None else {})

@@ -9,7 +9,7 @@ from typing import Annotated
 import typer
 
 from unity_link.cli.arguments import Json  # noqa: TC001  (typer reads it)
-from unity_link.cli.output import print_result
+from unity_link.cli.output import print_note, print_result
 from unity_link.cli.spec import Given, Name, SpecFile, compile_or_exit
 from unity_link.errors import ArgumentError
 from unity_link.generate import TargetName  # noqa: TC001  (typer reads the annotations)
@@ -57,10 +57,16 @@ def generate(  # noqa: PLR0913  (each is an option)
                 f"--maintainer {maintainer!r}: a name and an address were expected, as 'Ada <ada@lab.org>'"
             )
         package |= {"maintainer": found[1], "email": found[2]}
-    files = make(target, compile_or_exit(spec, interface=interface, given=given), interface, **package)
+    compiled = compile_or_exit(spec, interface=interface, given=given)
+    files = make(target, compiled, interface, **package)
     if with_gateware:
         from unity_link.generate.vhdl.folder import with_gateware as complete
 
         files = list(complete(files))
     for path in write(files, output):
         print_result("file", path, json=json)
+    if target == "vhdl":
+        from unity_link.generate.vhdl import left_open
+
+        if note := left_open(compiled.interface(interface)):
+            print_note(f"no ..._on_uart and the like: {note}")

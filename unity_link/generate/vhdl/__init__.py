@@ -13,6 +13,7 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING, Any
 
+from unity_link.errors import UnsupportedError
 from unity_link.generate import GeneratedFile
 from unity_link.generate.vhdl import types
 from unity_link.generate.vhdl.bank import Bank, is_bit, is_bool, slice_at
@@ -46,7 +47,7 @@ _BASE_HZ = 100_000
 
 
 def files(interface: Interface, templates: Templates, *, clk_ready: bool = False) -> Iterator[GeneratedFile]:
-    """Make the files of an interface.
+    """Make the files of an interface; without whole designs, where `left_open` says that they would not be whole.
 
     Args:
         interface: of a spec.
@@ -69,15 +70,41 @@ def files(interface: Interface, templates: Templates, *, clk_ready: bool = False
         "vhdl": types,
         "clk_ready": clk_ready,
     }
+    media = () if bank.open_ends else _MEDIA
     texts = {
         f"{name}_map": ("map", values),
         f"{name}_registers": ("registers", values),
         f"{name}_gateway": ("gateway", values),
-        **{f"{name}_on_{medium}": ("board", values | {"medium": medium}) for medium in _MEDIA},
+        **{f"{name}_on_{medium}": ("board", values | {"medium": medium}) for medium in media},
         f"{name}_bench": ("bench", values | {"stimuli": Stimuli(bank)}),
     }
     for file, (template, given) in texts.items():
         yield GeneratedFile(f"{file}.vhd", align(templates.render(f"{template}.vhd", **given)))
+
+
+def left_open(interface: Interface) -> str:
+    """Return a sentence that names what a whole design of an interface would lack; empty where it lacks nothing.
+
+    Raises:
+        UnsupportedError: where addresses belong to two modules alike.
+    """
+    name, lacking = identifier(interface.name), Bank(interface).open_ends
+    if not lacking:
+        return ""
+    return (
+        f"{interface.name} is no whole design by itself: no gateware stands behind {', '.join(lacking)}; take "
+        f"{name}_gateway of generate vhdl into a design of your own, and connect its ports for them to VHDL of yours"
+    )
+
+
+def check_whole(interface: Interface) -> None:
+    """Refuse an interface of which a whole design would lack something.
+
+    Raises:
+        UnsupportedError: for what it would lack, by name; or where addresses belong to two modules alike.
+    """
+    if fault := left_open(interface):
+        raise UnsupportedError(fault)
 
 
 def gateway_generics(interface: Interface) -> dict[str, int | str]:

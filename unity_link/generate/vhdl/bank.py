@@ -247,6 +247,15 @@ class Bank:
         return tuple(register for register in self.registers if register.signal.fifo)
 
     @property
+    def open_ends(self) -> list[str]:
+        """Name the FIFO ports and modules, behind which no generated file has hardware."""
+        modules = (window.module for window in self.windows if window.module is not None)
+        return [
+            *(f"the FIFO port {register.signal.path}" for register in self.streams),
+            *(" ".join(filter(None, (module.type, module.path))) for module in modules),
+        ]
+
+    @property
     def offers(self) -> tuple[Offer, ...]:
         """The groups that publish words of FIFO ports."""
         by_path = {register.signal.path: register for register in self.streams if register.pins.given_valid}
@@ -272,11 +281,6 @@ class Bank:
         part = slice_at(register.signal, register.signal.address)
         bits = str(part.low) if is_bool(register) else f"{part.high} downto {part.low}"
         return self.given(register, f"wb_dat_i({bits})")
-
-    def zero(self, register: Register) -> str:
-        """Write 0 for what hardware gives."""
-        bits = "'0'" if is_bool(register) else bit_literal(0, register.signal.width)
-        return self.given(register, bits) if register.signal.kind.enumeration is not None else bits
 
 
 def _chained(registers: Iterable[Register]) -> list[Register]:
