@@ -78,9 +78,9 @@ def ros2(what: str, seconds: float, rate: float) -> Count:
 
     from unity_link.bridges.ros2.domain import open_participant
     from unity_link.bridges.ros2.messages import STANDARD
-    from unity_link.bridges.ros2.settings import Settings
+    from unity_link.bridges.ros2.settings import BridgeSettings
 
-    participant, domain = open_participant(Settings())
+    participant, domain = open_participant(BridgeSettings())
     struct = STANDARD["Float64"].struct
     quality = Qos(Policy.Reliability.Reliable(duration(seconds=10)), Policy.History.KeepAll)
     if what == "listen":

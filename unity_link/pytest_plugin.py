@@ -50,7 +50,7 @@ _KINDS: dict[str, tuple[Any, str]] = {
 
 
 @dataclass(frozen=True)
-class Settings:
+class GatewaySettings:
     """Settings that a test asks for."""
 
     spec: Path | None = None
@@ -85,12 +85,12 @@ def pytest_configure(config: pytest.Config) -> None:
 
 
 @pytest.fixture
-def unity_link_settings(request: pytest.FixtureRequest) -> Settings:
+def unity_link_settings(request: pytest.FixtureRequest) -> GatewaySettings:
     """Return what markers, the ini file and the command line ask for; the nearest marker goes first."""
     config = request.config
     settings = _of_ini(config)
     for marker in reversed(list(request.node.iter_markers("unity_link"))):
-        if marker.args or not marker.kwargs.keys() <= Settings.__annotations__.keys() - {"url"}:
+        if marker.args or not marker.kwargs.keys() <= GatewaySettings.__annotations__.keys() - {"url"}:
             raise pytest.UsageError(f"unity_link takes spec=, model=, medium=, noise=, seed= and rtl=, not {marker}")
         for name, value in marker.kwargs.items():
             kind, expected = _KINDS.get(name, (object, ""))
@@ -108,11 +108,11 @@ def unity_link_settings(request: pytest.FixtureRequest) -> Settings:
     return replace(settings, url=config.getoption("unity_link_url"))
 
 
-def _of_ini(config: pytest.Config) -> Settings:
+def _of_ini(config: pytest.Config) -> GatewaySettings:
     texts = {name.removeprefix("unity_link_"): str(config.getini(name)) for name in _INI}
     folder = config.rootpath if config.inipath is None else config.inipath.parent
     try:
-        return Settings(
+        return GatewaySettings(
             spec=folder / texts["spec"] if texts["spec"] else None,
             model=_below(folder, texts["model"]) if texts["model"] else None,
             medium=texts["medium"] or "sim",
@@ -129,7 +129,7 @@ def _below(folder: Path, model: str) -> str:
 
 
 @pytest.fixture
-def unity_link_gateway(unity_link_settings: Settings) -> BareGateway:
+def unity_link_gateway(unity_link_settings: GatewaySettings) -> BareGateway:
     """Return the virtual gateway of the test; its `robot` is the model.
 
     A test that looks behind the bus is skipped on a board.
@@ -139,7 +139,7 @@ def unity_link_gateway(unity_link_settings: Settings) -> BareGateway:
     return _build(unity_link_settings)
 
 
-def _build(settings: Settings) -> BareGateway:
+def _build(settings: GatewaySettings) -> BareGateway:
     from unity_link.virtual.build import Wanted, build_bare
 
     robot = "" if settings.spec is None else str(settings.spec)
@@ -148,7 +148,7 @@ def _build(settings: Settings) -> BareGateway:
 
 @pytest.fixture
 def unity_link_open(
-    request: pytest.FixtureRequest, unity_link_settings: Settings, tmp_path: Path
+    request: pytest.FixtureRequest, unity_link_settings: GatewaySettings, tmp_path: Path
 ) -> Callable[[], AbstractAsyncContextManager[Link]]:
     """Return what opens a link to the gateway of the test, in ``async with``; each call opens one, where none is."""
     if unity_link_settings.url is not None:
@@ -179,7 +179,9 @@ def _alone(turn: threading.Lock) -> Iterator[None]:
 
 
 @contextlib.asynccontextmanager
-async def _opened(settings: Settings, bare: BareGateway, folder: Path, turn: threading.Lock) -> AsyncIterator[Link]:
+async def _opened(
+    settings: GatewaySettings, bare: BareGateway, folder: Path, turn: threading.Lock
+) -> AsyncIterator[Link]:
     from unity_link.virtual.build import put_behind_line
 
     chances = {"loss": settings.noise, "flip": settings.noise} if settings.noise else None
@@ -219,7 +221,7 @@ def unity_link_modelled_time() -> Callable[[Coroutine[Any, Any, Any]], Any]:
     return run
 
 
-def _robot(settings: Settings, link: Link) -> Robot:
+def _robot(settings: GatewaySettings, link: Link) -> Robot:
     import unity_link
 
     if settings.spec is None:
@@ -243,7 +245,7 @@ async def unity_link_anyio_link(
 
 
 @pytest.fixture
-def unity_link_anyio_robot(unity_link_settings: Settings, unity_link_anyio_link: Link) -> Robot:
+def unity_link_anyio_robot(unity_link_settings: GatewaySettings, unity_link_anyio_link: Link) -> Robot:
     """Return the robot of the spec in a test of anyio's plugin."""
     return _robot(unity_link_settings, unity_link_anyio_link)
 
@@ -254,6 +256,6 @@ if importlib.util.find_spec("pytest_asyncio") is not None:
     unity_link_link = pytest_asyncio.fixture(_a_link, name="unity_link_link")
 
     @pytest.fixture
-    def unity_link_robot(unity_link_settings: Settings, unity_link_link: Link) -> Robot:
+    def unity_link_robot(unity_link_settings: GatewaySettings, unity_link_link: Link) -> Robot:
         """Return the robot of the spec in a test of pytest-asyncio."""
         return _robot(unity_link_settings, unity_link_link)

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from unity_link.virtual.ft232h.rtl_board import RtlBoard
 
 if TYPE_CHECKING:
-    from unity_link.virtual.ft232h.board import Board
+    from unity_link.virtual.ft232h.board import AttachedBoard
 
 
 class Probe:
@@ -20,7 +20,7 @@ class Probe:
         clock_hz: the gateway's clock.
     """
 
-    def __init__(self, board: Board, clock_hz: int) -> None:
+    def __init__(self, board: AttachedBoard, clock_hz: int) -> None:
         self._rtl = board if isinstance(board, RtlBoard) else None
         self._clock_hz = clock_hz
         self.effects: list[float] = []

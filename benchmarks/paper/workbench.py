@@ -26,7 +26,7 @@ if TYPE_CHECKING:
     from collections.abc import AsyncIterator, Callable, Coroutine, Sequence
 
     from benchmarks.paper.stacks import Mode, Stack, StackName
-    from unity_link.virtual.ft232h.board import Board
+    from unity_link.virtual.ft232h.board import AttachedBoard
     from unity_link.virtual.gateway import BareGateway
 
 GatewayKind = Literal["rtl", "model"]
@@ -114,7 +114,7 @@ class Workbench(msgspec.Struct, frozen=True):
         with installed(VirtualBus(device)):
             yield probe
 
-    def _board(self) -> tuple[BareGateway, Board]:
+    def _board(self) -> tuple[BareGateway, AttachedBoard]:
         if self.gateway == "model":
             # Bytes come one by one: a step that fills a FIFO would look like an overflow.
             step = min(STEP, self.medium.fifo_bytes // 2)

@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 
 import unity_link
 from support.simulated_time import on_simulated_time
-from unity_link.bridges.topics import Direction, published_groups
+from unity_link.bridges.topics import VelocitySigns, published_groups
 
 SCARA = unity_link.load(Path(__file__).parents[2] / "examples" / "scara.ul")
 NUMBERS = st.integers(-2, 2).map(float)
@@ -23,7 +23,7 @@ def test_a_velocity_has_the_sign_of_the_last_move_however_samples_are_cut_into_b
     rows: list[tuple[float, float]], cut: int
 ) -> None:
     positions = np.array(rows)
-    direction = Direction([1])
+    direction = VelocitySigns([1])
     parts = [part for part in (positions[:cut], positions[cut:]) if len(part)]
     signed = np.concatenate([direction.signed(part, np.full((len(part), 2), 3.0)) for part in parts])
     sign, expected = 1.0, []

@@ -35,7 +35,7 @@ from support.bridge_programs import (
 )
 from support.own_robots import OWN
 from unity_link import ArgumentError, blocking
-from unity_link.bridges.ros2 import Quality, Settings, read_settings
+from unity_link.bridges.ros2 import BridgeSettings, Quality, read_settings
 from unity_link.bridges.ros2.domain import open_participant
 from unity_link.bridges.ros2.messages import DIAGNOSTICS, FLOAT_ARRAY, JOINT_STATE, STANDARD
 from unity_link.bridges.ros2.rows import joint_rows, number_rows
@@ -415,6 +415,6 @@ def devices_of_ports() -> set[bytes]:
 
 @pytest.mark.parametrize(("network", "devices"), [(False, {b"lo"}), (True, {b""})])
 def test_other_machines_are_heard_only_where_that_is_asked_for(network: bool, devices: set[bytes]) -> None:
-    opened = open_participant(Settings(network=network, domain=next(DOMAINS)))
+    opened = open_participant(BridgeSettings(network=network, domain=next(DOMAINS)))
     assert devices_of_ports() == devices
     del opened

@@ -15,7 +15,7 @@ from support.sharing import PipedLink, sharing, until
 from support.simulated_time import on_simulated_time
 from support.valve import Valve
 from unity_link.cli import plots, watch, watch_view
-from unity_link.cli.watched import Signals, Words
+from unity_link.cli.watched import WatchedSignals, Words
 from unity_link.data.loading import load
 from unity_link.protocol.numbers import Format
 from unity_link.spec import compile_text
@@ -138,7 +138,7 @@ async def test_the_picture_of_watch_has_values_in_the_words_of_their_kinds() -> 
     )
     gateway = VirtualGateway()
     gateway.memory.update({1: 7, 2: 1})
-    watched = Signals(robot_type, [])
+    watched = WatchedSignals(robot_type, [])
     async with sharing(gateway) as shared, PipedLink(shared) as link, watched.subscribe(link, 20.0) as samples:
         view, console = watch_view.WatchView("shared", link, samples, watched), Console(width=100)
         view.take(await anext(samples))

@@ -75,7 +75,7 @@ from unity_link.protocol.constants import (
 from unity_link.protocol.crc import Crc
 from unity_link.protocol.frames import Framing
 from unity_link.protocol.messages import ErrorCode
-from unity_link.protocol.requests import Batch
+from unity_link.protocol.requests import WordBatch
 from unity_link.spec import KindName, compile_file, compile_text
 from unity_link.spec.printer import print_file
 from unity_link.virtual import VirtualGateway
@@ -888,7 +888,7 @@ def test_a_batch_costs_as_many_repetitions_as_that_of_the_host_in_python(driver:
             mine += client.words("statistics")[2]
         host = SimulatedHost(other.receive, QUICK_TIMEOUT)
         codec = host.session.codec
-        host.do(Batch(codec, "R", [(np.full(2000, 0x10), codec.info.address_digits)]))
+        host.do(WordBatch(codec, "R", [(np.full(2000, 0x10), codec.info.address_digits)]))
         reference += host.session.counters.repetitions
     assert 0.8 < mine / reference < 1.2
 

@@ -20,7 +20,7 @@ from unity_link.protocol.exchange import Counters, Exchange
 from unity_link.protocol.frames import FrameError
 from unity_link.protocol.group_table import GroupTable
 from unity_link.protocol.messages import Codec
-from unity_link.protocol.requests import Batch, BatchRun, Fence, Request
+from unity_link.protocol.requests import BatchRun, Fence, Request, WordBatch
 from unity_link.protocol.round_trip import RoundTrip
 from unity_link.protocol.window import Window
 
@@ -144,10 +144,10 @@ class Host:
         self.rest = b""
 
     def ask(self, turn: Turn, now: float) -> None:
-        request: Request | Batch | None = None
+        request: Request | WordBatch | None = None
         for command in turn.commands:
             if command in BATCHES:
-                request = Batch(self.codec, "R", [(np.full(BATCHES[command], 0x12), 2)])
+                request = WordBatch(self.codec, "R", [(np.full(BATCHES[command], 0x12), 2)])
             elif command == "fence":
                 request = Fence(self.codec)
             else:
@@ -194,7 +194,9 @@ class Host:
         window["round_trip"] = [getattr(self.window.round_trip, name) for name in RoundTrip.__slots__]
         window["_slots"] = [None if run is None else (run.first, run.command) for run in window["_slots"]]
         told = [
-            (event.command, str(event.answer), str(event.error)) if isinstance(event, Request | Batch) else str(event)
+            (event.command, str(event.answer), str(event.error))
+            if isinstance(event, Request | WordBatch)
+            else str(event)
             for event in self.events
         ]
         counters = [getattr(self.counters, name) for name in Counters.__slots__]

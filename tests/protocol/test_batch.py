@@ -8,7 +8,7 @@ import pytest
 from unity_link.errors import BusError
 from unity_link.protocol.configuration import GatewayInfo
 from unity_link.protocol.messages import Codec
-from unity_link.protocol.requests import Batch
+from unity_link.protocol.requests import WordBatch
 
 CODEC = Codec(GatewayInfo())
 
@@ -17,7 +17,7 @@ CODEC = Codec(GatewayInfo())
 def test_the_error_of_a_batch_is_that_of_the_first_message_that_was_refused_whenever_that_is_known(
     refused: tuple[int, int],
 ) -> None:
-    batch = Batch(CODEC, "R", [(np.arange(8), CODEC.info.address_digits)])
+    batch = WordBatch(CODEC, "R", [(np.arange(8), CODEC.info.address_digits)])
     ended: list[object] = []
     before, behind = batch.take(3, ended), batch.take(5, ended)
     for offset in range(3):
@@ -31,7 +31,7 @@ def test_the_error_of_a_batch_is_that_of_the_first_message_that_was_refused_when
 
 
 def test_a_part_that_is_sent_again_is_the_frames_of_that_part() -> None:
-    batch = Batch(CODEC, "R", [(np.arange(30), CODEC.info.address_digits)])
+    batch = WordBatch(CODEC, "R", [(np.arange(30), CODEC.info.address_digits)])
     run = batch.take(30, [])
     frames = run.encode().splitlines(keepends=True)
     assert run.frames_of(7, 20) == b"".join(frames[7:27])

@@ -14,7 +14,7 @@ from unity_link.protocol.configuration import GatewayInfo
 from unity_link.protocol.exchange import Counters, Exchange
 from unity_link.protocol.group_table import GroupTable
 from unity_link.protocol.messages import Codec
-from unity_link.protocol.requests import Batch, Request
+from unity_link.protocol.requests import Request, WordBatch
 from unity_link.protocol.window import Window
 
 SHORT = GatewayInfo(id_digits=2)
@@ -51,10 +51,10 @@ class Host:
             body = codec.lower[command] + codec.id_text[number] + b"%0*X" % (info.data_digits, number) * words
             self.answers.append(codec.framing.checked(body))
 
-    def ask_many(self, count: int) -> Batch:
+    def ask_many(self, count: int) -> WordBatch:
         """Submit a batch of reads whose answers are their numbers."""
         codec, first = self.codec, self.window.next
-        batch = Batch(codec, "R", [(np.zeros(count, np.uint8), codec.info.address_digits)])
+        batch = WordBatch(codec, "R", [(np.zeros(count, np.uint8), codec.info.address_digits)])
         self.exchange.submit(batch, 0.0, self.events)
         self.answers += [
             codec.framing.checked(b"r%b%0*X" % (codec.id_text[first + place], codec.data_digits, 1 + place))
@@ -74,7 +74,7 @@ class Host:
         counters = self.counters
         delivered = [
             "batch"
-            if isinstance(event, Batch)
+            if isinstance(event, WordBatch)
             else (
                 event.first,
                 None if event.answer is None else event.answer if isinstance(event.answer, int) else "words",

@@ -9,7 +9,7 @@ from unity_link.errors import ConnectError, LinkLostError, Outcome, UnansweredEr
 from unity_link.protocol.configuration import GatewayInfo
 from unity_link.protocol.constants import LONGEST_SILENCE
 from unity_link.protocol.messages import GroupFlag
-from unity_link.protocol.requests import Batch, Request, common_outcome
+from unity_link.protocol.requests import Request, WordBatch, common_outcome
 from unity_link.protocol.session import Interrupted, Opened, Session, Unusable
 from unity_link.virtual import VirtualGateway
 
@@ -188,7 +188,7 @@ def test_what_asks_whether_a_gateway_still_hears_is_not_asked_in_the_next_sessio
 def test_the_error_of_a_batch_that_a_gateway_refuses_again_and_again_names_the_request_that_it_was_about() -> None:
     session, gateway = opened(resumes=False)
     codec, now = session.codec, 1.0
-    batch = Batch(codec, "R", [(np.arange(0x10, 0x18), codec.info.address_digits)])
+    batch = WordBatch(codec, "R", [(np.arange(0x10, 0x18), codec.info.address_digits)])
     session.submit(batch, now)
     answers = gateway.receive(session.take_output(), now)
     session.receive(answers[: 3 * len(answers) // 8], now)

@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 
 from unity_link.protocol.configuration import Feature, GatewayInfo
 from unity_link.protocol.crc import Crc
-from unity_link.protocol.interpreter import Kind
+from unity_link.protocol.interpreter import FrameKind
 from unity_link.protocol.transcript import TimedFrame, Transcript
 
 
@@ -109,7 +109,7 @@ def test_damage_and_noise_are_told_apart() -> None:
     kinds = [
         frame.meaning.kind for frame in frames_of(b">" + damaged, b"<" + damaged, b">" + checked(b"J"), b"<hello\r\n")
     ]
-    assert kinds == [Kind.DAMAGED, Kind.DAMAGED, Kind.UNKNOWN, Kind.UNKNOWN]
+    assert kinds == [FrameKind.DAMAGED, FrameKind.DAMAGED, FrameKind.UNKNOWN, FrameKind.UNKNOWN]
 
 
 def test_samples_follow_the_settings_that_an_answer_has_confirmed() -> None:
@@ -212,7 +212,7 @@ def test_any_bytes_have_words(passed: list[tuple[bytes, bool]]) -> None:
         for frame in transcript.take(data, 0.0, sent=sent):
             assert frame.meaning.words
     for frame in transcript.end(1.0):
-        assert frame.meaning.kind is Kind.DAMAGED
+        assert frame.meaning.kind is FrameKind.DAMAGED
 
 
 def test_the_words_of_a_sample_without_a_timestamp_are_all_that_it_has_whatever_else_its_group_is() -> None:

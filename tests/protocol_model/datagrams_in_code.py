@@ -15,7 +15,7 @@ from protocol_model.datagrams import NO_SESSION, RING, Rules
 from protocol_model.exploration import Exploration, Fault, explore
 from unity_link.errors import ConnectError
 from unity_link.protocol.configuration import GatewayInfo
-from unity_link.protocol.datagrams import Asker, GatewayDatagrams, HostDatagrams
+from unity_link.protocol.datagrams import GatewayDatagrams, HostDatagrams, Requester
 from unity_link.protocol.messages import Codec
 
 CODEC = Codec(GatewayInfo())
@@ -46,7 +46,7 @@ class GatewaySide(NamedTuple):
     offer: int = NO_SESSION
     sent: int = 0
     taken: int = 0
-    asker: Asker[int] | None = None
+    asker: Requester[int] | None = None
 
 
 class State(NamedTuple):
@@ -231,12 +231,12 @@ def _gateway_side(
     side: GatewayDatagrams[int] = GatewayDatagrams(
         CODEC, execute, lambda *answer: sent.add(answer), lambda: next(named)
     )
-    side.session, side.opener, side.offer, side.counts.sent, side.counts.taken, side.asker = fields
+    side.session, side.opener, side.offer, side.counts.sent, side.counts.taken, side.requester = fields
     return side, sent
 
 
 def _of_gateway(side: GatewayDatagrams[int]) -> GatewaySide:
-    return GatewaySide(side.session, side.opener, side.offer, side.counts.sent, side.counts.taken, side.asker)
+    return GatewaySide(side.session, side.opener, side.offer, side.counts.sent, side.counts.taken, side.requester)
 
 
 def _request(frames: bytes) -> model.Datagram:

@@ -358,12 +358,12 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
 
 @bug("answers to a batch are put in the opposite order")
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
-    put = requests.Batch.put
+    put = requests.WordBatch.put
 
     def turned(self: Any, offset: int, count: int, words: Any, events: Any) -> None:
         put(self, offset, count, words if count == 1 else words[::-1], events)
 
-    monkeypatch.setattr(requests.Batch, "put", turned)
+    monkeypatch.setattr(requests.WordBatch, "put", turned)
 
 
 @bug("what is sent while the transport is full is dropped")

@@ -9,9 +9,9 @@ from support.spec_examples import FIGURE_1, interface_of
 from unity_link.errors import ArgumentError
 from unity_link.spec import (
     Access,
-    Component,
     ComponentArray,
-    Group,
+    ComponentSpec,
+    GroupSpec,
     Interface,
     Joint,
     Parameter,
@@ -34,7 +34,7 @@ def signal(declaration: str, outside: str = "") -> Signal:
     return only
 
 
-def group(interface: Interface, name: str) -> Group:
+def group(interface: Interface, name: str) -> GroupSpec:
     return next(one for one in interface.groups if one.name == name)
 
 
@@ -371,7 +371,7 @@ def test_doc_strings_reach_the_model() -> None:
     assert interface.signals["led"].doc == "A led."
     assert [part.doc for part in interface.root.parts] == ["The first.", "Any."]
     first, _ = interface.root.parts
-    assert isinstance(first, Component)
+    assert isinstance(first, ComponentSpec)
     assert first.type_doc == "Any."
 
 

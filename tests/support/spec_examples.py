@@ -14,16 +14,16 @@ from unity_link.spec.syntax import (
     Chain,
     ComponentDeclaration,
     EnumDeclaration,
-    EnumValue,
+    EnumValueDeclaration,
     Expression,
     File,
     GroupDeclaration,
     Item,
-    KindName,
+    KindSpecifier,
     Member,
     Name,
     Number,
-    Parameter,
+    ParameterDeclaration,
     Parenthesis,
     Placement,
     Prefixed,
@@ -94,20 +94,20 @@ def expressions(draw: st.DrawFn, names: list[str]) -> Expression:
 
 
 @st.composite
-def kinds(draw: st.DrawFn, enumerations: list[EnumDeclaration]) -> tuple[KindName | None, int]:
+def kinds(draw: st.DrawFn, enumerations: list[EnumDeclaration]) -> tuple[KindSpecifier | None, int]:
     """Draw a kind of at most 32 bits, and its width."""
     width = draw(st.integers(1, 32))
     fraction = draw(st.integers(0, width))
-    choices: list[tuple[KindName | None, int]] = [
+    choices: list[tuple[KindSpecifier | None, int]] = [
         (None, 32),
-        (KindName(Word("bool")), 1),
-        (KindName(Word("unsigned"), Number(str(width))), width),
-        (KindName(Word("signed"), Number(str(width))), width),
-        (KindName(Word("float"), Number("32")), 32),
-        (KindName(Word("float"), Number("16")), 16),
-        (KindName(Word("fixed"), Number(f"{width - fraction}.{fraction}")), width),
-        (KindName(Word("ufixed"), Number(f"{width - fraction}.{fraction}")), width),
-        *((KindName(Word(one.name), Number("8")), 8) for one in enumerations),
+        (KindSpecifier(Word("bool")), 1),
+        (KindSpecifier(Word("unsigned"), Number(str(width))), width),
+        (KindSpecifier(Word("signed"), Number(str(width))), width),
+        (KindSpecifier(Word("float"), Number("32")), 32),
+        (KindSpecifier(Word("float"), Number("16")), 16),
+        (KindSpecifier(Word("fixed"), Number(f"{width - fraction}.{fraction}")), width),
+        (KindSpecifier(Word("ufixed"), Number(f"{width - fraction}.{fraction}")), width),
+        *((KindSpecifier(Word(one.name), Number("8")), 8) for one in enumerations),
     ]
     return draw(st.sampled_from(choices))
 
@@ -153,7 +153,9 @@ def specs(draw: st.DrawFn) -> File:
         EnumDeclaration(
             Word(name),
             [
-                EnumValue(Word(value), None if draw(st.booleans()) and index == 0 else Number(str(10 * index)))
+                EnumValueDeclaration(
+                    Word(value), None if draw(st.booleans()) and index == 0 else Number(str(10 * index))
+                )
                 for index, value in enumerate(_unique_names(draw, set(), draw(st.integers(1, 3))))
             ],
         )
@@ -172,8 +174,8 @@ def specs(draw: st.DrawFn) -> File:
             ComponentDeclaration(
                 public=False,
                 name=Word(name),
-                parameters=[Parameter(Word("name"))],
-                addresses=[Parameter(Word("base"))],
+                parameters=[ParameterDeclaration(Word("name"))],
+                addresses=[ParameterDeclaration(Word("base"))],
                 members=inside,
             )
         )

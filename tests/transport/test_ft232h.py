@@ -33,7 +33,7 @@ if TYPE_CHECKING:
 
     from unity_link.transport.ft232h.eeprom_image import ChannelType
     from unity_link.transport.ft232h.kinds import ChipKind
-    from unity_link.virtual.ft232h.port import Port
+    from unity_link.virtual.ft232h.port import ChipPort
 
 pytestmark = pytest.mark.asyncio
 URL = "ftdi://ftdi:232h/1"
@@ -49,7 +49,7 @@ def port_in(url: str) -> int:
     return int(url.partition("?")[0][-1])
 
 
-def port_at(device: VirtualFt232h, url: str) -> Port:
+def port_at(device: VirtualFt232h, url: str) -> ChipPort:
     """Return the port that a URL names."""
     return device.chip.ports[port_in(url) - 1]
 

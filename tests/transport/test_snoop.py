@@ -17,7 +17,7 @@ from unity_link.errors import ArgumentError
 from unity_link.protocol.configuration import GatewayInfo
 from unity_link.protocol.crc import Crc
 from unity_link.transport import SNOOP_VARIABLE
-from unity_link.transport.snoop import Connected, Ended, Passed, Snoop, read
+from unity_link.transport.snoop import Connected, Disconnected, Passed, Snoop, read
 from unity_link.transport.tap import Tap
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.serving import serve_tcp, serve_udp, serve_unix
@@ -28,7 +28,7 @@ if TYPE_CHECKING:
     from unity_link.link.link import Link
 
 
-def events(path: Path) -> list[Connected | Passed | Ended]:
+def events(path: Path) -> list[Connected | Passed | Disconnected]:
     """Return what a sound snoop holds."""
     damage: list[str] = []
     found = list(read(path, damage.append))
@@ -63,7 +63,7 @@ def test_a_snoop_has_all_bytes_of_both_directions_in_their_order_and_the_end(tmp
     write_and_read(f"sim:?snoop={path}")
     first, *_, last = events(path)
     assert first == Connected(0, f"sim:?snoop={path}")
-    assert isinstance(last, Ended)
+    assert isinstance(last, Disconnected)
     assert passed(path, sent=True).endswith(checked(b"K000") + checked(b"w000100000002A") + checked(b"r00110"))
     assert passed(path, sent=False).endswith(checked(b"K000") + checked(b"w000") + checked(b"r0010000002A"))
 
@@ -111,7 +111,7 @@ async def test_a_link_that_reconnects_appends_to_its_snoop(tmp_path: Path) -> No
         assert await link.read(1) == 1
         await link.aclose()
     kinds = [type(event) for event in events(path) if not isinstance(event, Passed)]
-    assert kinds == [Connected, Ended, Connected, Ended]
+    assert kinds == [Connected, Disconnected, Connected, Disconnected]
     assert checked(b"r00001") in passed(path, sent=True, connection=1)
 
 

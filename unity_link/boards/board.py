@@ -30,7 +30,7 @@ PINS = {
 FT_CLKOUT_HZ = 60_000_000
 
 
-class Clock(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+class BoardClock(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """The clock of a board."""
 
     hz: int
@@ -56,7 +56,7 @@ class Board(msgspec.Struct, frozen=True, forbid_unknown_fields=True, kw_only=Tru
     io_type: str = "LVCMOS33"
     programmer: tuple[str, ...] = ()
     """Options of openFPGALoader."""
-    clock: Clock
+    clock: BoardClock
     pins: dict[str, str]
     """The site of each pin of `PINS`."""
 

@@ -50,7 +50,7 @@ class CommandTopic(NamedTuple):
     proxy: Writable[Any]
 
 
-class Direction:
+class VelocitySigns:
     """The signs of velocities of which a gateway gives the magnitude: each has that of the last move of its joint.
 
     Args:
@@ -87,7 +87,7 @@ class JointTopic(NamedTuple):
     velocities: list[Any]
     efforts: list[Any]
     """Columns by joint; empty where no joint of the group has such a signal."""
-    direction: Direction
+    direction: VelocitySigns
 
     def rows(self, batch: Batch) -> Iterator[tuple[list[float], list[float], list[float]]]:
         """Return positions, velocities and efforts of each sample, in SI units; NaN where a joint has none."""
@@ -253,7 +253,12 @@ def _joint_topic(topic: str, joints: tuple[Joint, ...], robot: Robot, names: Map
         if position is not None and velocity is not None and velocity.signal.kind.range[0] >= 0
     ]
     return JointTopic(
-        topic, [names[joint.name] for joint in joints], positions, velocities, proxies("effort"), Direction(magnitudes)
+        topic,
+        [names[joint.name] for joint in joints],
+        positions,
+        velocities,
+        proxies("effort"),
+        VelocitySigns(magnitudes),
     )
 
 

@@ -139,7 +139,7 @@ async def _show_live(show: Demo) -> None:
         out().print(render_summary(show.summary()))
 
 
-class Step(msgspec.Struct):
+class DemoStep(msgspec.Struct):
     """One call of the library, and what came of it."""
 
     code: str
@@ -177,7 +177,7 @@ class Demo:
         self.url = url
         self.gateway = link.gateway
         self.duration = duration
-        self.steps: list[Step] = []
+        self.steps: list[DemoStep] = []
         self.history: deque[tuple[float, list[int]]] = deque(maxlen=int(HISTORY * RATE_HZ))
         """Time of arrival in seconds since the motion began, and the positions in counts."""
         self.targets: list[tuple[float, tuple[float, ...]]] = []
@@ -247,7 +247,7 @@ class Demo:
         self._end_step(f"{BATCH / taken:,.0f} reads/s, each with an answer of its own")
 
     def _begin_step(self, code: str) -> None:
-        self.steps.append(Step(code))
+        self.steps.append(DemoStep(code))
         self._draw()
 
     def _end_step(self, result: str) -> None:

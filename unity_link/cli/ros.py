@@ -16,7 +16,7 @@ from unity_link.errors import ArgumentError, UnityLinkError
 
 if TYPE_CHECKING:
     from unity_link.bridges.ros1 import Ros1Bridge
-    from unity_link.bridges.ros2 import Ros2Bridge, Settings
+    from unity_link.bridges.ros2 import BridgeSettings, Ros2Bridge
     from unity_link.bridges.zenoh import ZenohBridge
     from unity_link.spec import Spec
 
@@ -98,7 +98,7 @@ def ros2(  # noqa: PLR0913  (each is an option)
 
     What is said here goes before what stands in --params. Needs pip install "unity-link[ros2]".
     """
-    from unity_link.bridges.ros2 import Quality, Settings, find_dds, read_settings
+    from unity_link.bridges.ros2 import BridgeSettings, Quality, find_dds, read_settings
 
     if quality is not None and quality not in set(Quality):
         raise ArgumentError(f"--quality {quality}: one of {', '.join(Quality)} was expected")
@@ -113,7 +113,7 @@ def ros2(  # noqa: PLR0913  (each is an option)
         "network": network or None,
     }
     find_dds()
-    read = Settings() if params is None else read_settings(params)
+    read = BridgeSettings() if params is None else read_settings(params)
     settings = msgspec.structs.replace(read, **{name: value for name, value in said.items() if value is not None})
     if settings.link is None:
         raise ArgumentError("nothing says where the gateway is: --link URL was expected, or link in --params")
@@ -121,14 +121,14 @@ def ros2(  # noqa: PLR0913  (each is an option)
     run(_ros2(_with_settings(compiled, interface, settings), interface, settings.link, settings))
 
 
-def _with_settings(spec: Spec, interface: str | None, settings: Settings) -> Spec:
+def _with_settings(spec: Spec, interface: str | None, settings: BridgeSettings) -> Spec:
     """Return the spec with the parameters of the file that were not given by option."""
     known = {parameter.name: parameter.value for parameter in spec.interface(interface).parameters}
     left = {name: value for name, value in settings.given.items() if value != -1 and known.get(name) is None}
     return spec.given(left, interface)
 
 
-async def _ros2(spec: Spec, interface: str | None, url: str, settings: Settings) -> None:
+async def _ros2(spec: Spec, interface: str | None, url: str, settings: BridgeSettings) -> None:
     from unity_link.bridges.ros2 import Ros2Bridge
     from unity_link.bridges.waiting import connect_when_there
     from unity_link.data import load

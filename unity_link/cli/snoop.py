@@ -150,7 +150,7 @@ class _SnoopPrinter:
     def read(self, path: Path) -> bool:
         """Print a file; return whether it is whole."""
         from unity_link.protocol.transcript import Transcript
-        from unity_link.transport.snoop import Connected, Ended, Passed, read
+        from unity_link.transport.snoop import Connected, Disconnected, Passed, read
 
         time = 0.0
         for event in read(path, self._damage):
@@ -163,7 +163,7 @@ class _SnoopPrinter:
                     self._print_beginning(time, connection)
                     for timed in self._transcripts[connection].take(data, time, sent=sent):
                         self._print(connection, timed)
-                case Ended(connection, time_ns, why):
+                case Disconnected(connection, time_ns, why):
                     time = self._since(time_ns)
                     self._print_beginning(time, connection)
                     for timed in self._transcripts[connection].end(time):
@@ -239,10 +239,10 @@ class _SnoopPrinter:
             print_error(self._trouble)
 
     def _summary(self) -> dict[str, Any]:
-        from unity_link.protocol.interpreter import Kind
+        from unity_link.protocol.interpreter import FrameKind
 
         times = sorted(self._round_trips)
-        found = {f"{kind}s" if kind in _COUNTED else str(kind): self._kinds[kind] for kind in Kind}
+        found = {f"{kind}s" if kind in _COUNTED else str(kind): self._kinds[kind] for kind in FrameKind}
         return {
             "frames": self._kinds.total(),
             **found,

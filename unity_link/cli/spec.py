@@ -19,7 +19,7 @@ from unity_link.cli.output import out, print_json, print_line, print_note
 if TYPE_CHECKING:
     from collections.abc import Iterable
 
-    from unity_link.spec import Component, ComponentArray, Diagnostic, Interface, Module, Signal, Spec
+    from unity_link.spec import ComponentArray, ComponentSpec, Diagnostic, Interface, ModuleSpec, Signal, Spec
 
 STDIN = "-"
 FAILED = 1
@@ -341,7 +341,7 @@ def _tree(interface: Interface) -> Any:
     return tree
 
 
-def _add_component(tree: Any, interface: Interface, component: Component, digits: int) -> None:
+def _add_component(tree: Any, interface: Interface, component: ComponentSpec, digits: int) -> None:
     from rich.text import Text
 
     for number in component.modules:
@@ -357,12 +357,12 @@ def _add_component(tree: Any, interface: Interface, component: Component, digits
             _add_component(branch, interface, item, digits)
 
 
-def _items(part: Component | ComponentArray) -> tuple[Component, ...]:
-    items: tuple[Component, ...] | None = getattr(part, "items", None)
+def _items(part: ComponentSpec | ComponentArray) -> tuple[ComponentSpec, ...]:
+    items: tuple[ComponentSpec, ...] | None = getattr(part, "items", None)
     return (part,) if items is None else items  # type: ignore[return-value]
 
 
-def _module(module: Module, digits: int) -> str:
+def _module(module: ModuleSpec, digits: int) -> str:
     size = f", {module.words} words" if module.words is not None else ""
     return f"at 0x{module.base:0{digits}X}{size}"
 

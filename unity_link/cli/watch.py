@@ -20,7 +20,7 @@ from unity_link.cli.output import is_live, print_json, print_line, print_note
 from unity_link.cli.running import run
 from unity_link.cli.signals import is_spec, robot_of, split
 from unity_link.cli.spec import Name  # noqa: TC001  (typer reads it)
-from unity_link.cli.watched import Signals, Words
+from unity_link.cli.watched import WatchedSignals, Words
 from unity_link.errors import ArgumentError, UnityLinkError, first_error
 from unity_link.protocol.numbers import Format
 
@@ -84,7 +84,7 @@ def watch(  # noqa: PLR0913  (each is an option)
         raise ArgumentError(f"--format {form} goes with addresses: signals are written in their units")
     else:
         spec, names = split(url, signals)
-        watched = Signals(robot_of(spec, interface), names)
+        watched = WatchedSignals(robot_of(spec, interface), names)
     run(_watch(url, watched, rate, count, duration, json=json, timeout=timeout))
 
 

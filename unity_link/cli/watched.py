@@ -84,7 +84,7 @@ class Words:
         return in_form(int(value) & (1 << self._bits) - 1, self._bits, self._form)
 
 
-class Signals:
+class WatchedSignals:
     """Signals of a robot.
 
     Args:

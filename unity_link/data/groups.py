@@ -96,7 +96,7 @@ class Group(Sealed):
         ]
         self.name = name
         self.proxies: tuple[Proxy[Any], ...] = tuple(proxies)
-        self._model: model.Group | None = None
+        self._model: model.GroupSpec | None = None
         self._read = _readable(members)
         self._places = {proxy: place for place, proxy in enumerate(self._read)}
         self._members = frozenset(proxies)
@@ -110,7 +110,7 @@ class Group(Sealed):
     __slots__ = ("_feed", "_layouts", "_members", "_model", "_places", "_plan", "_read", "name", "proxies")
 
     @classmethod
-    def declared(cls, group: model.Group, proxies: Sequence[Proxy[Any]]) -> Group:
+    def declared(cls, group: model.GroupSpec, proxies: Sequence[Proxy[Any]]) -> Group:
         """Make a group that a spec declares."""
         made = cls(*proxies, name=group.name)
         made._model = group
@@ -134,7 +134,7 @@ class Group(Sealed):
         return made
 
     @property
-    def model(self) -> model.Group | None:
+    def model(self) -> model.GroupSpec | None:
         """Declaration of the group in the spec; None for a group that a program made."""
         return self._model
 

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any, TypeVar
 
 import numpy as np
 
-from unity_link.data.proxies import Proxy, Sampled
+from unity_link.data.proxies import Proxy, SampledSignal
 from unity_link.errors import ArgumentError
 from unity_link.protocol.numbers import whole_number
 
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 T = TypeVar("T")
 
 
-class ReadPort(Sampled[T]):
+class ReadPort(SampledSignal[T]):
     """A queue that can be read. Where its group is published on a trigger, each sample has a word that it took."""
 
     __slots__ = ()

@@ -254,7 +254,7 @@ def _no_attribute(proxy: Proxy[Any], name: str) -> AttributeError:
     return missing(proxy, name, proxy.path, read="`get` reads a signal", write="`set` writes a signal")
 
 
-class Sampled(Proxy[T]):
+class SampledSignal(Proxy[T]):
     """A signal of which there are samples, where a group publishes or polls it."""
 
     __slots__ = ()
@@ -294,7 +294,7 @@ class Sampled(Proxy[T]):
                     yield value
 
 
-class Readable(Sampled[T]):
+class Readable(SampledSignal[T]):
     """A signal that can be read."""
 
     __slots__ = ()

@@ -35,7 +35,7 @@ if TYPE_CHECKING:
 class Component(OfLink):
     """A part of a robot. Its signals, parts and modules are attributes."""
 
-    _model: model.Component
+    _model: model.ComponentSpec
     _members: tuple[Proxy[Any] | Component, ...]
 
     @property
@@ -183,7 +183,7 @@ class Robot(Component):
 
     # The tree
 
-    def _fill(self, component: Component, part: model.Component) -> None:
+    def _fill(self, component: Component, part: model.ComponentSpec) -> None:
         """Assign the members of a component."""
         members: list[Proxy[Any] | Component] = []
         attributes: dict[str, Any] = {}
@@ -206,7 +206,7 @@ class Robot(Component):
         for name, attribute in zip(python_names(attributes), attributes.values(), strict=True):
             vars(component)[name] = attribute
 
-    def _make_component(self, part: model.Component) -> Component:
+    def _make_component(self, part: model.ComponentSpec) -> Component:
         component = self.components.get(part.type, Component)()
         self._fill(component, part)
         return component
@@ -281,7 +281,7 @@ _OWN = frozenset(
 )
 
 
-def _add_module(attributes: dict[str, Any], described: model.Module, module: Module) -> None:
+def _add_module(attributes: dict[str, Any], described: model.ModuleSpec, module: Module) -> None:
     assert described.name is not None
     if described.path is not None and described.path.endswith("]"):
         attributes[described.name] = (*attributes.get(described.name, ()), module)

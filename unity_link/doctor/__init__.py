@@ -12,6 +12,6 @@ It asks a gateway for nothing but ``Q``, ``K`` and ``h``: no module on its bus i
 """
 
 from unity_link.doctor.examination import examine
-from unity_link.doctor.findings import Fault, Finding
+from unity_link.doctor.findings import FaultName, Finding
 
-__all__ = ["Fault", "Finding", "examine"]
+__all__ = ["FaultName", "Finding", "examine"]

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import msgspec
 
 from unity_link.doctor import garbage
-from unity_link.doctor.findings import Fault, Finding
+from unity_link.doctor.findings import FaultName, Finding
 from unity_link.doctor.media import CHIP_SCHEMES, explain_failure
 from unity_link.errors import ConnectError
 from unity_link.protocol.crc import Crc
@@ -131,20 +131,20 @@ def _recognise(heard: Heard) -> Finding | None:
         return Finding(
             "answer",
             "what is sent comes back as it is: TX is connected to RX (loopback)",
-            Fault.LOOPBACK,
+            FaultName.LOOPBACK,
             "connect TX to the gateway's rx and RX to its tx, and no jumper; switch off the echo of an RS-485 adapter",
         )
     if data.startswith(_TAKEN):
         return Finding(
             "answer",
             "the gateway serves another program, and one at a time",
-            Fault.BUSY,
+            FaultName.BUSY,
             "close that program, or share the link: unity-link serve",
         )
     for beginning, name in _PROTOCOLS:
         if data.lstrip().lower().startswith(beginning.lower()):
             text = f"{name} answers there, and not a gateway: {_quote(data)}"
-            return Finding("answer", text, Fault.PROTOCOL, "correct the port in the URL")
+            return Finding("answer", text, FaultName.PROTOCOL, "correct the port in the URL")
     return None
 
 
@@ -163,11 +163,11 @@ async def _try_speeds(url: DriverUrl, question: bytes, heard: Heard) -> Finding 
             text = f"the gateway answers at {speed} baud, and the URL says {tried}"
             if heard.data and not garbage.is_text(heard.data):
                 text += f" ({garbage.describe(heard.data)})"
-            return Finding("answer", text, Fault.BAUD, f"write baud={speed} in the URL")
+            return Finding("answer", text, FaultName.BAUD, f"write baud={speed} in the URL")
     if heard.data and not garbage.is_text(heard.data):
         text = f"what comes is no text: {heard.data[:16].hex(' ')}; {garbage.describe(heard.data)}"
         advice = f"write in the URL, as baud=, the speed that the gateware was built for: it is not {tried}"
-        return Finding("answer", text, Fault.BAUD, advice)
+        return Finding("answer", text, FaultName.BAUD, advice)
     return None
 
 
@@ -176,19 +176,19 @@ def _unrecognised(heard: Heard, error: ConnectError) -> Finding:
         return Finding(
             "answer",
             f"a gateway is there, and no session begins with it ({error})",
-            Fault.NOISE,
+            FaultName.NOISE,
             "look at the line: cable, ground, speed, or something else that sends on it",
         )
     if heard.data:
         text = f"what answers is no gateway: {_quote(heard.data)}"
-        return Finding("answer", text, Fault.PROTOCOL, "correct the URL, or look at what is connected there")
+        return Finding("answer", text, FaultName.PROTOCOL, "correct the URL, or look at what is connected there")
     if heard.ended:
         text = "the other end takes the connection and closes it without a word"
-        return Finding("answer", text, Fault.PROTOCOL, "correct the port in the URL; a shared link may want token=")
+        return Finding("answer", text, FaultName.PROTOCOL, "correct the port in the URL; a shared link may want token=")
     return Finding(
         "answer",
         "the medium is open and takes bytes, and nothing comes back",
-        Fault.STALLED,
+        FaultName.STALLED,
         "look whether the gateway is powered, configured and out of reset, and whether the wires are crossed; "
         "what serves it may stand still",
     )

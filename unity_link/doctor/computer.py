@@ -11,7 +11,7 @@ import time
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from unity_link.doctor.findings import Fault, Finding
+from unity_link.doctor.findings import FaultName, Finding
 from unity_link.errors import ConnectError
 
 if TYPE_CHECKING:
@@ -73,7 +73,7 @@ async def check_speed() -> Finding:
     return Finding(
         "computer",
         f"this computer is slow to run what waits: {_time(late)} late on average{load}",
-        Fault.SLOW_HOST,
+        FaultName.SLOW_HOST,
         "end other programs, leave power saving, or give the program a higher priority (nice, chrt)",
     )
 

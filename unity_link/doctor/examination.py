@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from unity_link.doctor import computer
 from unity_link.doctor.answers import explain_silence
-from unity_link.doctor.findings import Fault, Finding
+from unity_link.doctor.findings import FaultName, Finding
 from unity_link.doctor.gateways import check_gateway, check_send_immediate
 from unity_link.doctor.media import CHIP_SCHEMES, check_medium, explain_failure
 from unity_link.errors import ConnectError, UnansweredError, UnsupportedError
@@ -54,7 +54,7 @@ async def examine(
         return
     unusable = False
     for finding in await check_medium(parsed):
-        unusable = unusable or finding.fault not in (None, Fault.LATENCY)
+        unusable = unusable or finding.fault not in (None, FaultName.LATENCY)
         yield finding
     if not unusable and not has_bus(parsed):
         async for finding in _check_link(url, parsed, interface, timeout):
@@ -74,7 +74,7 @@ async def _check_link(
             async for finding in check_gateway(parsed, link, interface):
                 yield finding
     except UnsupportedError as error:
-        yield Finding("gateway", str(error), Fault.VERSION, "")
+        yield Finding("gateway", str(error), FaultName.VERSION, "")
     except ConnectError as error:
         async for finding in explain_silence(parsed, error):
             yield finding
@@ -87,12 +87,12 @@ async def _check_link(
 
 def _explain_loss(error: UnansweredError | TimeoutError) -> Finding:
     found = explain_failure("link", error)
-    if found.fault is not Fault.FAILED:
+    if found.fault is not FaultName.FAILED:
         return found
     reason = error.reason if isinstance(error, UnansweredError) else "the gateway does not answer any more"
     return Finding(
         "link",
         f"the gateway answered at first, and then no more: {reason}",
-        Fault.STALLED,
+        FaultName.STALLED,
         "look at the clock, the power and the reset of the gateway, and at what serves it",
     )

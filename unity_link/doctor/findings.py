@@ -7,7 +7,7 @@ import enum
 import msgspec
 
 
-class Fault(enum.StrEnum):
+class FaultName(enum.StrEnum):
     """Names of faults, which programs may look for."""
 
     MISSING = "missing package"
@@ -36,7 +36,7 @@ class Finding(msgspec.Struct, frozen=True):
 
     check: str
     text: str
-    fault: Fault | None = None
+    fault: FaultName | None = None
     """None where nothing is wrong."""
     advice: str = ""
     """Advice to the user."""

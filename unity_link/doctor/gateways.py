@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, NamedTuple
 from urllib.parse import urlencode
 
 from unity_link.doctor.answers import has_speed
-from unity_link.doctor.findings import Fault, Finding
+from unity_link.doctor.findings import FaultName, Finding
 from unity_link.doctor.media import CHIP_SCHEMES
 from unity_link.link.link import connect
 from unity_link.protocol.configuration import PROTOCOL_VERSION, Feature
@@ -98,7 +98,7 @@ def _check_map(info: GatewayInfo, interface: Interface | None) -> Finding:
         "map",
         f"the gateway was built for the map {info.build_id:08X}, and the spec of {interface.name} describes the map "
         f"{interface.fingerprint:08X}",
-        Fault.SPEC,
+        FaultName.SPEC,
         "give the spec that the gateway was built from, or build the gateway from this one",
     )
 
@@ -119,7 +119,7 @@ def _check_fifo(info: GatewayInfo, url: DriverUrl) -> Finding:
         "FIFO",
         f"{held} without flow control: no more than {max(size // longest, 1)} of the writes can be under way, "
         "and the line stands still in between",
-        Fault.FIFO,
+        FaultName.FIFO,
         advice,
     )
 
@@ -146,7 +146,7 @@ def _judge_round_trip(round_trip: float, rate: float | None, info: GatewayInfo) 
     return Finding(
         "round trip",
         text + ": much more than the medium needs",
-        Fault.SLOW_LINK,
+        FaultName.SLOW_LINK,
         "look at the latency timer of a USB adapter, at SIWU#, at a slow network, and at the load of this computer",
     )
 
@@ -163,7 +163,7 @@ async def check_send_immediate(url: DriverUrl, info: GatewayInfo) -> Finding:
         text = "the gateway was built without SIWU#: a lone answer waits for the latency timer"
         if "event_char" in url.options:
             return Finding("send at once", "by the event character: the gateway was built without SIWU#")
-        return Finding("send at once", text, Fault.SEND_IMMEDIATE, advice)
+        return Finding("send at once", text, FaultName.SEND_IMMEDIATE, advice)
     options = {name: value for name, value in url.options.items() if name != "event_char"}
     options["latency"] = str(_LONG_LATENCY)
     async with connect(f"{url.scheme}://{url.host}{url.path}?{urlencode(options)}") as link:
@@ -173,7 +173,7 @@ async def check_send_immediate(url: DriverUrl, info: GatewayInfo) -> Finding:
     if "event_char" in url.options:
         return Finding("send at once", "by the event character: SIWU# does not work")
     text = f"SIWU# does not work: with a latency timer of {_LONG_LATENCY} ms a lone answer took {_time(round_trip)}"
-    return Finding("send at once", text, Fault.SEND_IMMEDIATE, advice)
+    return Finding("send at once", text, FaultName.SEND_IMMEDIATE, advice)
 
 
 async def _measure(link: Link, rate: float | None) -> Measured:
@@ -204,7 +204,7 @@ def _judge_noise(measured: Measured) -> Finding:
     return Finding(
         "noise",
         f"{text}: about one byte in {round(1 / share):,} is damaged or lost on the way",
-        Fault.NOISE,
+        FaultName.NOISE,
         "shorten the cable, join the grounds, lower the speed, or look for lost bytes where there is no flow control; "
         "the link repeats what was lost, and is slower for it",
     )

@@ -8,7 +8,7 @@ import os
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from unity_link.doctor.findings import Fault, Finding
+from unity_link.doctor.findings import FaultName, Finding
 from unity_link.errors import ConnectError
 from unity_link.transport import has_bus, open_bus
 from unity_link.transport.ft232h.chip import UDEV_LINE, UDEV_RULE, find_errno
@@ -25,17 +25,17 @@ _SYSTEM = Path("/sys")
 _PROCESSES = Path("/proc")
 _SHARE = "close that program, or share the link: unity-link serve"
 _FAULTS = {
-    errno.EACCES: (Fault.PERMISSION, ""),
-    errno.EPERM: (Fault.PERMISSION, ""),
-    errno.EBUSY: (Fault.BUSY, _SHARE),
-    errno.EAGAIN: (Fault.BUSY, _SHARE),
-    errno.ENOENT: (Fault.UNPLUGGED, "plug it in, and look at its name: unity-link doctor lists what is there"),
-    errno.ENODEV: (Fault.UNPLUGGED, "plug it in again, and look at the cable and the hub"),
-    errno.ENXIO: (Fault.UNPLUGGED, "plug it in again, and look at the cable and the hub"),
-    errno.EIO: (Fault.UNPLUGGED, "plug it in again, and look at the cable and the hub"),
-    errno.ECONNREFUSED: (Fault.ABSENT, "start what serves the gateway, or correct the address"),
+    errno.EACCES: (FaultName.PERMISSION, ""),
+    errno.EPERM: (FaultName.PERMISSION, ""),
+    errno.EBUSY: (FaultName.BUSY, _SHARE),
+    errno.EAGAIN: (FaultName.BUSY, _SHARE),
+    errno.ENOENT: (FaultName.UNPLUGGED, "plug it in, and look at its name: unity-link doctor lists what is there"),
+    errno.ENODEV: (FaultName.UNPLUGGED, "plug it in again, and look at the cable and the hub"),
+    errno.ENXIO: (FaultName.UNPLUGGED, "plug it in again, and look at the cable and the hub"),
+    errno.EIO: (FaultName.UNPLUGGED, "plug it in again, and look at the cable and the hub"),
+    errno.ECONNREFUSED: (FaultName.ABSENT, "start what serves the gateway, or correct the address"),
     errno.ETIME: (
-        Fault.STALLED,
+        FaultName.STALLED,
         "look at the clock and the reset of the gateware, the wiring, and the mode of the FIFO",
     ),
 }
@@ -44,16 +44,16 @@ _FAULTS = {
 def explain_failure(check: str, error: BaseException) -> Finding:
     """Return what it means that a medium could not be opened, or was lost."""
     text = str(error)
-    fault, advice = _FAULTS.get(find_errno(error) or 0, (Fault.FAILED, ""))
+    fault, advice = _FAULTS.get(find_errno(error) or 0, (FaultName.FAILED, ""))
     if isinstance(error.__cause__, ImportError) or "is not installed" in text:
-        fault = Fault.MISSING
+        fault = FaultName.MISSING
     elif "no such FTDI chip" in text:
         fault, advice = _FAULTS[errno.ENODEV]
     elif text.endswith(("is it listening?", "is it served?")):
         fault, advice = _FAULTS[errno.ECONNREFUSED]
     elif "no permission for the FTDI chip" in text:
-        fault = Fault.PERMISSION
-    if fault is Fault.PERMISSION and "FTDI chip" in text:
+        fault = FaultName.PERMISSION
+    if fault is FaultName.PERMISSION and "FTDI chip" in text:
         advice = f"write this line into {UDEV_RULE}, then unplug it and plug it in again: {UDEV_LINE}"
     return Finding(check, text, fault, advice)
 
@@ -71,7 +71,7 @@ def _check_memory(url: DriverUrl) -> Finding:
     try:
         bus = open_bus(url)
     except ConnectError as error:
-        return Finding("memory", str(error), Fault.FAILED)
+        return Finding("memory", str(error), FaultName.FAILED)
     words = len(bus.words)
     bus.close()
     return Finding("memory", f"{words:,} words of {bus.info.data_bits} bits are mapped, and no gateway is between")
@@ -104,7 +104,7 @@ def check_permission(path: str) -> Finding | None:
     return Finding(
         "port",
         f"no permission for {path}, which belongs to the group {group}",
-        Fault.PERMISSION,
+        FaultName.PERMISSION,
         f"run: sudo usermod -aG {group} $USER, and log in again; or write a udev rule: "
         f'KERNEL=="{Path(path).name}", MODE="0660", TAG+="uaccess"',
     )
@@ -126,7 +126,7 @@ def _judge_latency(check: str, latency: int, advice: str) -> Finding:
     if latency <= LONGEST_LATENCY:
         return Finding(check, f"the latency timer is {latency} ms")
     text = f"the latency timer is {latency} ms: a lone answer may wait that long in the adapter"
-    return Finding(check, text, Fault.LATENCY, advice)
+    return Finding(check, text, FaultName.LATENCY, advice)
 
 
 def _holders(path: Path) -> Iterator[str]:
@@ -160,7 +160,7 @@ def _check_chip(url: DriverUrl) -> Iterator[Finding]:
                     f"then unplug the {content.chip} and plug it in again"
                 )
                 text = f"{content.description}, but mode={settings_of(url).mode} needs {wanted}"
-                yield Finding("chip", text, Fault.EEPROM, advice)
+                yield Finding("chip", text, FaultName.EEPROM, advice)
                 return
             yield Finding(
                 "chip", f"{content.description} ({content.product}, serial number {content.serial or 'none'})"

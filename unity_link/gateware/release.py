@@ -28,7 +28,7 @@ _PORT = re.compile(r"^ +\(?(input|output) +(?:\[(\d+):0\] )?(\w+)[,)]", re.MULTI
 _DEFAULT = re.compile(r"^\s*(\w+)\s*:\s*in\s[^:;]*:=\s*('[01]'|\(others => '[01]'\))", re.MULTILINE)
 
 
-class Port(NamedTuple):
+class ModulePort(NamedTuple):
     """A port of a module."""
 
     name: str
@@ -77,7 +77,7 @@ def release(
     return f"{head}\n{off}\n{body}\n\n{on}"
 
 
-def ports(verilog: str, module: str, entity: str, sources: Sequence[Path]) -> list[Port]:
+def ports(verilog: str, module: str, entity: str, sources: Sequence[Path]) -> list[ModulePort]:
     """Return the ports of a module that an entity has become, with the defaults that they have in its VHDL."""
     start = re.search(rf"^module {module}$", verilog, re.MULTILINE)
     assert start is not None
@@ -86,12 +86,12 @@ def ports(verilog: str, module: str, entity: str, sources: Sequence[Path]) -> li
     declared = next(match[0] for source in sources if (match := declaration.search(source.read_text())))
     defaults = dict(_DEFAULT.findall(declared))
     return [
-        Port(port, width := int(high or 0) + 1, way == "input", _constant(defaults.get(port, ""), width))
+        ModulePort(port, width := int(high or 0) + 1, way == "input", _constant(defaults.get(port, ""), width))
         for way, high, port in _PORT.findall(head)
     ]
 
 
-def _instance_template(name: str, found: Sequence[Port]) -> list[str]:
+def _instance_template(name: str, found: Sequence[ModulePort]) -> list[str]:
     """Return lines of Verilog that instantiate a module."""
     ends = [*[","] * (len(found) - 1), ""]
     return [

@@ -10,12 +10,12 @@ from unity_link.spec.model import ParameterReference
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
-    from unity_link.spec import Interface, Module
+    from unity_link.spec import Interface, ModuleSpec
 
 _WORD = "TOSNET"
 
 
-class Network(NamedTuple):
+class NetworkMemory(NamedTuple):
     """A double-buffered memory."""
 
     ctrl: int | str
@@ -25,10 +25,10 @@ class Network(NamedTuple):
     """Addresses of all words that signals and named modules write, ascending."""
 
 
-def networks(interface: Interface) -> list[Network]:
+def networks(interface: Interface) -> list[NetworkMemory]:
     """Return the networks of an interface that have CTRL, in the order of the spec."""
     return [
-        Network(ctrl, _handle(module, "COMM"), _addresses(interface, number))
+        NetworkMemory(ctrl, _handle(module, "COMM"), _addresses(interface, number))
         for number, module in enumerate(interface.modules)
         if module.type == _WORD and (ctrl := _handle(module, "CTRL")) is not None
     ]
@@ -47,7 +47,7 @@ def shared_addresses(interface: Interface) -> frozenset[int]:
     )
 
 
-def _handle(module: Module, name: str) -> int | str | None:
+def _handle(module: ModuleSpec, name: str) -> int | str | None:
     value = module.arguments.get(name)
     if isinstance(value, ParameterReference):
         return value.name

@@ -14,7 +14,7 @@ import contextlib
 import math
 from typing import TYPE_CHECKING, Any
 
-from unity_link.protocol.requests import Batch, Fence, Request
+from unity_link.protocol.requests import Fence, Request, WordBatch
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -47,7 +47,7 @@ class Flow:
         """Stream of the connection, None while there is none."""
         self.seat: Seat | None = None
         """Seat of the link, where nodes share the medium; its turn is waited for."""
-        self.handlers: dict[type, Callable[[Any], None]] = dict.fromkeys((Request, Fence, Batch), settle)
+        self.handlers: dict[type, Callable[[Any], None]] = dict.fromkeys((Request, Fence, WordBatch), settle)
         """Handler of each kind of event of the session."""
         self.disconnected = disconnected
         self.now = runtime.time
@@ -103,7 +103,7 @@ class Flow:
             settle(request)
         return waiter
 
-    async def answer(self, request: Request | Batch) -> Any:
+    async def answer(self, request: Request | WordBatch) -> Any:
         """Execute a request, and return its answer; one that is cancelled is given up."""
         if isinstance(request, Request):
             waiter = self.ask(request)
@@ -283,7 +283,7 @@ class Flow:
             self.go_on(self.session.expire(now))
 
 
-def settle(request: Request | Batch) -> None:
+def settle(request: Request | WordBatch) -> None:
     """Set the result or the error of what a call awaits."""
     waiter = request.owner
     if waiter is None or waiter.done():

@@ -42,7 +42,7 @@ from unity_link.link.subscription import (
 from unity_link.protocol.configuration import Feature
 from unity_link.protocol.messages import Codec, GroupFlag
 from unity_link.protocol.numbers import real_number, whole_number
-from unity_link.protocol.requests import Batch, Block, Fence, PostedFailure, Request, common_outcome
+from unity_link.protocol.requests import Fence, PostedFailure, Request, RequestBlock, WordBatch, common_outcome
 from unity_link.transport import DriverUrl, check_target, has_bus, parse_url
 
 if TYPE_CHECKING:
@@ -384,9 +384,9 @@ class Link(OfLink, Connection):
         fields = [(where, self.gateway.address_digits), (what, self.gateway.data_digits)]
         self._posted = True
         if self._takes_turns:
-            await self._post_answered(Batch(self._flow.codec, "W", fields))
+            await self._post_answered(WordBatch(self._flow.codec, "W", fields))
         else:
-            batch = Batch(self._flow.codec, "WS", fields)
+            batch = WordBatch(self._flow.codec, "WS", fields)
             self._flow.submit(batch)
             if batch.sent != batch.count:
                 await self._sent(batch)
@@ -487,7 +487,7 @@ class Link(OfLink, Connection):
         codec = self._flow.codec
         await self._flow.answer(Request(codec, command, codec.fields(command, *values), 0))
 
-    async def _sent(self, posted: Request | Batch) -> None:
+    async def _sent(self, posted: Request | WordBatch) -> None:
         """Wait until posted writes have found room."""
         posted.owner = waiter = self._flow.create_future()
         if posted.done:
@@ -498,7 +498,7 @@ class Link(OfLink, Connection):
             posted.cancel()
             raise
 
-    async def _post_answered(self, posted: Request | Batch) -> None:
+    async def _post_answered(self, posted: Request | WordBatch) -> None:
         """Execute writes that are answered, and keep their errors as those of posted ones."""
         try:
             await self._flow.answer(posted)
@@ -533,7 +533,7 @@ class Link(OfLink, Connection):
         for request in requests:
             request.owner = self._flow.create_future()
             waiters.append(request.owner)
-        self._flow.submit(Block(requests))
+        self._flow.submit(RequestBlock(requests))
         try:
             return [await waiter for waiter in waiters]
         except UnansweredError as error:
@@ -552,7 +552,7 @@ class Link(OfLink, Connection):
 
     async def _batch(self, command: str, *columns: tuple[NDArray[Any], int]) -> Words:
         self._whole_count(len(columns[0][0]))
-        words: Words = await self._flow.answer(Batch(self._flow.codec, command, columns))
+        words: Words = await self._flow.answer(WordBatch(self._flow.codec, command, columns))
         return words
 
     def _divisor(self, rate_hz: float | None, divisor: int | None) -> int:

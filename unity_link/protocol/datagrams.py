@@ -193,7 +193,7 @@ class HostDatagrams:
             return False
 
 
-class Asker(NamedTuple, Generic[A]):
+class Requester(NamedTuple, Generic[A]):
     """Host whose requests without a session were taken last, and their form."""
 
     address: A
@@ -230,7 +230,7 @@ class GatewayDatagrams(Generic[A]):
         self._codec = codec
         self._framing = codec.framing
         self._reception = Reception(codec)
-        self.asker: Asker[A] | None = None
+        self.requester: Requester[A] | None = None
         """Destination of answers without an ID, if not the opener."""
         self._execute = execute
         self._send = send
@@ -249,7 +249,7 @@ class GatewayDatagrams(Generic[A]):
             return
         elif (read.session, source) == (self.session, self.opener):
             if self.counts.takes(read.number):
-                self.asker = None
+                self.requester = None
                 self._execute(read.frames)
         elif NO_SESSION != read.session == self.offer and self._begins_with_k(read.frames):
             self._open(read, source)
@@ -258,11 +258,11 @@ class GatewayDatagrams(Generic[A]):
 
     def put(self, frames: bytes) -> None:
         """Send frames of the gateway; those that are for no address are lost."""
-        if self.asker is None:
+        if self.requester is None:
             self._send_to_opener(frames)
             return
         for of_session, group in groupby(_frames(frames), self._is_of_session):
-            (self._send_to_opener if of_session else self._send_to_asker)(b"".join(group))
+            (self._send_to_opener if of_session else self._send_to_requester)(b"".join(group))
 
     # Sessions
 
@@ -273,7 +273,7 @@ class GatewayDatagrams(Generic[A]):
         self.session, self.opener, self.offer = read.session, source, NO_SESSION
         self.counts = Counts()
         self.counts.takes(read.number)
-        self.asker = None
+        self.requester = None
         self._execute(read.frames)
 
     def _begins_with_k(self, frames: bytes) -> bool:
@@ -295,13 +295,13 @@ class GatewayDatagrams(Generic[A]):
         frames = _frames(_ended(datagram))
         if not frames:
             return
-        self.asker = Asker(source, plain=b"\r" in frames[0])
+        self.requester = Requester(source, plain=b"\r" in frames[0])
         for refusal, group in groupby(frames, self._refusal):
             if refusal is None:
                 self._execute(b"".join(group))
             else:
                 for _ in group:
-                    self._send_to_asker(refusal)
+                    self._send_to_requester(refusal)
 
     def _refusal(self, frame: bytes) -> bytes | None:
         """Return the answer to a request that needs a session, None for all that the gateway may see without one."""
@@ -318,9 +318,9 @@ class GatewayDatagrams(Generic[A]):
         error = self._codec.error(ErrorCode.NO_SESSION, request.id)
         return self._framing.plain_reply(error) if plain else self._framing.checked(error)
 
-    def _send_to_asker(self, frames: bytes) -> None:
-        assert self.asker is not None
-        address, plain = self.asker
+    def _send_to_requester(self, frames: bytes) -> None:
+        assert self.requester is not None
+        address, plain = self.requester
         while self.offer in (NO_SESSION, self.session):
             self.offer = self._draw()
         for packed in _pack(self._framing, frames):

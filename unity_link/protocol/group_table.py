@@ -11,7 +11,7 @@ from collections import deque
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from unity_link.errors import LinkLostError, UnityLinkError, UnsupportedError
-from unity_link.protocol.requests import Events, Step
+from unity_link.protocol.requests import Events, SessionRequest
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -74,7 +74,7 @@ class GroupTable:
         submit: puts a request into the window.
     """
 
-    def __init__(self, count: int, submit: Callable[[Step, Events], None]) -> None:
+    def __init__(self, count: int, submit: Callable[[SessionRequest, Events], None]) -> None:
         self.begun: dict[bytes, HeldGroup] = {}
         """The groups whose settings the gateway has stored in this session, by their two digits."""
         self.known: bytes | None = None
@@ -157,7 +157,7 @@ class GroupTable:
             else:
                 self.begun[group.text] = group
                 events.append(GroupBegun(group))
-                self._submit(Step(codec, "GN", group.text, started), events)
+                self._submit(SessionRequest(codec, "GN", group.text, started), events)
 
         def started(error: UnityLinkError | None, events: Events) -> None:
             if error is not None and self._held.get(group.number) is group:
@@ -168,7 +168,7 @@ class GroupTable:
                 events.append(GroupStarted(group))
             self._settle(group, None, events)
 
-        self._submit(Step(codec, "GS", group.text + group.settings, stored), events)
+        self._submit(SessionRequest(codec, "GS", group.text + group.settings, stored), events)
 
     def _failed(self, group: HeldGroup, error: UnityLinkError, events: Events) -> None:
         if isinstance(error, LinkLostError):

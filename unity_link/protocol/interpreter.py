@@ -88,7 +88,7 @@ _FLAGS = {
 _BROADCAST = 0xFF
 
 
-class Kind(enum.StrEnum):
+class FrameKind(enum.StrEnum):
     """Kind of a frame."""
 
     REQUEST = "request"
@@ -104,7 +104,7 @@ class Kind(enum.StrEnum):
 class Meaning(NamedTuple):
     """Meaning of a frame."""
 
-    kind: Kind
+    kind: FrameKind
     words: str
     command: str = ""
     """Letter of the command in upper case, ``X``, ``N`` and ``P`` among them."""
@@ -151,13 +151,13 @@ class Interpreter:
         try:
             body = framing.open(line)
         except FrameError as error:
-            return Meaning(Kind.DAMAGED, f"damaged: {error}")
+            return Meaning(FrameKind.DAMAGED, f"damaged: {error}")
         request = self.listen(body)
         if request is None:
-            return Meaning(Kind.UNKNOWN, "not a request to this gateway")
+            return Meaning(FrameKind.UNKNOWN, "not a request to this gateway")
         text = _REQUESTS[request.command].format_map(self._in_words(self._fields(request)))
         return Meaning(
-            Kind.REQUEST,
+            FrameKind.REQUEST,
             f"to all nodes: {text}" if to_all else self._with_id(text, request.id),
             request.command,
             request.id,
@@ -178,13 +178,13 @@ class Interpreter:
         try:
             body = self._codec.framing.open(line)
         except FrameError as error:
-            return Meaning(Kind.DAMAGED, f"damaged: {error}")
+            return Meaning(FrameKind.DAMAGED, f"damaged: {error}")
         try:
             return self._explain(self._codec.decode_response(body))
         except UnsupportedError as error:
-            return Meaning(Kind.ANSWER, str(error), "Q")
+            return Meaning(FrameKind.ANSWER, str(error), "Q")
         except ValueError:
-            return Meaning(Kind.UNKNOWN, "not a message of this gateway")
+            return Meaning(FrameKind.UNKNOWN, "not a message of this gateway")
 
     def body(self, line: bytes) -> bytes:
         """Return what a frame says without its CRC or CR; for a damaged one, all of it."""
@@ -199,19 +199,19 @@ class Interpreter:
             case "X":
                 if number is not None:
                     self._refused(number)
-                return Meaning(Kind.ERROR, self._error(response), command, number, error=response.fields["e"])
+                return Meaning(FrameKind.ERROR, self._error(response), command, number, error=response.fields["e"])
             case "N":
                 text = f"out of sequence: the next ID expected is {self._id(number)}"
-                return Meaning(Kind.ERROR, text, command, number)
+                return Meaning(FrameKind.ERROR, text, command, number)
             case "P":
-                return Meaning(Kind.SAMPLE, self._publish(response.fields), command, group=response.fields["g"])
+                return Meaning(FrameKind.SAMPLE, self._publish(response.fields), command, group=response.fields["g"])
             case "Q":
-                return Meaning(Kind.ANSWER, _configuration(response.fields["text"]), command)
+                return Meaning(FrameKind.ANSWER, _configuration(response.fields["text"]), command)
         self._confirmed(response)
         request = None if number is None else self._requests.get(number)
         values = dict.fromkeys("adnDgsi", "?") | self._in_words(self._known(request) | response.fields)
         text = _TEXTS[command].format_map(values)
-        return Meaning(Kind.ANSWER, self._with_id(text, number), command, number)
+        return Meaning(FrameKind.ANSWER, self._with_id(text, number), command, number)
 
     # Which settings of a group its samples follow (docs/protocol.md, "Groups"): those that an answer has confirmed.
 

@@ -1,8 +1,8 @@
 """The requests of a host to a gateway: messages that know how they are sent and what their answers mean.
 
-A session takes them from *sources*. A `Request` is one message and a source of itself. A `Block` is a source of several
-requests, because the gateway limits their length. A `Batch` has many messages for single words and is a source of
-`BatchRun`, which numpy encodes and decodes together.
+A session takes them from *sources*. A `Request` is one message and a source of itself. A `RequestBlock` is a source of
+several requests, because the gateway limits their length. A `WordBatch` has many messages for single words and is a
+source of `BatchRun`, which numpy encodes and decodes together.
 
 What ends, and what a program that waits is to be told, is put into a list of events, for the session to return: a
 request or batch whose answer or error is known, or which is on its way where that is all that is waited for.
@@ -309,7 +309,7 @@ class Request(Message):
         return True
 
 
-class Step(Request):
+class SessionRequest(Request):
     """A request of the session itself.
 
     Args:
@@ -363,7 +363,7 @@ class Fence(Request):
         self.earlier += [source for source in waiting if not source.exhausted()]
 
 
-class Block:
+class RequestBlock:
     """A source of several requests that are sent in order and answered one by one."""
 
     posted = False
@@ -407,7 +407,7 @@ def _outcome(request: Request) -> Outcome:
     return request.error.outcome if isinstance(request.error, UnansweredError) else Outcome.EXECUTED
 
 
-class Batch:
+class WordBatch:
     """Many messages of one command for single words, and what became of them: a source of runs.
 
     `smallest_turn` is the number of messages for which room is waited for while others are under way.
@@ -518,7 +518,7 @@ class BatchRun(Message):
 
     __slots__ = ("_batch", "_start")
 
-    def __init__(self, batch: Batch, start: int, count: int) -> None:
+    def __init__(self, batch: WordBatch, start: int, count: int) -> None:
         codec = batch.codec
         width = batch.size - codec.head_sizes[batch.command]
         super().__init__(codec, batch.command, width, batch.reply_digits, count)
@@ -596,7 +596,7 @@ class BatchPart:
 
     posted = False
 
-    def __init__(self, batch: Batch, start: int, count: int) -> None:
+    def __init__(self, batch: WordBatch, start: int, count: int) -> None:
         self._batch, self._start, self._count = batch, start, count
         self.size = batch.size
 

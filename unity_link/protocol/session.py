@@ -13,9 +13,9 @@ everything that was under way at an end it says what is known of it:
     =========  =====================================  ==================================================
 
 Requests may be made at any time; while the session is not open they wait. Every call in which something can happen
-returns events, in the order in which it happened: a `Request` or `Batch` that has ended, samples, and the classes of
-events of these modules. The session calls no program and looks at no clock: `now` is a time in seconds that never goes
-back.
+returns events, in the order in which it happened: a `Request` or `WordBatch` that has ended, samples, and the
+classes of events of these modules. The session calls no program and looks at no clock: `now` is a time in seconds that
+never goes back.
 """
 
 from __future__ import annotations
@@ -38,7 +38,7 @@ from unity_link.protocol.exchange import Counters, Exchange
 from unity_link.protocol.frames import LONGEST_FRAME
 from unity_link.protocol.group_table import GroupTable, HeldGroup
 from unity_link.protocol.handshake import Handshake
-from unity_link.protocol.requests import Events, Fence, Request, Source, Step
+from unity_link.protocol.requests import Events, Fence, Request, SessionRequest, Source
 from unity_link.protocol.window import Window
 
 if TYPE_CHECKING:
@@ -368,7 +368,7 @@ class Session:
         request = Request(self.codec, "GX", group.text, 0, of_session=True)
         return request, self.submit(request, now)
 
-    def _submit_step(self, step: Step, events: Events) -> None:
+    def _submit_step(self, step: SessionRequest, events: Events) -> None:
         if self._exchange is not None:
             self._exchange.submit(step, self._now, events)
         else:

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, NamedTuple
 from unity_link.errors import UnsupportedError
 from unity_link.protocol.configuration import GatewayInfo
 from unity_link.protocol.frames import LONGEST_FRAME
-from unity_link.protocol.interpreter import Interpreter, Kind, Meaning
+from unity_link.protocol.interpreter import FrameKind, Interpreter, Meaning
 from unity_link.protocol.messages import Codec
 
 if TYPE_CHECKING:
@@ -87,7 +87,7 @@ class Transcript:
         """Return what is left without an end."""
         for sent, cutter in self._cutters.items():
             if cutter.rest:
-                yield TimedFrame(time, sent, cutter.rest, Meaning(Kind.DAMAGED, "cut: its end has not come"))
+                yield TimedFrame(time, sent, cutter.rest, Meaning(FrameKind.DAMAGED, "cut: its end has not come"))
 
     def _sent(self, frame: bytes, time: float) -> TimedFrame:
         if match := QUESTION.fullmatch(frame):

@@ -12,8 +12,8 @@ from unity_link.spec.diagnostics import SourceText, did_you_mean
 from unity_link.spec.expressions import Evaluator, GroupReference, Result
 from unity_link.spec.interface import GroupDraft, InterfaceDraft, Placed, SignalPlace
 from unity_link.spec.model import (
-    Component,
-    Module,
+    ComponentSpec,
+    ModuleSpec,
     Signal,
 )
 from unity_link.spec.modules import COMMON, MODULES
@@ -63,7 +63,7 @@ class Builder:
         name: str,
         index: int | None = None,
         arguments: Mapping[str, Result] | None = None,
-    ) -> Component:
+    ) -> ComponentSpec:
         """Build a component where it is put."""
         source, node = declared
         evaluator, _ = self.tools(source)
@@ -71,7 +71,7 @@ class Builder:
         contents = Contents(self, declared, where)
         contents.fill(node.members, where.module, where.base)
         given = {key: value for key, value in (arguments or {}).items() if isinstance(value, int | float | str)}
-        return Component(
+        return ComponentSpec(
             name=name,
             path=where.path,
             type=str(node.name),
@@ -254,7 +254,7 @@ class Builder:
         bound = binder.bind(node.type, node.type.place, node.arguments, (*COMMON, *kind.slots))
         start = base + bound.pop("BASE", 0) + kind.offset(bound)
         size = bound.pop("SIZE", None)
-        module = Module(
+        module = ModuleSpec(
             type=str(node.type),
             name=None if node.name is None else str(node.name),
             path=path,

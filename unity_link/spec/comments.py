@@ -13,7 +13,7 @@ from __future__ import annotations
 from itertools import zip_longest
 from typing import TYPE_CHECKING
 
-from unity_link.spec.syntax import Block, Comment, File, Statement
+from unity_link.spec.syntax import BlockStatement, Comment, File, Statement
 from unity_link.spec.tokens import SPACE, TextPlace, find_comments
 
 if TYPE_CHECKING:
@@ -45,7 +45,7 @@ class _Attacher:
         for statement, following in zip_longest(statements, statements[1:]):
             before = self._take(statement.start)
             self._lead(statement, before)
-            if isinstance(statement, Block) and statement.open:
+            if isinstance(statement, BlockStatement) and statement.open:
                 self._lead(statement, self._take(statement.open))
                 self.fill(statement.members, statement.dangling, statement.end)  # type: ignore[attr-defined]
             else:

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import msgspec
 
-from unity_link.spec.model import Group, Joint, Module, Signal
+from unity_link.spec.model import GroupSpec, Joint, ModuleSpec, Signal
 
 if TYPE_CHECKING:
     from unity_link.spec.arguments import Bound
@@ -79,12 +79,12 @@ class InterfaceDraft:
         self.address_bits = address_bits
         self.data_bits = data_bits
         self.signals: list[Placed] = []
-        self.modules: list[tuple[Module, SignalPlace]] = []
+        self.modules: list[tuple[ModuleSpec, SignalPlace]] = []
         self.groups: dict[str, GroupDraft] = {}
         self.parts = 0
         """Signals, components and modules so far."""
 
-    def check(self) -> tuple[Group, ...]:
+    def check(self) -> tuple[GroupSpec, ...]:
         """Apply the rules for the whole; return the groups."""
         self._check_modules()
         self._check_addresses()
@@ -244,7 +244,7 @@ class InterfaceDraft:
                     message = f"a gateway has {GROUPS} groups, and this interface needs more"
                     self._error(draft.place, "group-number", message)
 
-    def _group(self, draft: GroupDraft) -> Group:
+    def _group(self, draft: GroupDraft) -> GroupSpec:
         bound = draft.bound
         addresses = list(dict.fromkeys(address for signal, _ in draft.signals for address in signal.addresses))
         if draft.published:
@@ -258,7 +258,7 @@ class InterfaceDraft:
             if not draft.says_when:
                 message = f"nothing says when the group {draft.name} is published"
                 self._error(draft.signals[0][1], "group-rate", message, "give a divisor, as in PUBLISH(1, 10)")
-        return Group(
+        return GroupSpec(
             name=draft.name,
             number=draft.number,
             divisor=draft.divisor,

@@ -161,7 +161,7 @@ class Signal(msgspec.Struct, frozen=True, kw_only=True):
         return ArgumentError(f"{self.path}: {value} is outside of its limits, {low:.12g} to {high:.12g}{unit}")
 
 
-class Component(msgspec.Struct, frozen=True, kw_only=True, tag_field="part", tag="component"):
+class ComponentSpec(msgspec.Struct, frozen=True, kw_only=True, tag_field="part", tag="component"):
     """A part of an interface: its signals, and the parts that it is made of. The root is the interface itself."""
 
     name: str
@@ -174,7 +174,7 @@ class Component(msgspec.Struct, frozen=True, kw_only=True, tag_field="part", tag
     arguments: dict[str, int | float | str | bool] = {}
     """Arguments of its declaration, by the names of the parameters: ``{"name": "joint 1"}``."""
     signals: tuple[Signal, ...] = ()
-    parts: tuple[Component | ComponentArray, ...] = ()
+    parts: tuple[ComponentSpec | ComponentArray, ...] = ()
     modules: tuple[int, ...] = ()
     """Indices in `Interface.modules` of the modules that stand in it under a name of their own."""
     doc: str = ""
@@ -183,7 +183,7 @@ class Component(msgspec.Struct, frozen=True, kw_only=True, tag_field="part", tag
     """Doc string of its declaration, where `doc` is of the place."""
     span: Span = NOWHERE
 
-    def walk(self) -> Iterator[Component]:
+    def walk(self) -> Iterator[ComponentSpec]:
         """Return this component and all in it, in the order of the spec."""
         yield self
         for part in self.parts:
@@ -196,12 +196,12 @@ class ComponentArray(msgspec.Struct, frozen=True, kw_only=True, tag_field="part"
 
     name: str
     path: str
-    items: tuple[Component, ...]
+    items: tuple[ComponentSpec, ...]
     doc: str = ""
     span: Span = NOWHERE
 
 
-class Module(msgspec.Struct, frozen=True, kw_only=True):
+class ModuleSpec(msgspec.Struct, frozen=True, kw_only=True):
     """A hardware module on the bus."""
 
     type: str
@@ -235,7 +235,7 @@ class Joint(msgspec.Struct, frozen=True, kw_only=True):
     set_effort: str | None = None
 
 
-class Group(msgspec.Struct, frozen=True, kw_only=True):
+class GroupSpec(msgspec.Struct, frozen=True, kw_only=True):
     """Signals that are read together; published by the gateway where `number` is not None."""
 
     name: str
@@ -273,9 +273,9 @@ class Interface(msgspec.Struct, frozen=True, kw_only=True, dict=True):
     parameters: tuple[Parameter, ...] = ()
     address_bits: int
     data_bits: int
-    root: Component
-    modules: tuple[Module, ...] = ()
-    groups: tuple[Group, ...] = ()
+    root: ComponentSpec
+    modules: tuple[ModuleSpec, ...] = ()
+    groups: tuple[GroupSpec, ...] = ()
     enumerations: tuple[Enumeration, ...] = ()
     """Those that its signals use."""
     doc: str = ""

@@ -23,17 +23,17 @@ from unity_link.spec.syntax import (
     Chain,
     ComponentDeclaration,
     EnumDeclaration,
-    EnumValue,
+    EnumValueDeclaration,
     Expression,
     File,
     GroupDeclaration,
     Import,
     Item,
-    KindName,
+    KindSpecifier,
     Member,
     Name,
     Number,
-    Parameter,
+    ParameterDeclaration,
     Parenthesis,
     Placement,
     Prefixed,
@@ -162,17 +162,17 @@ class _Builder(Transformer[Token, Any]):
     def arguments(self, *arguments: Argument) -> list[Argument]:
         return list(arguments)
 
-    def parameter(self, name: Token, default: Expression | None) -> Parameter:
-        return Parameter(word(name), default, **_bounds(name, default or name))
+    def parameter(self, name: Token, default: Expression | None) -> ParameterDeclaration:
+        return ParameterDeclaration(word(name), default, **_bounds(name, default or name))
 
-    def parameters(self, *parameters: Parameter) -> list[Parameter]:
+    def parameters(self, *parameters: ParameterDeclaration) -> list[ParameterDeclaration]:
         return list(parameters)
 
     def bits(self, high: Expression, low: Expression | None) -> Bits:
         return Bits(high, low)
 
-    def kind(self, name: Token, width: Token | None) -> KindName:
-        return KindName(word(name), None if width is None else self.number(width))
+    def kind(self, name: Token, width: Token | None) -> KindSpecifier:
+        return KindSpecifier(word(name), None if width is None else self.number(width))
 
     def label(self, name: Token, count: Expression | None) -> tuple[Token, Expression | None]:
         return name, count
@@ -183,7 +183,7 @@ class _Builder(Transformer[Token, Any]):
         name: Token,
         address: Expression | None,
         bits: Bits | None,
-        kind: KindName | None,
+        kind: KindSpecifier | None,
         access: Token,
         arguments: list[Argument],
         end: Token,
@@ -221,8 +221,8 @@ class _Builder(Transformer[Token, Any]):
         self,
         public: Token | None,
         name: Token,
-        parameters: list[Parameter],
-        addresses: list[Parameter] | None,
+        parameters: list[ParameterDeclaration],
+        addresses: list[ParameterDeclaration] | None,
         opening: Token,
         *members: Any,
     ) -> ComponentDeclaration:
@@ -236,8 +236,8 @@ class _Builder(Transformer[Token, Any]):
     def import_(self, keyword: Token, path: Token, end: Token) -> Import:
         return Import(self.string(path), **_bounds(keyword, end))
 
-    def enum_value(self, name: Token, value: Expression | None) -> EnumValue:
-        return EnumValue(word(name), value, **_bounds(name, value or name))
+    def enum_value(self, name: Token, value: Expression | None) -> EnumValueDeclaration:
+        return EnumValueDeclaration(word(name), value, **_bounds(name, value or name))
 
     def enum(self, keyword: Token, name: Token, opening: Token, *values: Any) -> EnumDeclaration:
         *inside, close = values

@@ -14,8 +14,8 @@ from unity_link.spec.diagnostics import did_you_mean, listed
 from unity_link.spec.expressions import Evaluator, Result, describe
 from unity_link.spec.interface import SignalPlace
 from unity_link.spec.model import (
-    Component,
     ComponentArray,
+    ComponentSpec,
     Signal,
 )
 from unity_link.spec.modules import MODULES
@@ -26,7 +26,7 @@ from unity_link.spec.syntax import (
     Placement,
     SignalDeclaration,
 )
-from unity_link.spec.syntax import Parameter as ParameterNode
+from unity_link.spec.syntax import ParameterDeclaration as ParameterNode
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
@@ -72,7 +72,7 @@ class Contents:
         self._evaluator, _ = builder.tools(self._source)
         self._names: dict[str, tuple[int, int]] = {}
         self.signals: list[Signal] = []
-        self.parts: list[Component | ComponentArray] = []
+        self.parts: list[ComponentSpec | ComponentArray] = []
         self.modules: list[int] = []
 
     def fill(self, members: Sequence[SignalDeclaration | Placement], module: int | None, base: int) -> None:
@@ -234,7 +234,7 @@ class Contents:
         index: int | None,
         module: int | None,
         base: int,
-    ) -> Component:
+    ) -> ComponentSpec:
         assert member.name is not None
         scope = self._where.scope if index is None else {**self._where.scope, INDEX_NAME: index}
         node = declared.node
@@ -320,7 +320,7 @@ class Contents:
         self._evaluator.fault(place, f"{word}-count", f"{member.type} takes {takes}, and {given}", advice)
 
 
-def _documented(component: Component, member: Placement) -> Component:
+def _documented(component: ComponentSpec, member: Placement) -> ComponentSpec:
     return msgspec.structs.replace(component, doc="\n".join(member.doc), type_doc=component.doc)
 
 

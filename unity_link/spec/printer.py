@@ -15,14 +15,14 @@ from unity_link.spec.syntax import (
     Comment,
     ComponentDeclaration,
     EnumDeclaration,
-    EnumValue,
+    EnumValueDeclaration,
     Expression,
     File,
     GroupDeclaration,
     Import,
     Name,
     Number,
-    Parameter,
+    ParameterDeclaration,
     Parenthesis,
     Placement,
     Prefixed,
@@ -83,7 +83,7 @@ def _bare(statement: Statement, indent: str) -> list[str]:  # noqa: PLR0911  (on
                 if (statement.arguments)
                 else [f"{indent}group {statement.name};"]
             )
-        case EnumValue():
+        case EnumValueDeclaration():
             value = "" if statement.value is None else f" = {_expression(statement.value)}"
             return [f"{indent}{statement.name}{value}"]
         case EnumDeclaration():
@@ -132,7 +132,7 @@ def _component_head(component: ComponentDeclaration) -> str:
     return f"{public}{component.name}({_parameters(component.parameters)}){addresses}"
 
 
-def _parameters(parameters: Sequence[Parameter]) -> str:
+def _parameters(parameters: Sequence[ParameterDeclaration]) -> str:
     return ", ".join(
         parameter.name if parameter.default is None else f"{parameter.name}={_expression(parameter.default)}"
         for parameter in parameters

@@ -29,7 +29,7 @@ class BitRange(NamedTuple):
     width: int
 
 
-class Publishing(NamedTuple):
+class PublishClause(NamedTuple):
     """Publication of a signal, as declared."""
 
     group: int | str
@@ -43,7 +43,7 @@ class SignalParts(NamedTuple):
     lowest_bit: int
     access: Access
     arguments: Bound
-    publishing: Publishing | None
+    publishing: PublishClause | None
     places: Mapping[str, tuple[int, int]]
 
 
@@ -197,7 +197,7 @@ class SignalReader:
             return kind
         return kind if kind.name in WITHOUT_SCALE else scaled
 
-    def _publishing(self, access: Access, arguments: Bound, binder: Binder) -> Publishing | None:
+    def _publishing(self, access: Access, arguments: Bound, binder: Binder) -> PublishClause | None:
         for name in ("PUBLISH", "POLL"):
             if name in arguments and not access.reads:
                 self._fault(
@@ -210,7 +210,7 @@ class SignalReader:
         group = clause.get("GROUP")
         if group is None:
             return None
-        return Publishing(group.name if isinstance(group, GroupReference) else group, clause.get("DIVISOR"))
+        return PublishClause(group.name if isinstance(group, GroupReference) else group, clause.get("DIVISOR"))
 
     def _check_limits(self, kind: Kind, access: Access, arguments: Bound, binder: Binder) -> None:
         low, high = arguments.get("MIN"), arguments.get("MAX")

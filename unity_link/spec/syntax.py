@@ -139,7 +139,7 @@ class Statement(Node):
 
 
 @dataclass(slots=True, kw_only=True)
-class Block(Statement):
+class BlockStatement(Statement):
     """A statement with others inside."""
 
     open: int = field(default=0, compare=False, repr=False)
@@ -156,7 +156,7 @@ class Import(Statement):
 
 
 @dataclass(slots=True)
-class EnumValue(Statement):
+class EnumValueDeclaration(Statement):
     """One value of an enumeration; without a number it is one more than the one before."""
 
     name: Word
@@ -164,11 +164,11 @@ class EnumValue(Statement):
 
 
 @dataclass(slots=True)
-class EnumDeclaration(Block):
+class EnumDeclaration(BlockStatement):
     """``enum name { ... }``."""
 
     name: Word
-    members: list[EnumValue]
+    members: list[EnumValueDeclaration]
 
 
 @dataclass(slots=True)
@@ -180,7 +180,7 @@ class GroupDeclaration(Statement):
 
 
 @dataclass(slots=True)
-class Parameter(Node):
+class ParameterDeclaration(Node):
     """One parameter of a component, perhaps with the value it has where none is given."""
 
     name: Word
@@ -196,7 +196,7 @@ class Bits:
 
 
 @dataclass(slots=True)
-class KindName:
+class KindSpecifier:
     """The word for a kind, and its width."""
 
     name: Word
@@ -210,13 +210,13 @@ class SignalDeclaration(Statement):
     name: Word
     address: Expression | None
     bits: Bits | None
-    kind: KindName | None
+    kind: KindSpecifier | None
     access: Word
     arguments: list[Argument]
 
 
 @dataclass(slots=True)
-class Placement(Block):
+class Placement(BlockStatement):
     """A component or a module that is put into another one: ``name[count]: type(...) @(...);``."""
 
     name: Word | None
@@ -231,13 +231,13 @@ Member: TypeAlias = SignalDeclaration | Placement
 
 
 @dataclass(slots=True)
-class ComponentDeclaration(Block):
+class ComponentDeclaration(BlockStatement):
     """``public name(...): @(...) { ... }``."""
 
     public: bool
     name: Word
-    parameters: list[Parameter]
-    addresses: list[Parameter] | None
+    parameters: list[ParameterDeclaration]
+    addresses: list[ParameterDeclaration] | None
     members: list[Member]
 
 

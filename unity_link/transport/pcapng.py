@@ -29,7 +29,7 @@ LARGEST_BLOCK = 1 << 26
 """Bytes: no read or write is as large, and what says so is damaged."""
 
 
-class Block(NamedTuple):
+class PcapngBlock(NamedTuple):
     """A block, whole."""
 
     kind: int
@@ -97,7 +97,7 @@ def _block(kind: int, body: bytes) -> bytes:
     return struct.pack("<I", kind) + total + body + total
 
 
-def blocks(data: bytes | mmap.mmap) -> Iterator[Block]:
+def blocks(data: bytes | mmap.mmap) -> Iterator[PcapngBlock]:
     """Return the blocks of a file.
 
     Raises:
@@ -107,7 +107,7 @@ def blocks(data: bytes | mmap.mmap) -> Iterator[Block]:
     while offset < len(data):
         size = _whole(data, offset)
         kind = int.from_bytes(data[offset : offset + 4], "little")
-        yield Block(kind, data[offset + 8 : offset + size - 4])
+        yield PcapngBlock(kind, data[offset + 8 : offset + size - 4])
         offset += size
 
 

@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 
 _OWN_OPTIONS = frozenset({"node", "snoop", "library"})
 """Options that are no matter of the port."""
-_PORTS: dict[tuple[Any, ...], Port] = {}
+_PORTS: dict[tuple[Any, ...], SharedPort] = {}
 _OWED: dict[tuple[Any, ...], float] = {}
 """Until when an answer may come on a port that was closed."""
 _LOCK = threading.Lock()
@@ -34,7 +34,7 @@ _READS_OF_ALL = 16
 """Reads that take all that a port holds: Linux keeps up to 64 KiB of a terminal, and gives 4,095 bytes at a time."""
 
 
-class Port:
+class SharedPort:
     """A medium that is open once, for all links of this process."""
 
     def __init__(self, key: tuple[Any, ...], url: DriverUrl) -> None:
@@ -78,7 +78,7 @@ def open_shared(
     key = (url.scheme, url.host, url.port, os.path.realpath(url.path) if url.path else "")
     while True:
         with _LOCK:
-            port = _PORTS.get(key) or _PORTS.setdefault(key, Port(key, url))
+            port = _PORTS.get(key) or _PORTS.setdefault(key, SharedPort(key, url))
         with port.opening:
             if port.channel is None and not port.over:
                 try:
@@ -115,7 +115,7 @@ def _without_node(url: DriverUrl) -> str:
 class SharedChannel:
     """A link's part of a port: a channel that is written to and read in the link's turn."""
 
-    def __init__(self, port: Port, seat: Seat) -> None:
+    def __init__(self, port: SharedPort, seat: Seat) -> None:
         assert port.channel is not None
         self.seat = seat
         self.shortest_timeout = port.channel.shortest_timeout

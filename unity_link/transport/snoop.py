@@ -162,7 +162,7 @@ class Passed(NamedTuple):
     data: bytes
 
 
-class Ended(NamedTuple):
+class Disconnected(NamedTuple):
     """Event: a connection ended."""
 
     connection: int
@@ -170,7 +170,7 @@ class Ended(NamedTuple):
     why: str
 
 
-def read(path: Path, damage: Callable[[str], object]) -> Iterator[Connected | Passed | Ended]:
+def read(path: Path, damage: Callable[[str], object]) -> Iterator[Connected | Passed | Disconnected]:
     """Return what a snoop holds, in its order.
 
     Args:
@@ -192,7 +192,7 @@ def read(path: Path, damage: Callable[[str], object]) -> Iterator[Connected | Pa
         damage(f"{path}: {error}; what stands before was read")
 
 
-def _events(path: Path, data: mmap.mmap) -> Iterator[Connected | Passed | Ended]:
+def _events(path: Path, data: mmap.mmap) -> Iterator[Connected | Passed | Disconnected]:
     first, connections, offset = 0, 0, 0
     for block in pcapng.blocks(data):
         try:
@@ -212,7 +212,7 @@ def _events(path: Path, data: mmap.mmap) -> Iterator[Connected | Passed | Ended]
                 yield Passed(_known(first + number, connections), time_ns, sent, passed)
             elif block.kind == pcapng.STATISTICS:
                 number, time_ns, why = pcapng.read_ending(block.body)
-                yield Ended(_known(first + number, connections), time_ns, why)
+                yield Disconnected(_known(first + number, connections), time_ns, why)
         except ArgumentError:
             raise
         except ValueError as error:

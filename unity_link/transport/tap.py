@@ -10,7 +10,7 @@ import logging
 import time
 from typing import TYPE_CHECKING, Any, Protocol, cast
 
-from unity_link.protocol.interpreter import Kind
+from unity_link.protocol.interpreter import FrameKind
 from unity_link.protocol.transcript import Transcript
 from unity_link.transport import RECEIVED, SAMPLES, SENT
 from unity_link.transport.pcapng import Packet
@@ -95,7 +95,7 @@ class LoggedFrames:
 
     def _log(self, frames: Iterable[TimedFrame]) -> None:
         for timed in frames:
-            log = SENT if timed.sent else SAMPLES if timed.meaning.kind is Kind.SAMPLE else RECEIVED
+            log = SENT if timed.sent else SAMPLES if timed.meaning.kind is FrameKind.SAMPLE else RECEIVED
             if log.isEnabledFor(logging.DEBUG):
                 log.debug(
                     "%s %s %s  %s",

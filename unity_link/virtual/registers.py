@@ -17,7 +17,7 @@ from unity_link.protocol.messages import ErrorCode
 from unity_link.virtual.bus import AccessError
 
 if TYPE_CHECKING:
-    from unity_link.spec import Interface, Module, Signal, Value
+    from unity_link.spec import Interface, ModuleSpec, Signal, Value
 
 SignalFault = Literal["error", "timeout", "frozen"]
 """Faults of a signal: accesses are bus errors, are never answered, or read what they read first."""
@@ -264,11 +264,11 @@ def _limits(signal: Signal) -> str:
     return f"its limits are {low:.12g} to {high:.12g}{unit}"
 
 
-def _is_hardware(module: Module) -> bool:
+def _is_hardware(module: ModuleSpec) -> bool:
     """Return whether a module takes addresses: a MEMORY without a name is only a base for what stands in it."""
     return module.type != "MEMORY" or module.name is not None
 
 
-def _has(module: Module, address: int) -> bool:
+def _has(module: ModuleSpec, address: int) -> bool:
     words = 1 if module.type == "FIFO" and module.words is None else module.words
     return address >= module.base and (words is None or address < module.base + words)

@@ -31,7 +31,7 @@ from unity_link.virtual.bus import AccessError
 from unity_link.virtual.registers import SIGNAL_FAULTS, Registers
 
 if TYPE_CHECKING:
-    from unity_link.spec import Component, Interface, Value
+    from unity_link.spec import ComponentSpec, Interface, Value
     from unity_link.virtual.registers import Cell, SignalFault
 
 _LOG = logging.getLogger("unity_link.virtual")
@@ -346,7 +346,7 @@ class SimulatedRobot(Part):
 
     # The tree
 
-    def _fill(self, part: Part, described: Component) -> None:
+    def _fill(self, part: Part, described: ComponentSpec) -> None:
         cells = self._registers.cells
         name = described.path or self.interface.name
         part.__dict__.update(
@@ -365,7 +365,7 @@ class SimulatedRobot(Part):
             if hasattr(type(self), attribute):
                 raise ArgumentError(f"{type(self).__name__}.{attribute} hides {attribute} of {name}: call it otherwise")
 
-    def _make(self, described: Component) -> Part:
+    def _make(self, described: ComponentSpec) -> Part:
         part = Part()
         self._fill(part, described)
         return part

@@ -11,7 +11,7 @@ from unity_link.protocol.configuration import GatewayInfo
 from unity_link.transport.ft232h.eeprom_image import build_eeprom
 from unity_link.transport.ft232h.kinds import FT2232H
 from unity_link.virtual import VirtualGateway
-from unity_link.virtual.ft232h.board import Board, GatewayBoard, Unconnected
+from unity_link.virtual.ft232h.board import AttachedBoard, GatewayBoard, Unconnected
 from unity_link.virtual.ft232h.chip import Chip
 from unity_link.virtual.ft232h.host import Transfer, TransferStatus, UsbHost
 from unity_link.virtual.ft232h.port import Mode
@@ -35,7 +35,7 @@ def payload(ended: Transfer) -> bytes:
 class Program:
     """Has transfers done on a host, and waits for them; time passes only then."""
 
-    def __init__(self, board: Board, timing: Timing = Timing()) -> None:  # noqa: B008  (frozen)
+    def __init__(self, board: AttachedBoard, timing: Timing = Timing()) -> None:  # noqa: B008  (frozen)
         self.chip = Chip(build_eeprom("FIFO", "S1"), timing)
         [self.port] = self.chip.ports
         self.host = UsbHost(self.chip, board)

@@ -8,7 +8,7 @@ from unity_link.bridges.sampled import SampledGroup
 from unity_link.data import Group, load
 from unity_link.errors import ArgumentError
 from unity_link.protocol.configuration import Feature
-from unity_link.spec import Access, Component, Interface, Kind, KindName, Signal, Spec
+from unity_link.spec import Access, ComponentSpec, Interface, Kind, KindName, Signal, Spec
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -46,7 +46,7 @@ def robot_of_words(link: Link, addresses: Sequence[int], rate_hz: float) -> tupl
         )
         for address in addresses
     )
-    root = Component(name="words", path="", type="words", signals=signals)
+    root = ComponentSpec(name="words", path="", type="words", signals=signals)
     interface = Interface(name="words", address_bits=info.address_bits, data_bits=info.data_bits, root=root)
     robot = load(Spec(interfaces=(interface,), sources=()))(link)
     proxies = list(robot.signals)

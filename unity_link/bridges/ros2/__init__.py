@@ -10,6 +10,6 @@ ROS 2 calls the topic ``/scara/j1/cpos`` ``rt/scara/j1/cpos`` on DDS, and the ty
 
 from unity_link.bridges.ros2.domain import find_dds
 from unity_link.bridges.ros2.node import Ros2Bridge
-from unity_link.bridges.ros2.settings import Quality, Settings, read_settings
+from unity_link.bridges.ros2.settings import BridgeSettings, Quality, read_settings
 
-__all__ = ["Quality", "Ros2Bridge", "Settings", "find_dds", "read_settings"]
+__all__ = ["BridgeSettings", "Quality", "Ros2Bridge", "find_dds", "read_settings"]

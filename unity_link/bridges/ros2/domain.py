@@ -19,7 +19,7 @@ from unity_link.errors import ArgumentError, ConnectError
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
-    from unity_link.bridges.ros2.settings import Settings
+    from unity_link.bridges.ros2.settings import BridgeSettings
 
 LOOPBACK = """
 <CycloneDDS><Domain>
@@ -54,7 +54,7 @@ def find_dds() -> None:
         raise ConnectError("CycloneDDS is not installed here: pip install 'unity-link[ros2]'") from None
 
 
-def open_participant(settings: Settings, mark: str = "") -> tuple[Any, Any]:
+def open_participant(settings: BridgeSettings, mark: str = "") -> tuple[Any, Any]:
     """Join the domain; return the participant, and the domain, which ends with its last reference.
 
     Args:
@@ -119,7 +119,7 @@ def is_alone(participant: Any, mark: str) -> bool:
     return True
 
 
-def _domain(settings: Settings) -> int:
+def _domain(settings: BridgeSettings) -> int:
     text = os.environ.get("ROS_DOMAIN_ID") or "0" if settings.domain is None else str(settings.domain)
     if not text.isdigit() or int(text) > HIGHEST_DOMAIN:
         raise ArgumentError(f"DDS domain {text}: a number from 0 to {HIGHEST_DOMAIN} was expected")

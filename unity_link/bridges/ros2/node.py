@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 from unity_link.bridges.diagnostics import TOPIC
 from unity_link.bridges.ros import PATIENCE, RosBridge
 from unity_link.bridges.ros2.domain import find_dds
-from unity_link.bridges.ros2.settings import Quality, Settings
+from unity_link.bridges.ros2.settings import BridgeSettings, Quality
 from unity_link.errors import ArgumentError, ConnectError
 
 if TYPE_CHECKING:
@@ -44,9 +44,9 @@ class Ros2Bridge(RosBridge["Ros2Outlet"]):
     """
 
     def __init__(
-        self, robot: Robot, settings: Settings | None = None, *, report: Callable[[str], None] = lambda _: None
+        self, robot: Robot, settings: BridgeSettings | None = None, *, report: Callable[[str], None] = lambda _: None
     ) -> None:
-        self._settings = settings or Settings()
+        self._settings = settings or BridgeSettings()
         find_dds()
         chosen = self._settings
         super().__init__(robot, chosen.namespace, chosen.poll_hz, chosen.frame_id, report)

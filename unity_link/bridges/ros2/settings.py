@@ -41,7 +41,7 @@ class TopicSettings(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     quality: Quality
 
 
-class Settings(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
+class BridgeSettings(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
     """The parameters of the bridge."""
 
     link: str | None = None
@@ -68,10 +68,10 @@ class Settings(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=
 
 
 class _Node(msgspec.Struct, forbid_unknown_fields=True):
-    ros__parameters: Settings
+    ros__parameters: BridgeSettings
 
 
-def read_settings(path: Path) -> Settings:
+def read_settings(path: Path) -> BridgeSettings:
     """Read a file of parameters of one node, whatever its name.
 
     Raises:

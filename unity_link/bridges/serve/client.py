@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING, cast
 
 from unity_link.bridges.serve.conversation import Conversation
 from unity_link.bridges.serve.requests import Relayed, RelayedRows, Said
-from unity_link.bridges.serve.turns import Queue
+from unity_link.bridges.serve.turns import ClientQueue
 from unity_link.protocol.messages import ErrorCode
 
 if TYPE_CHECKING:
@@ -41,7 +41,7 @@ class Client(asyncio.Protocol):
     """
 
     def __init__(self, shared: SharedLink) -> None:
-        self.queue = Queue()
+        self.queue = ClientQueue()
         self.conversation: Conversation | None = None
         """None before it has said anything that could be understood."""
         self.listening = True

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from unity_link.bridges.serve.groups import ClientGroup, Settings
+from unity_link.bridges.serve.groups import ClientGroup, GroupSettings
 from unity_link.bridges.serve.requests import Relayed, RelayedRows, answer_digits
 from unity_link.protocol.arrays import matching_rows
 from unity_link.protocol.configuration import Feature
@@ -164,7 +164,7 @@ class Conversation:
         relayed.stored = stored
         self._client.hand_on(relayed, self._session.awaited)
 
-    def _relay_silently(self, command: str, slot: Slot, settings: Settings | None = None) -> None:
+    def _relay_silently(self, command: str, slot: Slot, settings: GroupSettings | None = None) -> None:
         """Relay a setting of a slot that the client did not ask for; its next requests are answered behind it."""
         fields = slot.text + (b"" if settings is None else settings.fields)
         relayed = Relayed(self._shared.to_gateway, command, fields, 0, self._client, b"")
@@ -251,7 +251,7 @@ class Conversation:
         if not group_fits(self._shared.gateway, number, flags, divisor, addresses):
             self._refuse(request, plain=plain)
             return
-        settings = Settings(self._codec, flags, divisor, addresses)
+        settings = GroupSettings(self._codec, flags, divisor, addresses)
         group = self.groups.setdefault(number, ClientGroup(number, self._client, settings))
         group.settings = settings
         if group.slot is None:

@@ -39,7 +39,7 @@ class Taker(Protocol):
         """Take the frame of a publish."""
 
 
-class Settings:
+class GroupSettings:
     """A client's settings of a group, and the form of the group's samples under them.
 
     The gateway publishes checked frames in any case; a plain one would reach the server without protection.
@@ -70,18 +70,18 @@ class ClientGroup:
         settings: what it is set up to first.
     """
 
-    def __init__(self, number: int, taker: Taker, settings: Settings) -> None:
+    def __init__(self, number: int, taker: Taker, settings: GroupSettings) -> None:
         self.number = number
         self.settings = settings
         """Settings that the client asked for last."""
         self.slot: Slot | None = None
         self._head = b"P%02X" % number
         self._taker = taker
-        self._begun: Settings | None = None
+        self._begun: GroupSettings | None = None
         self._offset = 0
         self._next = 0
 
-    def begin(self, settings: Settings, seconds_missed: float) -> None:
+    def begin(self, settings: GroupSettings, seconds_missed: float) -> None:
         """Take the samples of settings that the gateway has just stored, where its sequence stands at 00.
 
         The client's sequence begins anew with new settings; otherwise it goes on, and what was due in the seconds
@@ -120,7 +120,7 @@ class Slot:
         self.text = b"%02X" % number
         self.group: ClientGroup | None = None
         """The group that holds it; None also where its client has left and it may still publish."""
-        self.settings: Settings | None = None
+        self.settings: GroupSettings | None = None
         """Settings that the gateway has stored for the group."""
         self.running = False
         """True if the gateway publishes it, or did when it was lost."""
@@ -180,7 +180,7 @@ class Slots:
         """
         return partial(self._table.deliver, slot.text, slot.group)
 
-    def begin(self, slot: Slot, settings: Settings, seconds_missed: float = 0.0) -> None:
+    def begin(self, slot: Slot, settings: GroupSettings, seconds_missed: float = 0.0) -> None:
         """Hand the publishes of a slot to its group, for which the gateway has just stored settings."""
         assert slot.group is not None
         slot.settings = settings

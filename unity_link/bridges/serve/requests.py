@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, NamedTuple, Protocol
 from unity_link.errors import GatewayError, Outcome, UnansweredError, UnityLinkError, UnsupportedError
 from unity_link.protocol.arrays import matching_rows, request_rows
 from unity_link.protocol.messages import COMMANDS, Codec, ErrorCode, Repetition
-from unity_link.protocol.requests import Batch, BatchRun, Request
+from unity_link.protocol.requests import BatchRun, Request, WordBatch
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -157,7 +157,7 @@ class Relayed(Request):
         return not self.sent and self.after is None and self.number is None and not self.silent
 
 
-class RelayedRows(Batch):
+class RelayedRows(WordBatch):
     """Many requests of one client for single words: a source of runs, and one place in the order of the answers.
 
     Args:

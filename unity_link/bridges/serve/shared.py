@@ -28,7 +28,7 @@ if TYPE_CHECKING:
 
     from unity_link.bridges.serve.client import Client
     from unity_link.bridges.serve.door import Door
-    from unity_link.bridges.serve.groups import Settings, Slot
+    from unity_link.bridges.serve.groups import GroupSettings, Slot
     from unity_link.protocol.session import Interrupted
     from unity_link.transport import DriverUrl, Medium
 
@@ -97,7 +97,7 @@ class SharedLink(Connection):
 
     # Groups
 
-    def naming(self, slot: Slot, command: str, settings: Settings | None = None) -> Callable[[bool], None]:
+    def naming(self, slot: Slot, command: str, settings: GroupSettings | None = None) -> Callable[[bool], None]:
         """Keep a slot for its group as long as a request of the client names it.
 
         Args:

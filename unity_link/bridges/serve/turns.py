@@ -36,7 +36,7 @@ _SPAN = 0.005
 """Seconds over which the line is watched."""
 
 
-class Queue:
+class ClientQueue:
     """Requests of one client that are not sent yet."""
 
     __slots__ = ("ahead", "balance", "followers", "in_line", "requests", "sent", "under_way")
@@ -44,7 +44,7 @@ class Queue:
     def __init__(self) -> None:
         self.ahead = 0
         """Other queues that hold writes which go before all that is in this one."""
-        self.followers: list[tuple[int, Queue]] = []
+        self.followers: list[tuple[int, ClientQueue]] = []
         """Count of `sent` at which each waiting queue may go on, and the queue."""
         self.sent = 0
         """Number of requests that have left this queue."""
@@ -97,19 +97,19 @@ class Turns:
         self._send = submit
         self._pace = Pace()
         self._now = asyncio.get_running_loop().time
-        self._line: deque[Queue] = deque()
+        self._line: deque[ClientQueue] = deque()
         self._under_way = 0
         self._held = False
         self._submitted = False
 
-    def join(self, queue: Queue) -> None:
+    def join(self, queue: ClientQueue) -> None:
         """Record that a queue has requests."""
         if queue.requests and not queue.in_line and not queue.ahead:
             queue.in_line = True
             self._line.append(queue)
         self._submit()
 
-    def follow(self, queue: Queue, others: Iterable[Queue]) -> None:
+    def follow(self, queue: ClientQueue, others: Iterable[ClientQueue]) -> None:
         """Hold a queue back until the writes that are in others now have been sent."""
         for other in others:
             place = other.last_write()
@@ -117,7 +117,7 @@ class Turns:
                 other.followers.append((place, queue))
                 queue.ahead += 1
 
-    def leave(self, queue: Queue) -> list[Relayed | RelayedRows]:
+    def leave(self, queue: ClientQueue) -> list[Relayed | RelayedRows]:
         """Empty a queue, and return what was in it."""
         dropped = list(queue.requests)
         queue.requests.clear()
@@ -127,7 +127,7 @@ class Turns:
         self._sent(queue, len(dropped))
         return dropped
 
-    def _sent(self, queue: Queue, count: int) -> None:
+    def _sent(self, queue: ClientQueue, count: int) -> None:
         """Record requests that have left a queue, and let those join that have waited for them."""
         queue.sent += count
         while queue.followers and queue.followers[0][0] <= queue.sent:
@@ -135,14 +135,14 @@ class Turns:
             follower.ahead -= 1
             self.join(follower)
 
-    def arrived(self, queue: Queue, cost: int) -> None:
+    def arrived(self, queue: ClientQueue, cost: int) -> None:
         """Record answers."""
         queue.under_way -= cost
         self._under_way -= cost
         self._pace.carried(cost, self._now())
         self._submit()
 
-    def forget(self, queue: Queue) -> None:
+    def forget(self, queue: ClientQueue) -> None:
         """Record that the client of a queue has left, and hears no answers."""
         self.arrived(queue, queue.under_way)
 
@@ -171,7 +171,7 @@ class Turns:
     def _quantum(self) -> int:
         return self._pace.most_ahead // 2
 
-    def _first(self) -> Queue:
+    def _first(self) -> ClientQueue:
         line = self._line
         queue = line[0]
         while queue.balance <= 0:

@@ -11,7 +11,7 @@ from unity_link.bridges.sampled import sampled_groups
 from unity_link.bridges.serve.shared import SharedLink
 from unity_link.bridges.zenoh.own_link import OwnLink
 from unity_link.bridges.zenoh.samples import Samples
-from unity_link.bridges.zenoh.signals import Signals
+from unity_link.bridges.zenoh.signals import ZenohSignals
 from unity_link.bridges.zenoh.streams import Streams
 from unity_link.errors import ConnectError, LinkLostError, first_error
 from unity_link.transport import DriverUrl, parse_url, prepare
@@ -74,7 +74,7 @@ class ZenohBridge:
         self._every = every
         self._report = report
         self._samples: list[Samples] = []
-        self._signals: Signals | None = None
+        self._signals: ZenohSignals | None = None
 
     @property
     def published(self) -> int:
@@ -128,7 +128,7 @@ class ZenohBridge:
             robot = self._robot_type(link)
             groups = sampled_groups(robot, self._poll_hz)
             self._samples = [Samples(session, prefix, sampled, self._every, self._report) for sampled in groups]
-            self._signals = Signals(session, prefix, robot, shared, self._report)
+            self._signals = ZenohSignals(session, prefix, robot, shared, self._report)
             streams = Streams(session, prefix, shared)
             try:
                 with first_error():

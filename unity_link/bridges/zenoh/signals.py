@@ -49,7 +49,7 @@ JSON = "application/json"
 AWAY = "the gateway is away; nothing was done that it has not done already"
 
 
-class Signals:
+class ZenohSignals:
     """The signals of a robot at their keys.
 
     Args:

@@ -16,13 +16,13 @@ from unity_link.generate.c.names import Names
 from unity_link.generate.c.reserved import is_global, is_interface
 from unity_link.generate.networks import given_parameters, networks, shared_addresses
 from unity_link.spec.kinds import KindName
-from unity_link.spec.model import Component, ComponentArray
+from unity_link.spec.model import ComponentArray, ComponentSpec
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
 
     from unity_link.spec.kinds import Enumeration
-    from unity_link.spec.model import Group, Interface, Module, Signal
+    from unity_link.spec.model import GroupSpec, Interface, ModuleSpec, Signal
 
 MOST_GROUP_WORDS = 255
 _OF_ENUMERATIONS = ("", "_signal", "_name", "_get", "_set", "_post")
@@ -152,7 +152,7 @@ class GroupType(NamedTuple):
     short: str
     class_name: str
     """Name in C++ of the class that reads and writes it."""
-    group: Group
+    group: GroupSpec
     members: tuple[GroupMember, ...]
     addresses: tuple[int, ...]
     """Words of a sample."""
@@ -247,12 +247,12 @@ class Layout:
 
     # Names of members
 
-    def _names_in(self, component: Component) -> dict[str, str]:
+    def _names_in(self, component: ComponentSpec) -> dict[str, str]:
         names = Names(self._guards)
         members = [one.name for one in (*component.signals, *component.parts)]
         return {name: names.take(name) for name in [*members, *self.modules_of(component)]}
 
-    def _names_of(self, group: Group) -> dict[str, str]:
+    def _names_of(self, group: GroupSpec) -> dict[str, str]:
         # Its structure in C++ has functions of its own.
         names = Names([*self._guards, "decode", "of"])
         return {path: names.take(path) for path in group.signals}
@@ -307,19 +307,19 @@ class Layout:
 
     # Types of components
 
-    def modules_of(self, component: Component) -> dict[str, list[Module]]:
+    def modules_of(self, component: ComponentSpec) -> dict[str, list[ModuleSpec]]:
         """Return the named modules of a component by their names; several are an array."""
-        modules: dict[str, list[Module]] = {}
+        modules: dict[str, list[ModuleSpec]] = {}
         for number in component.modules:
             module = self.interface.modules[number]
             modules.setdefault(str(module.name), []).append(module)
         return modules
 
-    def member_names(self, component: Component) -> dict[str, str]:
+    def member_names(self, component: ComponentSpec) -> dict[str, str]:
         """Return the identifiers of the members of a component by their names."""
         return self._member_names[component.path]
 
-    def _part_type(self, component: Component) -> PartType:
+    def _part_type(self, component: ComponentSpec) -> PartType:
         names = self.member_names(component)
         parts = tuple(self._part(names[part.name], part) for part in component.parts)
         modules = tuple(
@@ -333,7 +333,7 @@ class Layout:
         return self._types_by_form[form]
 
     def _new_type(
-        self, component: Component, parts: tuple[PartMember, ...], modules: tuple[PartMember, ...]
+        self, component: ComponentSpec, parts: tuple[PartMember, ...], modules: tuple[PartMember, ...]
     ) -> PartType:
         is_root = component is self.interface.root
         names = self.member_names(component)
@@ -354,8 +354,8 @@ class Layout:
         places = self._places[component_type, name]
         return len({(signal.unit, signal.minimum, signal.maximum) for signal in places}) > 1
 
-    def _part(self, name: str, part: Component | ComponentArray) -> PartMember:
-        if isinstance(part, Component):
+    def _part(self, name: str, part: ComponentSpec | ComponentArray) -> PartMember:
+        if isinstance(part, ComponentSpec):
             made = self._part_type(part)
             return PartMember(name, made.name, made.short, None, part.doc if part.doc != made.doc else "")
         types = {self._part_type(item).name: self._part_type(item) for item in part.items}
@@ -367,18 +367,18 @@ class Layout:
         made = next(iter(types.values()))
         return PartMember(name, made.name, made.short, len(part.items), part.doc if part.doc != made.doc else "")
 
-    def _express(self, component: Component, expression: str) -> None:
+    def _express(self, component: ComponentSpec, expression: str) -> None:
         names = self.member_names(component)
         for signal in component.signals:
             self.expressions[signal.path] = f"{expression}.{names[signal.name]}"
         for part in component.parts:
             for item in part.items if isinstance(part, ComponentArray) else (part,):
-                index = "" if isinstance(part, Component) else f"[{item.index}]"
+                index = "" if isinstance(part, ComponentSpec) else f"[{item.index}]"
                 self._express(item, f"{expression}.{names[part.name]}{index}")
 
     # Groups
 
-    def _group(self, group: Group) -> GroupType:
+    def _group(self, group: GroupSpec) -> GroupType:
         names = self._group_members[group.name]
         addresses: list[int] = []
         members, reads = [], []

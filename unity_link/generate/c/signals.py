@@ -7,13 +7,13 @@ from typing import TYPE_CHECKING
 
 from unity_link.generate.c.names import number, string
 from unity_link.spec.kinds import KindName
-from unity_link.spec.model import Component, ComponentArray
+from unity_link.spec.model import ComponentArray, ComponentSpec
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
     from unity_link.generate.c.layout import GroupMember, Layout, SignalMember
-    from unity_link.spec.model import Group, Signal
+    from unity_link.spec.model import GroupSpec, Signal
 
 
 def initializer(layout: Layout) -> str:
@@ -21,7 +21,7 @@ def initializer(layout: Layout) -> str:
     return "\n".join(_component(layout, layout.interface.root, "    "))
 
 
-def _component(layout: Layout, component: Component, indent: str) -> Iterator[str]:
+def _component(layout: Layout, component: ComponentSpec, indent: str) -> Iterator[str]:
     names = layout.member_names(component)
     if not names:
         # C has neither empty structures nor empty initializers.
@@ -38,8 +38,8 @@ def _component(layout: Layout, component: Component, indent: str) -> Iterator[st
         yield f"{indent}.{names[name]} = {text},"
 
 
-def _part(layout: Layout, part: Component | ComponentArray, indent: str) -> Iterator[str]:
-    if isinstance(part, Component):
+def _part(layout: Layout, part: ComponentSpec | ComponentArray, indent: str) -> Iterator[str]:
+    if isinstance(part, ComponentSpec):
         yield from _component(layout, part, indent)
         return
     for index, item in enumerate(part.items):
@@ -141,7 +141,7 @@ def describe(member: SignalMember) -> str:
     return f"{signal.doc.rstrip('.')} ({text})" if signal.doc else text
 
 
-def schedule(group: Group) -> str:
+def schedule(group: GroupSpec) -> str:
     """Return the times at which a group is published."""
     when = []
     if group.divisor is not None:

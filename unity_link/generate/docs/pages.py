@@ -12,7 +12,7 @@ from unity_link.spec import Access, KindName
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
-    from unity_link.spec import Component, Group, Interface, Module, Signal
+    from unity_link.spec import ComponentSpec, GroupSpec, Interface, ModuleSpec, Signal
 
 MINUS = "\N{MINUS SIGN}"
 ELLIPSIS = "\N{HORIZONTAL ELLIPSIS}"
@@ -71,10 +71,10 @@ class PageWord(NamedTuple):
     """Fields that are read and fields that are written, where they differ; each with its title."""
 
 
-class Part(NamedTuple):
+class ComponentSection(NamedTuple):
     """A component that has signals."""
 
-    component: Component
+    component: ComponentSpec
     title: str
     arguments: str
     rows: tuple[Row, ...]
@@ -82,7 +82,7 @@ class Part(NamedTuple):
     anchor: str
 
 
-class Entry(NamedTuple):
+class ContentsEntry(NamedTuple):
     """A component in the contents."""
 
     depth: int
@@ -91,7 +91,7 @@ class Entry(NamedTuple):
     """Its table; empty where it has only parts."""
 
 
-class Cell(NamedTuple):
+class MapCell(NamedTuple):
     """An address in the map."""
 
     address: str
@@ -139,15 +139,15 @@ class Page:
         if given:
             yield "parameters", ", ".join(given)
 
-    def base_and_words(self, module: Module) -> str:
+    def base_and_words(self, module: ModuleSpec) -> str:
         """Write the addresses of a module, as far as they are known."""
         return f"from {self.hex(module.base)} on" if module.words is None else self.addresses(module.base, module.words)
 
-    def module_arguments(self, module: Module) -> str:
+    def module_arguments(self, module: ModuleSpec) -> str:
         """Write what a module was declared with."""
         return ", ".join(f"{name}={_argument(value)}" for name, value in module.arguments.items())
 
-    def group_rate(self, group: Group) -> str:
+    def group_rate(self, group: GroupSpec) -> str:
         """Write when a group is published."""
         if group.number is None:
             return "not published"
@@ -168,18 +168,18 @@ class Page:
         return f"s-{path}"
 
     @property
-    def contents(self) -> Iterator[Entry]:
+    def contents(self) -> Iterator[ContentsEntry]:
         """Return all components that signals stand in, in the order of the spec."""
         tables = {part.component.path: part.anchor for part in self.parts}
         for component in self.interface.root.walk():
             path = component.path
             if any(one == path or not path or one.startswith((f"{path}.", f"{path}[")) for one in tables):
                 label = path.rpartition(".")[2] or component.name
-                yield Entry(path.count(".") + bool(path), label, tables.get(path, ""))
+                yield ContentsEntry(path.count(".") + bool(path), label, tables.get(path, ""))
 
     # Tables
 
-    def _parts(self) -> Iterator[Part]:
+    def _parts(self) -> Iterator[ComponentSection]:
         drawn: set[int] = set()
         for component in self.interface.root.walk():
             if not component.signals:
@@ -191,7 +191,7 @@ class Page:
                         words.append(self._word(address))
                     drawn.add(address)
             arguments = ", ".join(f"{name} = {_argument(value)}" for name, value in component.arguments.items())
-            yield Part(
+            yield ComponentSection(
                 component,
                 component.path or self.interface.name,
                 arguments,
@@ -245,7 +245,7 @@ class Page:
 
     # Map
 
-    def _map(self) -> Iterator[tuple[str, tuple[Cell, ...]]]:
+    def _map(self) -> Iterator[tuple[str, tuple[MapCell, ...]]]:
         """Return the rows of addresses in which something is, each with its first address.
 
         Of many rows of one module, the first and the last; a row without cells stands for those between.
@@ -269,7 +269,7 @@ class Page:
             if row + 1 < following and self._module_at((row + 1) * _CELLS) is not None:
                 yield range(row + 1, following)
 
-    def _filled_by(self, row: int) -> Module | None:
+    def _filled_by(self, row: int) -> ModuleSpec | None:
         """Return the module that a row of the map is of, if nothing else is there."""
         addresses = range(row * _CELLS, (row + 1) * _CELLS)
         module = self._module_at(addresses[0])
@@ -277,14 +277,14 @@ class Page:
             return None
         return module
 
-    def _module_at(self, address: int) -> Module | None:
+    def _module_at(self, address: int) -> ModuleSpec | None:
         return next((one for one in reversed(self.interface.modules) if _has(one, address)), None)
 
-    def _map_row(self, row: int) -> tuple[str, tuple[Cell, ...]]:
+    def _map_row(self, row: int) -> tuple[str, tuple[MapCell, ...]]:
         first = row * _CELLS
         return self.hex(first), tuple(self._cell(address) for address in range(first, first + _CELLS))
 
-    def _cell(self, address: int) -> Cell:
+    def _cell(self, address: int) -> MapCell:
         signals = tuple(self._at.get(address, ()))
         module = self._module_at(address)
         reads = any(signal.access.reads for signal in signals)
@@ -294,7 +294,7 @@ class Page:
         if not signals and module is not None:
             way, title = "module", module.path or module.type
         anchor = self.anchor_of(signals[0].path) if signals else "modules" if way == "module" else ""
-        return Cell(self.hex(address), way, title, anchor)
+        return MapCell(self.hex(address), way, title, anchor)
 
 
 def number(value: float) -> str:
@@ -362,5 +362,5 @@ def _overlap(first: tuple[Field, ...], second: tuple[Field, ...]) -> bool:
     )
 
 
-def _has(module: Module, address: int) -> bool:
+def _has(module: ModuleSpec, address: int) -> bool:
     return module.words is not None and module.base <= address < module.base + module.words

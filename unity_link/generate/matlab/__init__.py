@@ -23,14 +23,14 @@ from typing import TYPE_CHECKING, NamedTuple
 from unity_link.errors import UnsupportedError
 from unity_link.generate import GeneratedFile, c
 from unity_link.generate.matlab.names import FUNCTIONS, MEMBERS, identifiers
-from unity_link.generate.networks import Network, given_parameters, networks
+from unity_link.generate.networks import NetworkMemory, given_parameters, networks
 from unity_link.spec import ComponentArray
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Mapping
 
     from unity_link.generate import Templates
-    from unity_link.spec import Component, Group, Interface, Signal
+    from unity_link.spec import ComponentSpec, GroupSpec, Interface, Signal
 
 DOC = "MATLAB and GNU Octave: a class with the signals, and the package that it stands on"
 PACKAGE = "unity_link"
@@ -43,7 +43,7 @@ _EXACT = 1 << 53
 """A double holds whole numbers below."""
 
 
-class Line(NamedTuple):
+class ConstructorLine(NamedTuple):
     """A line of the constructor: something at a place in the tree of structs."""
 
     path: str
@@ -108,26 +108,26 @@ def _fingerprint() -> str:
     return digest.hexdigest()[:16]
 
 
-def _members(part: Component) -> list[str]:
+def _members(part: ComponentSpec) -> list[str]:
     return [member.name for member in (*part.signals, *part.parts)]
 
 
-def _properties(root: Component, taken: list[str]) -> list[Property]:
+def _properties(root: ComponentSpec, taken: list[str]) -> list[Property]:
     names = identifiers(_members(root), taken)
     return [Property(names[member.name], comment(member.doc)) for member in (*root.signals, *root.parts)]
 
 
-def _lines(part: Component, path: str, taken: list[str] | None = None) -> Iterator[Line]:
+def _lines(part: ComponentSpec, path: str, taken: list[str] | None = None) -> Iterator[ConstructorLine]:
     """Return the lines of a component that stands at a path; empty for the root."""
     names = identifiers(_members(part), taken or ())
     before = f"{path}." if path else ""
     for signal in part.signals:
-        yield Line(before + names[signal.name], signal)
+        yield ConstructorLine(before + names[signal.name], signal)
     for member in part.parts:
         inside = before + names[member.name]
         items = member.items if isinstance(member, ComponentArray) else (member,)
         if not _members(items[0]):
-            yield Line(inside, None, len(items))
+            yield ConstructorLine(inside, None, len(items))
         for number, item in enumerate(items, 1):
             yield from _lines(item, f"{inside}({number})" if isinstance(member, ComponentArray) else inside)
 
@@ -139,7 +139,7 @@ def _handle(address: int | str | None, given: Mapping[str, str]) -> str:
     return "[]" if address is None else str(address)
 
 
-def _addresses(network: Network) -> str:
+def _addresses(network: NetworkMemory) -> str:
     """Return the addresses of a network, a run of them as a range."""
     runs: list[list[int]] = []
     for address in network.addresses:
@@ -152,13 +152,13 @@ def _addresses(network: Network) -> str:
     return "[" + " ...\n                ".join(rows) + "]"
 
 
-def _groups(interface: Interface) -> list[tuple[Group, str]]:
+def _groups(interface: Interface) -> list[tuple[GroupSpec, str]]:
     groups = [group for group in interface.groups if group.signals]
     names = identifiers(group.name for group in groups)
     return [(group, names[group.name]) for group in groups]
 
 
-def _examples(lines: list[Line], variable: str) -> list[str]:
+def _examples(lines: list[ConstructorLine], variable: str) -> list[str]:
     """Return what a program may write: the first signal that it can read, and the first that it can write."""
     signals = [(line.path, line.signal.access) for line in lines if line.signal is not None]
     read = next((f"value = {variable}.{path}.get();" for path, access in signals if access.reads), None)
@@ -177,7 +177,7 @@ def _call(beginning: str, arguments: list[str]) -> str:
     return " ...\n".join(lines)
 
 
-def _settings(group: Group) -> list[str]:
+def _settings(group: GroupSpec) -> list[str]:
     """Return what a spec says of publishing, as arguments of `struct`."""
     given: dict[str, str] = {
         "group": _optional(group.number),
@@ -196,7 +196,7 @@ def _optional(value: float | None) -> str:
     return "[]" if value is None else number(value)
 
 
-def _arguments(line: Line) -> list[str]:
+def _arguments(line: ConstructorLine) -> list[str]:
     """Return the arguments of `Signal`: its place and kind, and properties with their values."""
     signal = line.signal
     assert signal is not None

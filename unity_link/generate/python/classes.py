@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from unity_link.data.robot import class_name, proxy_type, python_names
 from unity_link.hardware import Module, module_type
-from unity_link.spec import Component, ComponentArray, KindName
+from unity_link.spec import ComponentArray, ComponentSpec, KindName
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator
@@ -79,7 +79,7 @@ def module_name(interface: Interface) -> str:
 
 def describe(interface: Interface) -> Described:
     """Describe the classes of an interface."""
-    uses: dict[str, list[Component]] = {}
+    uses: dict[str, list[ComponentSpec]] = {}
     for part in interface.root.walk():
         if part is not interface.root:
             uses.setdefault(part.type, []).append(part)
@@ -132,7 +132,7 @@ class _Maker:
         self._names = names
         self._enumerations = enumerations
 
-    def make(self, declaration: str, name: str, uses: list[Component]) -> Class:
+    def make(self, declaration: str, name: str, uses: list[ComponentSpec]) -> Class:
         """Make the class of a declaration from all its uses."""
         attributes = [attribute for attributes in self._members(uses) for attribute in attributes]
         free = python_names(attribute.name for attribute in attributes)
@@ -142,7 +142,7 @@ class _Maker:
         doc = docs.pop() if len(docs) == 1 else ""
         return Class(declaration, name, doc or f"The component {declaration} of the spec.", tuple(named))
 
-    def _members(self, uses: list[Component]) -> Iterator[Iterable[Attribute]]:
+    def _members(self, uses: list[ComponentSpec]) -> Iterator[Iterable[Attribute]]:
         first = uses[0]
         yield (self._signal([use.signals[place] for use in uses]) for place in range(len(first.signals)))
         yield (self._part(part) for part in first.parts)
@@ -163,12 +163,12 @@ class _Maker:
             return "float"
         return "bool" if kind.name is KindName.BOOL else "int"
 
-    def _part(self, part: Component | ComponentArray) -> Attribute:
+    def _part(self, part: ComponentSpec | ComponentArray) -> Attribute:
         if isinstance(part, ComponentArray):
             return Attribute(part.name, f"tuple[{self._names[part.items[0].type]}, ...]", part.doc)
         return Attribute(part.name, self._names[part.type], part.doc)
 
-    def _modules(self, component: Component) -> Iterable[Attribute]:
+    def _modules(self, component: ComponentSpec) -> Iterable[Attribute]:
         made: dict[str, Attribute] = {}
         for number in component.modules:
             module = self._interface.modules[number]

@@ -26,7 +26,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterator
 
     from unity_link.generate import Templates
-    from unity_link.spec import Group, Interface, Module, Signal
+    from unity_link.spec import GroupSpec, Interface, ModuleSpec, Signal
 
 FILTERS = {"docstring": docstring}
 OLDEST_PYTHON = (3, 8)
@@ -38,11 +38,11 @@ _SET_PARTS = ("velocity", "effort", "position")
 """Parts of a joint in the order in which they are written: a speed before the position that it is for."""
 
 
-class Sampled(NamedTuple):
+class SampledSignals(NamedTuple):
     """A group that is sampled again and again."""
 
     name: str
-    group: Group | None
+    group: GroupSpec | None
     rate_hz: float | None
     signals: list[Signal]
 
@@ -100,11 +100,11 @@ def runtime(interface: Interface, templates: Templates, dot: str) -> Iterator[Ge
     )
 
 
-def _networks(interface: Interface) -> list[Module]:
+def _networks(interface: Interface) -> list[ModuleSpec]:
     return [module for module in interface.modules if module.type in _NETWORKS]
 
 
-def _control(module: Module) -> int | str | None:
+def _control(module: ModuleSpec) -> int | str | None:
     """Return the address of a network's control word, or the name of the parameter that is."""
     given = module.arguments.get("CTRL")
     if isinstance(given, ParameterReference):
@@ -179,23 +179,23 @@ def _signal(interface: Interface, signal: Signal, topic: str) -> Iterator[str]:
     yield repr(_network_of(interface, signal))
 
 
-def _sampled(interface: Interface) -> Iterator[Sampled]:
+def _sampled(interface: Interface) -> Iterator[SampledSignals]:
     """Return the groups that the gateway publishes or the node polls; those that publish a FIFO are left out."""
     queues = {signal.group for signal in interface.signals.values() if signal.fifo}
     published = {signal.group for signal in interface.signals.values() if signal.access.reads} - queues
     for group in interface.groups:
         if group.number is not None and group.name in published:
             signals = [interface.signals[path] for path in group.signals]
-            yield Sampled(group.name, group, group.rate_hz, signals)
+            yield SampledSignals(group.name, group, group.rate_hz, signals)
     rates: dict[float, list[Signal]] = {}
     for signal in interface.signals.values():
         if signal.poll_hz is not None and signal.group is None and not signal.fifo:
             rates.setdefault(signal.poll_hz, []).append(signal)
     for rate, signals in rates.items():
-        yield Sampled(f"poll_{rate:g}_hz".replace(".", "_"), None, rate, signals)
+        yield SampledSignals(f"poll_{rate:g}_hz".replace(".", "_"), None, rate, signals)
 
 
-def _group(one: Sampled, variables: dict[str, str], names: dict[str, str], *, several: bool) -> str:
+def _group(one: SampledSignals, variables: dict[str, str], names: dict[str, str], *, several: bool) -> str:
     group, listed = one.group, functools.partial(_listed, variables)
     signals = listed([signal.path for signal in one.signals])
     if group is None:
@@ -223,5 +223,5 @@ def _group(one: Sampled, variables: dict[str, str], names: dict[str, str], *, se
     return f"Group({', '.join(arguments)})"
 
 
-def _joint_names(group: Group, names: dict[str, str]) -> list[str]:
+def _joint_names(group: GroupSpec, names: dict[str, str]) -> list[str]:
     return [names[joint.name] for joint in group.joints]

@@ -6,7 +6,7 @@ import math
 import re
 from typing import TYPE_CHECKING
 
-from unity_link.spec.model import Component, ComponentArray
+from unity_link.spec.model import ComponentArray, ComponentSpec
 
 if TYPE_CHECKING:
     from unity_link.spec import Interface, Kind, Signal
@@ -31,10 +31,10 @@ def topic_names(interface: Interface) -> dict[str, str]:
     """
     names = {"": ""}
     for component in interface.root.walk():
-        parts = [part for part in component.parts if isinstance(part, Component)]
+        parts = [part for part in component.parts if isinstance(part, ComponentSpec)]
         elements = [one for part in component.parts if isinstance(part, ComponentArray) for one in part.items]
         # What has a name in the spec keeps it.
-        members: list[Signal | Component] = [*component.signals, *parts, *elements]
+        members: list[Signal | ComponentSpec] = [*component.signals, *parts, *elements]
         taken: set[str] = set()
         for member in members:
             name = _unique(re.sub(r"\[(\d+)\]", r"_\1", member.path.rpartition(".")[2]), taken)

@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
 
     from unity_link.generate import Templates
-    from unity_link.spec import Group, Interface
+    from unity_link.spec import GroupSpec, Interface
 
 DOC = "VHDL: a package, the register bank on Wishbone, gateway and bank as one entity, and a bench of the bank"
 FILTERS: dict[str, Callable[..., Any]] = {
@@ -123,7 +123,7 @@ def gateway_generics(interface: Interface) -> dict[str, int | str]:
     }
 
 
-def _base_hz(groups: list[Group]) -> int:
+def _base_hz(groups: list[GroupSpec]) -> int:
     """Return the base frequency that has all rates: the gateway's own, or the next lower one that they divide.
 
     Where a group has a divisor, it is the gateway's own: the author has counted from that.

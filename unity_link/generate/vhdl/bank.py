@@ -18,7 +18,7 @@ from unity_link.spec import Access, KindName
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator
 
-    from unity_link.spec import Interface, Module, Signal
+    from unity_link.spec import Interface, ModuleSpec, Signal
 
 
 ELSEWHERE = "elsewhere"
@@ -163,7 +163,7 @@ class AddressWindow(NamedTuple):
     """Prefix of its ports."""
     first: int
     last: int
-    module: Module | None
+    module: ModuleSpec | None
     """Module that has the addresses; None for those of none."""
 
 
@@ -317,7 +317,7 @@ def _words(registers: Iterable[Register]) -> Iterator[BankWord]:
         yield BankWord(address, tuple(reads.get(address, ())), tuple(writes.get(address, ())))
 
 
-def _is_base_only(module: Module) -> bool:
+def _is_base_only(module: ModuleSpec) -> bool:
     return module.type == "MEMORY" and module.name is None
 
 
@@ -337,7 +337,7 @@ def _windows(interface: Interface) -> Iterator[AddressWindow]:
     sizes = {id(module): 1 if module.type == "FIFO" and module.words is None else module.words for module in modules}
     bases = sorted(module.base for module in modules)
     scope = Scope(ELSEWHERE, "wb")
-    open_at: dict[int, Module] = {}
+    open_at: dict[int, ModuleSpec] = {}
     # Those of known size come first: an open one has only what they leave.
     for module in sorted(modules, key=lambda one: (sizes[id(one)] is None, one.base)):
         name = scope.unique(module.path or module.type)

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from unity_link.generate.vhdl.names import Scope
 from unity_link.generate.vhdl.types import VhdlEnumeration, vhdl_type
-from unity_link.spec import Access, Component, KindName
+from unity_link.spec import Access, ComponentSpec, KindName
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Mapping
@@ -112,7 +112,7 @@ class Records:
         for direction in Direction:
             self._place(interface.root, direction, direction.value)
 
-    def _names_in(self, component: Component) -> dict[str, str]:
+    def _names_in(self, component: ComponentSpec) -> dict[str, str]:
         """Return the VHDL names of a component's members, which are the same in both records."""
         if component.path not in self._names:
             scope = Scope()
@@ -120,15 +120,15 @@ class Records:
                 signal.name: scope.unique(signal.name, "", *(("_valid", "_ready") if signal.fifo else ("_written",)))
                 for signal in component.signals
             }
-            names |= {part.name: scope.unique(part.name) for part in component.parts if isinstance(part, Component)}
+            names |= {part.name: scope.unique(part.name) for part in component.parts if isinstance(part, ComponentSpec)}
             for part in component.parts:
-                if not isinstance(part, Component):
+                if not isinstance(part, ComponentSpec):
                     endings = (f"_{index}" for index in range(len(part.items)))
                     names[part.name] = scope.unique(part.name, "", *endings)
             self._names[component.path] = names
         return self._names[component.path]
 
-    def _record(self, component: Component, direction: Direction) -> str | None:
+    def _record(self, component: ComponentSpec, direction: Direction) -> str | None:
         elements = tuple(self._elements(component, direction))
         key = (component.type, direction, elements)
         if elements and key not in self._known:
@@ -138,7 +138,7 @@ class Records:
         self._of_component[component.path, direction] = made = self._known.get(key)
         return made
 
-    def _elements(self, component: Component, direction: Direction) -> Iterator[Element]:
+    def _elements(self, component: ComponentSpec, direction: Direction) -> Iterator[Element]:
         names = self._names_in(component)
         for signal in component.signals:
             if signal.path in self._signals:
@@ -147,7 +147,7 @@ class Records:
                     if where is direction:
                         yield element
         for part in component.parts:
-            if isinstance(part, Component):
+            if isinstance(part, ComponentSpec):
                 record = self._record(part, direction)
                 if record is not None:
                     yield Element(names[part.name], record)
@@ -174,7 +174,7 @@ class Records:
             self.types.append(RecordType(name, item=first))
         return name
 
-    def _place(self, component: Component, direction: Direction, prefix: str) -> None:
+    def _place(self, component: ComponentSpec, direction: Direction, prefix: str) -> None:
         """Find the elements of all signals of a component, which is the element `prefix` itself."""
         names = self._names_in(component)
         for signal in component.signals:
@@ -186,7 +186,7 @@ class Records:
                 }
                 self.pins[signal.path] = self.pins[signal.path]._replace(**found)
         for part in component.parts:
-            if isinstance(part, Component):
+            if isinstance(part, ComponentSpec):
                 self._place(part, direction, f"{prefix}.{names[part.name]}")
                 continue
             is_array = self._arrays.get((part.path, direction)) is not None

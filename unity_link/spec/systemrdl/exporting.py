@@ -8,7 +8,7 @@ from graphlib import TopologicalSorter
 from typing import TYPE_CHECKING
 
 from unity_link.errors import UnsupportedError
-from unity_link.spec.model import Access, Group, Interface, Joint, Signal
+from unity_link.spec.model import Access, GroupSpec, Interface, Joint, Signal
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Mapping
@@ -156,7 +156,7 @@ def _arguments(signal: Signal) -> Iterator[str]:
     yield from (f"GROUP({group})" for group in signal.groups if group != signal.group)
 
 
-def _group(group: Group) -> str:
+def _group(group: GroupSpec) -> str:
     joints: dict[str, str] = {}
     for joint in group.joints:
         for part in Joint.__struct_fields__[1:]:

@@ -18,7 +18,7 @@ from unity_link.virtual.gateway import VirtualGateway
 from unity_link.virtual.simulating import SimulatedGateway
 
 if TYPE_CHECKING:
-    from unity_link.virtual.ft232h.port import Port
+    from unity_link.virtual.ft232h.port import ChipPort
     from unity_link.virtual.gateway import Gateway
 
 STEP = 64
@@ -28,14 +28,14 @@ _BITS_PER_BYTE = 10
 _OFF, _ALWAYS = 0, 1
 
 
-class Board(Protocol):
+class AttachedBoard(Protocol):
     """Interface of boards that can be connected to the pins."""
 
     @property
     def next_due(self) -> float | None:
         """Instant of its next action, if nothing changes at the port."""
 
-    def advance(self, port: Port, now: float) -> None:
+    def advance(self, port: ChipPort, now: float) -> None:
         """Do what is due at `now`, or has become possible by what changed at the port."""
 
 
@@ -44,7 +44,7 @@ class Unconnected:
 
     next_due: float | None = None
 
-    def advance(self, port: Port, now: float) -> None:
+    def advance(self, port: ChipPort, now: float) -> None:
         """Do nothing."""
 
 
@@ -109,7 +109,7 @@ class GatewayBoard:
                 due = publish
         return due
 
-    def advance(self, port: Port, now: float) -> None:
+    def advance(self, port: ChipPort, now: float) -> None:
         """End the steps that are done, let the gateway work, begin the next steps."""
         if port.mode is not self.mode:
             self._reading = self._writing = None
@@ -172,7 +172,7 @@ class GatewayBoard:
 
     # The pins
 
-    def _begin(self, port: Port, now: float) -> None:
+    def _begin(self, port: ChipPort, now: float) -> None:
         """Begin what can be; on the bus of the synchronous FIFO, in turns."""
         if self.mode is Mode.UART:
             rate = port.baud / _BITS_PER_BYTE
@@ -191,7 +191,7 @@ class GatewayBoard:
         if self._writing is None and self.mode is not Mode.SYNC_FIFO:
             self._begin_write(port, now, rate)
 
-    def _begin_read(self, port: Port, now: float, rate: float) -> bool:
+    def _begin_read(self, port: ChipPort, now: float, rate: float) -> bool:
         # A UART has nothing that would stop the port.
         room = self._step if self.mode is Mode.UART else self._room
         count = min(self._step, port.readable, room)
@@ -200,7 +200,7 @@ class GatewayBoard:
         self._reading = (now + count / rate, count)
         return True
 
-    def _begin_write(self, port: Port, now: float, rate: float) -> bool:
+    def _begin_write(self, port: ChipPort, now: float, rate: float) -> bool:
         limit = self._step if self.mode is Mode.UART else min(self._step, port.room)
         if self._pulses:
             limit = min(limit, self._pulses[0][0] - self._written)
@@ -210,7 +210,7 @@ class GatewayBoard:
         self._writing = (now + len(data) / rate, data)
         return True
 
-    def _end_read(self, port: Port) -> None:
+    def _end_read(self, port: ChipPort) -> None:
         assert self._reading is not None
         self._received += port.read(self._reading[1])
         self._reading = None
@@ -221,7 +221,7 @@ class GatewayBoard:
             if isinstance(self.gateway, (VirtualGateway, SimulatedGateway)):
                 self.gateway.overflow()
 
-    def _end_write(self, port: Port) -> None:
+    def _end_write(self, port: ChipPort) -> None:
         assert self._writing is not None
         data = self._writing[1]
         self._writing = None
@@ -230,7 +230,7 @@ class GatewayBoard:
         del self._sent[: len(data)]
         self._written += len(data)
 
-    def _pulse(self, port: Port) -> None:
+    def _pulse(self, port: ChipPort) -> None:
         """Pulse SIWU# where it is wanted behind the last byte written, or everything has become idle since."""
         while self._pulses and self._pulses[0][0] == self._written:
             if self._pulses.popleft()[1]:

@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from contextlib import AbstractContextManager
 
     from unity_link.transport.ft232h.kinds import ChipKind
-    from unity_link.virtual.ft232h.board import Board
+    from unity_link.virtual.ft232h.board import AttachedBoard
     from unity_link.virtual.ft232h.host import Transfer
 
 BUS_NUMBER = 7
@@ -129,8 +129,8 @@ class VirtualFt232h:
 
     def __init__(
         self,
-        board: Board,
-        board_b: Board | None = None,
+        board: AttachedBoard,
+        board_b: AttachedBoard | None = None,
         *,
         kind: ChipKind = FT232H,
         image: bytes | None = None,

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 from unity_link.transport.ft232h import eeprom_image
 from unity_link.transport.ft232h.kinds import FT232H, PORT_A
 from unity_link.virtual.ft232h import descriptors
-from unity_link.virtual.ft232h.port import LONGEST_LATENCY, Port
+from unity_link.virtual.ft232h.port import LONGEST_LATENCY, ChipPort
 
 if TYPE_CHECKING:
     from unity_link.transport.ft232h.kinds import ChipKind
@@ -66,9 +66,9 @@ class Chip:
         self.kind = kind
         self.eeprom = bytearray(image)
         self.timing = timing
-        self.ports: list[Port] = []
+        self.ports: list[ChipPort] = []
         for number in range(PORT_A, PORT_A + kind.ports):
-            self.ports.append(Port(number, kind.fifo_size, timing, self.ports[0] if self.ports else None))
+            self.ports.append(ChipPort(number, kind.fifo_size, timing, self.ports[0] if self.ports else None))
         self.halted: set[int] = set()
         """Endpoints that answer STALL."""
         self.power_up(0.0)
@@ -81,7 +81,7 @@ class Chip:
         self.configuration = 0
         self.halted.clear()
 
-    def _port(self, index: int) -> Port:
+    def _port(self, index: int) -> ChipPort:
         """Return the port that a request is for; one without a number is for port A."""
         number = index & 0xFF or PORT_A
         if number > len(self.ports):
@@ -193,7 +193,7 @@ class Chip:
         )
 
 
-def _reset_or_purge(port: Port, value: int, now: float) -> None:
+def _reset_or_purge(port: ChipPort, value: int, now: float) -> None:
     if value == 0:
         port.reset(now)
     elif value == 1:

@@ -17,9 +17,9 @@ from unity_link.virtual.ft232h.descriptors import PACKET_SIZE
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from unity_link.virtual.ft232h.board import Board
+    from unity_link.virtual.ft232h.board import AttachedBoard
     from unity_link.virtual.ft232h.chip import Chip
-    from unity_link.virtual.ft232h.port import Port
+    from unity_link.virtual.ft232h.port import ChipPort
 
 _DIRECTION_IN = 0x80
 
@@ -70,7 +70,7 @@ class Transfer:
 class _InQueue:
     """Transfers of the IN endpoint of a port."""
 
-    def __init__(self, port: Port) -> None:
+    def __init__(self, port: ChipPort) -> None:
         self.port = port
         self.waiting: deque[Transfer] = deque()
 
@@ -100,7 +100,7 @@ class _InQueue:
 class _OutQueue:
     """Transfers of the OUT endpoint of a port."""
 
-    def __init__(self, port: Port) -> None:
+    def __init__(self, port: ChipPort) -> None:
         self.port = port
         self.waiting: deque[Transfer] = deque()
 
@@ -129,7 +129,7 @@ class _OutQueue:
 class UsbHost:
     """A host controller with one chip on its bus, and what is at the pins of each of the chip's ports."""
 
-    def __init__(self, chip: Chip, *boards: Board) -> None:
+    def __init__(self, chip: Chip, *boards: AttachedBoard) -> None:
         self.chip = chip
         self._boards = list(zip(chip.ports, boards, strict=True))
         self.plugged = True

@@ -48,7 +48,7 @@ class BitMode(enum.IntEnum):
     SYNC_FIFO = 0x40
 
 
-class Port:
+class ChipPort:
     """One port.
 
     Args:
@@ -58,7 +58,7 @@ class Port:
         first: port A, for port B: its synchronous FIFO leaves nothing to the other.
     """
 
-    def __init__(self, number: int, fifo_size: int, timing: Timing, first: Port | None = None) -> None:
+    def __init__(self, number: int, fifo_size: int, timing: Timing, first: ChipPort | None = None) -> None:
         self.number = number
         self.in_endpoint, self.out_endpoint = in_endpoint(number), out_endpoint(number)
         self.fifo_size = fifo_size

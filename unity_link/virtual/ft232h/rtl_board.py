@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 from unity_link.virtual.ft232h.port import Mode
 
 if TYPE_CHECKING:
-    from unity_link.virtual.ft232h.port import Port
+    from unity_link.virtual.ft232h.port import ChipPort
     from unity_link.virtual.rtl import RtlGateway
     from unity_link.virtual.rtl.gateway import Passage
 
@@ -59,7 +59,7 @@ class RtlBoard:
         began, first = self._began
         return began + (cycle - first) / self._clock_hz
 
-    def advance(self, port: Port, now: float) -> None:
+    def advance(self, port: ChipPort, now: float) -> None:
         """End the slice that is done, and begin the next, if there is anything to do."""
         if self._passing is not None:
             end, passage = self._passing
@@ -71,7 +71,7 @@ class RtlBoard:
         if port.mode is Mode.FIFO and (moving or self.gateway.ticking):
             self._begin(port, now)
 
-    def _begin(self, port: Port, now: float) -> None:
+    def _begin(self, port: ChipPort, now: float) -> None:
         room = port.room
         self._began = (now, self.gateway.cycles)
         passage = self.gateway.pass_pins(bytes(port.to_fpga[: self._slice_bytes]), self._slice_cycles, room)
@@ -81,7 +81,7 @@ class RtlBoard:
         # What came too late to move anything, like a byte for a full FIFO, is looked at again after a while.
         self._passing = (now + (passage.cycles or self._slice_cycles) / self._clock_hz, passage)
 
-    def _end(self, port: Port, passage: Passage) -> None:
+    def _end(self, port: ChipPort, passage: Passage) -> None:
         port.read(passage.taken)
         if passage.sent:
             port.write(passage.sent)

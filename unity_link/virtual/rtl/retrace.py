@@ -22,14 +22,14 @@ from unity_link.protocol.transcript import FrameCutter
 from unity_link.virtual.bus import AccessError
 from unity_link.virtual.rtl.configurations import configurations
 from unity_link.virtual.rtl.gateway import RtlGateway
-from unity_link.virtual.rtl.snooped import Step, number_after, sample_body
+from unity_link.virtual.rtl.snooped import SnoopedFrame, number_after, sample_body
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
     from pathlib import Path
 
     from unity_link.virtual.rtl.configurations import Configuration
-    from unity_link.virtual.rtl.snooped import Access, Settings, Snooped
+    from unity_link.virtual.rtl.snooped import Snooped, SnoopedAccess, SnoopedGroup
 
 _SHAPE = ("protocol_version", "data_bits", "address_bits", "id_digits", "crc_bits", "crc_polynomial")
 """Parameters that the form of the frames depends on."""
@@ -121,12 +121,12 @@ class Retrace(RtlGateway):
         self._same = not differing(self.info, snooped.info)
         # In step with the groups: where the clocks differ, a base tick takes as long as it did.
         self._cycle_ns = 1e12 / (snooped.info.base_frequency_millihertz or 1) / self._base_tick
-        self._accesses: deque[Access] = deque()
-        self._owed: deque[Step] = deque()
+        self._accesses: deque[SnoopedAccess] = deque()
+        self._owed: deque[SnoopedFrame] = deque()
         self._words: dict[int, int] = {}
         """Words read from and written to addresses last."""
         self._cutter = FrameCutter(sent=False)
-        self._settings: dict[int, Settings] = {}
+        self._settings: dict[int, SnoopedGroup] = {}
         self._place: dict[int, int] = dict.fromkeys(snooped.groups, -1)
         """Index of each group's present settings."""
         self._sampled: dict[int, int] = {}
@@ -278,13 +278,13 @@ class Retrace(RtlGateway):
 
     # Frames
 
-    def _send(self, step: Step) -> None:
+    def _send(self, step: SnoopedFrame) -> None:
         self._accesses.extend(step.accesses)
         if step.owes:
             self._owed.append(step)
         self._library.ul_push(self._handle, step.frame, len(step.frame))
 
-    def _divide(self, step: Step) -> None:
+    def _divide(self, step: SnoopedFrame) -> None:
         """Send a command behind the samples that were taken before it, and have it done."""
         self._settle()
         self._await_samples(step.samples_before)
@@ -315,7 +315,7 @@ class Retrace(RtlGateway):
     # What is compared
 
     def _compare_answer(self, frame: bytes) -> None:
-        step = self._owed.popleft() if self._owed else Step(self._now, b"")
+        step = self._owed.popleft() if self._owed else SnoopedFrame(self._now, b"")
         if step.answer is None and step.frame:
             self.report.unknown += 1
             return
@@ -394,7 +394,7 @@ class Retrace(RtlGateway):
         words = self._given.get(group, (-1, []))[1]
         return words[index] if index < len(words) else 0
 
-    def _decide(self, group: int, settings: Settings, number: int) -> None:
+    def _decide(self, group: int, settings: SnoopedGroup, number: int) -> None:
         """Choose the words of a sample that is being taken; of a group on change, they decide whether it is due."""
         last, before = self._given.get(group, (-1, []))
         sample = settings.samples.get(number)

@@ -33,7 +33,7 @@ from unity_link.transport.snoop import Connected, Passed
 if TYPE_CHECKING:
     from collections.abc import Iterable
 
-    from unity_link.transport.snoop import Ended
+    from unity_link.transport.snoop import Disconnected
 
 GROUP_COMMANDS = frozenset({"GS", "GN", "GX", "GP", "K"})
 """Their answers divide samples: those that were taken before come before them."""
@@ -45,7 +45,7 @@ _PREFIX_SIZE = 3
 _SEQUENCES = 256
 
 
-class Access(NamedTuple):
+class SnoopedAccess(NamedTuple):
     """An access of the bus for a request."""
 
     write: bool
@@ -54,7 +54,7 @@ class Access(NamedTuple):
     """Word of a read, None where it is not known; of a read or write, the error that ended it."""
 
 
-class Step(msgspec.Struct):
+class SnoopedFrame(msgspec.Struct):
     """A frame that the host sent, and what became of it."""
 
     time: float
@@ -70,7 +70,7 @@ class Step(msgspec.Struct):
     """Answer that it must have where nothing was executed."""
     before: tuple[int, bool] = (-1, False)
     """The ID that the gateway expected before it, and whether it had told of a gap."""
-    accesses: list[Access] = []
+    accesses: list[SnoopedAccess] = []
     samples_before: dict[int, int] = {}
     """Of a command of `GROUP_COMMANDS`, by group: the last sample that was taken before it, counted from the group's
     settings on; -1 for none."""
@@ -91,7 +91,7 @@ class SnoopedSample(NamedTuple):
     words: list[int]
 
 
-class Settings(msgspec.Struct):
+class SnoopedGroup(msgspec.Struct):
     """A group from one `GS` to the next, with its samples by number; unlike s, that does not begin again at 256."""
 
     flags: GroupFlag
@@ -114,8 +114,8 @@ class Snooped(NamedTuple):
 
     info: GatewayInfo
     node: int | None
-    steps: list[Step]
-    groups: dict[int, list[Settings]]
+    steps: list[SnoopedFrame]
+    groups: dict[int, list[SnoopedGroup]]
     """Settings by group, one after the other."""
     last: float
     """Instant at which the last byte passed."""
@@ -124,7 +124,7 @@ class Snooped(NamedTuple):
 
 
 def read_snooped(
-    events: Iterable[Connected | Passed | Ended], connection: int | None, end: float | None = None
+    events: Iterable[Connected | Passed | Disconnected], connection: int | None, end: float | None = None
 ) -> Snooped:
     """Return what a snoop says of a gateway.
 
@@ -185,8 +185,8 @@ class _Reader:
     """
 
     def __init__(self, codec: Codec) -> None:
-        self.steps: list[Step] = []
-        self.groups: dict[int, list[Settings]] = {}
+        self.steps: list[SnoopedFrame] = []
+        self.groups: dict[int, list[SnoopedGroup]] = {}
         self.astray = 0
         self._codec = codec
         self._prefix = codec.framing.prefix
@@ -198,7 +198,7 @@ class _Reader:
         """Begin a connection: what was under way on the one before is lost."""
         self._rest = b""
         self._received = FrameCutter(sent=False)
-        self._unanswered: deque[Step] = deque()
+        self._unanswered: deque[SnoopedFrame] = deque()
 
     def take(self, data: bytes, time: float, *, sent: bool) -> None:
         """Take what passed."""
@@ -216,12 +216,12 @@ class _Reader:
     # What the host sent
 
     def _take_sent(self, frame: bytes, time: float) -> None:
-        step = Step(time, frame, samples_before=self._numbers())
+        step = SnoopedFrame(time, frame, samples_before=self._numbers())
         if self._judge(step):
             self._unanswered.append(step)
         self.steps.append(step)
 
-    def _judge(self, step: Step) -> bool:
+    def _judge(self, step: SnoopedFrame) -> bool:
         """Decide what the gateway makes of a frame; return whether it may answer."""
         sequence = self._session.sequence
         step.before = sequence.expected, sequence.gap_told
@@ -241,7 +241,7 @@ class _Reader:
             step.accesses = _accesses(taken, None, self._codec.info)
         return not to_all
 
-    def _judge_otherwise(self, step: Step, frame: bytes) -> None:
+    def _judge_otherwise(self, step: SnoopedFrame, frame: bytes) -> None:
         """Record that a frame reached the gateway as another one, or not at all, and judge anew those behind it."""
         sequence = self._session.sequence
         sequence.expected, sequence.gap_told = step.before
@@ -282,7 +282,7 @@ class _Reader:
             step.samples_before = self._numbers()
         if step.request.command == response.command == "GS":
             group, flags, divisor = step.request.values[:3]
-            self.groups.setdefault(group, []).append(Settings(GroupFlag(flags), divisor))
+            self.groups.setdefault(group, []).append(SnoopedGroup(GroupFlag(flags), divisor))
         if step.request.command == response.command == "GP":
             # Its own sample is before its answer as well.
             group = step.request.values[0]
@@ -301,10 +301,10 @@ class _Reader:
             if first is not None and first.refusal != damaged and first.frame.endswith(LF):
                 self._judge_otherwise(first, _damaged(first.frame))
 
-    def _is_told_of_gap(self, step: Step, response: DecodedResponse) -> bool:
+    def _is_told_of_gap(self, step: SnoopedFrame, response: DecodedResponse) -> bool:
         return response.id is not None and step.refusal == self._codec.out_of_sequence(response.id)
 
-    def _fits(self, step: Step, response: DecodedResponse) -> bool:
+    def _fits(self, step: SnoopedFrame, response: DecodedResponse) -> bool:
         """Return whether a response may be to a frame."""
         if step.request is None and not step.owes:
             return False
@@ -323,7 +323,7 @@ class _Reader:
             return response.command == step.request.command and response.id == number
         return with_id and response.id is not None and self._id_of(step) == response.id
 
-    def _id_of(self, step: Step) -> int | None:
+    def _id_of(self, step: SnoopedFrame) -> int | None:
         digits = re.match(rb"[g-z]+([0-9A-Fa-f]+)", step.frame.strip(CR + LF)[len(self._prefix) :])
         return None if digits is None else self._codec.id_number.get(digits[1][: self._codec.info.id_digits].upper())
 
@@ -365,7 +365,7 @@ def sample_body(codec: Codec, frame: bytes, flags: GroupFlag) -> bytes:
     return body[:head] + body[head + TIMESTAMP_DIGITS :] if flags & GroupFlag.TIMESTAMP else body
 
 
-def _accesses(request: DecodedRequest, response: DecodedResponse | None, info: GatewayInfo) -> list[Access]:
+def _accesses(request: DecodedRequest, response: DecodedResponse | None, info: GatewayInfo) -> list[SnoopedAccess]:
     """Return what a request did on the bus, as far as its response tells."""
     failure: ErrorCode | None = None
     words: list[Any] = []
@@ -386,19 +386,19 @@ def _accesses(request: DecodedRequest, response: DecodedResponse | None, info: G
     return [access if access.write else access._replace(outcome=next(reads, None)) for access in accesses]
 
 
-def _places(request: DecodedRequest, info: GatewayInfo) -> list[Access]:
+def _places(request: DecodedRequest, info: GatewayInfo) -> list[SnoopedAccess]:
     values = request.values
     match request.command:
         case "R":
-            return [Access(write=False, address=values[0])]
+            return [SnoopedAccess(write=False, address=values[0])]
         case "W" | "WS":
-            return [Access(write=True, address=values[0])]
+            return [SnoopedAccess(write=True, address=values[0])]
         case "WK":
-            return [Access(write, values[0]) for write in (False, True)]
+            return [SnoopedAccess(write, values[0]) for write in (False, True)]
         case "RM" | "RQ" | "WM" | "WQ":
             write = request.command.startswith("W")
             count = len(values[1]) if write else values[1]
             step = request.command.endswith("M")
             last = (1 << info.address_bits) - 1
-            return [Access(write, values[0] + step * index & last) for index in range(count)]
+            return [SnoopedAccess(write, values[0] + step * index & last) for index in range(count)]
     return []

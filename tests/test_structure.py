@@ -1,0 +1,33 @@
+"""The package keeps its structure: one concept has one name, and imports run one way."""
+
+import ast
+from collections import defaultdict
+from pathlib import Path
+
+ROOT = Path(__file__).parent.parent
+PACKAGE = ROOT / "unity_link"
+MOST_SHARED_NAMES = 10
+"""Class names that may stand in two files, where both are clear from their place."""
+
+
+def shared_class_names(package: Path) -> dict[str, list[str]]:
+    """Return the names of classes that stand in several files, with the files; none that begins with ``_``."""
+    files = defaultdict(set)
+    for path in package.rglob("*.py"):
+        for node in ast.walk(ast.parse(path.read_text())):
+            if isinstance(node, ast.ClassDef) and not node.name.startswith("_"):
+                files[node.name].add(path.relative_to(package).as_posix())
+    return {name: sorted(places) for name, places in sorted(files.items()) if len(places) > 1}
+
+
+def test_few_classes_share_their_name_with_one_of_another_file() -> None:
+    shared = shared_class_names(PACKAGE)
+    listing = "\n".join(f"{name}: {', '.join(places)}" for name, places in shared.items())
+    assert len(shared) <= MOST_SHARED_NAMES, f"more than {MOST_SHARED_NAMES} class names stand twice:\n{listing}"
+
+
+def test_a_class_name_in_two_files_is_found(tmp_path: Path) -> None:
+    (tmp_path / "room").mkdir()
+    (tmp_path / "a.py").write_text("class Batch:\n    class _Part: ...\nclass Alone: ...\n")
+    (tmp_path / "room" / "b.py").write_text("def make():\n    class Batch: ...\nclass _Part: ...\n")
+    assert shared_class_names(tmp_path) == {"Batch": ["a.py", "room/b.py"]}
