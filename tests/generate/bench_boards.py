@@ -39,27 +39,19 @@ public echo() {
 """Signals that are written and read with the same widths in the same order, so that the wire brings all back."""
 
 
-class Board:
-    """The board's pins; the chain has so many bits."""
+class ByUart:
+    """A design by the two pins of its UART."""
 
-    def __init__(self, dut: Any, interface: Interface, bits: int) -> None:
+    def __init__(self, dut: Any, interface: Interface) -> None:
         self.dut = dut
         self.interface = interface
-        self.chain_frame_cycles = 2 * (2 * bits + 2)
         self.received = bytearray()
 
     async def begin(self) -> None:
         self.dut.uart_rxd.value = 1
         Clock(self.dut.clk, PERIOD_NS, unit="ns").start()
-        cocotb.start_soon(self._wire())
         await ClockCycles(self.dut.clk, 20)
         cocotb.start_soon(self._receive())
-
-    async def _wire(self) -> None:
-        """Join the end of the chain to its beginning, as a wire does."""
-        while True:
-            self.dut.chain_in.value = self.dut.chain_out.value
-            await self.dut.chain_out.value_change
 
     async def _receive(self) -> None:
         while True:
@@ -90,6 +82,35 @@ class Board:
                 await ClockCycles(self.dut.clk, BIT_CYCLES)
         return await self.frames(count)
 
+    async def set(self, path: str, value: float) -> None:
+        signal = self.interface.signals[path]
+        (word,) = signal.encode(value)
+        assert await self.ask(f"W{signal.address:02X}{word:08X}") == [f"W{signal.address:02X}"]
+
+    async def get(self, path: str) -> float:
+        signal = self.interface.signals[path]
+        (answer,) = await self.ask(f"R{signal.address:02X}")
+        assert answer.startswith(f"R{signal.address:02X}")
+        return signal.decode(int(answer[3:], 16))
+
+
+class Board(ByUart):
+    """The board's pins; the chain has so many bits."""
+
+    def __init__(self, dut: Any, interface: Interface, bits: int) -> None:
+        super().__init__(dut, interface)
+        self.chain_frame_cycles = 2 * (2 * bits + 2)
+
+    async def begin(self) -> None:
+        cocotb.start_soon(self._wire())
+        await super().begin()
+
+    async def _wire(self) -> None:
+        """Join the end of the chain to its beginning, as a wire does."""
+        while True:
+            self.dut.chain_in.value = self.dut.chain_out.value
+            await self.dut.chain_out.value_change
+
     async def ask_counting(self, body: str, count: int) -> tuple[list[str], int]:
         """Do what `ask` does; also return for how many cycles the gateway has had its bus."""
         cycles = 0
@@ -108,17 +129,6 @@ class Board:
     async def round_the_chain(self) -> None:
         """Wait until what was written has come back."""
         await ClockCycles(self.dut.clk, 2 * self.chain_frame_cycles)
-
-    async def set(self, path: str, value: float) -> None:
-        signal = self.interface.signals[path]
-        (word,) = signal.encode(value)
-        assert await self.ask(f"W{signal.address:02X}{word:08X}") == [f"W{signal.address:02X}"]
-
-    async def get(self, path: str) -> float:
-        signal = self.interface.signals[path]
-        (answer,) = await self.ask(f"R{signal.address:02X}")
-        assert answer.startswith(f"R{signal.address:02X}")
-        return signal.decode(int(answer[3:], 16))
 
 
 @cocotb.test

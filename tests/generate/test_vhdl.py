@@ -16,6 +16,7 @@ from hypothesis import given, settings
 from gateware.bench.runner import GATEWARE, rtl_sources, run_bench, simulator_available
 from generate.bench_boards import ECHO, WALKER
 from generate.bench_nodes import LAMP, PAIR
+from generate.bench_watchdog import LISTINGS, MOTOR, PAGE, PATIENCE
 from generate.every_kind import WORD_BITS, every_kind, good_values
 from support.searching import examples
 from support.spec_examples import FIGURE_1, specs
@@ -361,6 +362,29 @@ def test_a_generated_board_works_by_its_pins(spec: Spec, case: str) -> None:
         # There is no reset pin: until the board has reset itself, everything is undefined.
         warnings_allowed=True,
     )
+
+
+@rtl
+def test_the_watchdog_of_the_documentation_stops_a_motor_that_nobody_writes_to() -> None:
+    folder = GATEWARE / "build" / "generated" / "motor"
+    paths = write(generate("vhdl", MOTOR), folder)
+    board = folder / "motor_board.vhd"
+    board.write_text(LISTINGS["motor_board.vhd"])
+    run_bench(
+        "motor_board",
+        "tests.generate.bench_watchdog",
+        generics={"clock_hz": 25_000_000, "baud": 6_250_000, "patience": PATIENCE},
+        extra_sources=[*(path for path in paths if "_on_" not in path.name), board],
+        # Everything is undefined until the reset.
+        warnings_allowed=True,
+    )
+
+
+def test_the_watchdog_of_the_documentation_has_the_sixteen_lines_that_are_promised() -> None:
+    text = LISTINGS["motor_board.vhd"]
+    watchdog = text[text.index("  watch : process") : text.index("end architecture")].strip()
+    assert len(watchdog.splitlines()) == 16
+    assert "sixteen lines" in PAGE
 
 
 @rtl

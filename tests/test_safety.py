@@ -1,0 +1,91 @@
+"""What docs/safety.md says of outputs when a program ends, by the tutorials' own programs."""
+
+from __future__ import annotations
+
+import contextlib
+import re
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import pytest
+
+from unity_link import blocking
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+DOCS = Path(__file__).parents[1] / "docs"
+PROGRAM = str(Path(sys.executable).parent / "unity-link")
+_FILES = re.compile(r"^```\{code-block\} \w+\n:caption: (\w+\.\w+)\n+(.*?)^```$", re.MULTILINE | re.DOTALL)
+PATIENCE = 60.0
+
+
+def save(page: str, folder: Path) -> None:
+    """Write the files that a tutorial has one save."""
+    for name, text in _FILES.findall((DOCS / "tutorials" / page).read_text(encoding="utf-8")):
+        (folder / name).write_text(text, encoding="utf-8")
+
+
+@contextlib.contextmanager
+def simulated(folder: Path, robot: str) -> Iterator[str]:
+    """Share a robot at a socket, which is returned as a URL, with the program and with who watches it."""
+    command = [PROGRAM, "serve", f"sim:{robot}", "--unix", "robot.sock"]
+    with subprocess.Popen(command, cwd=folder, stdout=subprocess.PIPE, text=True) as process:
+        try:
+            assert process.stdout is not None
+            assert process.stdout.readline().startswith("unix:")
+            yield f"unix:{folder / 'robot.sock'}"
+        finally:
+            process.kill()
+
+
+def ended_by(number: signal.Signals, program: list[str], folder: Path, url: str, moving: int) -> None:
+    """Run a program until a word of its robot is not 0, and end it by a signal."""
+    with subprocess.Popen(program, cwd=folder, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL) as process:
+        try:
+            deadline = time.monotonic() + PATIENCE
+            with blocking.connect(url) as link:
+                while link.read(moving) == 0:
+                    assert process.poll() is None
+                    assert time.monotonic() < deadline
+            process.send_signal(number)
+            process.wait(PATIENCE)
+        finally:
+            process.kill()
+
+
+@pytest.mark.parametrize(("number", "moves_on"), [(signal.SIGINT, False), (signal.SIGKILL, True)])
+def test_the_rover_stops_at_ctrl_c_and_nothing_stops_it_where_its_program_is_killed(
+    number: signal.Signals, moves_on: bool, tmp_path: Path
+) -> None:
+    save("rover.md", tmp_path)
+    drive = (tmp_path / "drive.py").read_text()
+    assert "drive(rover, 1)" in drive
+    far = drive.replace("drive(rover, 1)", "drive(rover, 1000)").replace("rover.sock", "robot.sock")
+    (tmp_path / "drive.py").write_text(far)
+    with simulated(tmp_path, "rover.ul?model=rover.py:Rover") as url:
+        ended_by(number, [sys.executable, "drive.py"], tmp_path, url, 0x12)
+        with blocking.connect(url) as link:
+            assert [link.read(0x12) != 0, link.read(0x22) != 0] == [moves_on] * 2
+
+
+def test_the_lamp_is_off_at_ctrl_c(tmp_path: Path) -> None:
+    save("board.md", tmp_path)
+    with simulated(tmp_path, "lamp.ul") as url:
+        ended_by(signal.SIGINT, [sys.executable, "blink.py", url], tmp_path, url, 0x00)
+        with blocking.connect(url) as link:
+            assert link.read(0x00) == 0
+
+
+@pytest.mark.parametrize("page", ["rover.md", "board.md"])
+def test_a_tutorials_program_that_moves_something_ends_with_it_at_rest(page: str) -> None:
+    programs = [text for name, text in _FILES.findall((DOCS / "tutorials" / page).read_text()) if ".set(" in text]
+    moving = [text for text in programs if "import asyncio" in text]
+    assert moving
+    for text in moving:
+        ending = text[text.index("finally:") :]
+        assert ".set(0)" in ending or ".set(False)" in ending
